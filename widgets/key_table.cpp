@@ -59,6 +59,10 @@ std::vector<KeyRow> curveEditorRows() {
         {place, tr("← → ↑ ↓; with Shift"), tr("move the selected node by 1/256; by ten times as much")},
         {place, tr("Delete"), tr("deletes the selected node (also in the table of nodes)")},
         {place, tr("Enter, F2 or a double click in the table of nodes"), tr("lets a number be typed")},
+        {place, tr("drag, double click, Tab, Page Up, Page Down, arrows, Delete in the boundary emphasis"),
+         tr("edit its nodes as those of the curve")},
+        {place, tr("click, or ← → and Enter, on a maximum of the contour spectrum"),
+         tr("puts the designer's ramp there")},
         {place, tr("Escape during a drag"), tr("ends the drag without change")},
     };
 }

@@ -1,5 +1,7 @@
 #include "app/document/document_curves.h"
 
+#include <utility>
+
 namespace echolucent {
 
 DocumentCurves::DocumentCurves(DocumentModel& model, int view, QObject* parent)
@@ -9,7 +11,8 @@ DocumentCurves::DocumentCurves(DocumentModel& model, int view, QObject* parent)
 }
 
 EditedCurves DocumentCurves::edited() const {
-    return {m_model.document().curves, viewOf(m_model.document(), m_view).curve};
+    const View& view = viewOf(m_model.document(), m_view);
+    return {m_model.document().curves, view.curve, view.design != 0};
 }
 
 void DocumentCurves::edit(const EditedCurves& next, const QString& what, int gesture) {
@@ -21,9 +24,9 @@ void DocumentCurves::preview(const EditedCurves& next, const QString& what) { m_
 Document DocumentCurves::with(const EditedCurves& edited) const {
     Document document = m_model.document();
     document.curves = edited.curves;
-    // Whoever chooses a curve leaves the view's design; an edit of the curve that is chosen already does not.
-    if (viewOf(document, m_view).curve == edited.active) return document;
-    return withCurve(std::move(document), m_view, edited.active);
+    if (!edited.designed) return withCurve(std::move(document), m_view, edited.active);
+    viewOf(document, m_view).curve = edited.active;
+    return document;
 }
 
 }  // namespace echolucent

@@ -1,5 +1,8 @@
 #include "app/document/document_view.h"
 
+#include <utility>
+
+#include "processing/document/view_caster.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -12,6 +15,8 @@ DocumentView::DocumentView(DocumentModel& model, int view, HandGesture& hand, Vo
     connect(&m_model, &DocumentModel::boxesChanged, this, &DocumentView::showPose);
     connect(&m_model, &DocumentModel::looksChanged, this, &DocumentView::showLook);
     connect(&m_model, &DocumentModel::viewsChanged, this, [this] {
+        leaveDesign();
+        showCurve();
         showPose();
         showLook();
     });
@@ -30,7 +35,12 @@ DocumentView::DocumentView(DocumentModel& model, int view, HandGesture& hand, Vo
 
 void DocumentView::showVolume(const std::shared_ptr<const Volume>& volume,
                               const std::shared_ptr<const Volume>& measured) {
+    if (m_held && awaitsDesign()) {
+        m_waiting = Volumes{volume, measured};
+        return;
+    }
     m_held = false;
+    m_waiting.reset();
     showCurve();
     m_widget.setVolume(volume, measured);
     showLook();
@@ -47,7 +57,36 @@ void DocumentView::showPose() {
 }
 
 void DocumentView::showCurve() {
-    if (!m_held) m_widget.setClassification(curveOf(m_model.document(), m_view, m_adaptive));
+    if (m_held || awaitsDesign()) return;
+    m_widget.setClassification(
+        classificationOf(m_model.document(), m_view, {.curve = m_adaptive, .designed = m_designed}));
+}
+
+bool DocumentView::awaitsDesign() const { return designOf(m_model.document(), m_view) != nullptr && !m_designed; }
+
+void DocumentView::hold() {
+    m_held = true;
+    m_designed.reset();
+    m_waiting.reset();
+}
+
+void DocumentView::setDesigned(const Classification& designed) {
+    m_designed = designed;
+    if (const auto waiting = std::exchange(m_waiting, std::nullopt))
+        showVolume(waiting->shown, waiting->measured);
+    else
+        showCurve();
+}
+
+void DocumentView::doWithoutDesign() {
+    if (m_waiting) setDesigned(ManualCurve{});
+}
+
+/// A design that is left is none of the next one's.
+void DocumentView::leaveDesign() {
+    if (designOf(m_model.document(), m_view) != nullptr) return;
+    m_designed.reset();
+    if (const auto waiting = std::exchange(m_waiting, std::nullopt)) showVolume(waiting->shown, waiting->measured);
 }
 
 void DocumentView::showLook() {

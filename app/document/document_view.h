@@ -3,9 +3,11 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 
 #include "app/document/document_model.h"
 #include "app/document/hand_gesture.h"
+#include "processing/classification.h"
 
 namespace echolucent {
 
@@ -25,13 +27,19 @@ public:
     [[nodiscard]] int view() const { return m_view; }
     /// The volume of the view's phase; takes the newest of the document with it, and ends a hold().
     /// Pointed values are those of `measured`, the voxels that were read.
+    /// A held view whose design is not computed yet is held until it is.
     void showVolume(const std::shared_ptr<const Volume>& volume, const std::shared_ptr<const Volume>& measured);
     /// The widget goes on showing what it shows, until the next volume: a picture is never made of one study's voxels
     /// and another's values.
-    void hold() { m_held = true; }
+    void hold();
     [[nodiscard]] bool held() const { return m_held; }
     /// Takes the adaptive curve of the phase that is shown.
     void setAdaptiveCurve(const SampledCurve& curve) { m_adaptive = curve; }
+    /// Takes what the designer of the view made, and shows it where the view has a design. Until the first one is
+    /// there, the picture stays as it was.
+    void setDesigned(const Classification& designed);
+    /// There will be no design for now: a view that is held for it shows its volume without.
+    void doWithoutDesign();
 
 public slots:
     /// From where the document looks in the present frame of the motion. Poses and cuts that change are shown by
@@ -46,6 +54,8 @@ signals:
 
 private:
     void showLook();
+    void leaveDesign();
+    [[nodiscard]] bool awaitsDesign() const;
     void takePose();
     void takeLight();
     void take(const Document& next, const QString& what);
@@ -54,7 +64,13 @@ private:
     int m_view;
     HandGesture& m_hand;
     VolumeViewWidget& m_widget;
+    /// Volumes as showVolume() takes them.
+    struct Volumes {
+        std::shared_ptr<const Volume> shown, measured;
+    };
     SampledCurve m_adaptive;
+    std::optional<Classification> m_designed;
+    std::optional<Volumes> m_waiting;  ///< for the design of a view that is held
     bool m_held = false;
 };
 

@@ -146,7 +146,7 @@ void MotionFrames::showWaitingFrame() {
 }
 
 void MotionFrames::announceShownFrame() {
-    if (m_frameWaits || m_parts.openStudy.computingOtf()) return;
+    if (m_frameWaits || m_parts.openStudy.computingOtf() || m_parts.designs.busy()) return;
     // Where another pane has the whole room, no picture is made, and the motion goes on in that pane.
     const VolumeViewWidget& picture = m_parts.picture;
     if (picture.isVisible() && !(picture.pictureIsCurrent() && picture.pictureIsOnScreen())) return;

@@ -9,6 +9,7 @@
 #include "app/document/document_view.h"
 #include "app/motion/motion_player.h"
 #include "app/otf/otf_computing.h"
+#include "app/otf/view_designs.h"
 #include "widgets/motion/otf_course.h"
 #include "widgets/paced_words.h"
 
@@ -27,6 +28,7 @@ public:
         DocumentModel& model;
         OpenStudy& openStudy;
         OtfComputing& computing;
+        const ViewDesigns& designs;
         DocumentView& view;
         VolumeViewWidget& picture;
         MotionPlayer& player;

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <cmath>
 
+#include "app/otf/shown_design.h"
 #include "processing/adaptive/method_reading.h"
 #include "widgets/panels/panel_controls.h"
 
@@ -12,6 +13,25 @@ namespace echolucent {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("explanation", text); }
+
+/// What the designer of the picture's OTF says of it, which is the one before while that of the document computes.
+QStringList designSentences(const PictureFacts& facts, const DesignerConfig& config) {
+    const QString follows = tr("What is seen and what is clear follows from the OTF of the designer %1.");
+    if (facts.design == nullptr)
+        return {follows.arg(labelOf(config)), tr("It is not computed yet: the picture stays as it was.")};
+    const QString designer = labelOf(facts.design->config);
+    QStringList sentences{follows.arg(designer)};
+    if (facts.design->config.index() != config.index())
+        sentences << tr("The OTF of %1 is not computed yet.").arg(labelOf(config));
+    else if (!facts.designIsNewest)
+        sentences << tr("It was made before the newest change, whose OTF is not there yet.");
+    const Design& design = facts.design->design;
+    QStringList said{QString::fromStdString(design.message)};
+    for (const std::string& sentence : design.explanation) said << QString::fromStdString(sentence);
+    said.removeAll(QString());
+    if (!said.isEmpty()) sentences << tr("%1: %2").arg(designer, said.join(QLatin1Char(' ')));
+    return sentences;
+}
 
 QString curveSentence(const PictureFacts& facts) {
     switch (viewOf(facts.document, facts.view).curve) {
@@ -110,8 +130,9 @@ QStringList whatIsSeen(const PictureFacts& facts) {
         case RenderMode::mean:
             return {tr("Each pixel shows the mean of all echoes behind it, as an x-ray would; the OTF plays no part.")};
     }
-    QStringList sentences{curveSentence(facts)};
-    if (facts.otf != nullptr && viewOf(facts.document, facts.view).curve == CurveKind::adaptive)
+    const DesignerConfig* config = designOf(facts.document, facts.view);
+    QStringList sentences = config != nullptr ? designSentences(facts, *config) : QStringList{curveSentence(facts)};
+    if (config == nullptr && facts.otf != nullptr && viewOf(facts.document, facts.view).curve == CurveKind::adaptive)
         sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf)
                   << motionSentence(facts.document.motion, facts.study.phases.size());
     if (curveIsOfAnotherView(facts.document, facts.view, facts.otf))

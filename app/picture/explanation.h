@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include "app/otf/view_designs.h"
 #include "app/picture/picture_caption.h"
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
@@ -18,6 +19,9 @@ struct PictureFacts {
     const Document& document;
     int view;  ///< of the document
     ShownSpeckle speckle = ShownSpeckle::asRead;
+    /// What the designer of the view made; null where the view has none, or it is not computed yet.
+    const ViewDesign* design = nullptr;
+    bool designIsNewest = true;  ///< else it is computed anew, or that was cancelled
 };
 
 /// A few plain sentences: what is shown, from where, which OTF decides what is seen, how it was found

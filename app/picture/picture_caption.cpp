@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "app/otf/shown_design.h"
 #include "processing/document/view_caster.h"
 #include "widgets/panels/panel_controls.h"
 
@@ -61,15 +62,25 @@ QString otfLine(const Document& document, int view) {
     return tr("OTF of phase %1").arg(motion.otfPhase + 1);
 }
 
+QString designLine(const Document& document, int view, bool isShown) {
+    const DesignerConfig* config = designOf(document, view);
+    if (config == nullptr || lookOf(document, view).mode != RenderMode::direct) return {};
+    return (isShown ? tr("OTF: %1") : tr("OTF: %1 is not computed yet")).arg(labelOf(*config));
+}
+
 }  // namespace
 
 bool curveIsOfAnotherView(const Document& document, int view, const AdaptiveOtf* otf) {
+    if (designOf(document, view) != nullptr)
+        return curveIsOfAnotherView(document, view, otfViewpointOf(document, view));
     return otf != nullptr && curveIsOfAnotherView(document, view, otf->view);
 }
 
 bool curveIsOfAnotherView(const Document& document, int view, const Viewpoint& ofOtf) {
     if (document.motionAngle != 0.0) return false;
-    if (lookOf(document, view).mode != RenderMode::direct || viewOf(document, view).curve != CurveKind::adaptive)
+    if (lookOf(document, view).mode != RenderMode::direct) return false;
+    const DesignerConfig* config = designOf(document, view);
+    if (config != nullptr ? !readsTubeCores(*config) : viewOf(document, view).curve != CurveKind::adaptive)
         return false;
     return directionOf(ofOtf) != poseOf(document, view).direction;
 }
@@ -81,6 +92,7 @@ QString pictureCaption(const CaptionFacts& facts) {
                       cutLine(cutOf(facts.document, facts.view), facts.lengthsKnown),
                       speckleLine(look.reduction, facts.speckle),
                       lightLine(look),
+                      designLine(facts.document, facts.view, facts.designIsShown),
                       otfLine(facts.document, facts.view),
                       facts.curveOfAnotherView ? tr("curve of another view (A computes it for this one)") : QString()};
     lines.removeAll(QString());

@@ -69,18 +69,31 @@ void addCurves(HtmlPage& page, const CaseReport& report) {
     Plot plot{.title = "Opacity transfer functions", .xLabel = "intensity", .yLabel = "opacity", .series = {}};
     for (const CurveKind kind : allCurveKinds) {
         if (kind == CurveKind::adaptive && report.adaptive.opacities.empty()) continue;
-        const OpacityCurve curve = kind == active ? renderedCurve(report.document.curves, kind, report.adaptive)
-                                                  : curveOf(report.document.curves, kind, report.adaptive);
+        const bool rendered = kind == active && report.designer.empty();
+        const OpacityCurve curve = rendered ? renderedCurve(report.document.curves, kind, report.adaptive)
+                                            : curveOf(report.document.curves, kind, report.adaptive);
         PlotSeries series;
-        series.name = std::string(nameOf(kind)) + (kind == active ? " (rendered)" : "");
+        series.name = std::string(nameOf(kind)) + (rendered ? " (rendered)" : "");
         series.y = sampledOpacities(curve, samples);
+        for (int i = 0; i < samples; ++i) series.x.push_back(static_cast<double>(i) / (samples - 1));
+        plot.series.push_back(std::move(series));
+    }
+    if (report.designed) {
+        PlotSeries series;
+        series.name = report.designer + " (rendered)";
+        series.y = sampledOpacities(adjusted(*report.designed, report.document.curves.adjustment), samples);
         for (int i = 0; i < samples; ++i) series.x.push_back(static_cast<double>(i) / (samples - 1));
         plot.series.push_back(std::move(series));
     }
     plot.series.push_back(histogramSeries(report.histogram));
     page.heading("Curves");
     page.plot(plot);
-    page.paragraph(fmt::format("The 3D view is rendered with the {} curve.", nameOf(active)));
+    page.paragraph(
+        report.designer.empty()
+            ? fmt::format("The 3D view is rendered with the {} curve.", nameOf(active))
+            : fmt::format("The 3D view is rendered with the OTF of the designer {}; the plot shows its largest "
+                          "opacity of each intensity.",
+                          report.designer));
 }
 
 std::string placesText(const std::vector<Vec3>& places) {
@@ -107,6 +120,10 @@ void addParameters(HtmlPage& page, const CaseReport& report) {
     page.heading("Parameters");
     const std::vector<std::string> columns{"parameter", "value", "unit"};
     page.table(columns, rowsOf(methodParameters(), configOf(report.document)), "The adaptive method");
+    if (const DesignerConfig* config = designOf(report.document, report.view)) {
+        auto rows = std::visit([](const auto& values) { return rowsOf(parametersOf(values), values); }, *config);
+        if (!rows.empty()) page.table(columns, std::move(rows), "The designer " + report.designer);
+    }
     page.table(columns, rowsOf(lookParameters(), lookOf(report.document, report.view)), "The look of the 3D view");
 }
 

@@ -36,12 +36,14 @@ struct CaseReport {
     std::vector<ReportPane> panes;
     QStringList explanation;  ///< sentences: what the 3D view shows and why
     Document document;
-    int view = 1;                       ///< of the document
-    SampledCurve adaptive;              ///< as it is shown; empty where there is none
-    IntensityHistogram histogram;       ///< of the raw voxels
-    VolumeGeometry geometry;            ///< of the volume that was measured in
-    std::vector<ImportFact> facts;      ///< the import report
-    std::vector<std::string> warnings;  ///< of reading
+    int view = 1;            ///< of the document
+    SampledCurve adaptive;   ///< as it is shown; empty where there is none
+    std::string designer{};  ///< its name, where the 3D view is rendered with the OTF of one; else empty
+    std::optional<OpacityCurve> designed{};  ///< that OTF's upper curve (upperCurveOf()), where it is there
+    IntensityHistogram histogram;            ///< of the raw voxels
+    VolumeGeometry geometry;                 ///< of the volume that was measured in
+    std::vector<ImportFact> facts;           ///< the import report
+    std::vector<std::string> warnings;       ///< of reading
     std::vector<ReportTime> times;
     std::optional<Patient> patient;  ///< only where a person asked for it
 };

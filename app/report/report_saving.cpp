@@ -161,6 +161,10 @@ CaseReport ReportSaving::windowState() const {
     report.document = m_parts.model.document();
     report.view = m_parts.view;
     report.adaptive = m_parts.editor.state().adaptive;
+    if (m_parts.editor.state().designed) {
+        report.designer = m_parts.editor.state().designer;
+        report.designed = m_parts.editor.state().design;
+    }
     report.histogram = openStudy.histogram();
     report.geometry = openStudy.volume()->geometry();
     const auto& finds = openStudy.finds();

@@ -29,6 +29,7 @@ OpenStudy::OpenStudy(QObject* parent)
     connect(&m_loader, &NewestWinsThread::progressed, this, &OpenStudy::loadingProgressed);
     connect(&m_otfThread, &NewestWinsThread::busyChanged, this, &OpenStudy::computingOtfChanged);
     connect(&m_cut, &CutPhases::made, this, &OpenStudy::takeCut);
+    connect(&m_cut, &CutPhases::made, this, &OpenStudy::phaseVoxelsChanged);
     connect(&m_checksumThread, &NewestWinsThread::busyChanged, this, &OpenStudy::takingChecksumChanged);
     connect(&m_cut, &CutPhases::busyChanged, this, [this] {
         // Strokes that cut nothing tell of no cut.
@@ -37,6 +38,7 @@ OpenStudy::OpenStudy(QObject* parent)
     });
     connect(&m_cut, &CutPhases::failed, this, &OpenStudy::otfFailed);
     connect(&m_quiet, &QuietPhases::made, this, &OpenStudy::takeQuietVoxels);
+    connect(&m_quiet, &QuietPhases::made, this, &OpenStudy::phaseVoxelsChanged);
     connect(&m_quiet, &QuietPhases::busyChanged, this, [this](bool busy) {
         if (busy)
             m_quieteningClock.start();

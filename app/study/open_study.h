@@ -72,6 +72,10 @@ public:
     /// The phase's quiet voxels where they are made, else its raw ones, with what the scalpel cut of them: what its
     /// next picture is to be made of.
     [[nodiscard]] std::shared_ptr<const Volume> newestVoxels();
+    /// The same of any phase (counted from 0) of the study that is open, and its raw voxels: the same objects as long
+    /// as neither the voxels nor what is cut of them change, which phaseVoxelsChanged() tells.
+    [[nodiscard]] std::shared_ptr<const Volume> newestVoxelsOf(int phase);
+    [[nodiscard]] std::shared_ptr<const Volume> rawVoxelsOf(int phase) { return volumeOf(phase); }
     /// Cuts all phases by strokes, in the background; the newest list wins. What is being computed of the volume goes
     /// on with the volume that is cut.
     void setStrokes(const std::vector<ScalpelStroke>& strokes);
@@ -179,6 +183,9 @@ signals:
     /// The scalpel cut other voxels of the volume shown, or of that whose OTF is computed: volume() and newestVoxels()
     /// are others, and otf() is still that of the volume before.
     void volumeCut();
+    /// The quiet voxels of any phase are there, or other voxels of it are cut. It comes after the signals above and
+    /// below that tell the same of the phase shown.
+    void phaseVoxelsChanged(int phase);
     void computingOtfChanged(bool computing);
     void otfComputed();
     /// The quiet voxels of the phase shown are there, or of that whose OTF is computed.
@@ -199,8 +206,6 @@ private:
     void show(int phase);
     /// Raw voxels of a phase, with what the scalpel cut of them.
     [[nodiscard]] std::shared_ptr<const Volume> volumeOf(int phase);
-    /// Its quiet voxels where they are made, else its raw ones, with what the scalpel cut of them.
-    [[nodiscard]] std::shared_ptr<const Volume> newestVoxelsOf(int phase);
     void wantQuietVoxels() { m_quiet.want(m_phase, m_reduction, phaseOfOtf()); }
     void takeQuietVoxels(int phase);
     void takeCut(int phase);

@@ -3,9 +3,11 @@
 #include <QMainWindow>
 #include <utility>
 
+#include "app/otf/shown_design.h"
 #include "app/study/study_names.h"
 #include "io/import_report.h"
 #include "processing/box_section.h"
+#include "processing/document/view_caster.h"
 #include "processing/picture/empty_picture.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
@@ -36,6 +38,12 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.model, &DocumentModel::phasesChanged, this, &ShownStudy::takePhase);
     connect(&m_parts.model, &DocumentModel::curvesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::viewsChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::viewsChanged, this, &ShownStudy::showNumbers);
+    connect(&m_parts.designs, &ViewDesigns::computed, this, [this](int view) {
+        if (view != m_parts.view.view()) return;
+        showRemarkAtRest();
+        m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
+    });
     connect(&m_parts.model, &DocumentModel::looksChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::boxesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
@@ -175,9 +183,14 @@ void ShownStudy::takeOtf() {
 
 void ShownStudy::showNumbers() {
     const AdaptiveOtf* otf = m_parts.motion.otf();
-    if (otf == nullptr) return;
-    m_parts.method.showResult(*otf);
-    m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
+    if (otf != nullptr) m_parts.method.showResult(*otf);
+    const int view = m_parts.view.view();
+    if (designOf(m_parts.model.document(), view) != nullptr) {
+        const auto made = m_parts.designs.of(view);
+        made ? m_parts.status.setDesign(labelOf(made->config), made->milliseconds) : m_parts.status.clearOtf();
+    } else if (otf != nullptr) {
+        m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
+    }
 }
 
 /// The curve is adapted to the quiet voxels first, so that both come into the picture together. What plays takes them
@@ -228,21 +241,37 @@ void ShownStudy::showRemarkAtRest() {
 }
 
 void ShownStudy::showRemark() {
-    const AdaptiveOtf* otf = m_parts.motion.otf();
-    if (otf == nullptr || !m_parts.openStudy.volume()) return;
+    if (m_parts.motion.otf() == nullptr || !m_parts.openStudy.volume()) return;
     const Document& document = m_parts.model.document();
     const int view = m_parts.view.view();
     const std::optional<OrientedBox> box = viewpointOf(document, view).box;
     if (box && !meets(*box, m_parts.openStudy.volume()->dataBox()))
         return m_parts.messages.setRemark(
             tr("Nothing is shown: the render box lies beside the data. Drag its centre, or switch it off (B)."));
-    QStringList remarks{QString::fromStdString(otf->message)};
-    // A picture that is black because of its curve says so.
+    m_parts.messages.setRemark(remarks().join(QLatin1Char(' ')));
+}
+
+/// What the OTF that is rendered has to say. A picture that is black because of its curve says so.
+QStringList ShownStudy::remarks() const {
+    const Document& document = m_parts.model.document();
+    const int view = m_parts.view.view();
+    const AdaptiveOtf& otf = *m_parts.motion.otf();
+    QString message = QString::fromStdString(otf.message);
+    OpacityCurve curve;
+    if (designOf(document, view) != nullptr) {
+        const auto made = m_parts.designs.of(view);
+        if (!made) return {};
+        message = QString::fromStdString(made->design.message);
+        if (!message.isEmpty()) message = tr("%1: %2").arg(labelOf(made->config), message);
+        curve = upperCurveOf(classificationOf(document, view, {.designed = made->design.classification}));
+    } else {
+        curve = curveOf(document, view, otf.curve);
+    }
+    QStringList remarks{message};
     if (lookOf(document, view).mode == RenderMode::direct)
-        remarks << QString::fromStdString(
-            whyNothingShows(curveOf(document, view, otf->curve), m_parts.openStudy.histogramOfOtf()));
+        remarks << QString::fromStdString(whyNothingShows(curve, m_parts.openStudy.histogramOfOtf()));
     remarks.removeAll(QString());
-    m_parts.messages.setRemark(remarks.join(QLatin1Char(' ')));
+    return remarks;
 }
 
 void ShownStudy::showNearCutRange() {

@@ -16,6 +16,7 @@ class OtfEditor;
 class RunStatus;
 class StudyNames;
 class StudyPanel;
+class ViewDesigns;
 class ViewPanel;
 
 /// Begins the document of a study, and brings volume, OTF and facts to view, editor and panels, in the order in which a
@@ -29,6 +30,7 @@ public:
         DocumentModel& model;
         OpenStudy& openStudy;
         OtfComputing& computing;
+        const ViewDesigns& designs;
         DocumentView& view;
         VolumeViewWidget& picture;
         MotionFrames& motion;
@@ -63,6 +65,7 @@ private:
     void takeCut();
     void doWithoutOtf(const QString& sentence);
     void showRemark();
+    [[nodiscard]] QStringList remarks() const;
     void showRemarkAtRest();
     void takePhase();
     void showNearCutRange();

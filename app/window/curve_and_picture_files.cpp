@@ -52,8 +52,7 @@ ManualCurve nodesOf(const OpacityCurve& curve) {
 
 CurveAndPictureFiles::CurveAndPictureFiles(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
     connect(&m_parts.editor, &OtfEditor::openCurveRequested, this, &CurveAndPictureFiles::chooseAndOpenCurve);
-    connect(&m_parts.editor, &OtfEditor::saveCurveRequested, this,
-            [this] { chooseAndSaveCurve(m_parts.editor.state().active); });
+    connect(&m_parts.editor, &OtfEditor::saveCurveRequested, this, [this] { chooseAndSaveCurve(rendered()); });
     connect(&m_parts.editor, &OtfEditor::activeCurveChanged, this,
             [this] { m_parts.messages.takeBack(std::exchange(m_told, {})); });
 }
@@ -83,24 +82,34 @@ QString CurveAndPictureFiles::proposedName(const QString& what) const {
     return m_parts.names.beginningFor(m_parts.openStudy.path()) + '-' + what;
 }
 
-bool CurveAndPictureFiles::chooseAndSaveCurve(CurveKind kind) {
-    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
-                                          {.title = tr("Save the %1 curve").arg(curveName(kind)),
-                                           .filter = tr("Opacity curves (*.json)"),
-                                           .name = proposedName(curveKey(kind)),
-                                           .suffix = QStringLiteral("json")});
-    return !path.isEmpty() && saveCurve(path, kind);
+CurveAndPictureFiles::SavedCurve CurveAndPictureFiles::curveOfKind(CurveKind kind) const {
+    return {curveOf(m_parts.editor.state(), kind), curveName(kind), curveKey(kind), kind == CurveKind::manual};
 }
 
-bool CurveAndPictureFiles::saveCurve(const QString& path) { return saveCurve(path, m_parts.editor.state().active); }
+CurveAndPictureFiles::SavedCurve CurveAndPictureFiles::rendered() const {
+    const OtfEditorState& state = m_parts.editor.state();
+    if (!state.designed) return curveOfKind(state.active);
+    return {state.design.value_or(SampledCurve{}), QString::fromStdString(state.designer), QStringLiteral("design")};
+}
 
-bool CurveAndPictureFiles::saveCurve(const QString& path, CurveKind kind) {
-    const ManualCurve nodes = nodesOf(curveOf(m_parts.editor.state(), kind));
+bool CurveAndPictureFiles::chooseAndSaveCurve(const SavedCurve& saved) {
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
+                                          {.title = tr("Save the %1 curve").arg(saved.name),
+                                           .filter = tr("Opacity curves (*.json)"),
+                                           .name = proposedName(saved.key),
+                                           .suffix = QStringLiteral("json")});
+    return !path.isEmpty() && saveCurve(path, saved);
+}
+
+bool CurveAndPictureFiles::saveCurve(const QString& path) { return saveCurve(path, rendered()); }
+
+bool CurveAndPictureFiles::saveCurve(const QString& path, const SavedCurve& saved) {
+    const ManualCurve nodes = nodesOf(saved.curve);
     if (!report(mayOverwrite(path))) return false;
     if (!report(writeCurve(path.toStdString(), nodes))) return false;
-    if (kind == CurveKind::manual) m_parts.editor.setManualSaved();
+    if (saved.manual) m_parts.editor.setManualSaved();
     m_told = tr("The %1 curve was saved as %2 (%3).")
-                 .arg(curveName(kind), m_parts.names.nameOfOther(path),
+                 .arg(saved.name, m_parts.names.nameOfOther(path),
                       nodes.nodes.size() == 1 ? tr("1 node") : tr("%1 nodes").arg(nodes.nodes.size()));
     m_parts.messages.showMessage(MessageKind::info, m_told);
     return true;
@@ -158,7 +167,8 @@ bool CurveAndPictureFiles::mayLoseManualCurve() {
     box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(save);
     box.exec();
-    if (static_cast<QAbstractButton*>(save) == box.clickedButton()) return chooseAndSaveCurve(CurveKind::manual);
+    if (static_cast<QAbstractButton*>(save) == box.clickedButton())
+        return chooseAndSaveCurve(curveOfKind(CurveKind::manual));
     return static_cast<QAbstractButton*>(discard) == box.clickedButton();
 }
 

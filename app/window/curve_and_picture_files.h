@@ -60,8 +60,17 @@ private:
     /// What is to be said before a picture of the study leaves the window; empty where nothing is.
     [[nodiscard]] QString burnedInText() const;
     void chooseAndOpenCurve();
-    bool chooseAndSaveCurve(CurveKind kind);
-    bool saveCurve(const QString& path, CurveKind kind);
+    /// A curve that is saved, and what it is called.
+    struct SavedCurve {
+        OpacityCurve curve;
+        QString name, key;
+        bool manual = false;
+    };
+    [[nodiscard]] SavedCurve curveOfKind(CurveKind kind) const;
+    /// The curve that is rendered; where a designer's OTF is, that OTF's upper curve.
+    [[nodiscard]] SavedCurve rendered() const;
+    bool chooseAndSaveCurve(const SavedCurve& saved);
+    bool saveCurve(const QString& path, const SavedCurve& saved);
     /// Fails where `path` is a file of the open study.
     [[nodiscard]] Result<void> mayOverwrite(const QString& path) const;
     bool report(const Result<void>& written);

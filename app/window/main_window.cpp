@@ -10,8 +10,10 @@
 #include <QTimer>
 
 #include "app/motion/movie_files.h"
+#include "app/otf/designer_controls.h"
 #include "app/otf/method_controls.h"
 #include "app/otf/near_cut_finder.h"
+#include "app/otf/shown_design.h"
 #include "app/picture/curve_controls.h"
 #include "app/picture/explanation.h"
 #include "app/picture/picture_caption.h"
@@ -41,7 +43,7 @@ namespace echolucent {
 
 namespace {
 constexpr int mainView = 1;       // the view of the default document
-constexpr int layoutVersion = 2;  // of the docks: an arrangement of an older kind is not restored
+constexpr int layoutVersion = 3;  // of the docks: an arrangement of an older kind is not restored
 }  // namespace
 
 MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> openStudy)
@@ -73,6 +75,7 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> o
 MainWindow::~MainWindow() {
     // What the widgets still tell while they go has nobody to act on it.
     m_openStudy->disconnect(this);
+    m_designs->disconnect(this);
     m_motionPlayer.disconnect(this);
     m_widgets.picture->disconnect(this);
     // The editor edits the document, which is gone before the window's children are.
@@ -82,6 +85,11 @@ MainWindow::~MainWindow() {
 void MainWindow::createUnits() {
     m_view = std::make_unique<DocumentView>(m_document, mainView, m_hand, *m_widgets.picture);
     m_computing = std::make_unique<OtfComputing>(m_document, mainView, *m_openStudy);
+    m_designs = std::make_unique<ViewDesigns>(m_document, *m_openStudy);
+    m_shownDesign = std::make_unique<ShownDesign>(
+        ShownDesign::Parts{m_document, *m_designs, *m_view, *m_widgets.editor, *m_widgets.messages});
+    m_designerControls = std::make_unique<DesignerControls>(
+        DesignerControls::Parts{m_document, mainView, m_hand, *m_designs, *m_widgets.designers});
     m_methodControls = std::make_unique<MethodControls>(m_document, m_hand, *m_widgets.method);
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
@@ -89,13 +97,13 @@ void MainWindow::createUnits() {
     m_curveControls = std::make_unique<CurveControls>(m_document, m_hand, *m_widgets.sliders, *m_widgets.editor);
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
         *this, m_document, mainView, *m_openStudy, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
-    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_openStudy, *m_computing, *m_view,
-                                                                  *m_widgets.picture, m_motionPlayer, m_course,
+    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_openStudy, *m_computing, *m_designs,
+                                                                  *m_view, *m_widgets.picture, m_motionPlayer, m_course,
                                                                   *m_widgets.motion, *m_widgets.course, m_hand});
     m_shownStudy = std::make_unique<ShownStudy>(
-        ShownStudy::Parts{*this, m_document, *m_openStudy, *m_computing, *m_view, *m_widgets.picture, *m_motion,
-                          m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
-                          *m_widgets.status, *m_widgets.messages, m_names});
+        ShownStudy::Parts{*this, m_document, *m_openStudy, *m_computing, *m_designs, *m_view, *m_widgets.picture,
+                          *m_motion, m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls,
+                          *m_widgets.facts, *m_widgets.status, *m_widgets.messages, m_names});
     m_loadingPicture = std::make_unique<LoadingPicture>(
         LoadingPicture::Parts{m_document, mainView, *m_openStudy, *m_view, *m_widgets.picture});
     m_nearCutFinder = std::make_unique<NearCutFinder>(
@@ -180,6 +188,8 @@ void MainWindow::connectExplanation() {
     connect(m_openStudy.get(), &OpenStudy::otfComputed, panel, &ExplainPanel::follow);
     connect(m_openStudy.get(), &OpenStudy::otfFailed, panel, &ExplainPanel::follow);
     connect(m_openStudy.get(), &OpenStudy::quietVoxelsMade, panel, &ExplainPanel::follow);
+    connect(m_designs.get(), &ViewDesigns::computed, panel, &ExplainPanel::follow);
+    connect(m_designs.get(), &ViewDesigns::busyChanged, panel, &ExplainPanel::follow);
 }
 
 void MainWindow::connectCaption() {
@@ -194,6 +204,7 @@ void MainWindow::connectCaption() {
              .view = mainView,
              .speckle = shownSpeckle(),
              .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), mainView, m_motion->otf()),
+             .designIsShown = designIsShown(),
              .lengthsKnown = m_openStudy->volume()->geometry().spacingKnown,
              .reduction = m_openStudy->volume()->geometry().reduction}));
     };
@@ -202,6 +213,13 @@ void MainWindow::connectCaption() {
     connect(m_openStudy.get(), &OpenStudy::otfFailed, this, tell);
     connect(m_openStudy.get(), &OpenStudy::quietVoxelsMade, this, tell);
     connect(m_openStudy.get(), &OpenStudy::quieteningChanged, this, tell);
+    connect(m_designs.get(), &ViewDesigns::computed, this, tell);
+}
+
+bool MainWindow::designIsShown() const {
+    const DesignerConfig* config = designOf(m_document.document(), mainView);
+    const std::shared_ptr<const ViewDesign> made = m_designs->of(mainView);
+    return config != nullptr && made && made->config.index() == config->index();
 }
 
 ShownSpeckle MainWindow::shownSpeckle() const {
@@ -305,12 +323,15 @@ void MainWindow::keepSettings() {
 
 QString MainWindow::explanation() const {
     if (!m_openStudy->volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
+    const std::shared_ptr<const ViewDesign> designed = m_designs->of(mainView);
     return explainPicture({.study = *m_openStudy->study(),
                            .volume = *m_openStudy->volume(),
                            .otf = m_motion->otf(),
                            .document = m_document.document(),
                            .view = mainView,
-                           .speckle = shownSpeckle()});
+                           .speckle = shownSpeckle(),
+                           .design = designed.get(),
+                           .designIsNewest = m_designs->isNewest(mainView)});
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -21,6 +21,7 @@ namespace echolucent {
 
 class CurveAndPictureFiles;
 class CurveControls;
+class DesignerControls;
 class FullScreen;
 class HistoryControls;
 class MethodControls;
@@ -34,6 +35,7 @@ class RecentPictures;
 class ReportSaving;
 class ReviewRoom;
 class SessionKeeping;
+class ShownDesign;
 class StudyOpening;
 
 /// Owns the document, the threads behind the open study and the widgets, and hangs them together. What happens between
@@ -64,6 +66,7 @@ public:
     [[nodiscard]] bool idle() const;
     [[nodiscard]] DocumentModel& document() { return m_document; }
     [[nodiscard]] OpenStudy& openStudy() { return *m_openStudy; }
+    [[nodiscard]] ViewDesigns& designs() { return *m_designs; }
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
     [[nodiscard]] ReviewRoom& reviewRoom() { return *m_room; }
     [[nodiscard]] MovieFiles& movieFiles() { return *m_movies; }
@@ -105,6 +108,8 @@ private:
     void keepSettings();
     void updateIdle();
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
+    /// Whether what is shown was made by the designer that the document asks for.
+    [[nodiscard]] bool designIsShown() const;
     /// As idle(), but for small pictures and reports, which wait for the rest.
     [[nodiscard]] bool atRest() const;
 
@@ -125,6 +130,9 @@ private:
     // Above the widgets they are made of, which they must not outlive.
     std::unique_ptr<DocumentView> m_view;
     std::unique_ptr<OtfComputing> m_computing;
+    std::unique_ptr<ViewDesigns> m_designs;
+    std::unique_ptr<ShownDesign> m_shownDesign;
+    std::unique_ptr<DesignerControls> m_designerControls;
     std::unique_ptr<MethodControls> m_methodControls;
     std::unique_ptr<PictureControls> m_pictureControls;
     std::unique_ptr<CurveControls> m_curveControls;

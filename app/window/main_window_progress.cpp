@@ -1,6 +1,7 @@
 // What the window shows of work that is under way, and when it is at rest.
 #include "app/motion/movie_files.h"
 #include "app/otf/near_cut_finder.h"
+#include "app/otf/view_designs.h"
 #include "app/picture/preset_controls.h"
 #include "app/report/report_saving.h"
 #include "app/sessions/session_keeping.h"
@@ -38,6 +39,9 @@ void MainWindow::createLongWorks() {
     const std::size_t quietening = m_works->add({.busy = [this] { return m_openStudy->quietPhases().busy(); },
                                                  .words = [] { return tr("reducing speckle"); },
                                                  .cancel = cancelComputing});
+    const std::size_t designing = m_works->add({.busy = [this] { return m_designs->busy(); },
+                                                .words = [] { return tr("designing the OTF"); },
+                                                .cancel = [this] { m_designs->cancel(); }});
     const std::size_t movie = m_works->add({.busy = [this] { return m_movies->busy(); },
                                             .words = [this] { return m_movies->activity(); },
                                             .cancel = [this] { m_movies->cancel(); }});
@@ -58,6 +62,8 @@ void MainWindow::createLongWorks() {
     connect(m_openStudy.get(), &OpenStudy::quieteningChanged, this, changed);
     connect(m_openStudy.get(), &OpenStudy::quieteningProgressed, m_works.get(),
             [this, quietening](double share) { m_works->setProgress(quietening, share); });
+    connect(m_designs.get(), &ViewDesigns::progressed, m_works.get(),
+            [this, designing](double share) { m_works->setProgress(designing, share); });
     connect(m_movies.get(), &MovieFiles::busyChanged, this, changed);
     connect(m_movies.get(), &MovieFiles::progressed, m_works.get(),
             [this, movie](double share) { m_works->setProgress(movie, share); });
@@ -78,6 +84,7 @@ void MainWindow::connectProgress() {
     connect(m_openStudy.get(), &OpenStudy::openFailed, this, &MainWindow::updateIdle);
     connect(m_openStudy.get(), &OpenStudy::computingOtfChanged, this, somethingEnded);
     connect(m_openStudy.get(), &OpenStudy::otfComputed, this, somethingEnded);
+    connect(m_designs.get(), &ViewDesigns::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDrawn, m_motion.get(), &MotionFrames::announceShownFrame);
@@ -106,9 +113,9 @@ bool MainWindow::idle() const {
 
 bool MainWindow::atRest() const {
     return !m_openStudy->loading() && !m_loadingPicture->busy() && !m_openStudy->takingChecksum() &&
-           !m_openStudy->computingOtf() && !m_openStudy->quietPhases().busy() && !m_sessions->busy() &&
-           !m_widgets.picture->busy() && !m_room->busy() && !m_opening->busy() && !m_movies->busy() &&
-           !m_motionPlayer.isPlaying();
+           !m_openStudy->computingOtf() && !m_designs->busy() && !m_openStudy->quietPhases().busy() &&
+           !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() && !m_opening->busy() &&
+           !m_movies->busy() && !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {

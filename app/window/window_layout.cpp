@@ -11,6 +11,7 @@
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/curve_sliders.h"
+#include "widgets/panels/designer_panel.h"
 #include "widgets/panels/explain_panel.h"
 #include "widgets/panels/history_panel.h"
 #include "widgets/panels/measurements_panel.h"
@@ -107,10 +108,11 @@ void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     QDockWidget* curve = addDock(window, title("Curve"), "dock.otfEditor", layout.editor);
     QDockWidget* room = addDock(window, title("Planes"), "dock.room", planesContent(layout));
     QDockWidget* method = addDock(window, title("Method"), "dock.method", layout.method);
+    QDockWidget* designers = addDock(window, title("Designers"), "dock.designers", layout.designers);
     layout.studyDock = addDock(window, title("Study"), "dock.study", studyContent(layout));
     layout.courseDock = addDock(window, title("Motion"), "dock.motionMap", layout.course);
     layout.explainDock = addDock(window, title("Explain"), "dock.explain", layout.explain);
-    for (QDockWidget* dock : {curve, room, method, layout.studyDock, layout.courseDock, layout.explainDock})
+    for (QDockWidget* dock : {curve, room, method, designers, layout.studyDock, layout.courseDock, layout.explainDock})
         window.tabifyDockWidget(picture, dock);
     layout.courseDock->hide();
     layout.explainDock->hide();
@@ -138,6 +140,7 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
 
     layout.editor = new OtfEditor(curves, &window);
     layout.method = new MethodPanel(&window);
+    layout.designers = new DesignerPanel(&window);
     layout.controls = new ViewPanel(&window);
     layout.presets = new PresetsPanel(&window);
     layout.sliders = new CurveSliders(&window);

@@ -10,6 +10,7 @@ namespace echolucent {
 
 class CurveOwner;
 class CurveSliders;
+class DesignerPanel;
 class ExplainPanel;
 class MeasurementsPanel;
 class HistoryPanel;
@@ -36,6 +37,7 @@ struct WindowLayout {
     VolumeViewWidget* picture = nullptr;
     OtfEditor* editor = nullptr;
     MethodPanel* method = nullptr;
+    DesignerPanel* designers = nullptr;
     ViewPanel* controls = nullptr;
     PresetsPanel* presets = nullptr;
     CurveSliders* sliders = nullptr;

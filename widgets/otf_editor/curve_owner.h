@@ -14,6 +14,8 @@ namespace echolucent {
 struct EditedCurves {
     CurveSet curves;
     CurveKind active = CurveKind::adaptive;
+    bool designed =
+        false;  ///< the OTF of a designer is rendered in the active curve's place; leaving it makes it false
     friend bool operator==(const EditedCurves&, const EditedCurves&) = default;
 };
 

@@ -100,8 +100,6 @@ void OtfEditor::makeActions() {
     make(m_saveCurve, tr("Save curve…"), "saveCurve");
     make(m_addNode, tr("Add node"), "addNode");
     make(m_deleteNode, tr("Delete node"), "deleteNode");
-    m_copyAdaptive->setToolTip(
-        tr("Copy the adaptive curve into few nodes, within %1 of its opacity").arg(copiedCurveMaxError));
     m_openCurve->setToolTip(tr("Open a manual curve from a file"));
     m_saveCurve->setToolTip(tr("Save the curve that is rendered to a file"));
     m_addNode->setToolTip(tr("Add a node on the curve, after the selected one"));
@@ -109,7 +107,7 @@ void OtfEditor::makeActions() {
     connect(m_undo, &QAction::triggered, undoStack(), &QUndoStack::undo);
     connect(m_redo, &QAction::triggered, undoStack(), &QUndoStack::redo);
     connect(m_reset, &QAction::triggered, &m_model, &OtfEditorModel::resetActiveCurve);
-    connect(m_copyAdaptive, &QAction::triggered, &m_model, &OtfEditorModel::copyAdaptiveIntoNodes);
+    connect(m_copyAdaptive, &QAction::triggered, &m_model, &OtfEditorModel::copyIntoNodes);
     connect(m_openCurve, &QAction::triggered, this, &OtfEditor::openCurveRequested);
     connect(m_saveCurve, &QAction::triggered, this, &OtfEditor::saveCurveRequested);
     connect(m_addNode, &QAction::triggered, &m_model, &OtfEditorModel::addNodeInGap);
@@ -169,6 +167,7 @@ QStackedWidget* OtfEditor::makePages() {
     pages->addWidget(new LinearParameters(m_model));
     pages->addWidget(new PowerParameters(m_model, CurveKind::parabolic));
     pages->addWidget(new PowerParameters(m_model, CurveKind::quartic));
+    pages->addWidget(makeDesignPage());  // behind them
     return pages;
 }
 
@@ -181,6 +180,19 @@ QWidget* OtfEditor::makeAdaptivePage() {
     m_adaptiveNote->setWordWrap(true);
     m_adaptiveNote->setTextFormat(Qt::RichText);
     column->addWidget(m_adaptiveNote);
+    column->addStretch(1);
+    return page;
+}
+
+QWidget* OtfEditor::makeDesignPage() {
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_designNote = secondaryLabel();
+    m_designNote->setObjectName("otfEditor.design.note");
+    m_designNote->setWordWrap(true);
+    m_designNote->setTextFormat(Qt::PlainText);
+    column->addWidget(m_designNote);
     column->addStretch(1);
     return page;
 }
@@ -244,6 +256,14 @@ void OtfEditor::setAdaptiveCurve(const SampledCurve& curve) {
     m_playing ? m_adaptiveFacts.tell() : m_adaptiveFacts.tellNow();
 }
 
+void OtfEditor::setDesign(const QString& designer, const std::optional<OpacityCurve>& upper) {
+    m_model.setDesign(designer.toStdString(), upper);
+}
+
+QString OtfEditor::renderedName() const {
+    return state().designed ? QString::fromStdString(state().designer) : curveName(state().active);
+}
+
 void OtfEditor::setHistogram(const IntensityHistogram& histogram) { m_canvas->setHistogram(histogram); }
 
 void OtfEditor::setWhiteLevel(double whiteLevel) {
@@ -280,13 +300,25 @@ void OtfEditor::paintIcons() {
 void OtfEditor::showState() {
     const OtfEditorState& shown = state();
     const bool computed = !shown.adaptive.opacities.empty();
-    m_activate[indexOf(shown.active)]->setChecked(true);
-    m_pages->setCurrentIndex(static_cast<int>(indexOf(shown.active)));
-    m_copyAdaptive->setEnabled(computed);
-    const bool nothingToReset = shown.active == CurveKind::adaptive && shown.adjustment == CurveAdjustment{};
+    for (const CurveKind kind : allCurveKinds)
+        m_activate[indexOf(kind)]->setChecked(kind == shown.active && !shown.designed);
+    m_pages->setCurrentIndex(static_cast<int>(shown.designed ? allCurveKinds.size() : indexOf(shown.active)));
+    const QString copied = shown.designed ? QString::fromStdString(shown.designer) : tr("adaptive");
+    m_copyAdaptive->setText(tr("Copy %1 into nodes").arg(copied));
+    m_copyAdaptive->setToolTip(
+        shown.designed
+            ? tr("Copy the largest opacity of each intensity into few nodes, within %1").arg(copiedCurveMaxError)
+            : tr("Copy the adaptive curve into few nodes, within %1 of its opacity").arg(copiedCurveMaxError));
+    m_copyAdaptive->setEnabled(shown.designed ? shown.design.has_value() : computed);
+    m_designNote->setText(shown.design ? tr("%1 made the OTF from the volume. The panel Designers says how and has its "
+                                            "parameters. To edit its curve, copy it into nodes.")
+                                             .arg(copied)
+                                       : tr("No OTF of %1 yet: it is computed from the volume.").arg(copied));
+    const bool ofVolume = shown.designed || shown.active == CurveKind::adaptive;
+    const bool nothingToReset = ofVolume && shown.adjustment == CurveAdjustment{};
     m_reset->setEnabled(!nothingToReset);
-    m_reset->setToolTip(nothingToReset ? tr("The adaptive curve comes from the volume")
-                                       : tr("Reset the %1 curve (C)").arg(curveName(shown.active)));
+    m_reset->setToolTip(nothingToReset ? tr("The %1 curve comes from the volume").arg(renderedName())
+                                       : tr("Reset the %1 curve (C)").arg(renderedName()));
     m_deleteNode->setEnabled(m_model.selectedNode() >= 0 && m_model.canRemoveNode());
     if (m_hoveredNode >= static_cast<int>(shown.manual.nodes.size())) m_hoveredNode = -1;
     if (m_hoveredNode >= 0) m_hovered = shown.manual.nodes[static_cast<std::size_t>(m_hoveredNode)];
@@ -338,7 +370,7 @@ void OtfEditor::showReadout() {
             .arg(value.opacity, 0, 'f', 3);
     };
     const auto onCurve = [this](double intensity) {
-        return tr("   %1 %2").arg(curveName(state().active)).arg(opacityAt(activeCurve(), intensity), 0, 'f', 3);
+        return tr("   %1 %2").arg(renderedName()).arg(opacityAt(activeCurve(), intensity), 0, 'f', 3);
     };
     if (m_hovered && m_hoveredNode >= 0) {
         m_readout->setText(tr("Node %1   %2").arg(m_hoveredNode + 1).arg(values(*m_hovered)));

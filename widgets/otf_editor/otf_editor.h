@@ -38,6 +38,8 @@ public:
     [[nodiscard]] OpacityCurve activeCurve() const { return m_model.activeCurve(); }
     void setActive(CurveKind kind) { m_model.setActive(kind); }
     void setAdaptiveCurve(const SampledCurve& curve);
+    /// As OtfEditorModel::setDesign().
+    void setDesign(const QString& designer, const std::optional<OpacityCurve>& upper);
     /// While a motion plays, the table of the adaptive curve's numbers changes as seldom as PacedWords says.
     void setPlaying(bool playing);
     void setHistogram(const IntensityHistogram& histogram);
@@ -84,6 +86,8 @@ private:
     [[nodiscard]] QStackedWidget* makePages();
     [[nodiscard]] QWidget* makeAdaptivePage();
     [[nodiscard]] QWidget* makeManualPage();
+    [[nodiscard]] QWidget* makeDesignPage();
+    [[nodiscard]] QString renderedName() const;
     [[nodiscard]] QLayout* makeFileRow();
     void paintIcons();
     void showState();
@@ -100,6 +104,7 @@ private:
     QStackedWidget* m_pages = nullptr;
     QLabel* m_readout = nullptr;
     QLabel* m_adaptiveNote = nullptr;
+    QLabel* m_designNote = nullptr;
     QMenu* m_presets = nullptr;
     QAction* m_undo = nullptr;
     QAction* m_redo = nullptr;

@@ -52,6 +52,7 @@ void OtfEditorModel::setActive(CurveKind kind) {
     cancelDrag();
     OtfEditorState next = m_state;
     next.active = kind;
+    next.designed = false;
     next.visible[indexOf(kind)] = true;
     // A person who goes through the curves to compare them goes back with one step.
     constexpr Gesture choosing = -1;
@@ -71,8 +72,22 @@ void OtfEditorModel::setAdaptiveCurve(const SampledCurve& curve) {
     apply(next, Announce::now);
 }
 
+void OtfEditorModel::setDesign(const std::string& designer, const std::optional<OpacityCurve>& upper) {
+    OtfEditorState next = m_state;
+    next.designer = designer;
+    next.design = upper;
+    apply(next, Announce::now);
+}
+
+void OtfEditorModel::setDesignVisible(bool visible) {
+    OtfEditorState next = m_state;
+    next.designVisible = visible;
+    apply(next, Announce::soon);
+}
+
 OtfEditorState OtfEditorModel::withManualActive() const {
     OtfEditorState next = m_state;
+    next.designed = false;
     next.active = CurveKind::manual;
     next.visible[indexOf(CurveKind::manual)] = true;
     return next;
@@ -121,7 +136,15 @@ void OtfEditorModel::replaceManual(const ManualCurve& curve, const QString& what
     edit(next, what);
 }
 
-bool OtfEditorModel::copyAdaptiveIntoNodes() {
+bool OtfEditorModel::copyIntoNodes() {
+    if (m_state.designed) {
+        if (!m_state.design) return false;
+        constexpr int samples = 1024;  // as many as a two-dimensional OTF has nodes at most
+        const SampledCurve upper{sampledOpacities(*m_state.design, samples)};
+        replaceManual(reducedToNodes(upper, copiedCurveMaxError),
+                      tr("copy %1 into nodes").arg(QString::fromStdString(m_state.designer)));
+        return true;
+    }
     if (m_state.adaptive.opacities.empty()) return false;
     replaceManual(reducedToNodes(m_state.adaptive, copiedCurveMaxError), tr("copy adaptive into nodes"));
     return true;
@@ -149,7 +172,8 @@ void OtfEditorModel::resetActiveCurve() {
     cancelDrag();
     const CurveSet standard{};
     OtfEditorState next = m_state;
-    switch (m_state.active) {
+    // What a designer made comes from the volume, as the adaptive curve does.
+    switch (m_state.designed ? CurveKind::adaptive : m_state.active) {
         case CurveKind::adaptive: break;
         case CurveKind::manual: next.manual = standard.manual; break;
         case CurveKind::linear: next.linear = standard.linear; break;
@@ -157,7 +181,8 @@ void OtfEditorModel::resetActiveCurve() {
         case CurveKind::quartic: next.quartic = standard.quartic; break;
     }
     next.adjustment = standard.adjustment;
-    edit(next, tr("reset %1 curve").arg(curveName(m_state.active)));
+    edit(next, m_state.designed ? tr("reset threshold and transparency")
+                                : tr("reset %1 curve").arg(curveName(m_state.active)));
 }
 
 void OtfEditorModel::beginDrag() {
@@ -218,7 +243,7 @@ void OtfEditorModel::edit(const OtfEditorState& next, const QString& what, Gestu
         apply(shown, Announce::soon);
     }
     m_announce = gesture == noGesture ? Announce::now : Announce::soon;
-    m_owner.edit({next, next.active}, what, gesture);
+    m_owner.edit({next, next.active, next.designed}, what, gesture);
     m_announce = Announce::now;
 }
 
@@ -228,19 +253,21 @@ void OtfEditorModel::preview(const OtfEditorState& next) {
     apply(shown, Announce::soon);
     m_announce = Announce::soon;
     m_draggedNode = true;
-    m_owner.preview({next, next.active}, tr("move node"));
+    m_owner.preview({next, next.active, next.designed}, tr("move node"));
     m_draggedNode = false;
     m_announce = Announce::now;
 }
 
 void OtfEditorModel::takeFromOwner() {
     const EditedCurves edited = m_owner.edited();
-    if (edited == EditedCurves{m_state, m_state.active}) return;
+    if (edited == EditedCurves{m_state, m_state.active, m_state.designed}) return;
     if (m_beforeDrag && !m_draggedNode && !m_owner.previewing()) m_beforeDrag.reset();  // an undo has ended the drag
     OtfEditorState next = m_state;
     static_cast<CurveSet&>(next) = edited.curves;
     if (next.active != edited.active) next.visible[indexOf(edited.active)] = true;
     next.active = edited.active;
+    next.designed = edited.designed;
+    if (!next.designed) next.design.reset();
     apply(next, m_announce);
 }
 

@@ -34,6 +34,10 @@ public:
     void setVisible(CurveKind kind, bool visible);
     /// The newest result of the adaptive method; not undoable.
     void setAdaptiveCurve(const SampledCurve& curve);
+    /// What the designer of that name made whose OTF the owner says is rendered: its upper curve; none where it is not
+    /// computed yet. Not undoable.
+    void setDesign(const std::string& designer, const std::optional<OpacityCurve>& upper);
+    void setDesignVisible(bool visible);
     /// True while activeCurveChanged is still to come for what the state holds.
     [[nodiscard]] bool announcementPending() const { return m_announceTimer.isActive(); }
 
@@ -51,8 +55,9 @@ public:
     [[nodiscard]] bool canRemoveNode() const { return m_state.manual.nodes.size() > 1; }
     /// Replaces the nodes and makes the manual curve active; `what` names the step.
     void replaceManual(const ManualCurve& curve, const QString& what);
-    /// Copies the adaptive curve into few nodes (copiedCurveMaxError); false where there is none yet.
-    bool copyAdaptiveIntoNodes();
+    /// Copies the adaptive curve into few nodes (copiedCurveMaxError), or, where a designer's OTF is rendered, its
+    /// upper curve; false where there is none yet.
+    bool copyIntoNodes();
     /// The bounds are clamped into [0,1] and put in order, the slope to >= 0.
     void setLinear(const LinearCurve& curve, Gesture gesture = noGesture);
     /// The scale a >= 0 of the parabolic or quartic curve.

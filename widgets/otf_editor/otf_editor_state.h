@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 
 #include "processing/document/curve_set.h"
 
@@ -12,6 +14,10 @@ struct OtfEditorState : CurveSet {
     SampledCurve adaptive;                                      ///< empty where it is not computed yet
     CurveKind active = CurveKind::adaptive;                     ///< the curve that is rendered
     std::array<bool, 5> visible{true, true, true, true, true};  ///< drawn in the plot, by indexOf(kind)
+    bool designed = false;                 ///< the OTF of a designer is rendered in the active curve's place
+    std::string designer{};                ///< its name for a person
+    std::optional<OpacityCurve> design{};  ///< upperCurveOf() what it made; none where it is not computed yet
+    bool designVisible = true;             ///< drawn in the plot
     friend bool operator==(const OtfEditorState&, const OtfEditorState&) = default;
 };
 
@@ -20,8 +26,9 @@ struct OtfEditorState : CurveSet {
     return curveOf(state, kind, state.adaptive);
 }
 
-/// The curve that is rendered, adjusted.
+/// The curve that is rendered, adjusted; of a designer's OTF the upper curve, clear where it is not computed yet.
 [[nodiscard]] inline OpacityCurve renderedCurve(const OtfEditorState& state) {
+    if (state.designed) return adjusted(state.design.value_or(ManualCurve{}), state.adjustment);
     return renderedCurve(state, state.active, state.adaptive);
 }
 

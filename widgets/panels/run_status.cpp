@@ -37,7 +37,7 @@ void showText(QLabel* label, const QString& text) {
 RunStatus::RunStatus(QWidget* parent)
     : QWidget(parent),
       m_renderer(createLabel("renderer", tr("Renderer and cost of the last picture"))),
-      m_otf(createLabel("otf", tr("Time and tube cores of the adaptive OTF"))),
+      m_otf(createLabel("otf", tr("Time of the OTF, and tube cores of the adaptive one"))),
       m_notes(createLabel("notes", tr("About the data"))),
       m_pointed(createLabel("pointed", tr("Intensity and opacity under the cursor"))),
       m_activity(createLabel("activity", tr("What is running"))),
@@ -84,6 +84,10 @@ void RunStatus::setOtf(double milliseconds, int tubesWithWeight, int tubesMeetin
     showText(
         m_otf,
         tr("OTF %1, %2 of %3 tubes").arg(millisecondsText(milliseconds)).arg(tubesWithWeight).arg(tubesMeetingVolume));
+}
+
+void RunStatus::setDesign(const QString& designer, double milliseconds) {
+    showText(m_otf, tr("%1 %2").arg(designer, millisecondsText(milliseconds)));
 }
 
 void RunStatus::clearOtf() { showText(m_otf, {}); }

@@ -25,6 +25,8 @@ public:
                      const QString& toolTip = {});
     /// "OTF 1.6 ms, 176 of 225 tubes".
     void setOtf(double milliseconds, int tubesWithWeight, int tubesMeetingVolume);
+    /// "Levoy 12 ms": a designer made the OTF.
+    void setDesign(const QString& designer, double milliseconds);
     void clearOtf();
     /// Short statements about the data, for example "no lossy compression".
     void setNotes(const QStringList& notes);

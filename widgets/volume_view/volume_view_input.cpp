@@ -194,6 +194,8 @@ void VolumeViewWidget::setClassification(const Classification& classification) {
     schedule();
 }
 
+const Classification& VolumeViewWidget::classification() const { return m_parts->classification; }
+
 void VolumeViewWidget::setLook(const Look& look) {
     if (look == m_parts->look) return;
     m_parts->look = look;

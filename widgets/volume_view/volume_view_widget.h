@@ -69,6 +69,8 @@ public:
     /// What pointed values are read from; null before there is a volume.
     [[nodiscard]] const std::shared_ptr<const Volume>& measured() const;
     void setClassification(const Classification& classification);
+    /// What the next picture is rendered with.
+    [[nodiscard]] const Classification& classification() const;
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const;
     /// Cuts off what is nearer than this many millimetres (>= 0) behind the volume's foremost point along the view; the

@@ -94,6 +94,7 @@ private:
     void paintOpacityAxis(QPainter& painter, const PlotColours& colors) const;
     void paintCurves(QPainter& painter, const PlotColours& colors) const;
     void paintCurve(QPainter& painter, CurveKind kind, const PlotColours& colors) const;
+    void paintDesign(QPainter& painter, const PlotColours& colors) const;
     void paintNodes(QPainter& painter, const PlotColours& colors) const;
     void paintGuides(QPainter& painter, const PlotColours& colors) const;
     [[nodiscard]] QPolygonF curvePolygon(CurveKind kind) const;

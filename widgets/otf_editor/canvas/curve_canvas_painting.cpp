@@ -137,7 +137,9 @@ void CurveCanvas::paintCurves(QPainter& painter, const PlotColours& colors) cons
          {CurveKind::quartic, CurveKind::parabolic, CurveKind::linear, CurveKind::manual, CurveKind::adaptive})
         if (kind != state.active) paintCurve(painter, kind, colors);
     paintCurve(painter, state.active, colors);
+    if (state.designed) paintDesign(painter, colors);
     painter.restore();
+    if (state.designed) return;
     if (state.active == CurveKind::adaptive && state.adaptive.opacities.empty()) {
         painter.setPen(colors.secondary);
         painter.drawText(m_axes.rect.adjusted(8, 8, -8, -8), Qt::AlignHCenter | Qt::AlignTop,
@@ -149,7 +151,7 @@ void CurveCanvas::paintCurve(QPainter& painter, CurveKind kind, const PlotColour
     const OtfEditorState& state = m_model.state();
     if (!state.visible[indexOf(kind)]) return;
     if (kind == CurveKind::adaptive && state.adaptive.opacities.empty()) return;
-    const bool active = kind == state.active;
+    const bool active = kind == state.active && !state.designed;
     const bool isAdjusted = active && state.adjustment != CurveAdjustment{};
     const QPolygonF polygon = isAdjusted ? polygonOf(renderedCurve(state)) : curvePolygon(kind);
     const QPen pen = curvePen(kind, active, themeOf(palette()));
@@ -163,6 +165,19 @@ void CurveCanvas::paintCurve(QPainter& painter, CurveKind kind, const PlotColour
         painter.setPen(QPen(colors.background, pen.widthF() + haloWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
         painter.drawPolyline(polygon);
     }
+    painter.setPen(pen);
+    painter.drawPolyline(polygon);
+}
+
+/// What the picture is rendered with, adjusted; it is not edited, and so has no nodes.
+void CurveCanvas::paintDesign(QPainter& painter, const PlotColours& colors) const {
+    const OtfEditorState& state = m_model.state();
+    if (!state.designVisible || !state.design) return;
+    const QPolygonF polygon = polygonOf(renderedCurve(state));
+    const QPen pen = designPen(themeOf(palette()));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colors.background, pen.widthF() + haloWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.drawPolyline(polygon);
     painter.setPen(pen);
     painter.drawPolyline(polygon);
 }

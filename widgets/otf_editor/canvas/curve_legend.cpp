@@ -41,6 +41,14 @@ CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(paren
     }
     // In the place that the fifth kind leaves free.
     grid->addWidget(secondaryLabel(tr("○ render   □ show")), 2, 2, 1, 2);
+    m_designActive = new QRadioButton;
+    m_designActive->setObjectName("otfEditor.active.design");
+    m_designVisible = new QCheckBox;
+    m_designVisible->setObjectName("otfEditor.legend.design.visible");
+    m_designVisible->setIconSize(curveSampleSize);
+    connect(m_designVisible, &QCheckBox::toggled, this, [this](bool on) { m_model.setDesignVisible(on); });
+    grid->addWidget(m_designActive, 3, 0, 1, 3, Qt::AlignLeft);
+    grid->addWidget(m_designVisible, 3, 3, Qt::AlignLeft);
     for (const int visibleColumn : {1, 3}) grid->setColumnStretch(visibleColumn, 1);
     connect(&m_model, &OtfEditorModel::changed, this, &CurveLegend::showState);
     showState();
@@ -54,11 +62,22 @@ void CurveLegend::changeEvent(QEvent* event) {
 
 void CurveLegend::showSamples() {
     for (const CurveKind kind : allCurveKinds) m_visible[indexOf(kind)]->setIcon(curveSample(kind, themeOf(palette())));
+    m_designVisible->setIcon(designSample(themeOf(palette())));
 }
 
 void CurveLegend::showState() {
     const OtfEditorState& state = m_model.state();
-    m_active[indexOf(state.active)]->setChecked(true);
+    QRadioButton* rendered = state.designed ? m_designActive : m_active[indexOf(state.active)];
+    rendered->setChecked(true);
+    const QString designer = QString::fromStdString(state.designer);
+    m_designActive->setText(designer);
+    m_designActive->setAccessibleName(tr("The OTF of the designer %1 is rendered").arg(designer));
+    m_designActive->setToolTip(tr("The OTF of the designer %1 is rendered. Any other choice leaves it").arg(designer));
+    m_designVisible->setAccessibleName(tr("Show the upper curve of %1 in the plot").arg(designer));
+    m_designVisible->setToolTip(tr("Show the largest opacity of each intensity in the plot"));
+    m_designVisible->setChecked(state.designVisible);
+    m_designActive->setVisible(state.designed);
+    m_designVisible->setVisible(state.designed);
     for (const CurveKind kind : allCurveKinds) m_visible[indexOf(kind)]->setChecked(state.visible[indexOf(kind)]);
 }
 

@@ -10,7 +10,8 @@
 
 namespace echolucent {
 
-/// A column per curve: a radio button makes it the rendered one, a check box beside a piece of its line draws it.
+/// A column per curve: a radio button makes it the rendered one, a check box beside a piece of its line draws it. While
+/// the OTF of a designer is rendered, a row below has its name; any of the five leaves it.
 class CurveLegend : public QWidget {
     Q_OBJECT
 
@@ -27,6 +28,8 @@ private:
     OtfEditorModel& m_model;
     std::array<QRadioButton*, 5> m_active{};
     std::array<QCheckBox*, 5> m_visible{};
+    QRadioButton* m_designActive = nullptr;  ///< seen only while a designer's OTF is rendered; it is checked then
+    QCheckBox* m_designVisible = nullptr;
 };
 
 }  // namespace echolucent

@@ -65,6 +65,34 @@ QPixmap bentArrow(bool toTheLeft, const QColor& color, double scale) {
     return pixmap;
 }
 
+QPen penOf(const QColor& colour, double width, const std::vector<double>& dashes) {
+    QPen pen(colour, width);
+    pen.setJoinStyle(Qt::RoundJoin);
+    pen.setCapStyle(Qt::FlatCap);
+    if (!dashes.empty()) {
+        QList<qreal> pattern;  // Qt counts dashes in pen widths
+        for (const double length : dashes) pattern.push_back(length / pen.widthF());
+        pen.setDashPattern(pattern);
+    }
+    return pen;
+}
+
+QIcon sampleOf(const QPen& pen, bool node) {
+    QIcon icon;
+    for (const double scale : iconScales) {
+        QPixmap pixmap = transparentPixmap(curveSampleSize, scale);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(pen);
+        const QPointF middle = QRectF({}, QSizeF(curveSampleSize)).center();
+        painter.drawLine(QPointF(0, middle.y()), QPointF(curveSampleSize.width(), middle.y()));
+        if (node) paintNode(painter, middle, 7, pen.color(), pen.color());
+        painter.end();
+        icon.addPixmap(pixmap);
+    }
+    return icon;
+}
+
 }  // namespace
 
 QString curveKey(CurveKind kind) { return textOf(nameOf(kind)); }
@@ -74,33 +102,21 @@ QColor curveColor(CurveKind kind, Theme theme) { return styleOf(kind).colour.in(
 
 QPen curvePen(CurveKind kind, bool active, Theme theme) {
     const CurveStyle& style = styleOf(kind);
-    QPen pen(curveColor(kind, theme), active ? style.activeWidth : style.width);
-    pen.setJoinStyle(Qt::RoundJoin);
-    pen.setCapStyle(Qt::FlatCap);
-    if (!style.dashes.empty()) {
-        QList<qreal> pattern;  // Qt counts dashes in pen widths
-        for (const double length : style.dashes) pattern.push_back(length / pen.widthF());
-        pen.setDashPattern(pattern);
-    }
-    return pen;
+    return penOf(curveColor(kind, theme), active ? style.activeWidth : style.width, style.dashes);
 }
 
-QIcon curveSample(CurveKind kind, Theme theme) {
-    QIcon icon;
-    for (const double scale : iconScales) {
-        QPixmap pixmap = transparentPixmap(curveSampleSize, scale);
-        QPainter painter(&pixmap);
-        painter.setRenderHint(QPainter::Antialiasing);
-        const QPen pen = curvePen(kind, true, theme);
-        painter.setPen(pen);
-        const QPointF middle = QRectF({}, QSizeF(curveSampleSize)).center();
-        painter.drawLine(QPointF(0, middle.y()), QPointF(curveSampleSize.width(), middle.y()));
-        if (kind == CurveKind::manual) paintNode(painter, middle, 7, pen.color(), pen.color());
-        painter.end();
-        icon.addPixmap(pixmap);
-    }
-    return icon;
+QColor designColor(Theme theme) {
+    static const ColourOfThemes coral{{0xf0, 0x86, 0x72}, {0xb5, 0x3f, 0x2b}};
+    return coral.in(theme);
 }
+
+QPen designPen(Theme theme) { return penOf(designColor(theme), 3.0, {14, 3}); }
+
+QIcon curveSample(CurveKind kind, Theme theme) {
+    return sampleOf(curvePen(kind, true, theme), kind == CurveKind::manual);
+}
+
+QIcon designSample(Theme theme) { return sampleOf(designPen(theme), false); }
 
 void paintNode(QPainter& painter, QPointF centre, double side, const QColor& fill, const QColor& outline) {
     painter.setPen(QPen(outline, 1.5));

@@ -24,9 +24,14 @@ namespace echolucent {
 [[nodiscard]] QColor curveColor(CurveKind kind, Theme theme);
 /// Colour, width and dashes; the active curve is drawn heavier.
 [[nodiscard]] QPen curvePen(CurveKind kind, bool active, Theme theme);
+/// The same of the upper curve of what a designer made, which is told from the five by colour and dashes too.
+[[nodiscard]] QColor designColor(Theme theme);
+[[nodiscard]] QPen designPen(Theme theme);
 inline constexpr QSize curveSampleSize{25, 12};  ///< pixels
 /// A short piece of the line, with a square node for the manual curve.
 [[nodiscard]] QIcon curveSample(CurveKind kind, Theme theme);
+/// The same of a designer's upper curve.
+[[nodiscard]] QIcon designSample(Theme theme);
 
 /// The square of a manual curve's node around `centre`; `side` in pixels.
 void paintNode(QPainter& painter, QPointF centre, double side, const QColor& fill, const QColor& outline);

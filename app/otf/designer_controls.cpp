@@ -1,0 +1,63 @@
+#include "app/otf/designer_controls.h"
+
+#include "app/otf/shown_design.h"
+#include "widgets/panels/designer_panel.h"
+#include "widgets/panels/panel_controls.h"
+
+namespace echolucent {
+
+DesignerControls::DesignerControls(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    DesignerPanel* panel = &m_parts.panel;
+    DocumentModel* model = &m_parts.model;
+    connect(panel, &DesignerPanel::chosen, this, &DesignerControls::choose);
+    connect(panel, &DesignerPanel::configChanged, this, [this](const DesignerConfig& config, const QString& what) {
+        m_parts.model.edit(withDesign(m_parts.model.document(), m_parts.view, config), what, m_parts.hand.current());
+    });
+    connect(panel, &DesignerPanel::configPreviewed, this, [this](const DesignerConfig& config, const QString& what) {
+        m_parts.model.preview(withDesign(m_parts.model.document(), m_parts.view, config), what);
+    });
+    connect(panel, &DesignerPanel::dragEnded, model, &DocumentModel::commitPreview);
+    connect(panel, &DesignerPanel::dragCancelled, model, &DocumentModel::cancelPreview);
+    connect(panel, &DesignerPanel::cancelRequested, &m_parts.designs, &ViewDesigns::cancel);
+    connect(panel, &DesignerPanel::computeRequested, &m_parts.designs, &ViewDesigns::computeAgain);
+    connect(model, &DocumentModel::viewsChanged, this, &DesignerControls::showDocument);
+    connect(model, &DocumentModel::designsChanged, this, &DesignerControls::showDocument);
+    connect(model, &DocumentModel::changed, this, &DesignerControls::showDesign);
+    connect(&m_parts.designs, &ViewDesigns::computed, this, &DesignerControls::showDesign);
+    connect(&m_parts.designs, &ViewDesigns::failed, this, &DesignerControls::showDesign);
+    connect(&m_parts.designs, &ViewDesigns::busyChanged, this, &DesignerControls::showDesign);
+    connect(&m_parts.designs, &ViewDesigns::progressed, panel, &DesignerPanel::setProgress);
+    showDocument();
+    showDesign();
+}
+
+void DesignerControls::choose(std::optional<Designer> designer) {
+    const Document& document = m_parts.model.document();
+    const int view = m_parts.view;
+    const int gesture = m_parts.hand.current();
+    if (!designer)
+        m_parts.model.edit(withCurve(document, view, viewOf(document, view).curve), tr("choose curve"), gesture);
+    else
+        m_parts.model.edit(withDesign(document, view, defaultConfigOf(*designer)),
+                           tr("choose designer %1").arg(textOf(labelOf(*designer))), gesture);
+}
+
+void DesignerControls::showDocument() {
+    const DesignerConfig* config = designOf(m_parts.model.document(), m_parts.view);
+    m_parts.panel.setConfig(config != nullptr ? std::optional(*config) : std::nullopt);
+    m_parts.panel.setDesign(nullptr, 0.0);
+    m_shown.reset();
+    showDesign();
+}
+
+void DesignerControls::showDesign() {
+    const DesignerConfig* config = designOf(m_parts.model.document(), m_parts.view);
+    auto made = m_parts.designs.of(m_parts.view);
+    // What another designer made before is shown still, and is nothing of this one's.
+    if (made && config != nullptr && config->index() != made->config.index()) made.reset();
+    if (made != m_shown) m_parts.panel.setDesign(made ? &made->design : nullptr, made ? made->milliseconds : 0.0);
+    m_shown = made;
+    m_parts.panel.setComputing(m_parts.designs.busy(), m_parts.designs.isNewest(m_parts.view));
+}
+
+}  // namespace echolucent

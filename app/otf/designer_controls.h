@@ -1,0 +1,41 @@
+// The panel of OTF designers, with the document and what is computed behind it.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/document/document_model.h"
+#include "app/document/hand_gesture.h"
+#include "app/otf/view_designs.h"
+#include "processing/designers/designer.h"
+
+namespace echolucent {
+
+class DesignerPanel;
+
+/// Makes steps of what is chosen in the panel, and shows there what the document says and what was made.
+class DesignerControls : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        DocumentModel& model;
+        int view;
+        HandGesture& hand;
+        ViewDesigns& designs;
+        DesignerPanel& panel;
+    };
+    /// All of them must outlive this.
+    explicit DesignerControls(const Parts& parts, QObject* parent = nullptr);
+
+private:
+    void choose(std::optional<Designer> designer);
+    void showDocument();
+    void showDesign();
+
+    Parts m_parts;
+    std::shared_ptr<const ViewDesign> m_shown;  ///< in the panel
+};
+
+}  // namespace echolucent

@@ -1,0 +1,225 @@
+#include "app/otf/view_designs.h"
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "processing/document/view_caster.h"
+
+namespace echolucent {
+
+namespace {
+
+/// Whether two requests ask for the same but of other voxels, as the frames of a 4D study do.
+bool differInVoxelsOnly(auto one, const auto& other) {
+    one.raw = other.raw;
+    one.shown = other.shown;
+    one.reduction = other.reduction;
+    return one == other;
+}
+
+}  // namespace
+
+bool readsTubeCores(const DesignerConfig& config) {
+    if (std::holds_alternative<AdaptiveConfig>(config)) return true;
+    const auto* levoy = std::get_if<LevoyConfig>(&config);
+    return levoy != nullptr && levoy->levels == LevoyLevels::tubeCores;
+}
+
+ViewDesigns::ViewDesigns(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
+    : QObject(parent),
+      m_model(model),
+      m_openStudy(openStudy),
+      m_run([](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
+          return design(config, input, progress);
+      }),
+      m_thread(QStringLiteral("OTF designers")) {
+    connect(&m_model, &DocumentModel::changed, this, &ViewDesigns::follow);
+    connect(&m_openStudy, &OpenStudy::volumeChanged, this, &ViewDesigns::follow);
+    connect(&m_openStudy, &OpenStudy::phaseVoxelsChanged, this, &ViewDesigns::follow);
+    // Of speckle that is no longer reduced no voxels are made, and what was cancelled is waited for no more.
+    connect(&m_openStudy, &OpenStudy::quietVoxelsMade, this, &ViewDesigns::follow);
+    connect(&m_openStudy, &OpenStudy::quieteningChanged, this, &ViewDesigns::follow);
+    connect(&m_thread, &NewestWinsThread::busyChanged, this, &ViewDesigns::busyChanged);
+    connect(&m_thread, &NewestWinsThread::progressed, this, &ViewDesigns::progressed);
+}
+
+void ViewDesigns::setExtraViews(std::vector<int> views) {
+    m_extraViews = std::move(views);
+    follow();
+}
+
+std::shared_ptr<const ViewDesign> ViewDesigns::of(int view) const {
+    const auto found = m_made.find(view);
+    return found == m_made.end() ? nullptr : found->second.design;
+}
+
+bool ViewDesigns::isNewest(int view) const {
+    const auto found = m_made.find(view);
+    return found != m_made.end() && requestOf(view) == found->second.request;
+}
+
+void ViewDesigns::cancel() {
+    if (!m_running) return;
+    m_refused.push_back(*std::exchange(m_running, std::nullopt));
+    m_thread.cancel();
+    computeNext();
+}
+
+void ViewDesigns::computeAgain() {
+    m_refused.clear();
+    follow();
+}
+
+std::vector<int> ViewDesigns::views() const {
+    std::vector<int> views;
+    for (const View& view : m_model.document().views)
+        if (view.design != 0 || std::ranges::find(m_extraViews, view.id) != m_extraViews.end())
+            views.push_back(view.id);
+    return views;
+}
+
+const DesignerConfig* ViewDesigns::configFor(int view) const {
+    static const DesignerConfig adaptive = AdaptiveConfig{};
+    const DesignerConfig* config = designOf(m_model.document(), view);
+    return config != nullptr ? config : &adaptive;
+}
+
+std::optional<ViewDesigns::Request> ViewDesigns::requestOf(int view) const {
+    const Document& document = m_model.document();
+    const std::vector<int> all = views();
+    const Study* study = m_openStudy.study();
+    if (study == nullptr || std::ranges::find(all, view) == all.end()) return std::nullopt;
+    const int phases = static_cast<int>(study->phases.size());
+    const int phase = otfPhaseOf(document, view, phases);
+    if (phase >= phases) return std::nullopt;  // the document is that of the study before
+    const QuietPhases& quiet = m_openStudy.quietPhases();
+    Request request{.config = *configFor(view)};
+    request.raw = m_openStudy.rawVoxelsOf(phase);
+    request.shown = m_openStudy.newestVoxelsOf(phase);
+    if (quiet.of(phase))
+        request.reduction = quiet.reduction();
+    else if (quiet.busy() && request.raw->geometry().voxelCount() <= OpenStudy::quietFirstVoxels)
+        return std::nullopt;
+    if (readsTubeCores(request.config)) {
+        const DesignerInput input = designerInputOf(document, view, *request.raw, *request.shown, request.reduction);
+        request.view = input.view;
+        request.method = input.method;
+    }
+    return request;
+}
+
+void ViewDesigns::follow() {
+    m_stale = true;
+    if (std::exchange(m_following, true)) return;  // who was given something has changed the document
+    while (std::exchange(m_stale, false)) giveWhatIsKept();
+    m_following = false;
+    computeNext();
+}
+
+void ViewDesigns::giveWhatIsKept() {
+    if (std::exchange(m_study, m_openStudy.study()) != m_openStudy.study()) {
+        m_kept.clear();
+        m_made.clear();
+        m_refused.clear();
+        if (m_running.has_value()) m_thread.cancel();
+        m_running.reset();
+    }
+    m_wanted.clear();
+    const std::vector<int> all = views();
+    std::erase_if(m_made, [&](const auto& made) { return std::ranges::find(all, made.first) == all.end(); });
+    for (const int view : all)
+        if (auto request = requestOf(view)) m_wanted.emplace(view, std::move(*request));
+    std::erase_if(m_refused, [this](const Request& request) {
+        return std::ranges::none_of(m_wanted, [&](const auto& wanted) { return wanted.second == request; });
+    });
+    const std::map<int, Request> wanted = m_wanted;
+    for (const auto& [view, request] : wanted) {
+        const auto made = m_made.find(view);
+        if (made != m_made.end() && made->second.request == request) continue;
+        if (const Kept* found = kept(request))
+            give(view, request,
+                 std::make_shared<const ViewDesign>(
+                     ViewDesign{found->design, found->milliseconds, request.raw, request.shown, request.config}));
+    }
+}
+
+const ViewDesigns::Kept* ViewDesigns::kept(const Request& request) const {
+    Request voxelless = request;
+    voxelless.raw = voxelless.shown = nullptr;
+    const auto found = std::ranges::find_if(m_kept, [&](const Kept& each) {
+        return each.request == voxelless && each.raw.lock() == request.raw && each.shown.lock() == request.shown;
+    });
+    return found == m_kept.end() ? nullptr : &*found;
+}
+
+bool ViewDesigns::refused(const Request& request) const {
+    return std::ranges::find(m_refused, request) != m_refused.end();
+}
+
+void ViewDesigns::computeNext() {
+    if (m_running) {
+        // The frame of a motion that has gone on is kept for its next turn; else a slow designer would make none.
+        const bool goesOn = std::ranges::any_of(
+            m_wanted, [this](const auto& wanted) { return differInVoxelsOnly(wanted.second, *m_running); });
+        if (goesOn) return;
+    }
+    for (const auto& [view, request] : m_wanted) {
+        const auto made = m_made.find(view);
+        if ((made != m_made.end() && made->second.request == request) || refused(request)) continue;
+        return compute(request);
+    }
+    if (std::exchange(m_running, std::nullopt)) m_thread.cancel();
+}
+
+void ViewDesigns::compute(const Request& request) {
+    m_running = request;
+    m_thread.submit([this, run = m_run, request](const Progress& progress) -> NewestWinsThread::Deliver {
+        QElapsedTimer clock;
+        clock.start();
+        std::optional<Design> made;
+        try {
+            made = run(request.config, {*request.raw, *request.shown, request.reduction, request.view, request.method},
+                       progress);
+        } catch (const std::bad_alloc&) {
+            return [this, request] { fail(request, tr("The designer needs more memory than this machine has.")); };
+        }
+        if (!made) return {};
+        const double milliseconds = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+        return [this, request, made = std::move(*made), milliseconds] { take(request, made, milliseconds); };
+    });
+}
+
+void ViewDesigns::take(const Request& request, Design design, double milliseconds) {
+    if (m_running != request) return;
+    m_running.reset();
+    Request voxelless = request;
+    voxelless.raw = voxelless.shown = nullptr;
+    std::erase_if(m_kept, [](const Kept& each) { return each.raw.expired() || each.shown.expired(); });
+    if (m_kept.size() >= keptCount) m_kept.erase(m_kept.begin());
+    m_kept.push_back({voxelless, request.raw, request.shown, design, milliseconds});
+    const auto made = std::make_shared<const ViewDesign>(
+        ViewDesign{std::move(design), milliseconds, request.raw, request.shown, request.config});
+    const std::map<int, Request> wanted = m_wanted;
+    for (const auto& [view, asked] : wanted)
+        if (asked == request) give(view, request, made);
+    computeNext();
+}
+
+void ViewDesigns::fail(const Request& request, const QString& sentence) {
+    if (m_running != request) return;
+    m_running.reset();
+    m_refused.push_back(request);
+    const std::map<int, Request> wanted = m_wanted;
+    for (const auto& [view, asked] : wanted)
+        if (asked == request) emit failed(view, sentence);
+    computeNext();
+}
+
+void ViewDesigns::give(int view, const Request& request, std::shared_ptr<const ViewDesign> design) {
+    m_made[view] = {request, std::move(design)};
+    emit computed(view);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,61 @@
+// What a designer looked at, as a line over the intensity, of which a person may pick a maximum.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "processing/designers/design.h"
+
+namespace echolucent {
+
+/// The highest places of a plot: where a value is known that is larger than its neighbours' (of equal ones, the middle
+/// one). Ends do not count. Indices into its intensities, ascending.
+[[nodiscard]] std::vector<std::size_t> maximaOf(const DesignPlot& plot);
+
+/// Axes with numbers, the line, a mark at each maximum that can be picked. A click picks the nearest one within
+/// hitDistance along the intensities; ← and → go from one to the next, Enter picks.
+class DesignPlotCanvas : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr double hitDistance = 12.0;  ///< pixels
+
+    explicit DesignPlotCanvas(QWidget* parent = nullptr);
+
+    void setPlot(const DesignPlot& plot);
+    /// Whether maxima can be picked.
+    void setPickable(bool pickable);
+    /// Marks an intensity, as that of the ramp that stands there.
+    void setMarked(std::optional<double> intensity);
+    /// The pixel of a place of the line.
+    [[nodiscard]] QPointF positionOf(std::size_t index) const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {300, 150}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 130}; }
+
+signals:
+    /// A maximum was picked: its intensity.
+    void picked(double intensity);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF area() const;
+    [[nodiscard]] std::optional<std::size_t> maximumAt(QPointF position) const;
+
+    DesignPlot m_plot;
+    std::vector<std::size_t> m_maxima;
+    double m_least = 0.0, m_largest = 1.0;  ///< of the values
+    bool m_pickable = false;
+    std::optional<double> m_marked;
+    std::optional<std::size_t> m_chosen;  ///< of m_maxima, by pointer or key
+};
+
+}  // namespace echolucent

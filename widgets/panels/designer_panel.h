@@ -1,0 +1,85 @@
+// The panel of OTF designers: which one makes the OTF, its parameters, and what it says of what it made.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <optional>
+
+#include "processing/designers/designer.h"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace echolucent {
+
+class DesignerParameters;
+class DesignPlotCanvas;
+class EmphasisCanvas;
+
+/// Objects: designer.choice, designer.reset, the parameters (DesignerParameters), designer.emphasis.canvas,
+/// designer.progress, designer.cancel, designer.compute, designer.message,
+/// designer.explanation, designer.facts, designer.plot (which one) and designer.plot.canvas.
+class DesignerPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DesignerPanel(QWidget* parent = nullptr);
+
+    /// What the document says; no value where the view is rendered with a curve. Emits nothing.
+    void setConfig(const std::optional<DesignerConfig>& config);
+    /// What was made, and the time it took; null where nothing is there yet.
+    void setDesign(const Design* design, double milliseconds);
+    /// Whether something is computed, and whether what is shown is what the config asks for.
+    void setComputing(bool computing, bool newest);
+    /// Share done, in [0,1].
+    void setProgress(double share);
+
+signals:
+    /// A person chose a designer; no value: a curve.
+    void chosen(std::optional<echolucent::Designer> designer);
+    /// A person changed something; `what` names the step.
+    void configChanged(const echolucent::DesignerConfig& config, const QString& what);
+    /// The same while a drag goes on, which dragEnded() or dragCancelled() ends.
+    void configPreviewed(const echolucent::DesignerConfig& config, const QString& what);
+    void dragEnded();
+    void dragCancelled();
+    void cancelRequested();
+    /// What was cancelled is to be computed all the same.
+    void computeRequested();
+
+private:
+    void makeChoice();
+    void makeProgress();
+    void makeWords();
+    void makePlots();
+    void makeEmphasis();
+    void showParts();
+    void showPlot();
+    void showFacts(const Design& design, double milliseconds);
+    void resetParameters();
+    void pick(double intensity);
+    void changeEmphasis(const std::vector<EmphasisNode>& nodes, const QString& what, bool preview);
+    [[nodiscard]] QString nameOfDesigner() const;
+
+    std::optional<DesignerConfig> m_config;
+    std::vector<DesignPlot> m_plots;
+    QComboBox* m_choice = nullptr;
+    QToolButton* m_reset = nullptr;
+    DesignerParameters* m_parameters = nullptr;
+    EmphasisCanvas* m_emphasis = nullptr;
+    QWidget* m_computing = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QToolButton* m_cancel = nullptr;
+    QPushButton* m_compute = nullptr;
+    QLabel* m_message = nullptr;
+    QLabel* m_explanation = nullptr;
+    QLabel* m_facts = nullptr;
+    QComboBox* m_plot = nullptr;
+    QLabel* m_plotHint = nullptr;
+    DesignPlotCanvas* m_canvas = nullptr;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,64 @@
+// The boundary emphasis function of Kindlmann and Durkin, drawn by hand.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "processing/designers/kindlmann.h"
+
+namespace echolucent {
+
+/// Mouse: drag a node, double click adds one. Keys: Tab and Page keys go from node to node, arrows move the selected
+/// one by 1/20, Delete removes it, Escape ends a drag without change. Positions lie within shownPositions, between a
+/// node's neighbours.
+class EmphasisCanvas : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr double hitDistance = 10.0;    ///< pixels
+    static constexpr double shownPositions = 4.0;  ///< to either side of the boundary's middle, standard deviations
+
+    explicit EmphasisCanvas(QWidget* parent = nullptr);
+
+    /// Emits nothing.
+    void setNodes(const std::vector<EmphasisNode>& nodes);
+    [[nodiscard]] QPointF positionOf(const EmphasisNode& node) const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {300, 160}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 140}; }
+
+signals:
+    /// A drag goes on; dragEnded() or dragCancelled() follows.
+    void previewed(const std::vector<echolucent::EmphasisNode>& nodes);
+    void dragEnded();
+    void dragCancelled();
+    /// One change; `what` names it.
+    void edited(const std::vector<echolucent::EmphasisNode>& nodes, const QString& what);
+
+protected:
+    bool event(QEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF area() const;
+    [[nodiscard]] EmphasisNode valueAt(QPointF position) const;
+    [[nodiscard]] int nodeAt(QPointF position) const;
+    [[nodiscard]] EmphasisNode clamped(int index, const EmphasisNode& node) const;
+    bool select(int step);
+    bool nudge(int key);
+    void removeSelected();
+    [[nodiscard]] static bool isOwnKey(int key);
+
+    std::vector<EmphasisNode> m_nodes{{-1, 0}, {0, 1}, {1, 0}};
+    int m_selected = -1;
+    bool m_dragging = false, m_moved = false;
+};
+
+}  // namespace echolucent
