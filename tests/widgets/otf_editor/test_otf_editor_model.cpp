@@ -76,7 +76,7 @@ void TestOtfEditorModel::everyEditIsOneStepThatUndoRestoresExactly_data() {
     row("move node", CurveKind::manual, [](auto& model) { model.moveNode(1, {0.55, 0.45}); });
     row("delete node", CurveKind::manual, [](auto& model) { model.removeNode(1); });
     row("preset", CurveKind::adaptive, [](auto& model) { model.replaceManual(curvePresets()[1].curve, "preset"); });
-    row("copy adaptive", CurveKind::adaptive, [](auto& model) { model.copyAdaptiveIntoNodes(); });
+    row("copy adaptive", CurveKind::adaptive, [](auto& model) { model.copyIntoNodes(); });
     row("linear", CurveKind::linear, [](auto& model) { model.setLinear({0.1, 0.7, 0.6}); });
     row("parabolic", CurveKind::parabolic, [](auto& model) { model.setScale(CurveKind::parabolic, 0.3); });
     row("quartic", CurveKind::quartic, [](auto& model) { model.setScale(CurveKind::quartic, 2.5); });
@@ -221,7 +221,7 @@ void TestOtfEditorModel::editsOfInactiveNodesActivateManualAndUndoGoesBack() {
 void TestOtfEditorModel::adaptiveCurveIsNoStep() {
     EditedModel model;
     model.setState(stateWith(threeNodes, CurveKind::adaptive));
-    QVERIFY(!model.copyAdaptiveIntoNodes());
+    QVERIFY(!model.copyIntoNodes());
     QSignalSpy announced(&model, &OtfEditorModel::activeCurveChanged);
     model.setAdaptiveCurve(steepSamples());
     QCOMPARE(announced.count(), 1);
@@ -240,7 +240,7 @@ void TestOtfEditorModel::copiedAdaptiveStaysWithinTheStatedError() {
     EditedModel model;
     model.setState(stateWith(threeNodes, CurveKind::adaptive));
     model.setAdaptiveCurve(steepSamples());
-    QVERIFY(model.copyAdaptiveIntoNodes());
+    QVERIFY(model.copyIntoNodes());
     QCOMPARE(model.state().active, CurveKind::manual);
     const ManualCurve& copied = model.state().manual;
     QVERIFY(copied.nodes.size() < 40);

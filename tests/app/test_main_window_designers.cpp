@@ -1,0 +1,257 @@
+// OTF designers in the real window: chosen, turned, cancelled, taken back, kept in sessions, told in words.
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <atomic>
+#include <thread>
+
+#include "app/otf/view_designs.h"
+#include "processing/document/view_caster.h"
+#include "tests/app/session_fixture.h"
+#include "widgets/panels/design_plot.h"
+#include "widgets/panels/designer_panel.h"
+#include "widgets/panels/emphasis_canvas.h"
+
+using namespace echolucent;
+
+class TestMainWindowDesigners : public QObject, private SessionFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void init() {
+        begin();
+        auto* dock = child<QDockWidget>("dock.designers");
+        dock->raise();
+        QTRY_VERIFY(child<QComboBox>("designer.choice")->isVisible());
+    }
+    void cleanup() {
+        m_held = false;
+        close();
+    }
+
+    void eachDesignerIsShownAsTheCommandLineMakesIt_data() {
+        QTest::addColumn<int>("designer");
+        for (const Designer designer : allDesigners)
+            QTest::newRow(std::string(nameOf(designer)).c_str()) << static_cast<int>(designer);
+    }
+    void eachDesignerIsShownAsTheCommandLineMakesIt() {
+        QFETCH(int, designer);
+        const Document before = document();
+        const Classification curve = window().volumeView().classification();
+        choose(designer);
+        QCOMPARE(window().document().steps().count(), 1);
+        QVERIFY(designOf(document(), 1) != nullptr);
+        waitUntilIdle();
+        QVERIFY(window().designs().isNewest(1));
+        ViewCaster caster({.scans = window().openStudy().study()->phases});
+        const auto otf = caster.otf(document(), 1);
+        QVERIFY(otf.has_value());
+        QVERIFY(window().volumeView().classification() == classificationOf(document(), 1, *otf));
+        window().document().steps().undo();
+        QVERIFY(document() == before);
+        waitUntilIdle();
+        QVERIFY(window().volumeView().classification() == curve);
+        QCOMPARE(child<QComboBox>("designer.choice")->currentText(), QString("Curve"));
+    }
+
+    void aParameterIsOneStepAndIsTakenBack() {
+        choose(static_cast<int>(Designer::otsu));
+        waitUntilIdle();
+        const Document before = document();
+        const Classification shown = window().volumeView().classification();
+        type("designer.opacity", "0.5");
+        QCOMPARE(window().document().steps().count(), 2);
+        QCOMPARE(std::get<OtsuConfig>(*designOf(document(), 1)).opacity, 0.5);
+        waitUntilIdle();
+        QVERIFY(window().volumeView().classification() != shown);
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(document() == before);
+        waitUntilIdle();
+        QVERIFY(window().volumeView().classification() == shown);
+        QCOMPARE(child<QDoubleSpinBox>("designer.opacity")->value(), 1.0);
+    }
+
+    void resetIsOneStep() {
+        choose(static_cast<int>(Designer::otsu));
+        QVERIFY(!child<QAbstractButton>("designer.reset")->isEnabled());
+        type("designer.opacity", "0.5");
+        click("designer.reset");
+        QCOMPARE(window().document().steps().count(), 3);
+        QVERIFY(*designOf(document(), 1) == DesignerConfig(OtsuConfig{}));
+    }
+
+    void keysOneToFiveAndTheEditorLeaveTheDesign() {
+        choose(static_cast<int>(Designer::levoy));
+        waitUntilIdle();
+        QVERIFY(window().otfEditor().state().designed);
+        auto* active = child<QRadioButton>("otfEditor.active.design");
+        QVERIFY(active->isChecked());
+        QCOMPARE(active->text(), QString("Levoy"));
+        for (const CurveKind kind : allCurveKinds) QVERIFY(!window().otfEditor().activateAction(kind)->isChecked());
+        QTest::keyClick(&window(), Qt::Key_3);
+        QVERIFY(designOf(document(), 1) == nullptr);
+        QVERIFY(document().designs.empty());
+        waitUntilIdle();
+        QVERIFY(!window().volumeView().classification().isTwoDimensional());
+        QCOMPARE(child<QComboBox>("designer.choice")->currentText(), QString("Curve"));
+        window().document().steps().undo();
+        waitUntilIdle();
+        QVERIFY(window().volumeView().classification().isTwoDimensional());
+        // The curve that was active before.
+        QTest::keyClick(&window(), Qt::Key_1);
+        QVERIFY(designOf(document(), 1) == nullptr);
+        waitUntilIdle();
+        QVERIFY(window().volumeView().classification() == Classification(window().openStudy().otf()->curve));
+    }
+
+    void itsUpperCurveIsCopiedIntoNodes() {
+        choose(static_cast<int>(Designer::otsu));
+        waitUntilIdle();
+        const OpacityCurve upper = upperCurveOf(window().designs().of(1)->design.classification);
+        QCOMPARE(window().otfEditor().copyAdaptiveAction()->text(), QString("Copy Otsu ramp into nodes"));
+        window().otfEditor().copyAdaptiveAction()->trigger();
+        QVERIFY(designOf(document(), 1) == nullptr);
+        QCOMPARE(viewOf(document(), 1).curve, CurveKind::manual);
+        for (const double intensity : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
+            QVERIFY(std::abs(opacityAt(document().curves.manual, intensity) - opacityAt(upper, intensity)) < 0.02);
+        window().otfEditor().setManualSaved();
+    }
+
+    void wordsSpeakOfTheDesignerThatIsRendered() {
+        choose(static_cast<int>(Designer::otsu));
+        waitUntilIdle();
+        const QString said = QString::fromStdString(window().designs().of(1)->design.explanation.front());
+        QVERIFY(window().volumeView().caption().contains("OTF: Otsu ramp"));
+        QVERIFY(window().explanation().contains("Otsu ramp: "));
+        QVERIFY(window().explanation().contains(said));
+        QVERIFY(!window().explanation().contains("adaptive"));
+        QVERIFY(child<QLabel>("status.otf")->text().startsWith("Otsu ramp "));
+        QVERIFY(child<QLabel>("designer.explanation")->text().contains(said));
+        QVERIFY(child<QLabel>("designer.facts")->text().contains("ms"));
+        QTest::keyClick(&window(), Qt::Key_1);
+        waitUntilIdle();
+        QVERIFY(!window().volumeView().caption().contains("Otsu"));
+        QVERIFY(window().explanation().contains("adaptive"));
+        QVERIFY(child<QLabel>("status.otf")->text().startsWith("OTF "));
+    }
+
+    void cancelLeavesThePictureAsItWas() {
+        const Classification before = window().volumeView().classification();
+        hold();
+        choose(static_cast<int>(Designer::otsu));
+        QVERIFY(!window().idle());
+        QTRY_VERIFY(child<QAbstractButton>("designer.cancel")->isVisible());
+        QVERIFY(window().explanation().contains("not computed yet"));
+        click("designer.cancel");
+        waitUntilIdle();
+        QVERIFY(window().volumeView().classification() == before);
+        QVERIFY(!window().designs().of(1));
+        m_held = false;
+        QTRY_VERIFY(child<QAbstractButton>("designer.compute")->isVisible());
+        click("designer.compute");
+        waitUntilIdle();
+        QVERIFY(window().designs().isNewest(1));
+        QVERIFY(window().volumeView().classification() != before);
+        QVERIFY(!child<QAbstractButton>("designer.compute")->isVisible());
+    }
+
+    void theNewestChoiceWins() {
+        hold();
+        choose(static_cast<int>(Designer::otsu));
+        choose(static_cast<int>(Designer::percentile));
+        m_held = false;
+        waitUntilIdle();
+        QVERIFY(window().designs().isNewest(1));
+        ViewCaster caster({.scans = window().openStudy().study()->phases});
+        QVERIFY(window().volumeView().classification() == classificationOf(document(), 1, *caster.otf(document(), 1)));
+    }
+
+    void aSessionBringsItBack() {
+        choose(static_cast<int>(Designer::levoy));
+        type("designer.surfaceOpacity", "0.75");
+        waitUntilIdle();
+        const Document saved = document();
+        const Classification shown = window().volumeView().classification();
+        again(savedSession());
+        QVERIFY(nameless(document()) == nameless(saved));
+        QVERIFY(window().volumeView().classification() == shown);
+        QCOMPARE(child<QComboBox>("designer.choice")->currentText(), QString("Levoy"));
+        QCOMPARE(child<QDoubleSpinBox>("designer.surfaceOpacity")->value(), 0.75);
+        QCOMPARE(window().document().steps().count(), 0);
+    }
+
+    void theEmphasisIsDrawnByHand() {
+        choose(static_cast<int>(Designer::kindlmann));
+        auto* canvas = child<EmphasisCanvas>("designer.emphasis.canvas");
+        QVERIFY(!canvas->isVisible());
+        auto* emphasis = child<QComboBox>("designer.emphasis");
+        emphasis->setFocus();
+        QTest::keyClick(emphasis, Qt::Key_Down);
+        QTRY_VERIFY(canvas->isVisible());
+        const auto drawn = [this] { return std::get<KindlmannConfig>(*designOf(document(), 1)).drawn; };
+        const int steps = window().document().steps().count();
+        const auto from = canvas->positionOf({0, 1}).toPoint(), to = canvas->positionOf({0.5, 0.5}).toPoint();
+        QTest::mousePress(canvas, Qt::LeftButton, {}, from);
+        QTest::mouseMove(canvas, (from + to) / 2);
+        QTest::mouseMove(canvas, to);
+        QTest::mouseRelease(canvas, Qt::LeftButton, {}, to);
+        QCOMPARE(window().document().steps().count(), steps + 1);
+        QVERIFY(std::abs(drawn()[1].position - 0.5) < 0.05 && std::abs(drawn()[1].opacity - 0.5) < 0.02);
+        QTest::mouseDClick(canvas, Qt::LeftButton, {}, canvas->positionOf({2, 0.4}).toPoint());
+        QCOMPARE(drawn().size(), std::size_t{4});
+        QTest::keyClick(canvas, Qt::Key_Delete);
+        QCOMPARE(drawn().size(), std::size_t{3});
+        QCOMPARE(window().document().steps().count(), steps + 3);
+        const Document before = document();
+        QTest::mousePress(canvas, Qt::LeftButton, {}, canvas->positionOf(drawn()[0]).toPoint());
+        QTest::mouseMove(canvas, canvas->positionOf({-2, 0.8}).toPoint());
+        QVERIFY(!(document() == before));
+        QTest::keyClick(canvas, Qt::Key_Escape);
+        QVERIFY(document() == before);
+        QTest::mouseRelease(canvas, Qt::LeftButton, {}, canvas->positionOf({-2, 0.8}).toPoint());
+        QCOMPARE(window().document().steps().count(), steps + 3);
+        for (int i = 0; i < 3; ++i) window().document().steps().undo();
+        QVERIFY(drawn() == KindlmannConfig{}.drawn);
+        waitUntilIdle();
+    }
+
+private:
+    void choose(int designer) {
+        auto* choice = child<QComboBox>("designer.choice");
+        choice->setFocus();
+        const int wanted = choice->findData(designer);
+        // With the keys in the open list: letters are the window's.
+        choice->showPopup();
+        QTRY_VERIFY(choice->view()->isVisible());
+        QTest::keyClick(choice->view(), Qt::Key_Home);
+        for (int row = 0; row < wanted; ++row) QTest::keyClick(choice->view(), Qt::Key_Down);
+        QTest::keyClick(choice->view(), Qt::Key_Return);
+        QCOMPARE(choice->currentIndex(), wanted);
+    }
+    void type(const QString& name, const QString& number) {
+        auto* box = child<QDoubleSpinBox>(name);
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, number);
+        QTest::keyClick(box, Qt::Key_Return);
+    }
+    /// Designers go on once m_held is false.
+    void hold() {
+        m_held = true;
+        window().designs().setRun(
+            [this](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
+                while (m_held && !progress.cancelled()) std::this_thread::yield();
+                return echolucent::design(config, input, progress);
+            });
+    }
+
+    std::atomic<bool> m_held = false;
+};
+
+QTEST_MAIN(TestMainWindowDesigners)
+#include "test_main_window_designers.moc"
