@@ -35,7 +35,7 @@ void DocumentModel::commitPreview() {
 void DocumentModel::cancelPreview() {
     if (!m_beforePreview) return;
     Document before = *std::exchange(m_beforePreview, std::nullopt);
-    before.phases = m_document.phases;
+    before.phases = withShown(before, m_document).phases;
     // A drag of the camera has ended the motion, which comes back with the pose; beside any other drag it has gone on.
     if (before.poses == m_document.poses) before.motionAngle = m_document.motionAngle;
     set(keepingChecksum(before));

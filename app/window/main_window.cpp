@@ -42,7 +42,6 @@
 namespace echolucent {
 
 namespace {
-constexpr int mainView = 1;       // the view of the default document
 constexpr int layoutVersion = 3;  // of the docks: an arrangement of an older kind is not restored
 }  // namespace
 

@@ -159,6 +159,7 @@ std::vector<View> viewsIn(JsonFields& root) {
         if (fields.has("without_tubes"))
             for (const std::int64_t tube : fields.wholes("without_tubes", 0, largestId))
                 views.back().withoutTubes.push_back(static_cast<int>(tube));
+        if (fields.has("motion_otf")) views.back().motionOtf = fields.choice("motion_otf", &motionOtfFromName);
     }
     return views;
 }
@@ -177,6 +178,18 @@ MotionChoice motionIn(JsonFields& fields) {
     motion.otfPhase = static_cast<int>(fields.whole("otf_phase", 0, largestId));
     motion.speed = fields.number("speed", leastMotionSpeed, largestMotionSpeed);
     return motion;
+}
+
+Comparison comparisonIn(JsonFields fields) {
+    Comparison comparison;
+    for (const std::int64_t view : fields.wholes("panes", 0, largestId))
+        comparison.panes.push_back(static_cast<int>(view));
+    comparison.layout = fields.choice("layout", &comparisonLayoutFromName);
+    comparison.first = static_cast<int>(fields.whole("first", 0, static_cast<std::int64_t>(mostPanes) - 1));
+    comparison.second = static_cast<int>(fields.whole("second", 0, static_cast<std::int64_t>(mostPanes) - 1));
+    comparison.wipe = fields.number("wipe", 0, 1);
+    comparison.amplification = fields.number("amplification", leastAmplification, largestAmplification);
+    return comparison;
 }
 
 std::vector<Measurement> measurementsIn(JsonFields& root) {
@@ -211,6 +224,8 @@ Document documentIn(JsonFields root) {
     JsonFields motion = root.object("motion");
     document.motion = motionIn(motion);
     document.motionAngle = motion.number("angle", firstMotionAngle, lastMotionAngle);
+    // Documents that were written before panes were compared have none.
+    if (root.has("comparison")) document.comparison = comparisonIn(root.object("comparison"));
     return document;
 }
 

@@ -136,6 +136,7 @@ ordered_json viewsJson(const std::vector<View>& views) {
         // Most views have neither.
         if (view.design != 0) entries.back()["design"] = view.design;
         if (!view.withoutTubes.empty()) entries.back()["without_tubes"] = view.withoutTubes;
+        if (view.motionOtf) entries.back()["motion_otf"] = nameOf(*view.motionOtf);
     }
     return entries;
 }
@@ -169,6 +170,12 @@ ordered_json measurementsJson(const std::vector<Measurement>& measurements) {
     return entries;
 }
 
+ordered_json comparisonJson(const Comparison& comparison) {
+    return {{"panes", comparison.panes}, {"layout", nameOf(comparison.layout)},
+            {"first", comparison.first}, {"second", comparison.second},
+            {"wipe", comparison.wipe},   {"amplification", comparison.amplification}};
+}
+
 ordered_json phasesJson(const std::vector<Shared<int>>& phases) {
     ordered_json entries = ordered_json::array();
     for (const Shared<int>& phase : phases) entries.push_back({{"id", phase.id}, {"phase", phase.value}});
@@ -195,6 +202,7 @@ ordered_json documentJson(const Document& document) {
     object["method"] = methodJson(document.method);
     object["method"]["direction"] = directionJson(document.method.direction);
     object["motion"] = motionJson(document);
+    if (document.comparison != Comparison{}) object["comparison"] = comparisonJson(document.comparison);
     return object;
 }
 

@@ -110,6 +110,8 @@ Viewpoint viewpointOf(const Document& document, int view) {
 }
 
 Viewpoint otfViewpointOf(const Document& document, int view) {
+    if (viewOf(document, view).motionOtf.value_or(MotionOtf::oneOtf) != MotionOtf::oneOtf)
+        return viewpointOf(document, view);
     return cutLike(document, view, document.method.direction);
 }
 
@@ -166,7 +168,10 @@ AdaptiveOtfConfig configOf(const Document& document, int view) {
 }
 
 Document withShown(Document document, const Document& shown) {
-    document.phases = shown.phases;
+    const int played = viewOf(document, has(document.views, mainView) ? mainView : document.views.front().id).phase;
+    for (Shared<int>& phase : document.phases)
+        if (phase.id == played && has(shown.phases, phase.id))
+            phase.value = withId(shown.phases, phase.id, "phase").value;
     document.motionAngle = shown.motionAngle;
     return document;
 }
@@ -196,6 +201,24 @@ Document openedDocument(const Document& before, const StudyReference& study) {
     opened.motionAngle = 0.0;
     return opened;
 }
+
+namespace {
+
+std::string problemOfPanes(const Document& document) {
+    const std::vector<int>& panes = document.comparison.panes;
+    if (!panes.empty() && panes.front() != mainView) return "the first of panes must be view 1";
+    for (const int pane : panes) {
+        if (!has(document.views, pane)) return "panes names no view";
+        const View& view = viewOf(document, pane);
+        const View& first = viewOf(document, panes.front());
+        if (view.pose != first.pose || view.cut != first.cut || view.look != first.look || view.box != first.box ||
+            view.planes != first.planes || view.strokes != first.strokes)
+            return "panes must name views that share pose, cut, look, box, planes and strokes";
+    }
+    return {};
+}
+
+}  // namespace
 
 std::string problemOf(const Document& document) {
     if (document.views.empty()) return "views must hold at least one view";
@@ -241,6 +264,8 @@ std::string problemOf(const Document& document) {
         if (std::ranges::any_of(view.withoutTubes, [](int tube) { return tube < 0; }))
             return place + "without_tubes must hold numbers from 0 on";
     }
+    if (const std::string problem = problemOf(document.comparison); !problem.empty()) return "comparison." + problem;
+    if (const std::string problem = problemOfPanes(document); !problem.empty()) return "comparison." + problem;
     return {};
 }
 

@@ -10,6 +10,7 @@
 #include "processing/cut_surface.h"
 #include "processing/designers/designer.h"
 #include "processing/document/box.h"
+#include "processing/document/comparison.h"
 #include "processing/document/curve_set.h"
 #include "processing/document/measurement.h"
 #include "processing/document/method_choice.h"
@@ -68,8 +69,13 @@ struct View {
     /// Row-major numbers of tube cores that are never placed for this view's adaptive OTF, beside those of the method
     /// (TubeGrid::withoutTubes).
     std::vector<int> withoutTubes{};
+    /// Which OTF the frames of a motion show in this view; no value: that of the document's motion.
+    std::optional<MotionOtf> motionOtf{};
     friend bool operator==(const View&, const View&) = default;
 };
+
+/// The view of the default document, which the 3D view shows.
+inline constexpr int mainView = 1;
 
 /// The default is what the program shows of a study that was opened and not touched.
 struct Document {
@@ -87,6 +93,7 @@ struct Document {
     std::vector<Shared<DesignerConfig>> designs{};  ///< of the designers that views are rendered with
     MethodChoice method;
     MotionChoice motion;
+    Comparison comparison;  ///< its panes share pose, cut, look, box, planes and strokes
     // What plays. Showing another phase or frame is no step of the undo stack (withShown()).
     std::vector<Shared<int>> phases{{}};  ///< of the 4D study, counted from 0
     double motionAngle = 0.0;             ///< degrees by which the motion has turned the poses
@@ -118,7 +125,8 @@ struct Document {
 [[nodiscard]] Pose shownPose(const Document& document, int view);
 /// From where a view looks now: its shown pose, its cut and its box.
 [[nodiscard]] Viewpoint viewpointOf(const Document& document, int view);
-/// From where the adaptive OTF of a view is computed: the method's direction, the view's cut and its box.
+/// From where the adaptive OTF of a view is computed: the method's direction, the view's cut and its box; where the
+/// view itself asks for an OTF of each frame (View::motionOtf), viewpointOf().
 [[nodiscard]] Viewpoint otfViewpointOf(const Document& document, int view);
 /// The curve that a view is rendered with where it has no design, adjusted; `adaptive` as in curveOf(CurveSet, ...).
 [[nodiscard]] OpacityCurve curveOf(const Document& document, int view, const SampledCurve& adaptive);
@@ -135,7 +143,9 @@ struct Document {
 /// out.
 [[nodiscard]] AdaptiveOtfConfig configOf(const Document& document, int view);
 
-/// The document with the phases and the frame of the motion that another one shows.
+/// The document with the phase that plays, which is that of the main view (of the first, where there is no main one),
+/// and the frame of the motion that another document shows, as far as both have them. The phases of other views are
+/// choices.
 [[nodiscard]] Document withShown(Document document, const Document& shown);
 
 /// A document of another study: the look, curves, method parameters and motion choices of `before`, those that

@@ -53,7 +53,8 @@ DesignerInput designerInputOf(const Document& document, int view, const Volume& 
 }
 
 int otfPhaseOf(const Document& document, int view, int phases) {
-    if (phases < 2 || document.motion.otf != MotionOtf::oneOtf) return phaseOf(document, view);
+    const MotionOtf otf = viewOf(document, view).motionOtf.value_or(document.motion.otf);
+    if (phases < 2 || otf != MotionOtf::oneOtf) return phaseOf(document, view);
     return std::min(document.motion.otfPhase, phases - 1);
 }
 
@@ -92,11 +93,21 @@ std::optional<ViewOtf> ViewCaster::otf(const Document& document, int view, const
         if (!made) return std::nullopt;
         return ViewOtf{.designed = std::move(made->classification), .message = std::move(made->message)};
     }
+    auto read = readTubeCores(document, view, progress);
+    if (!read) return std::nullopt;
+    return ViewOtf{.curve = std::move(read->otf.curve), .message = std::move(read->otf.message)};
+}
+
+std::optional<ViewCaster::TubeCoreReading> ViewCaster::readTubeCores(const Document& document, int view,
+                                                                     const Progress& progress) {
+    const Progress silent{{}, progress.cancel};
+    const Voxels* of = voxels(document, view, otfPhaseOf(document, view, phaseCount()), silent);
+    if (!of) return std::nullopt;
     const QuietVoxels shown =
         of->reduction == SpeckleReduction::off ? QuietVoxels{} : QuietVoxels{of->shown.get(), of->reduction};
     auto otf = adaptOpacity(*of->raw, otfViewpointOf(document, view), configOf(document, view), silent, shown);
     if (!otf) return std::nullopt;
-    return ViewOtf{.curve = std::move(otf->curve), .message = std::move(otf->message)};
+    return TubeCoreReading{std::move(*otf), of->shown};
 }
 
 std::optional<ViewPicture> ViewCaster::picture(const Document& document, int view, int width, int height,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/classification.h"
 #include "processing/document/document.h"
 #include "processing/picture/picture.h"
@@ -73,6 +74,15 @@ public:
     /// voxels that are shown of that phase; or what the designer of its design makes of that phase. The result is empty
     /// only where progress.cancel was raised.
     [[nodiscard]] std::optional<ViewOtf> otf(const Document& document, int view, const Progress& progress = {});
+    /// What tube cores read for the adaptive OTF of a view, and what it is meant for.
+    struct TubeCoreReading {
+        AdaptiveOtf otf;
+        std::shared_ptr<const Volume> shown;  ///< of the phase otfPhaseOf()
+    };
+    /// The adaptive OTF of a view with its tube cores, whatever the view is rendered with. The result is empty only
+    /// where progress.cancel was raised.
+    [[nodiscard]] std::optional<TubeCoreReading> readTubeCores(const Document& document, int view,
+                                                               const Progress& progress = {});
     /// The converged picture of the phase that a view shows; `otf` is what is computed to render it with, where that
     /// plays a part. The result is empty only where progress.cancel was raised. Throws std::out_of_range where there is
     /// no such phase.

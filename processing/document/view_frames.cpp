@@ -5,22 +5,6 @@
 
 namespace echolucent {
 
-namespace {
-
-/// How the OTFs of a motion are smoothed; no value where one OTF serves all frames.
-std::optional<OtfSmoothing> smoothingOf(MotionOtf otf) {
-    switch (otf) {
-        case MotionOtf::oneOtf: return std::nullopt;
-        case MotionOtf::eachView: return OtfSmoothing::none;
-        case MotionOtf::mean: return OtfSmoothing::mean;
-        case MotionOtf::movingLeastSquares: return OtfSmoothing::movingLeastSquares;
-        case MotionOtf::leastFlicker: return OtfSmoothing::leastFlicker;
-    }
-    return std::nullopt;
-}
-
-}  // namespace
-
 std::vector<MotionPosition> turnOf(const Document& document, int view, int phases) {
     const MotionPosition at{.angle = static_cast<int>(std::lround(document.motionAngle)),
                             .phase = phaseOf(document, view)};

@@ -24,4 +24,15 @@ std::optional<MotionScenario> motionScenarioFromName(std::string_view name) {
 std::string_view nameOf(MotionOtf otf) { return nameIn(otfNames, otf); }
 std::optional<MotionOtf> motionOtfFromName(std::string_view name) { return choiceNamed<MotionOtf>(otfNames, name); }
 
+std::optional<OtfSmoothing> smoothingOf(MotionOtf otf) {
+    switch (otf) {
+        case MotionOtf::oneOtf: return std::nullopt;
+        case MotionOtf::eachView: return OtfSmoothing::none;
+        case MotionOtf::mean: return OtfSmoothing::mean;
+        case MotionOtf::movingLeastSquares: return OtfSmoothing::movingLeastSquares;
+        case MotionOtf::leastFlicker: return OtfSmoothing::leastFlicker;
+    }
+    return std::nullopt;
+}
+
 }  // namespace echolucent

@@ -29,6 +29,9 @@ enum class MotionOtf {
 inline constexpr std::array allMotionOtfs{MotionOtf::oneOtf, MotionOtf::eachView, MotionOtf::mean,
                                           MotionOtf::movingLeastSquares, MotionOtf::leastFlicker};
 
+/// How the OTFs of a motion are smoothed; no value where one OTF serves all frames.
+[[nodiscard]] std::optional<OtfSmoothing> smoothingOf(MotionOtf otf);
+
 /// "x", "y", "z".
 [[nodiscard]] std::string_view nameOf(MotionAxis axis);
 [[nodiscard]] std::optional<MotionAxis> motionAxisFromName(std::string_view name);

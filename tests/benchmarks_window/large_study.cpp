@@ -11,7 +11,6 @@
 namespace echolucent::bench {
 
 namespace {
-constexpr int mainView = 1;           // of the default document
 constexpr double nearCutShare = 0.2;  // of the depth
 constexpr int atRest = 500;           // ms
 }  // namespace

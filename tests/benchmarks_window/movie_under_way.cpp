@@ -7,7 +7,6 @@
 namespace echolucent::bench {
 
 namespace {
-constexpr int mainView = 1;   // of the default document
 constexpr int atRest = 3000;  // ms
 }  // namespace
 

@@ -13,7 +13,6 @@ namespace echolucent::bench {
 
 namespace {
 
-constexpr int mainView = 1;           // of the default document
 constexpr double warmUp = 1000;       // ms; the quality follows the cost of the frames before
 constexpr double boxShare = 0.9;      // of the data along each axis
 constexpr double nearCutShare = 0.1;  // of the depth

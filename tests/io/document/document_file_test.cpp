@@ -140,7 +140,7 @@ bool mayBeMissing(const std::string& place) {
     for (const char* optional :
          {"/study/file/bytes", "/study/file/files", "/study/file/conversion_mebibytes", "/study/file/study_mebibytes"})
         if (place == optional) return true;
-    for (const char* ending : {"/design", "/without_tubes", "/drawn", "/reference"})
+    for (const char* ending : {"/design", "/without_tubes", "/motion_otf", "/drawn", "/reference", "/comparison"})
         if (place.ends_with(ending)) return true;
     if (place.starts_with("/designs/") && place.find("/parameters") != std::string::npos) return true;
     return place.starts_with("/method/parameters/");

@@ -72,6 +72,7 @@ inline Document unusualDocument() {
                                            .linesIn3d = true};
     document.strokes = {{1, {}}, {2, {unusualStrokes()}}};
     document.views = {{3, 7, 4, 9, 1, CurveKind::quartic, 6, 5, 2}, {8, 2, 5, 9, 1, CurveKind::manual, 1, 5, 1}};
+    document.views.push_back({1, 2, 5, 9, 1, CurveKind::linear, 1, 5, 1});
     LevoyConfig levoy;
     levoy.form = LevoyForm::boundaries;
     levoy.tissueOpacity = 2.0 / 3.0;
@@ -87,6 +88,7 @@ inline Document unusualDocument() {
     document.views[0].design = 4;
     document.views[1].design = 2;
     document.views[1].withoutTubes = {0, 7, 112};
+    document.views[1].motionOtf = MotionOtf::leastFlicker;
     document.curves.manual = {{{0.0, 1.0 / 7.0}, {0.3, 0.1}, {0.3, 0.9999999999999999}}};
     document.curves.linear = {1.0 / 3.0, 2.0 / 3.0, 0.7};
     document.curves.parabolic.scale = 0.1;
@@ -114,6 +116,12 @@ inline Document unusualDocument() {
                        .otfPhase = 7,
                        .speed = 1.0 / 3.0};
     document.motionAngle = -17;
+    document.comparison = {.panes = {1, 8},
+                           .layout = ComparisonLayout::wipe,
+                           .first = 1,
+                           .second = 0,
+                           .wipe = 1.0 / 3.0,
+                           .amplification = 7.1};
     return document;
 }
 
