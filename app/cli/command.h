@@ -38,6 +38,7 @@ void addFilesCommand(CLI::App& program, Action& action);
 void addOtfCommand(CLI::App& program, Action& action);
 void addParametersCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
+void addCompareCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
 void addQuietCommand(CLI::App& program, Action& action);
 void addBenchCommand(CLI::App& program, Action& action);

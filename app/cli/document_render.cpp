@@ -50,12 +50,12 @@ Result<Study> readReferenced(const StudyFile& file, const std::string& document,
     return study;
 }
 
-Result<Study> studyOf(const Document& document, const DocumentOptions& options, const VolumeOptions& volume,
+Result<Study> studyOf(const Document& document, const std::string& path, const VolumeOptions& volume,
                       const std::string& output) {
     if (!volume.path.empty()) return volume.readAll({output});
-    if (const auto* file = std::get_if<StudyFile>(&document.study)) return readReferenced(*file, options.path, output);
+    if (const auto* file = std::get_if<StudyFile>(&document.study)) return readReferenced(*file, path, output);
     if (const auto* scan = std::get_if<SimulatedScan>(&document.study)) return simulatedStudy(*scan);
-    return fail(FailureKind::wrongUsage, options.path, "study", "is null: the document names no study",
+    return fail(FailureKind::wrongUsage, path, "study", "is null: the document names no study",
                 "Give the volume on the command line.");
 }
 
@@ -93,16 +93,25 @@ Result<void> DocumentOptions::checkAlone(const CLI::App& command) const {
     return {};
 }
 
+Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOptions& volume,
+                                        const std::string& output) {
+    keepFromOverwriting({path});
+    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
+    auto document = readDocument(path);
+    if (!document) return tl::unexpected<Failure>(document.error());
+    auto study = studyOf(*document, path, volume, output);
+    if (!study) return tl::unexpected<Failure>(study.error());
+    return DocumentStudy{std::move(*document), std::move(*study)};
+}
+
 Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeOptions& volume,
                                    const std::array<int, 2>& size, const std::string& output) {
-    keepFromOverwriting({options.path});
-    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
-    const auto document = readDocument(options.path);
-    if (!document) return tl::unexpected<Failure>(document.error());
+    const auto read = readDocumentStudy(options.path, volume, output);
+    if (!read) return tl::unexpected<Failure>(read.error());
+    const Document* document = &read->document;
+    const Study* study = &read->study;
     const auto view = viewIn(*document, options);
     if (!view) return tl::unexpected<Failure>(view.error());
-    const auto study = studyOf(*document, options, volume, output);
-    if (!study) return tl::unexpected<Failure>(study.error());
     sayNote(burnedInTextNote(*study));
     const int phase = phaseOf(*document, *view);
     if (phase < 0 || phase >= static_cast<int>(study->phases.size()))

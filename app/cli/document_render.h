@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/cli/command.h"
+#include "io/study.h"
 #include "processing/document/view_picture.h"
 
 namespace echolucent::cli {
@@ -19,11 +20,21 @@ struct DocumentOptions {
     [[nodiscard]] Result<void> checkAlone(const CLI::App& command) const;
 };
 
-/// The converged picture of the view, of the study that the document names, or of `volume` where that has a path. A
-/// relative path of the study is one from the document's folder, or else from the working folder; where it is in
-/// neither, its bytes are looked for in the document's folder. That it was found so, or that its bytes have changed
-/// since the document was saved, is said on stderr. Fails where document or study cannot be read, where there is no
-/// such view or phase, and where `output` is one of the files that are read.
+/// A document and the study that it shows.
+struct DocumentStudy {
+    Document document;
+    Study study;
+};
+
+/// Reads a document, and the study that it names, or `volume` where that has a path. A relative path of the study is
+/// one from the document's folder, or else from the working folder; where it is in neither, its bytes are looked for in
+/// the document's folder. That it was found so, or that its bytes have changed since the document was saved, is said on
+/// stderr. Fails where document or study cannot be read, and where `output` is one of the files that are read.
+[[nodiscard]] Result<DocumentStudy> readDocumentStudy(const std::string& document, const VolumeOptions& volume,
+                                                      const std::string& output);
+
+/// The converged picture of the view, of the study that the document names, or of `volume` where that has a path
+/// (readDocumentStudy()). Fails as that does, and where there is no such view or phase.
 [[nodiscard]] Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeOptions& volume,
                                                  const std::array<int, 2>& size, const std::string& output);
 

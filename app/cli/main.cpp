@@ -93,6 +93,7 @@ int main(int count, char** arguments) {
     addOtfCommand(program, action);
     addParametersCommand(program, action);
     addRenderCommand(program, action);
+    addCompareCommand(program, action);
     addQuietCommand(program, action);
     addPhantomCommand(program, action);
     addBenchCommand(program, action);

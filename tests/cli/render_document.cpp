@@ -1,10 +1,14 @@
 // render --document: the converged picture of a view, as processing makes it.
+#include <fmt/format.h>
+
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "io/document/session_file.h"
 #include "io/study.h"
 #include "io/study_checksum.h"
+#include "processing/document/compared_panes.h"
+#include "processing/document/pane_measures.h"
 #include "processing/document/view_frames.h"
 #include "processing/document/view_picture.h"
 #include "program.h"
@@ -45,6 +49,29 @@ int apart(const cv::Mat& picture, const Document& document, int view) {
         for (int channel = 0; channel < 3; ++channel)
             differing += picture.data[pixel * 3 + 2 - channel] != rgb[static_cast<std::size_t>(pixel * 3 + channel)];
     return differing;
+}
+
+TEST(CompareDocument, MeasuresEachPaneAsProcessingDoes) {
+    const Folder folder;
+    Document document = withPaneCount(everything(shapesFile()), 4);
+    document = withPane(std::move(document), 2,
+                        {.design = AdaptiveConfig{}, .withoutTubes = {96, 97, 98, 111, 112, 113, 126, 127, 128}});
+    ASSERT_TRUE(writeDocument(folder / "compared.json", document));
+    const Outcome outcome = runProgram("compare \"" + folder / "compared.json" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const auto measured = measuresOfPanes(document, {.scans = readStudy(shapesFile())->phases});
+    std::string expected = "pane,kind,otf,without_tubes,phase,cnr_s,light_near_surfaces\n";
+    const std::array cells{"1,curve,adaptive,,0", "2,curve,parabolic,,0",
+                           "3,designer,adaptive,96 97 98 111 112 113 126 127 128,0", "4,designer,levoy,,0"};
+    for (std::size_t place = 0; place < 4; ++place)
+        expected += fmt::format("{},{},{}\n", cells[place], *(*measured)[place]->contrast.contrastToNoise(),
+                                (*measured)[place]->light.meanShare);
+    EXPECT_EQ(outcome.output, expected);
+    EXPECT_NE((*measured)[0]->contrast.contrastToNoise(), (*measured)[2]->contrast.contrastToNoise());
+    ASSERT_TRUE(writeDocument(folder / "alone.json", everything(shapesFile())));
+    const Outcome alone = runProgram("compare \"" + folder / "alone.json" + "\"");
+    EXPECT_EQ(alone.status, 2);
+    EXPECT_NE(alone.errors.find("compares nothing"), std::string::npos) << alone.errors;
 }
 
 TEST(RenderDocument, IsTheConvergedPictureOfTheView) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/document/document_file.h"
+#include "processing/document/compared_panes.h"
 #include "program.h"
 
 namespace echolucent {
@@ -29,10 +31,14 @@ std::set<std::string> commandsOf(const std::string& command) {
 /// What each command needs to do something quickly; FOLDER is an empty folder.
 std::vector<std::pair<std::string, std::string>> quickRuns(const std::string& volume) {
     const std::string quoted = "\"" + volume + "\"";
+    Document compared;
+    compared.study = StudyFile{.path = volume, .options = {}, .checksum = {}};
+    if (!writeDocument(volume + ".json", withPaneCount(compared, 2))) ADD_FAILURE() << "no document";
     return {{"info", quoted},
             {"files", "\"FOLDER/\" -o \"FOLDER/f.md\""},
             {"parameters", ""},
             {"otf", quoted},
+            {"compare", "\"" + volume + ".json\""},
             {"render", quoted + " --size 32x32 -o \"FOLDER/p.png\""},
             {"quiet", quoted + " -o \"FOLDER/q.mha\""},
             {"phantom", "\"FOLDER/p.mha\" --scene shapes --size 20"},

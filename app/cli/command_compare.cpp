@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/cli/command.h"
+#include "app/cli/document_render.h"
+#include "io/output/atomic_file.h"
+#include "processing/document/pane_measures.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+struct CompareOptions {
+    std::string document, csv = "-";
+};
+
+/// The row of a pane up to what is measured of it.
+std::string paneCells(const Document& document, std::size_t place) {
+    const int id = document.comparison.panes[place];
+    const View& view = viewOf(document, id);
+    const DesignerConfig* config = designOf(document, id);
+    std::string tubes;
+    for (const int tube : view.withoutTubes) tubes += fmt::format("{}{}", tubes.empty() ? "" : " ", tube);
+    return fmt::format("{},{},{},{},{}", place + 1, config != nullptr ? "designer" : "curve",
+                       config != nullptr ? echolucent::nameOf(designerOf(*config)) : echolucent::nameOf(view.curve),
+                       tubes, phaseOf(document, id));
+}
+
+Result<void> compare(const CompareOptions& options) {
+    const auto read = readDocumentStudy(options.document, VolumeOptions{}, options.csv);
+    if (!read) return tl::unexpected<Failure>(read.error());
+    const Document& document = read->document;
+    const std::vector<int>& panes = document.comparison.panes;
+    if (panes.empty())
+        return fail(FailureKind::wrongUsage, options.document, "comparison",
+                    "is missing: the document compares nothing",
+                    "Save a session of the workstation while OTFs are compared (F5).");
+    for (const int pane : panes)
+        if (phaseOf(document, pane) >= static_cast<int>(read->study.phases.size()))
+            return fail(FailureKind::wrongUsage, options.document, "phases",
+                        fmt::format("shows phase {}, but the volume has {} phase(s)", phaseOf(document, pane),
+                                    read->study.phases.size()));
+    const auto measured = *measuresOfPanes(document, {.scans = read->study.phases});
+    std::string table = "pane,kind,otf,without_tubes,phase,cnr_s,light_near_surfaces\n";
+    for (std::size_t place = 0; place < panes.size(); ++place) {
+        const auto contrast = measured[place] ? measured[place]->contrast.contrastToNoise() : std::nullopt;
+        table += paneCells(document, place) + "," + (contrast ? fmt::format("{}", *contrast) : "") + "," +
+                 (measured[place] ? fmt::format("{}", measured[place]->light.meanShare) : "") + "\n";
+    }
+    return writeFileAtomically(options.csv, table);
+}
+
+}  // namespace
+
+void addCompareCommand(CLI::App& program, Action& action) {
+    auto options = std::make_shared<CompareOptions>();
+    CLI::App& command = *program.add_subcommand(
+        "compare", "Measures the OTFs that a document of the workstation compares, as the window's table does");
+    command.add_option("DOCUMENT", options->document, "A document or session that compares OTFs")->required();
+    command.add_option("--csv", options->csv, "One row a pane; - is standard output")
+        ->type_name("FILE")
+        ->capture_default_str();
+    command.footer("Example: echolucent-cli compare lesson.json --csv lesson.csv");
+    command.callback([options, &action] { action = [options] { return compare(*options); }; });
+}
+
+}  // namespace echolucent::cli
