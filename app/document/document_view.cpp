@@ -35,8 +35,9 @@ DocumentView::DocumentView(DocumentModel& model, int view, HandGesture& hand, Vo
 
 void DocumentView::showVolume(const std::shared_ptr<const Volume>& volume,
                               const std::shared_ptr<const Volume>& measured) {
-    if (m_held && awaitsDesign()) {
+    if (m_held && awaitsDesign() && lookOf(m_model.document(), m_view).mode == RenderMode::direct) {
         m_waiting = Volumes{volume, measured};
+        emit designAwaited();
         return;
     }
     m_held = false;

@@ -40,6 +40,7 @@ public:
     void setDesigned(const Classification& designed);
     /// There will be no design for now: a view that is held for it shows its volume without.
     void doWithoutDesign();
+    [[nodiscard]] const SampledCurve& adaptiveCurve() const { return m_adaptive; }
 
 public slots:
     /// From where the document looks in the present frame of the motion. Poses and cuts that change are shown by
@@ -49,6 +50,8 @@ public slots:
     void showCurve();
 
 signals:
+    /// A held view waits with its volume until its design is there.
+    void designAwaited();
     /// The hand has moved the camera.
     void cameraMoved();
 

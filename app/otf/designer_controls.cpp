@@ -1,5 +1,7 @@
 #include "app/otf/designer_controls.h"
 
+#include <utility>
+
 #include "app/otf/shown_design.h"
 #include "widgets/panels/designer_panel.h"
 #include "widgets/panels/panel_controls.h"
@@ -45,8 +47,8 @@ void DesignerControls::choose(std::optional<Designer> designer) {
 void DesignerControls::showDocument() {
     const DesignerConfig* config = designOf(m_parts.model.document(), m_parts.view);
     m_parts.panel.setConfig(config != nullptr ? std::optional(*config) : std::nullopt);
-    m_parts.panel.setDesign(nullptr, 0.0);
-    m_shown.reset();
+    const std::optional<std::size_t> designer = config != nullptr ? std::optional(config->index()) : std::nullopt;
+    if (std::exchange(m_designer, designer) != designer) m_shown.reset();  // the panel has nothing of another one
     showDesign();
 }
 
@@ -54,10 +56,10 @@ void DesignerControls::showDesign() {
     const DesignerConfig* config = designOf(m_parts.model.document(), m_parts.view);
     auto made = m_parts.designs.of(m_parts.view);
     // What another designer made before is shown still, and is nothing of this one's.
-    if (made && config != nullptr && config->index() != made->config.index()) made.reset();
+    if (made && (config == nullptr || config->index() != made->config.index())) made.reset();
     if (made != m_shown) m_parts.panel.setDesign(made ? &made->design : nullptr, made ? made->milliseconds : 0.0);
     m_shown = made;
-    m_parts.panel.setComputing(m_parts.designs.busy(), m_parts.designs.isNewest(m_parts.view));
+    m_parts.panel.setComputing(m_parts.designs.busy(), m_parts.designs.isAnyRefused());
 }
 
 }  // namespace echolucent

@@ -36,6 +36,7 @@ private:
 
     Parts m_parts;
     std::shared_ptr<const ViewDesign> m_shown;  ///< in the panel
+    std::optional<std::size_t> m_designer;      ///< in the panel; no value: a curve
 };
 
 }  // namespace echolucent

@@ -18,6 +18,7 @@ ShownDesign::ShownDesign(const Parts& parts, QObject* parent) : QObject(parent),
         m_parts.messages.showMessage(MessageKind::error, sentence);
         goOnWithout();
     });
+    connect(&m_parts.view, &DocumentView::designAwaited, this, &ShownDesign::goOnWithout);
     connect(&m_parts.designs, &ViewDesigns::busyChanged, this, [this](bool busy) {
         if (!busy) goOnWithout();  // it was cancelled
     });
@@ -36,7 +37,8 @@ void ShownDesign::show() {
 }
 
 void ShownDesign::goOnWithout() {
-    if (!m_parts.designs.of(m_parts.view.view())) m_parts.view.doWithoutDesign();
+    const int view = m_parts.view.view();
+    if (!m_parts.designs.of(view) && m_parts.designs.isRefused(view)) m_parts.view.doWithoutDesign();
 }
 
 }  // namespace echolucent

@@ -15,7 +15,6 @@ namespace {
 bool differInVoxelsOnly(auto one, const auto& other) {
     one.raw = other.raw;
     one.shown = other.shown;
-    one.reduction = other.reduction;
     return one == other;
 }
 
@@ -62,9 +61,25 @@ bool ViewDesigns::isNewest(int view) const {
 
 void ViewDesigns::cancel() {
     if (!m_running) return;
-    m_refused.push_back(*std::exchange(m_running, std::nullopt));
+    m_running.reset();
     m_thread.cancel();
-    computeNext();
+    for (const auto& [view, request] : m_wanted)
+        if (!isNewest(view) && !refused(request)) m_refused.push_back(request);
+    emit cancelled();
+}
+
+bool ViewDesigns::isRefused(int view) const {
+    const auto wanted = m_wanted.find(view);
+    return wanted != m_wanted.end() && refused(wanted->second);
+}
+
+bool ViewDesigns::isOfSomePhase(const Request& request) const {
+    const Study* study = m_openStudy.study();
+    const auto phases = study != nullptr ? static_cast<int>(study->phases.size()) : 0;
+    for (int phase = 0; phase < phases; ++phase)
+        if (request.raw == m_openStudy.rawVoxelsOf(phase) && request.shown == m_openStudy.newestVoxelsOf(phase))
+            return true;
+    return false;
 }
 
 void ViewDesigns::computeAgain() {
@@ -75,7 +90,9 @@ void ViewDesigns::computeAgain() {
 std::vector<int> ViewDesigns::views() const {
     std::vector<int> views;
     for (const View& view : m_model.document().views)
-        if (view.design != 0 || std::ranges::find(m_extraViews, view.id) != m_extraViews.end())
+        if (needsComputedOtf(m_model.document(), view.id) &&
+            ((view.id == mainView && view.design != 0) ||
+             std::ranges::find(m_extraViews, view.id) != m_extraViews.end()))
             views.push_back(view.id);
     return views;
 }
@@ -92,8 +109,9 @@ std::optional<ViewDesigns::Request> ViewDesigns::requestOf(int view) const {
     const Study* study = m_openStudy.study();
     if (study == nullptr || std::ranges::find(all, view) == all.end()) return std::nullopt;
     const int phases = static_cast<int>(study->phases.size());
-    const int phase = otfPhaseOf(document, view, phases);
-    if (phase >= phases) return std::nullopt;  // the document is that of the study before
+    int phase = otfPhaseOf(document, view, phases);
+    if (view != mainView) phase = std::min(phase, phases - 1);  // a pane of a longer study shows the last one
+    if (phase >= phases) return std::nullopt;                   // the document is that of the study before
     const QuietPhases& quiet = m_openStudy.quietPhases();
     Request request{.config = *configFor(view)};
     request.raw = m_openStudy.rawVoxelsOf(phase);
@@ -161,9 +179,10 @@ bool ViewDesigns::refused(const Request& request) const {
 void ViewDesigns::computeNext() {
     if (m_running) {
         // The frame of a motion that has gone on is kept for its next turn; else a slow designer would make none.
+        // Voxels that were cut or quietened since are nobody's frame.
         const bool goesOn = std::ranges::any_of(
             m_wanted, [this](const auto& wanted) { return differInVoxelsOnly(wanted.second, *m_running); });
-        if (goesOn) return;
+        if (goesOn && isOfSomePhase(*m_running)) return;
     }
     for (const auto& [view, request] : m_wanted) {
         const auto made = m_made.find(view);
@@ -203,7 +222,7 @@ void ViewDesigns::take(const Request& request, Design design, double millisecond
         ViewDesign{std::move(design), milliseconds, request.raw, request.shown, request.config});
     const std::map<int, Request> wanted = m_wanted;
     for (const auto& [view, asked] : wanted)
-        if (asked == request) give(view, request, made);
+        if (asked == request && m_wanted.contains(view) && m_wanted.at(view) == request) give(view, request, made);
     computeNext();
 }
 

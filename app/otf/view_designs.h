@@ -38,8 +38,9 @@ public:
     /// Both outlive this.
     ViewDesigns(DocumentModel& model, OpenStudy& openStudy, QObject* parent = nullptr);
 
-    /// Views, beside those that have a design, whose adaptive OTF is computed here too, as AdaptiveConfig makes it:
-    /// without the tube cores that are never placed for them, and of their own phases.
+    /// Views, beside the main one where it has a design, that somebody looks at: what their designers make is computed
+    /// too, or, where they have none, their adaptive OTF as AdaptiveConfig makes it: without the tube cores that are
+    /// never placed for them, of their own phases and frames.
     void setExtraViews(std::vector<int> views);
 
     /// The newest that fits what the document asks; until that is there, the one before it for that view; null before
@@ -47,8 +48,13 @@ public:
     [[nodiscard]] std::shared_ptr<const ViewDesign> of(int view) const;
     /// Whether of(view) is what the document asks for now.
     [[nodiscard]] bool isNewest(int view) const;
+    /// Whether what the document asks for was cancelled or has failed: it does not come by itself.
+    [[nodiscard]] bool isRefused(int view) const;
+    /// Whether that is so of any view.
+    [[nodiscard]] bool isAnyRefused() const { return !m_refused.empty(); }
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
-    /// Ends what is computed. It is not begun again before something else is asked for, or computeAgain().
+    /// Ends what is computed, for all views. It is not begun again before something else is asked for, or
+    /// computeAgain().
     void cancel();
     /// Computes what was cancelled or has failed.
     void computeAgain();
@@ -64,6 +70,8 @@ signals:
     /// of(view) is another.
     void computed(int view);
     void failed(int view, const QString& sentence);
+    /// cancel() has ended what was computed.
+    void cancelled();
     void busyChanged(bool busy);
     void progressed(double share);
 
@@ -103,6 +111,7 @@ private:
     [[nodiscard]] std::vector<int> views() const;
     [[nodiscard]] const Kept* kept(const Request& request) const;
     [[nodiscard]] bool refused(const Request& request) const;
+    [[nodiscard]] bool isOfSomePhase(const Request& request) const;
 
     DocumentModel& m_model;
     OpenStudy& m_openStudy;

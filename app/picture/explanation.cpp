@@ -18,7 +18,7 @@ QString tr(const char* text) { return QCoreApplication::translate("explanation",
 QStringList designSentences(const PictureFacts& facts, const DesignerConfig& config) {
     const QString follows = tr("What is seen and what is clear follows from the OTF of the designer %1.");
     if (facts.design == nullptr)
-        return {follows.arg(labelOf(config)), tr("It is not computed yet: the picture stays as it was.")};
+        return {tr("The OTF of %1 is not computed yet: the picture shows what it had before.").arg(labelOf(config))};
     const QString designer = labelOf(facts.design->config);
     QStringList sentences{follows.arg(designer)};
     if (facts.design->config.index() != config.index())

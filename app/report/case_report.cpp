@@ -120,9 +120,10 @@ void addParameters(HtmlPage& page, const CaseReport& report) {
     page.heading("Parameters");
     const std::vector<std::string> columns{"parameter", "value", "unit"};
     page.table(columns, rowsOf(methodParameters(), configOf(report.document)), "The adaptive method");
-    if (const DesignerConfig* config = designOf(report.document, report.view)) {
-        auto rows = std::visit([](const auto& values) { return rowsOf(parametersOf(values), values); }, *config);
-        if (!rows.empty()) page.table(columns, std::move(rows), "The designer " + report.designer);
+    if (report.designedWith) {
+        const auto rows =
+            std::visit([](const auto& values) { return rowsOf(parametersOf(values), values); }, *report.designedWith);
+        if (!rows.empty()) page.table(columns, rows, "The designer " + report.designer);
     }
     page.table(columns, rowsOf(lookParameters(), lookOf(report.document, report.view)), "The look of the 3D view");
 }

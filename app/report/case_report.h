@@ -39,11 +39,12 @@ struct CaseReport {
     int view = 1;            ///< of the document
     SampledCurve adaptive;   ///< as it is shown; empty where there is none
     std::string designer{};  ///< its name, where the 3D view is rendered with the OTF of one; else empty
-    std::optional<OpacityCurve> designed{};  ///< that OTF's upper curve (upperCurveOf()), where it is there
-    IntensityHistogram histogram;            ///< of the raw voxels
-    VolumeGeometry geometry;                 ///< of the volume that was measured in
-    std::vector<ImportFact> facts;           ///< the import report
-    std::vector<std::string> warnings;       ///< of reading
+    std::optional<DesignerConfig> designedWith{};  ///< how that OTF was made, where it is there
+    std::optional<OpacityCurve> designed{};        ///< that OTF's upper curve (upperCurveOf()), where it is there
+    IntensityHistogram histogram;                  ///< of the raw voxels
+    VolumeGeometry geometry;                       ///< of the volume that was measured in
+    std::vector<ImportFact> facts;                 ///< the import report
+    std::vector<std::string> warnings;             ///< of reading
     std::vector<ReportTime> times;
     std::optional<Patient> patient;  ///< only where a person asked for it
 };

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <utility>
 
+#include "app/otf/shown_design.h"
 #include "app/picture/picture_to_keep.h"
 #include "app/study/study_names.h"
 #include "app/window/save_dialog.h"
@@ -164,6 +165,7 @@ CaseReport ReportSaving::windowState() const {
     if (m_parts.editor.state().designed) {
         report.designer = m_parts.editor.state().designer;
         report.designed = m_parts.editor.state().design;
+        if (const auto made = m_parts.designs.of(m_parts.view)) report.designedWith = made->config;
     }
     report.histogram = openStudy.histogram();
     report.geometry = openStudy.volume()->geometry();
@@ -196,6 +198,8 @@ std::vector<ReportTime> ReportSaving::times() const {
     if (const auto quietening = openStudy.quieteningMilliseconds())
         times.push_back({tr("speckle reduction of all phases that are kept"), *quietening});
     if (const AdaptiveOtf* otf = m_parts.motion.otf()) times.push_back({tr("adaptive OTF"), otf->times.total});
+    if (const auto made = m_parts.designs.of(m_parts.view))
+        times.push_back({tr("OTF of the designer %1").arg(labelOf(made->config)), made->milliseconds});
     if (m_converged)
         times.push_back({tr("converged picture of the 3D view, %1 × %2 rays")
                              .arg(m_converged->rays.width())

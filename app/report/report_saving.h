@@ -37,6 +37,7 @@ public:
         int view;
         OpenStudy& openStudy;
         MotionFrames& motion;
+        const ViewDesigns& designs;
         MotionPlayer& player;
         std::array<PlanePane*, 3> planes;
         VolumeViewWidget& picture;

@@ -130,6 +130,8 @@ void ShownStudy::beginDocument() {
     m_parts.player.pause();  // first, as it shows the remark of the study before
     m_parts.messages.setRemark({});
     m_parts.view.hold();
+    if (const OtfEditorState& state = m_parts.editor.state(); state.designed)  // a design of the study before
+        m_parts.editor.setDesign(QString::fromStdString(state.designer), std::nullopt);
     m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
     m_parts.controls.setPhaseCount(m_phases);
     m_parts.motion.setStudy(*m_study);

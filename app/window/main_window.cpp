@@ -121,8 +121,8 @@ void MainWindow::createUnits() {
         m_document, mainView, m_hand, *m_openStudy, m_motionPlayer, *m_widgets.panes, m_widgets.planes,
         *m_widgets.picture, *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
-        *this, m_document, mainView, *m_openStudy, *m_motion, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
-        *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
+        *this, m_document, mainView, *m_openStudy, *m_motion, *m_designs, m_motionPlayer, m_widgets.planes,
+        *m_widgets.picture, *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{
         *this, m_document, *m_openStudy, *m_shownStudy, m_settings, *m_widgets.editor, *m_widgets.messages, m_names});
@@ -213,6 +213,9 @@ void MainWindow::connectCaption() {
     connect(m_openStudy.get(), &OpenStudy::quietVoxelsMade, this, tell);
     connect(m_openStudy.get(), &OpenStudy::quieteningChanged, this, tell);
     connect(m_designs.get(), &ViewDesigns::computed, this, tell);
+    connect(m_designs.get(), &ViewDesigns::busyChanged, this, tell);
+    // The next phase would begin anew what was cancelled.
+    connect(m_designs.get(), &ViewDesigns::cancelled, &m_motionPlayer, &MotionPlayer::pause);
 }
 
 bool MainWindow::designIsShown() const {

@@ -154,12 +154,12 @@ private slots:
         QSignalSpy cancelled(&panel, &DesignerPanel::cancelRequested);
         QTest::mouseClick(cancel, Qt::LeftButton);
         QCOMPARE(cancelled.count(), 1);
-        panel.setComputing(false, false);
+        panel.setComputing(false, true);
         QVERIFY(!cancel->isVisible() && compute->isVisible());
         QSignalSpy asked(&panel, &DesignerPanel::computeRequested);
         QTest::mouseClick(compute, Qt::LeftButton);
         QCOMPARE(asked.count(), 1);
-        panel.setComputing(false, true);
+        panel.setComputing(false, false);
         QVERIFY(!compute->isVisible());
     }
 

@@ -53,6 +53,8 @@ DesignerPanel::DesignerPanel(QWidget* parent) : QWidget(parent) {
     m_parameters = new DesignerParameters;
     connect(m_parameters, &DesignerParameters::changed, this,
             [this](const DesignerConfig& config, const QString& label) {
+                // A number half typed ends when its field hides, and is none of another designer's.
+                if (!m_config || m_config->index() != config.index()) return;
                 emit configChanged(config, tr("%1: %2").arg(nameOfDesigner(), label.toLower()));
             });
 
@@ -74,7 +76,8 @@ DesignerPanel::DesignerPanel(QWidget* parent) : QWidget(parent) {
     layout->addWidget(m_facts);
     layout->addStretch(1);
     setConfig(std::nullopt);
-    setComputing(false, true);
+    setDesign(nullptr, 0);
+    setComputing(false, false);
 }
 
 void DesignerPanel::makeChoice() {
@@ -228,10 +231,10 @@ void DesignerPanel::showPlot() {
     m_canvas->setMarked(pickable ? thresholdOf(*m_config) : std::nullopt);
 }
 
-void DesignerPanel::setComputing(bool computing, bool newest) {
+void DesignerPanel::setComputing(bool computing, bool refused) {
     if (computing && m_computing->isHidden()) m_progress->setRange(0, 0);  // until the share is known
     m_computing->setVisible(computing);
-    m_compute->setVisible(m_config && !computing && !newest);
+    m_compute->setVisible(!computing && refused);
 }
 
 void DesignerPanel::setProgress(double share) {

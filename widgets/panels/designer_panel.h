@@ -32,8 +32,9 @@ public:
     void setConfig(const std::optional<DesignerConfig>& config);
     /// What was made, and the time it took; null where nothing is there yet.
     void setDesign(const Design* design, double milliseconds);
-    /// Whether something is computed, and whether what is shown is what the config asks for.
-    void setComputing(bool computing, bool newest);
+    /// Whether something is computed, and whether what this view or a pane beside it asks for was cancelled or
+    /// has failed.
+    void setComputing(bool computing, bool refused);
     /// Share done, in [0,1].
     void setProgress(double share);
 

@@ -13,7 +13,7 @@
 namespace echolucent {
 
 namespace {
-constexpr std::size_t fewestNodes = 2, mostNodes = 64;  // as problemOf(KindlmannConfig) says
+constexpr std::size_t fewestNodes = 2;  // as problemOf(KindlmannConfig) says
 constexpr double keyStep = 0.05;
 }  // namespace
 
@@ -25,6 +25,7 @@ EmphasisCanvas::EmphasisCanvas(QWidget* parent) : QWidget(parent) {
 }
 
 void EmphasisCanvas::setNodes(const std::vector<EmphasisNode>& nodes) {
+    if (nodes != m_nodes) m_dragging = m_moved = false;  // an undo has ended the drag
     m_nodes = nodes;
     if (m_selected >= static_cast<int>(m_nodes.size())) m_selected = -1;
     update();
@@ -134,7 +135,8 @@ void EmphasisCanvas::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void EmphasisCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || nodeAt(event->position()) >= 0 || m_nodes.size() >= mostNodes) return;
+    if (event->button() != Qt::LeftButton || nodeAt(event->position()) >= 0 || m_nodes.size() >= mostEmphasisNodes)
+        return;
     const EmphasisNode added = valueAt(event->position());
     const auto after = std::ranges::upper_bound(m_nodes, added.position, {}, &EmphasisNode::position);
     m_selected = static_cast<int>(after - m_nodes.begin());

@@ -173,12 +173,15 @@ private slots:
         next.views.push_back(other);
         next = withDesign(withCurve(std::move(next), 3, CurveKind::manual), 3, otsuOf(0.5));
         QSignalSpy computed(m_designs.get(), &ViewDesigns::computed);
+        m_designs->setExtraViews({2, 3});
         m_model->edit(next, "three views");
         wait();
         QCOMPARE(computed.count(), 3);
         QCOMPARE(m_asked.size(), std::size_t{1});
         QVERIFY(m_designs->of(1) == m_designs->of(2));
         QVERIFY(m_designs->of(1) == m_designs->of(3));
+        m_designs->setExtraViews({});  // nobody looks at the others
+        QVERIFY(m_designs->of(1) && !m_designs->of(2) && !m_designs->of(3));
     }
 
     void extraViewsHaveTheirAdaptiveOtf() {
@@ -219,6 +222,41 @@ private slots:
         wait();
         QVERIFY(m_designs->isNewest(view));
         QCOMPARE(opacityAt(m_designs->of(view)->design.classification, 0.9, 0.0), 0.3);
+    }
+
+    void cancelBeginsNothingOfWhatWaits() {
+        Document next = withDesign(m_model->document(), view, otsuOf(0.5));
+        View other = viewOf(next, view);
+        other.id = 2;
+        next.views.push_back(other);
+        next = withDesign(withCurve(std::move(next), 2, CurveKind::manual), 2, otsuOf(0.7));
+        m_designs->setExtraViews({2});
+        m_held = true;
+        m_model->edit(next, "two designs");
+        QTRY_COMPARE(m_running, 1);
+        QSignalSpy cancelled(m_designs.get(), &ViewDesigns::cancelled);
+        m_designs->cancel();
+        QTRY_VERIFY(!m_designs->busy());
+        QCOMPARE(cancelled.count(), 1);
+        QCOMPARE(static_cast<int>(m_cancelled), 1);
+        QVERIFY(m_asked.empty());
+        QVERIFY(m_designs->isRefused(1) && m_designs->isRefused(2));
+        m_held = false;
+        m_designs->computeAgain();
+        wait();
+        QVERIFY(m_designs->isNewest(1) && m_designs->isNewest(2));
+        QVERIFY(!m_designs->isRefused(1));
+    }
+
+    void whatPlaysNoPartIsNotComputed() {
+        Document next = withDesign(m_model->document(), view, otsuOf(0.5));
+        lookOf(next, view).mode = RenderMode::maximum;
+        m_model->edit(next, "maximum");
+        QVERIFY(!m_designs->busy());
+        lookOf(next, view).mode = RenderMode::direct;
+        m_model->edit(next, "direct");
+        wait();
+        QVERIFY(m_designs->isNewest(view));
     }
 
     void aDesignerWithoutMemoryEndsInASentence() {
