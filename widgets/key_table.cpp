@@ -22,6 +22,7 @@ std::vector<KeyRow> pictureRows() {
         {place, tr("left drag of a mark of the render box"), tr("moves a face, an edge, a corner or the whole box")},
         {place, tr("left click with the tool that measures distances"), tr("marks a place of what the picture shows")},
         {place, tr("double click"), tr("gives the picture the whole room, or gives it back")},
+        {place, tr("left drag of the line of a wipe; ←, →"), tr("moves the line between two pictures compared")},
         {place, tr("Escape during a drag"), tr("ends the drag without change")},
         {place, tr("a file or folder dropped"), tr("opens it")},
     };
@@ -98,6 +99,7 @@ std::vector<KeyRow> windowRows() {
          "F2, F3, F4",
          tr("show the 3D view alone; planes A, B, C beside it; the 3D view large and the planes small"),
          {{"room.only3d", "F2"}, {"room.quad", "F3"}, {"room.large3d", "F4"}}},
+        {place, "F5", tr("compares OTFs under one camera, and leaves the comparison"), {{"room.compare", "F5"}}},
         {place,
          "B; Ctrl+1 to Ctrl+6",
          tr("shows only what lies in the render box; looks in from its top, bottom, left, right, near or far side"),

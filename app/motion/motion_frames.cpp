@@ -160,21 +160,12 @@ CourseFrame MotionFrames::courseFrame() const {
 }
 
 void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
-    const Document& document = m_parts.model.document();
-    const int view = m_parts.view.view();
-    Viewpoint start =
-        viewpointOf(document.beam.axis, poseOf(document, view).direction, cutOf(document, view).nearCutMm);
-    start.cutSurface = cutOf(document, view).surface;
-    start.box = viewpointOf(document, view).box;
     const CourseFrame frame = courseFrame();
-    const MotionScenario scenario = document.motion.scenario;
-    const auto rows = movesProbe(scenario) ? OtfCourse::Rows::angles : OtfCourse::Rows::phases;
-    const int fixed = scenario == MotionScenario::both ? 0 : movesProbe(scenario) ? frame.phase : frame.angle;
-    const CourseKey key{start, strokesOf(document, view), document.motion.axis, config, rows, fixed};
+    const CourseKey key = courseKeyOf(m_parts.model.document(), m_parts.view.view(), config, frame);
     if (m_courseKey == key) return;
     m_courseKey = key;
     m_parts.openStudy.forgetKeptOtfs();
-    m_parts.course.begin(rows, frame.phases);
+    m_parts.course.begin(key.rows, frame.phases);
 }
 
 SampledCurve MotionFrames::curveToShow(std::shared_ptr<const AdaptiveOtf> otf) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/document/document_view.h"
+#include "app/motion/course_key.h"
 #include "app/motion/motion_player.h"
 #include "app/otf/otf_computing.h"
 #include "app/otf/view_designs.h"
@@ -58,6 +59,8 @@ public:
     void announceShownFrame();
     /// Back to the frame at angle 0.
     void rewind();
+    /// The hand has moved the camera: the motion is over.
+    void endByHand();
 
 private:
     void connectPanel();
@@ -67,7 +70,6 @@ private:
     void takeAngle();
     void showFrame(double angle, int phase);
     void showFrameWithItsOtf();
-    void endByHand();
     void showFrameRate();
     void tellFrameRate();
     [[nodiscard]] MotionOtf mode() const { return m_parts.model.document().motion.otf; }
@@ -79,16 +81,6 @@ private:
     MotionOtf m_mode = MotionOtf::oneOtf;      ///< the choice for which OTFs were asked last
     std::shared_ptr<const AdaptiveOtf> m_otf;  ///< see otf()
     bool m_frameWaits = false;                 ///< the present frame is shown once its OTF is there
-    /// What the course's rows have in common within a study; another one begins a new course.
-    struct CourseKey {
-        Viewpoint start;
-        std::vector<ScalpelStroke> strokes;
-        MotionAxis axis = MotionAxis::y;
-        AdaptiveOtfConfig config;
-        OtfCourse::Rows rows = OtfCourse::Rows::angles;
-        int fixed = 0;  ///< the phase or the angle that stays; 0 where both change
-        friend bool operator==(const CourseKey&, const CourseKey&) = default;
-    };
     std::optional<CourseKey> m_courseKey;
     QElapsedTimer m_frameClock;  ///< runs since the frame shown last
     double m_frameSeconds = 0;   ///< running mean; 0 before the first frame

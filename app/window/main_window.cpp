@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QTimer>
 
+#include "app/compare/compare_room.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/designer_controls.h"
 #include "app/otf/method_controls.h"
@@ -58,6 +59,7 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> o
     m_escapes.add(EscapeStep::fullScreen, [this] { return m_fullScreen->leave(); });
     createUnits();
     m_room->addTo(m_escapes);
+    m_compare->addTo(m_escapes);
     createLongWorks();
     connectProgress();
     connectUnits();
@@ -76,6 +78,7 @@ MainWindow::~MainWindow() {
     m_openStudy->disconnect(this);
     m_designs->disconnect(this);
     m_motionPlayer.disconnect(this);
+    m_compare->disconnect(this);
     m_widgets.picture->disconnect(this);
     // The editor edits the document, which is gone before the window's children are.
     delete m_widgets.editor;
@@ -120,6 +123,10 @@ void MainWindow::createUnits() {
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{
         m_document, mainView, m_hand, *m_openStudy, m_motionPlayer, *m_widgets.panes, m_widgets.planes,
         *m_widgets.picture, *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
+    m_compare = std::make_unique<CompareRoom>(CompareRoom::Parts{
+        *this, m_document, *m_openStudy, m_hand, m_motionPlayer, *m_widgets.rooms, *m_designs, *m_widgets.compared,
+        *m_widgets.compare, *m_widgets.messages, m_settings, m_names, [this] { return m_view->adaptiveCurve(); },
+        [this](const QString& what) { return m_files->proposedName(what); }});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
         *this, m_document, mainView, *m_openStudy, *m_motion, *m_designs, m_motionPlayer, m_widgets.planes,
         *m_widgets.picture, *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
@@ -214,6 +221,7 @@ void MainWindow::connectCaption() {
     connect(m_openStudy.get(), &OpenStudy::quieteningChanged, this, tell);
     connect(m_designs.get(), &ViewDesigns::computed, this, tell);
     connect(m_designs.get(), &ViewDesigns::busyChanged, this, tell);
+    connect(m_compare.get(), &CompareRoom::cameraMoved, m_motion.get(), &MotionFrames::endByHand);
     // The next phase would begin anew what was cancelled.
     connect(m_designs.get(), &ViewDesigns::cancelled, &m_motionPlayer, &MotionPlayer::pause);
 }
@@ -278,6 +286,7 @@ void MainWindow::createActions() {
             [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_openStudy->seriesBeside() != nullptr); });
     connect(m_opening.get(), &StudyOpening::busyChanged, this, &MainWindow::updateIdle);
     m_room->createMenu(*this);
+    m_compare->createMenu();
 }
 
 void MainWindow::open(const QString& path, const ReadOptions& options) {
@@ -318,6 +327,7 @@ void MainWindow::keepSettings() {
     m_settings.setMethod(m_document.document().method);
     m_settings.setActiveCurve(viewOf(m_document.document(), mainView).curve);
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
+    m_compare->setShown(false);  // the next start begins without
     m_settings.setWindowGeometry(saveGeometry());
     m_settings.setWindowState(saveState(layoutVersion));
     m_settings.save();

@@ -19,6 +19,7 @@
 
 namespace echolucent {
 
+class CompareRoom;
 class CurveAndPictureFiles;
 class CurveControls;
 class DesignerControls;
@@ -69,6 +70,7 @@ public:
     [[nodiscard]] ViewDesigns& designs() { return *m_designs; }
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
     [[nodiscard]] ReviewRoom& reviewRoom() { return *m_room; }
+    [[nodiscard]] CompareRoom& compareRoom() { return *m_compare; }
     [[nodiscard]] MovieFiles& movieFiles() { return *m_movies; }
     [[nodiscard]] SessionKeeping& sessionKeeping() { return *m_sessions; }
     [[nodiscard]] OtfEditor& otfEditor() { return *m_widgets.editor; }
@@ -98,6 +100,7 @@ private:
     void createUnits();
     void createLongWorks();
     void connectProgress();
+    void arrangeForComparison(bool shown);
     void connectUnits();
     void connectCaption();
     void connectExplanation();
@@ -146,11 +149,13 @@ private:
     std::unique_ptr<CurveAndPictureFiles> m_files;
     std::unique_ptr<MovieFiles> m_movies;
     std::unique_ptr<ReviewRoom> m_room;
+    std::unique_ptr<CompareRoom> m_compare;
     std::unique_ptr<ReportSaving> m_report;
     std::unique_ptr<SessionKeeping> m_sessions;
     std::unique_ptr<HistoryControls> m_history;
     std::unique_ptr<LongWorks> m_works;
     bool m_idle = true;
+    bool m_planesTabWasThere = true;  ///< before the comparison that is shown
     bool m_shown = false;
 };
 

@@ -1,4 +1,7 @@
 // What the window shows of work that is under way, and when it is at rest.
+#include <QDockWidget>
+
+#include "app/compare/compare_room.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/near_cut_finder.h"
 #include "app/otf/view_designs.h"
@@ -11,6 +14,7 @@
 #include "app/window/long_works.h"
 #include "app/window/main_window.h"
 #include "app/window/review_room.h"
+#include "widgets/compare/compare_grid.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/run_status.h"
@@ -48,6 +52,12 @@ void MainWindow::createLongWorks() {
     const std::size_t report = m_works->add({.busy = [this] { return m_report->busy(); },
                                              .words = [] { return tr("making the report"); },
                                              .cancel = [this] { m_report->cancel(); }});
+    const std::size_t comparing = m_works->add({.busy = [this] { return m_compare->computing(); },
+                                                .words = [] { return tr("comparing"); },
+                                                .cancel = [this] { m_compare->cancel(); }});
+    connect(m_compare.get(), &CompareRoom::busyChanged, this, changed);
+    connect(m_compare.get(), &CompareRoom::progressed, m_works.get(),
+            [this, comparing](double share) { m_works->setProgress(comparing, share); });
     m_works->add({.busy = [this] { return m_sessions->saving(); },
                   .words = [] { return tr("saving the session"); },
                   .cancel = [this] { m_sessions->cancelSaving(); }});
@@ -77,12 +87,19 @@ void MainWindow::connectProgress() {
             [this](const QString& sentence) { m_widgets.messages->showMessage(MessageKind::error, sentence); });
     // This connection is made last, so that it runs after all others of these signals.
     const auto somethingEnded = [this] {
-        m_motion->announceShownFrame();
+        // What plays waits for all panes of a comparison.
+        if (!m_compare->shown() || m_compare->views().frameIsCurrent()) m_motion->announceShownFrame();
         m_works->follow();
         updateIdle();
     };
     connect(m_openStudy.get(), &OpenStudy::openFailed, this, &MainWindow::updateIdle);
     connect(m_openStudy.get(), &OpenStudy::computingOtfChanged, this, somethingEnded);
+    connect(&m_compare->views(), &ComparedViews::frameShown, this, somethingEnded);
+    // What the 3D view took last says nothing of the panes.
+    connect(&m_compare->views(), &ComparedViews::frameShown, this, [this] {
+        const CompareFrame& frame = *m_compare->views().frame();
+        if (frame.converged()) m_widgets.status->setRenderer(tr("software renderer"), frame.milliseconds);
+    });
     connect(m_openStudy.get(), &OpenStudy::otfComputed, this, somethingEnded);
     connect(m_designs.get(), &ViewDesigns::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
@@ -92,12 +109,22 @@ void MainWindow::connectProgress() {
         m_widgets.status->setPointed(intensity, std::nullopt);
         m_widgets.editor->setCursorIntensity(intensity);
     });
-    connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, [this] {
+    const auto placeMessages = [this] {
         // Among planes of its own size the 3D view is small: there a message takes a strip below all of them.
         const PaneGrid& panes = *m_widgets.panes;
         const bool alone =
             panes.maximised() ? panes.maximised() == paneCount - 1 : panes.paneLayout() != PaneLayout::quad;
-        m_widgets.messages->lieOver(alone ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes);
+        QWidget& room = alone ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes;
+        // What is measured stands below the pictures that are compared.
+        if (m_compare->shown())
+            m_widgets.messages->lieOver(*m_widgets.compared, Qt::TopEdge);
+        else
+            m_widgets.messages->lieOver(room);
+    };
+    connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, placeMessages);
+    connect(m_compare.get(), &CompareRoom::shownChanged, this, [this, placeMessages](bool shown) {
+        placeMessages();
+        arrangeForComparison(shown);
     });
     connect(m_room.get(), &ReviewRoom::busyChanged, this, &MainWindow::updateIdle);
     connect(m_recentPictures.get(), &RecentPictures::busyChanged, this, &MainWindow::updateIdle);
@@ -107,6 +134,19 @@ void MainWindow::connectProgress() {
     connect(&m_motionPlayer, &MotionPlayer::frameChanged, this, &MainWindow::updateIdle);
 }
 
+/// The tab of the planes, of which a comparison shows none, makes way for that of the comparison.
+void MainWindow::arrangeForComparison(bool shown) {
+    auto* planes = findChild<QDockWidget*>("dock.room");
+    if (shown) {
+        m_planesTabWasThere = !planes->isHidden();
+        planes->hide();
+    } else {
+        planes->setVisible(m_planesTabWasThere);
+    }
+    m_widgets.compareDock->setVisible(shown);
+    (shown ? m_widgets.compareDock : findChild<QDockWidget*>("dock.view"))->raise();
+}
+
 bool MainWindow::idle() const {
     return atRest() && !m_presets->pictures().busy() && !m_recentPictures->busy() && !m_report->busy();
 }
@@ -114,8 +154,8 @@ bool MainWindow::idle() const {
 bool MainWindow::atRest() const {
     return !m_openStudy->loading() && !m_loadingPicture->busy() && !m_openStudy->takingChecksum() &&
            !m_openStudy->computingOtf() && !m_designs->busy() && !m_openStudy->quietPhases().busy() &&
-           !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() && !m_opening->busy() &&
-           !m_movies->busy() && !m_motionPlayer.isPlaying();
+           !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() && !m_compare->busy() &&
+           !m_opening->busy() && !m_movies->busy() && !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {

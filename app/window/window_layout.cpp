@@ -5,9 +5,12 @@
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "widgets/compare/compare_grid.h"
+#include "widgets/compare/compare_panel.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/curve_sliders.h"
@@ -109,11 +112,14 @@ void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     QDockWidget* room = addDock(window, title("Planes"), "dock.room", planesContent(layout));
     QDockWidget* method = addDock(window, title("Method"), "dock.method", layout.method);
     QDockWidget* designers = addDock(window, title("Designers"), "dock.designers", layout.designers);
+    layout.compareDock = addDock(window, title("Compare"), "dock.compare", layout.compare);
     layout.studyDock = addDock(window, title("Study"), "dock.study", studyContent(layout));
     layout.courseDock = addDock(window, title("Motion"), "dock.motionMap", layout.course);
     layout.explainDock = addDock(window, title("Explain"), "dock.explain", layout.explain);
-    for (QDockWidget* dock : {curve, room, method, designers, layout.studyDock, layout.courseDock, layout.explainDock})
+    for (QDockWidget* dock :
+         {curve, room, method, designers, layout.compareDock, layout.studyDock, layout.courseDock, layout.explainDock})
         window.tabifyDockWidget(picture, dock);
+    layout.compareDock->hide();
     layout.courseDock->hide();
     layout.explainDock->hide();
     picture->raise();
@@ -131,8 +137,12 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     for (const PlaneName plane : allPlaneNames) layout.planes[indexOf(plane)] = new PlanePane(plane, centre);
     layout.picture = new VolumeViewWidget(centre);
     layout.panes = new PaneGrid({layout.planes[0], layout.planes[1], layout.planes[2], layout.picture}, centre);
+    layout.compared = new CompareGrid(centre);
+    layout.rooms = new QStackedWidget(centre);
+    layout.rooms->addWidget(layout.panes);
+    layout.rooms->addWidget(layout.compared);
     layout.motion = new MotionPanel(centre);
-    column->addWidget(layout.panes, 1);
+    column->addWidget(layout.rooms, 1);
     column->addWidget(layout.motion);
     window.setCentralWidget(centre);
     layout.messages = new MessageBar(centre);
@@ -146,6 +156,7 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     layout.sliders = new CurveSliders(&window);
     layout.room = new RoomPanel(&window);
     layout.measurements = new MeasurementsPanel(&window);
+    layout.compare = new ComparePanel(&window);
     layout.facts = new StudyPanel(&window);
     layout.course = new OtfCoursePanel(course, &window);
     layout.explain = new ExplainPanel(&window);

@@ -5,9 +5,12 @@
 
 class QDockWidget;
 class QMainWindow;
+class QStackedWidget;
 
 namespace echolucent {
 
+class CompareGrid;
+class ComparePanel;
 class CurveOwner;
 class CurveSliders;
 class DesignerPanel;
@@ -32,7 +35,11 @@ class VolumeViewWidget;
 /// The widgets of the window, which owns them.
 struct WindowLayout {
     MessageBar* messages = nullptr;
+    QStackedWidget* rooms = nullptr;  ///< the review room, then the comparison
     PaneGrid* panes = nullptr;
+    CompareGrid* compared = nullptr;
+    ComparePanel* compare = nullptr;
+    QDockWidget* compareDock = nullptr;
     std::array<PlanePane*, 3> planes{};  ///< A, B, C
     VolumeViewWidget* picture = nullptr;
     OtfEditor* editor = nullptr;

@@ -76,8 +76,9 @@ MessageBar::MessageBar(QWidget* parent)
     hide();
 }
 
-void MessageBar::lieOver(QWidget& picture) {
+void MessageBar::lieOver(QWidget& picture, Qt::Edge edge) {
     m_picture = &picture;
+    m_edge = edge;
     // An OpenGL window covers what Qt draws into its window, but not another native window above it.
     setAttribute(Qt::WA_DontCreateNativeAncestors);
     setAttribute(Qt::WA_NativeWindow);
@@ -108,8 +109,8 @@ void MessageBar::place() {
     const int widest = std::max(between, std::min(leastWidth, picture.width() - 2 * gapToPicture));
     const int width = std::min(widthOfWords(), widest);
     const int height = layout()->totalHeightForWidth(width);
-    setGeometry(picture.left() + (picture.width() - width) / 2, picture.bottom() + 1 - gapToPicture - height, width,
-                height);
+    const int top = m_edge == Qt::TopEdge ? picture.top() + gapToPicture : picture.bottom() + 1 - gapToPicture - height;
+    setGeometry(picture.left() + (picture.width() - width) / 2, top, width, height);
     raise();
     // The widget may be the foremost one already while its window is not.
     if (QWindow* own = windowHandle()) own->raise();

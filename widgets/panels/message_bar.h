@@ -29,9 +29,10 @@ class MessageBar : public QWidget {
 public:
     explicit MessageBar(QWidget* parent = nullptr);
 
-    /// Lays the bar over the lower edge of a picture that outlives it and stands in the same window already: as wide as
-    /// its words, between the picture's corners where these leave room, and above native windows in it.
-    void lieOver(QWidget& picture);
+    /// Lays the bar over the lower (or the upper) edge of a picture that outlives it and stands in the same window
+    /// already: as wide as its words, between the picture's corners where these leave room, and above native windows in
+    /// it.
+    void lieOver(QWidget& picture, Qt::Edge edge = Qt::BottomEdge);
 
     /// Gives the words for a sentence.
     using Reading = std::function<QString(const QString& sentence)>;
@@ -74,6 +75,7 @@ private:
     [[nodiscard]] int widthOfWords() const;
 
     QWidget* m_picture = nullptr;  ///< over which the bar lies
+    Qt::Edge m_edge = Qt::BottomEdge;
     MessageKind m_kind = MessageKind::info;
     Reading m_reading;                          ///< of what will be shown
     Reading m_messageReading, m_remarkReading;  ///< of what is shown

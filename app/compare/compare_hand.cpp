@@ -1,0 +1,69 @@
+#include "app/compare/compare_hand.h"
+
+namespace echolucent {
+
+CompareHand::CompareHand(DocumentModel& model, OpenStudy& openStudy, HandGesture& hand, CompareGrid& grid,
+                         QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy), m_hand(hand), m_grid(grid) {
+    connect(&m_grid, &CompareGrid::orbited, this, [this](double right, double down) {
+        moveCamera([=](const CameraPose& camera, const ZoomLimits&) { return orbited(camera, right, down); });
+    });
+    connect(&m_grid, &CompareGrid::panned, this, [this](double right, double down) {
+        moveCamera([=](const CameraPose& camera, const ZoomLimits&) { return panned(camera, right, down); });
+    });
+    connect(&m_grid, &CompareGrid::zoomed, this, [this](double factor) {
+        moveCamera([=](const CameraPose& camera, const ZoomLimits& limits) { return zoomed(camera, factor, limits); });
+    });
+    connect(&m_grid, &CompareGrid::zoomedAbout, this, [this](double right, double down, double factor) {
+        moveCamera([=](const CameraPose& camera, const ZoomLimits& limits) {
+            return zoomedAbout(camera, right, down, factor, limits);
+        });
+    });
+    connect(&m_grid, &CompareGrid::lightMoved, this, &CompareHand::moveLight);
+    connect(&m_grid, &CompareGrid::wipeMoved, this, [this](double share) {
+        Document next = m_model.document();
+        next.comparison.wipe = share;
+        take(next, tr("move the wipe"));
+    });
+    connect(&m_grid, &CompareGrid::dragEnded, &m_model, &DocumentModel::commitPreview);
+    connect(&m_grid, &CompareGrid::dragCancelled, &m_model, &DocumentModel::cancelPreview);
+}
+
+void CompareHand::moveCamera(
+    const std::function<CameraPose(const CameraPose& camera, const ZoomLimits& limits)>& move) {
+    const auto volume = m_openStudy.volume();
+    const QSize size = m_grid.pictureSize();
+    if (!volume || size.isEmpty()) return;
+    Document next = m_model.document();
+    const Pose shown = shownPose(next, mainView);
+    const double aspect = static_cast<double>(size.width()) / size.height();
+    const CameraPose before = cameraPoseOf(shown, next.beam.axis, cutOf(next, mainView).nearCutMm, volume->dataBox(),
+                                           lookOf(next, mainView).projection, aspect);
+    const CameraPose after = move(before, zoomLimits(volume->geometry()));
+    const Pose moved = movedPose(shown, before, after, volume->dataBox(), aspect);
+    if (moved == shown) return;
+    poseOf(next, mainView) = moved;
+    next.motionAngle = 0.0;  // the motion starts from where the person left the camera
+    const QString what = moved.direction != shown.direction           ? tr("turn view")
+                         : moved.magnification != shown.magnification ? tr("zoom")
+                                                                      : tr("move view");
+    take(next, what);
+    emit cameraMoved();
+}
+
+void CompareHand::moveLight(double right, double down) {
+    Document next = m_model.document();
+    Look& look = lookOf(next, mainView);
+    if (look.lighting == Lighting::flat || look.mode != RenderMode::direct) return;
+    look.light = moved(look.light, right, down);
+    take(next, tr("move light"));
+}
+
+void CompareHand::take(const Document& next, const QString& what) {
+    if (m_grid.dragging())
+        m_model.preview(next, what);
+    else
+        m_model.edit(next, what, m_hand.current());
+}
+
+}  // namespace echolucent

@@ -1,0 +1,39 @@
+// What the hand does in the panes of a comparison, as steps of the document.
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+#include "app/document/document_model.h"
+#include "app/document/hand_gesture.h"
+#include "app/study/open_study.h"
+#include "processing/picture/camera_pose.h"
+#include "widgets/compare/compare_grid.h"
+
+namespace echolucent {
+
+/// Moves the pose of the main view, its light, and the line of a wipe. A drag is one step.
+class CompareHand : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of them must outlive this.
+    CompareHand(DocumentModel& model, OpenStudy& openStudy, HandGesture& hand, CompareGrid& grid,
+                QObject* parent = nullptr);
+
+signals:
+    /// The hand has moved the camera, out of a motion too.
+    void cameraMoved();
+
+private:
+    void moveCamera(const std::function<CameraPose(const CameraPose& camera, const ZoomLimits& limits)>& move);
+    void moveLight(double right, double down);
+    void take(const Document& next, const QString& what);
+
+    DocumentModel& m_model;
+    OpenStudy& m_openStudy;
+    HandGesture& m_hand;
+    CompareGrid& m_grid;
+};
+
+}  // namespace echolucent

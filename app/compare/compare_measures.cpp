@@ -1,0 +1,185 @@
+#include "app/compare/compare_measures.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "processing/comparison/plain_frames.h"
+#include "processing/document/view_caster.h"
+#include "processing/motion/flicker.h"
+#include "processing/motion/motion_mode.h"
+#include "widgets/compare/compare_panel.h"
+
+namespace echolucent {
+
+CompareMeasures::CompareMeasures(DocumentModel& model, OpenStudy& openStudy, ComparedViews& views,
+                                 const MotionPlayer& player, QObject* parent)
+    : QObject(parent),
+      m_model(model),
+      m_openStudy(openStudy),
+      m_views(views),
+      m_player(player),
+      m_thread("comparison measures"),
+      m_flickerThread("comparison flicker") {
+    connect(&m_views, &ComparedViews::frameShown, this, &CompareMeasures::follow);
+    connect(&m_views, &ComparedViews::followed, this, &CompareMeasures::follow);
+    connect(&m_openStudy, &OpenStudy::studyOpened, this, &CompareMeasures::forgetStudy);
+    connect(&m_openStudy, &OpenStudy::computingOtfChanged, this, &CompareMeasures::follow);
+    connect(&m_player, &MotionPlayer::playingChanged, this, &CompareMeasures::follow);
+    connect(&m_thread, &NewestWinsThread::busyChanged, this, &CompareMeasures::busyChanged);
+    connect(&m_flickerThread, &NewestWinsThread::busyChanged, this, &CompareMeasures::busyChanged);
+    connect(&m_flickerThread, &NewestWinsThread::progressed, this, &CompareMeasures::progressed);
+}
+
+std::optional<CompareMeasures::Asked> CompareMeasures::wanted() const {
+    const Document& document = m_model.document();
+    if (!m_views.shown() || document.comparison.panes.empty() || !m_openStudy.volume()) return std::nullopt;
+    const auto otf = m_openStudy.otf();
+    if (!otf || m_openStudy.computingOtf()) return std::nullopt;
+    Asked asked{.shown = m_openStudy.voxelsOfOtf(), .otf = otf, .classifications = {}, .places = {}};
+    for (std::size_t place = 0; place < document.comparison.panes.size(); ++place) {
+        const ComparedViews::Pane pane = m_views.paneAt(place);
+        if (!pane.newest) return std::nullopt;
+        if (pane.request.volume != asked.shown) continue;
+        asked.classifications.push_back(pane.request.classification);
+        asked.places.push_back(place);
+    }
+    return asked;
+}
+
+void CompareMeasures::follow() {
+    if (!m_views.shown()) return;
+    const auto asked = wanted();
+    // What plays or is dragged is another thing to measure with every frame.
+    if (asked && asked != m_asked && !m_model.previewing() && !m_player.isPlaying()) {
+        m_asked = asked;
+        m_thread.submit([this, asked = *asked](const Progress& progress) -> NewestWinsThread::Deliver {
+            std::optional<std::vector<ClassificationMeasures>> measures;
+            try {
+                measures = measuresOf(*asked.shown, *asked.otf, asked.classifications, progress);
+            } catch (const std::bad_alloc&) {
+                return [this] { fail(); };
+            }
+            if (!measures) return {};
+            return [this, asked, measures = std::move(*measures)] {
+                m_measured = asked;
+                m_measures = measures;
+                showRows();
+            };
+        });
+    }
+    showRows();
+}
+
+void CompareMeasures::fail() { emit failed(tr("Measuring the panes needs more memory than this machine has.")); }
+
+void CompareMeasures::showRows() {
+    const Document& document = m_model.document();
+    std::vector<CompareRow> rows;
+    const auto asked = wanted();
+    const bool measured = asked && asked == m_measured, flickers = m_flickerOf && m_flickerOf == flickerWanted();
+    for (std::size_t place = 0; place < document.comparison.panes.size(); ++place) {
+        CompareRow row{.name = nameOfPane(paneChoiceOf(document, place))};
+        m_views.addTimes(place, row);
+        for (std::size_t i = 0; measured && i < asked->places.size(); ++i) {
+            if (asked->places[i] != place || m_measures[i].light.rays == 0) continue;
+            row.contrast = m_measures[i].contrast.contrastToNoise();
+            row.nearSurfaces = m_measures[i].light.meanShare;
+        }
+        if (flickers && m_flickers.contains(place)) row.flicker = m_flickers.at(place);
+        rows.push_back(row);
+    }
+    if (rows == m_rows) return;
+    m_rows = rows;
+    m_views.setRows(m_rows);
+    emit rowsChanged(m_rows);
+}
+
+std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted() const {
+    const auto asked = wanted();
+    if (!asked) return std::nullopt;
+    const Document& document = m_model.document();
+    const std::vector<int>& views = document.comparison.panes;
+    const bool motionsCompared =
+        std::ranges::any_of(views, [&](int view) { return viewOf(document, view).motionOtf.has_value(); });
+    FlickerAsked flicker{.raw = m_openStudy.rawVoxelsOf(m_openStudy.phaseOfOtf()), .shown = asked->shown};
+    if (flicker.raw != flicker.shown) flicker.reduction = m_openStudy.quietPhases().reduction();
+    flicker.start = motionStartOf(document, mainView);
+    flicker.axis = document.motion.axis;
+    flicker.adjustment = document.curves.adjustment;
+    for (const std::size_t place : asked->places) {
+        const int view = views[place];
+        FlickeringPane pane{.place = place, .config = AdaptiveConfig{}, .method = configOf(document, view)};
+        const DesignerConfig* config = designOf(document, view);
+        if (config != nullptr) pane.config = *config;
+        const bool changes =
+            config != nullptr ? readsTubeCores(*config) : viewOf(document, view).curve == CurveKind::adaptive;
+        const MotionOtf mode = viewOf(document, view).motionOtf.value_or(document.motion.otf);
+        // Where nobody compares motions, it is measured what an OTF for each view would do.
+        pane.steady = !changes || (mode == MotionOtf::oneOtf && motionsCompared);
+        if (!pane.steady) pane.smoothing = smoothingOf(mode).value_or(OtfSmoothing::none);
+        flicker.panes.push_back(std::move(pane));
+    }
+    return flicker;
+}
+
+/// Nothing where it was cancelled.
+std::optional<double> CompareMeasures::flickerOf(const FlickerAsked& asked, const FlickeringPane& pane,
+                                                 const Progress& progress) {
+    if (pane.steady) return 0.0;  // what is the same for all frames has none
+    const std::vector<SweepFrame> frames =
+        sweepFrames(asked.start, asked.axis, -flickerDegrees, flickerDegrees, flickerStep, 1);
+    const Progress silent{{}, progress.cancel};
+    OtfHistory history(pane.smoothing);
+    std::vector<Classification> classifications;
+    for (const SweepFrame& frame : frames) {
+        auto made = design(pane.config, {*asked.raw, *asked.shown, asked.reduction, frame.view, pane.method}, silent);
+        if (!made) return std::nullopt;
+        if (const auto* curve = std::get_if<SampledCurve>(&made->classification.curve()))
+            made->classification = history.add(frame.time, *curve);
+        classifications.push_back(adjustedClassification(made->classification, asked.adjustment));
+    }
+    const std::vector shown{asked.shown};
+    const auto flicker =
+        pictureFlicker(frames, classifications, plainFrameRenderer(shown, flickerRaySpacing, silent), progress);
+    return flicker ? std::optional(flicker->flicker) : std::nullopt;
+}
+
+void CompareMeasures::measureFlicker() {
+    const auto asked = flickerWanted();
+    if (!asked) return;
+    m_flickerThread.submit([this, asked = *asked](const Progress& progress) -> NewestWinsThread::Deliver {
+        std::map<std::size_t, double> flickers;
+        try {
+            for (const FlickeringPane& pane : asked.panes) {
+                const auto flicker = flickerOf(asked, pane, progress);
+                if (!flicker) return {};
+                flickers[pane.place] = *flicker;
+            }
+        } catch (const std::bad_alloc&) {
+            return [this] { fail(); };
+        }
+        return [this, asked, flickers] {
+            m_flickerOf = asked;
+            m_flickers = flickers;
+            showRows();
+        };
+    });
+}
+
+/// Of another study nothing is kept, its voxels least of all.
+void CompareMeasures::forgetStudy() {
+    cancel();
+    m_asked.reset();
+    m_measured.reset();
+    m_measures.clear();
+    m_flickerOf.reset();
+    m_flickers.clear();
+}
+
+void CompareMeasures::cancel() {
+    m_thread.cancel();
+    m_flickerThread.cancel();
+}
+
+}  // namespace echolucent

@@ -1,0 +1,78 @@
+#include "app/compare/compare_page.h"
+
+#include <fmt/format.h>
+
+#include "app/pages/html_page.h"
+#include "app/picture/picture_image.h"
+
+namespace echolucent {
+
+namespace {
+
+std::string nameAt(const ComparePage& page, std::size_t index) {
+    const ComparePage::Pane& pane = page.panes[index];
+    return fmt::format("{}: {}", pane.place + 1, pane.row.name.toStdString());
+}
+
+void addCurves(HtmlPage& html, const ComparePage& page) {
+    constexpr int samples = 257;
+    Plot plot{.title = "Opacity transfer functions", .xLabel = "intensity", .yLabel = "opacity", .series = {}};
+    for (std::size_t place = 0; place < page.panes.size(); ++place) {
+        PlotSeries series;
+        series.name = nameAt(page, place);
+        series.y = sampledOpacities(upperCurveOf(page.panes[place].classification), samples);
+        for (int i = 0; i < samples; ++i) series.x.push_back(static_cast<double>(i) / (samples - 1));
+        plot.series.push_back(std::move(series));
+    }
+    html.heading("Curves");
+    html.plot(plot);
+    for (const ComparePage::Pane& pane : page.panes)
+        if (pane.classification.isTwoDimensional())
+            return html.paragraph(
+                "Of an OTF over intensity and gradient magnitude the plot shows the largest opacity of "
+                "each intensity.");
+}
+
+}  // namespace
+
+std::string comparePageText(const ComparePage& page) {
+    HtmlPage html("Comparison: " + page.study.toStdString(), HtmlPage::anyBytes);
+    html.paragraph(fmt::format("Made on {} with Echolucent {}. Not a medical device: not for diagnosis or treatment.",
+                               page.made.toStdString(), page.version.toStdString()));
+    html.heading("Pictures");
+    html.paragraph(
+        "All pictures have one camera, cut, box and light; they differ in their OTF alone, or in their phase "
+        "where it is named.");
+    for (std::size_t place = 0; place < page.panes.size(); ++place) {
+        const QImage& image = page.panes[place].image;
+        if (!image.isNull()) html.picture(image.width(), image.height(), rgbBytesOf(image), nameAt(page, place));
+    }
+    html.heading("Table");
+    std::vector<std::string> columns;
+    for (const QString& column : compareColumns()) columns.push_back(column.toStdString());
+    std::vector<std::vector<std::string>> rows;
+    for (const ComparePage::Pane& pane : page.panes) {
+        rows.emplace_back();
+        for (const QString& cell : cellsOf(pane.row)) rows.back().push_back(cell.toStdString());
+    }
+    html.table(columns, rows, "What is measured of each pane");
+    html.paragraph(
+        "CNR_S says how well surfaces stand off from the rest of the light, near the mean share of a ray's "
+        "light that comes from within 3 units of a surface. Both take the surfaces that the tube cores found "
+        "for true. That favours the adaptive OTF, which is made of these very surfaces.");
+    html.paragraph(
+        "Flicker is that of pictures while the view turns from -10 to +10 degrees and each frame has the OTF that "
+        "its pane would show: one for all, its own, or a smoothed one. Where no pane names one of these, an OTF that "
+        "follows the tube cores is made for each frame, and smoothed where the motion smooths it. Times are wall time "
+        "on the machine that made this page.");
+    addCurves(html, page);
+    html.heading("Why the OTFs are as they are");
+    for (std::size_t place = 0; place < page.panes.size(); ++place) {
+        std::string text;
+        for (const std::string& sentence : page.panes[place].explanation) text += " " + sentence;
+        if (!text.empty()) html.paragraph(nameAt(page, place) + "." + text);
+    }
+    return html.text();
+}
+
+}  // namespace echolucent

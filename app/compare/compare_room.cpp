@@ -1,0 +1,218 @@
+#include "app/compare/compare_room.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDateTime>
+#include <QMainWindow>
+#include <QMenu>
+#include <QStackedWidget>
+#include <utility>
+
+#include "app/compare/compare_page.h"
+#include "app/compare/paper_figures.h"
+#include "app/study/study_names.h"
+#include "app/window/save_dialog.h"
+#include "app/window/settings.h"
+#include "io/output/atomic_file.h"
+#include "widgets/key_table.h"
+#include "widgets/panels/message_bar.h"
+
+namespace echolucent {
+
+CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
+    : QObject(parent),
+      m_parts(parts),
+      m_views({parts.model, parts.openStudy, parts.designs, parts.grid, parts.adaptive}),
+      m_hand(parts.model, parts.openStudy, parts.hand, parts.grid),
+      m_controls(parts.model, parts.openStudy, parts.hand, parts.panel),
+      m_measures(parts.model, parts.openStudy, m_views, parts.player),
+      m_writing("comparison page") {
+    // What fails for the main view is said of the 3D view already.
+    connect(&m_parts.designs, &ViewDesigns::failed, this, [this](int view, const QString& sentence) {
+        if (view != mainView) m_parts.messages.showMessage(MessageKind::error, sentence);
+    });
+    connect(&m_parts.model, &DocumentModel::changed, this, [this] {
+        if (m_parts.model.document().comparison.panes.empty()) setShown(false);  // it was taken back
+    });
+    connect(&m_hand, &CompareHand::cameraMoved, this, &CompareRoom::cameraMoved);
+    connect(&m_views, &ComparedViews::busyChanged, this, &CompareRoom::busyChanged);
+    for (const auto may : {&ComparedViews::frameShown, &ComparedViews::followed})
+        connect(&m_views, may, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
+    connect(&m_measures, &CompareMeasures::busyChanged, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
+    connect(&m_parts.openStudy, &OpenStudy::computingOtfChanged, this, &CompareRoom::writeWaitingPage,
+            Qt::QueuedConnection);
+    connect(&m_parts.openStudy, &OpenStudy::openFailed, this, [this] { m_figureWaits = 0; });
+    connect(&m_views, &ComparedViews::failed, this, [this] {
+        m_parts.player.pause();
+        m_parts.messages.showMessage(MessageKind::error, tr("The pictures need more memory than this machine has."));
+        m_waitingPage.clear();
+        emit busyChanged();
+    });
+    connect(&m_measures, &CompareMeasures::busyChanged, this, [this] {
+        m_parts.panel.setMeasuringFlicker(m_measures.measuringFlicker());
+        emit busyChanged();
+    });
+    connect(&m_measures, &CompareMeasures::failed, this,
+            [this](const QString& sentence) { m_parts.messages.showMessage(MessageKind::error, sentence); });
+    connect(&m_measures, &CompareMeasures::progressed, this, &CompareRoom::progressed);
+    connect(&m_measures, &CompareMeasures::rowsChanged, &m_parts.panel, &ComparePanel::setRows);
+    connect(&m_parts.panel, &ComparePanel::flickerRequested, &m_measures, &CompareMeasures::measureFlicker);
+    connect(&m_parts.panel, &ComparePanel::pageRequested, this, &CompareRoom::chooseAndSavePage);
+    connect(&m_parts.openStudy, &OpenStudy::otfComputed, this, &CompareRoom::setUpWaitingFigure, Qt::QueuedConnection);
+    connect(&m_parts.openStudy, &OpenStudy::computingOtfChanged, this, &CompareRoom::setUpWaitingFigure,
+            Qt::QueuedConnection);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
+        m_waitingPage.clear();
+        if (!m_parts.openStudy.isSimulatedScan()) m_figureWaits = 0;
+    });
+    connect(&m_writing, &FileWriting::busyChanged, this, &CompareRoom::busyChanged);
+}
+
+void CompareRoom::setShown(bool shown) {
+    if (shown == m_views.shown()) return;
+    if (shown) m_controls.begin();
+    m_parts.rooms.setCurrentIndex(shown ? 1 : 0);
+    m_views.setShown(shown);
+    if (shown)
+        m_parts.grid.pane(0).setFocus();
+    else
+        leave();
+    emit shownChanged(shown);
+    emit busyChanged();
+}
+
+/// What was cancelled is measured again when the room is shown again.
+void CompareRoom::leave() {
+    cancel();
+    m_measures.askAgain();
+}
+
+void CompareRoom::cancel() {
+    m_measures.cancel();
+    m_writing.cancel();
+    m_waitingPage.clear();
+    m_figureWaits = 0;
+    emit busyChanged();
+}
+
+void CompareRoom::createMenu() {
+    auto* menu = m_parts.window.findChild<QMenu*>(QStringLiteral("menu.room"));
+    auto* compare = new QAction(tr("&Compare OTFs"), menu);
+    compare->setObjectName(QStringLiteral("room.compare"));
+    compare->setShortcut(keyOf(compare->objectName()));
+    compare->setCheckable(true);
+    connect(compare, &QAction::triggered, this, &CompareRoom::setShown);
+    connect(this, &CompareRoom::shownChanged, compare, &QAction::setChecked);
+    auto* figures = new QMenu(tr("Compare &for a lesson"), menu);
+    figures->setObjectName(QStringLiteral("menu.compare"));
+    const auto addFigure = [&](const QString& text, const QString& name, int number) {
+        QAction* action = figures->addAction(text);
+        action->setObjectName(name);
+        connect(action, &QAction::triggered, this, [this, number] { showFigure(number); });
+    };
+    addFigure(tr("Figure &1: linear, eq. 1, adaptive"), QStringLiteral("compare.figure1"), 1);
+    addFigure(tr("Figure &9: one OTF, or each view's"), QStringLiteral("compare.figure9"), 9);
+    figures->addSeparator();
+    auto* motion = figures->addAction(tr("&Motion: one OTF, each view's, smoothed"));
+    motion->setObjectName(QStringLiteral("compare.motions"));
+    connect(motion, &QAction::triggered, this, [this] {
+        m_parts.model.edit(motionSideBySide(m_parts.model.document()), tr("motion side by side"));
+        setShown(true);
+    });
+    QAction* before = nullptr;
+    for (QAction* action : menu->actions())
+        if (action->isSeparator()) {
+            before = action;
+            break;
+        }
+    menu->insertAction(before, compare);
+    menu->insertMenu(before, figures);
+    m_parts.window.addAction(compare);  // the key works also while the menu bar is hidden
+    // A layout of the review room leaves the comparison.
+    for (const char* layout : {"room.only3d", "room.quad", "room.large3d"})
+        if (auto* action = m_parts.window.findChild<QAction*>(QLatin1String(layout)))
+            connect(action, &QAction::triggered, this, [this] { setShown(false); });
+}
+
+void CompareRoom::addTo(EscapeOrder& escapes) {
+    escapes.add(EscapeStep::drag, [this] { return m_parts.grid.cancelDrag(); });
+    escapes.add(EscapeStep::maximisedPane, [this] { return shown() && m_parts.grid.endMaximised(); });
+}
+
+void CompareRoom::showFigure(int number) {
+    m_figureWaits = number;
+    if (!m_parts.openStudy.isSimulatedScan()) return m_parts.openStudy.openSimulatedScan();
+    setUpWaitingFigure();
+}
+
+void CompareRoom::setUpWaitingFigure() {
+    if (m_figureWaits == 0 || !m_parts.openStudy.isSimulatedScan()) return;
+    if (!m_parts.openStudy.otf() || m_parts.openStudy.computingOtf()) return;
+    const Document& document = m_parts.model.document();
+    if (m_figureWaits == 1) {
+        m_parts.model.edit(figure1(document), tr("Figure 1 of the paper"));
+    } else {
+        m_parts.player.setAngle(0);
+        m_parts.model.edit(figure9(document), tr("Figure 9 of the paper"));
+        m_parts.player.setAngle(static_cast<int>(figure9Degrees));
+    }
+    m_figureWaits = 0;
+    setShown(true);
+}
+
+void CompareRoom::chooseAndSavePage() {
+    if (!shown()) return;
+    const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
+                                          {.title = tr("Save comparison"),
+                                           .filter = tr("Pages (*.html)"),
+                                           .name = m_parts.proposedName(QStringLiteral("comparison")),
+                                           .suffix = QStringLiteral("html")});
+    if (!path.isEmpty()) savePage(path);
+}
+
+void CompareRoom::savePage(const QString& path) {
+    if (!shown() || m_writing.busy()) return;
+    m_parts.player.pause();
+    m_waitingPage = path;
+    emit busyChanged();
+    writeWaitingPage();
+}
+
+void CompareRoom::giveUpPage(const QString& sentence) {
+    m_waitingPage.clear();
+    m_parts.messages.showMessage(MessageKind::error, sentence);
+    emit busyChanged();
+}
+
+void CompareRoom::writeWaitingPage() {
+    if (m_waitingPage.isEmpty()) return;
+    if (m_views.refused())
+        return giveUpPage(tr("The page was not saved: the OTF of a pane was cancelled or could not be made."));
+    if (!m_views.settled() || m_measures.busy() || m_parts.openStudy.computingOtf()) return;
+    const QString path = std::exchange(m_waitingPage, {});
+    const Document& document = m_parts.model.document();
+    const auto& frame = m_views.frame();
+    ComparePage page{.study = m_parts.openStudy.isSimulatedScan() ? tr("simulated scan")
+                                                                  : m_parts.names.nameOf(m_parts.openStudy.path()),
+                     .made = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' '),
+                     .version = QApplication::applicationVersion(),
+                     .panes = {}};
+    const std::vector<CompareRow>& rows = m_measures.rows();
+    for (std::size_t i = 0; i < frame->request.places.size(); ++i) {
+        const std::size_t place = frame->request.places[i];
+        if (place >= document.comparison.panes.size() || place >= rows.size()) continue;
+        ComparePage::Pane pane{place, rows[place], frame->panes[i].image, frame->request.panes[i].classification};
+        if (const auto design = m_parts.designs.of(document.comparison.panes[place]))
+            pane.explanation = design->design.explanation;
+        page.panes.push_back(std::move(pane));
+    }
+    m_writing.begin(
+        path,
+        [page, file = path.toStdString()](const Progress&) { return writeFileAtomically(file, comparePageText(page)); },
+        [this](const Result<void>& written) {
+            if (!written)
+                m_parts.messages.showMessage(MessageKind::error, QString::fromStdString(written.error().sentence()));
+        });
+}
+
+}  // namespace echolucent

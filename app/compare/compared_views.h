@@ -1,0 +1,105 @@
+// The pictures of a comparison: what each pane is cast through, and what is shown of it.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "app/compare/compare_caster.h"
+#include "app/document/document_model.h"
+#include "app/motion/course_key.h"
+#include "app/otf/view_designs.h"
+#include "app/study/open_study.h"
+#include "processing/document/compared_panes.h"
+#include "widgets/compare/compare_grid.h"
+#include "widgets/compare/compare_rows.h"
+#include "widgets/motion/otf_course.h"
+
+namespace echolucent {
+
+/// Casts the panes that are shown with the camera of the first, to the bit, and puts their pictures, names and numbers
+/// into the grid. What is compared is read from the document; nothing of it is kept here.
+class ComparedViews : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        DocumentModel& model;
+        OpenStudy& openStudy;
+        ViewDesigns& designs;
+        CompareGrid& grid;
+        std::function<SampledCurve()> adaptive;  ///< the adaptive curve that the main view shows
+    };
+    /// All of them must outlive this.
+    explicit ComparedViews(const Parts& parts, QObject* parent = nullptr);
+
+    /// While it is not shown, nothing is cast, and no designer runs for it.
+    void setShown(bool shown);
+    [[nodiscard]] bool shown() const { return m_shown; }
+    [[nodiscard]] bool busy() const { return m_caster.busy(); }
+    /// Whether what the document says now is on the screen, of whichever quality.
+    [[nodiscard]] bool frameIsCurrent() const { return !m_waits && m_caster.newestIsThere(); }
+    /// Whether every pane shows what the document asks for, converged.
+    [[nodiscard]] bool settled() const;
+    /// Whether some pane will not show what the document asks for.
+    [[nodiscard]] bool refused() const;
+    /// The voxels that the pane at a place shows, and what it is rendered with; whether that is what the document asks
+    /// for, or is still being computed.
+    struct Pane {
+        PaneRequest request;
+        bool newest = true;
+        bool refused = false;  ///< what it asks for was cancelled or has failed: it does not come by itself
+        bool usable = true;    ///< whether there is an OTF of these voxels, be it an older one, or none will come
+    };
+    [[nodiscard]] Pane paneAt(std::size_t place) const;
+    /// The newest frame; null before the first.
+    [[nodiscard]] const std::shared_ptr<const CompareFrame>& frame() const { return m_frame; }
+    /// Milliseconds of the designer and of the picture of a pane, where they are known.
+    void addTimes(std::size_t place, CompareRow& row) const;
+    /// What is measured of the panes, by place; shown under them.
+    void setRows(const std::vector<CompareRow>& rows);
+
+public slots:
+    /// Shows what the document says now. Called by itself when the document or what is computed changes.
+    void follow();
+
+signals:
+    void busyChanged();
+    /// Another frame is shown.
+    void frameShown();
+    /// What the panes show, or are to show, may be another.
+    void followed();
+    void failed();
+
+private:
+    [[nodiscard]] std::vector<std::size_t> placesWanted() const;
+    void askForDesigns();
+    void takeDesign(int view);
+    [[nodiscard]] bool isComputedForItself(int view) const;
+    void take(const std::shared_ptr<const CompareFrame>& frame);
+    void showFrame();
+    void showFaces();
+    void showPair();
+    void clear();
+    void forgetStudy();
+
+    Parts m_parts;
+    bool m_shown = false;
+    const Study* m_study = nullptr;     ///< of m_frame or of what was asked for last; told apart by address only
+    std::vector<std::size_t> m_places;  ///< of the newest request
+    std::shared_ptr<const CompareFrame> m_frame;
+    std::vector<CompareRow> m_rows;
+    std::vector<int> m_askedViews;  ///< whose designs are asked for
+    /// The OTFs of a pane's frames, of which it shows a smoothed one.
+    struct Course {
+        CourseKey key;
+        OtfCourse course;
+    };
+    std::map<int, Course> m_courses;  ///< by view
+    bool m_waits = false;             ///< for an OTF, before which a pane would be clear
+    CompareCaster m_caster;
+};
+
+}  // namespace echolucent

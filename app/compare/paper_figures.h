@@ -1,0 +1,21 @@
+// Comparisons that are set up by one click: figures 1 and 9 of Petersch 2005, and a motion's OTFs side by side.
+#pragma once
+
+#include "processing/document/document.h"
+
+namespace echolucent {
+
+/// Figure 1: (a) a linear OTF, (b) the piecewise linear one of eq. 1 with L_L = 20, a = 0.5, L_H = 255, (c) the
+/// adaptive one. The manual curve becomes that of (a).
+[[nodiscard]] Document figure1(Document document);
+
+/// Figure 9: a frame of the motion, turned from its first view by figure9Degrees, with one OTF for all frames and with
+/// an OTF of its own. The motion shows one OTF.
+[[nodiscard]] Document figure9(Document document);
+inline constexpr double figure9Degrees = 30.0;
+
+/// The adaptive curve in three panes, for whatever moves in the motion: one OTF for all frames, an OTF for each, and
+/// these smoothed for the least flicker.
+[[nodiscard]] Document motionSideBySide(Document document);
+
+}  // namespace echolucent

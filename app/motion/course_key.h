@@ -1,0 +1,29 @@
+// What the frames of one course of OTFs have in common.
+#pragma once
+
+#include <vector>
+
+#include "processing/document/document.h"
+#include "widgets/motion/otf_course.h"
+
+namespace echolucent {
+
+/// What the course's rows have in common within a study; another one begins a new course.
+struct CourseKey {
+    Viewpoint start;
+    std::vector<ScalpelStroke> strokes;
+    MotionAxis axis = MotionAxis::y;
+    AdaptiveOtfConfig config;
+    OtfCourse::Rows rows = OtfCourse::Rows::angles;
+    int fixed = 0;  ///< the phase or the angle that stays; 0 where both change
+    friend bool operator==(const CourseKey&, const CourseKey&) = default;
+};
+
+/// From where a view looks at angle 0 of a motion: its pose, its cut and its box.
+[[nodiscard]] Viewpoint motionStartOf(const Document& document, int view);
+
+/// The key of the course to which a frame of a view belongs; `config` is what its OTF was computed with.
+[[nodiscard]] CourseKey courseKeyOf(const Document& document, int view, const AdaptiveOtfConfig& config,
+                                    const CourseFrame& frame);
+
+}  // namespace echolucent

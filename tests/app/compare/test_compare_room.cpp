@@ -1,0 +1,429 @@
+// The comparison in the real window: panes under one camera, what the hand does there, the table, undo and sessions.
+#include <QAction>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMouseEvent>
+#include <QSlider>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QWheelEvent>
+#include <thread>
+
+#include "app/compare/compare_room.h"
+#include "app/otf/view_designs.h"
+#include "io/document/session_file.h"
+#include "processing/comparison/classification_measures.h"
+#include "processing/document/pane_measures.h"
+#include "processing/motion/otf_smoothing.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/compare/compare_grid.h"
+#include "widgets/compare/compare_panel.h"
+
+using namespace echolucent;
+
+class TestCompareRoom : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
+        m_moving =
+            file("moving.mha", {smallPhantom(PhantomScene::shapes, 5), smallPhantom(PhantomScene::shapes, 5, 0.5)});
+    }
+    void init() {
+        show();
+        useLook(Look{});
+        open(m_file);
+        window().compareRoom().setShown(true);
+        waitForFrame();
+    }
+    void cleanup() { close(); }
+
+    void theKeyShowsFourPanesAndTakesThemAway() {
+        QVERIFY(grid().isVisible());
+        QVERIFY(!window().volumeView().isVisible());
+        QCOMPARE(document().comparison.panes.size(), std::size_t{4});
+        QVERIFY(child<QDockWidget>("dock.compare")->isVisible());
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QTRY_VERIFY(window().volumeView().isVisible());
+        QVERIFY(!grid().isVisible());
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QTRY_VERIFY(grid().isVisible());
+        child<QAction>("room.quad")->trigger();
+        QTRY_VERIFY(!grid().isVisible());
+    }
+
+    void allPanesAreCastWithOneCameraAndTheirOwnOtf() {
+        const auto frame = window().compareRoom().views().frame();
+        QVERIFY(frame->converged());
+        QCOMPARE(frame->panes.size(), std::size_t{4});
+        for (std::size_t i = 0; i < 4; ++i) {
+            QCOMPARE(frame->panes[i].image.size(), frame->panes[0].image.size());
+            QVERIFY(frame->request.panes[i].volume == window().openStudy().newestVoxels());
+            QVERIFY(grid().pane(i).image() == frame->panes[i].image);
+            for (std::size_t k = 0; k < i; ++k) QVERIFY(frame->panes[i].image != frame->panes[k].image);
+        }
+        QVERIFY(frame->request.panes[3].classification.isTwoDimensional());
+        QVERIFY(!window().compareRoom().busy());
+    }
+
+    void aDragOrbitsAllPanesInOneStep() {
+        const Pose before = poseOf(document(), 1);
+        const auto frameBefore = window().compareRoom().views().frame();
+        const int steps = window().document().steps().index();
+        ComparePane& pane = grid().pane(2);
+        drag(pane, pane.pictureRect().center(), QPoint(40, 15), Qt::LeftButton);
+        QVERIFY(poseOf(document(), 1).direction != before.direction);
+        QCOMPARE(window().document().steps().index(), steps + 1);
+        waitForFrame();
+        const auto frame = window().compareRoom().views().frame();
+        QVERIFY(frame->settings.camera != frameBefore->settings.camera);
+        for (std::size_t i = 0; i < 4; ++i) QVERIFY(frame->panes[i].image != frameBefore->panes[i].image);
+        window().document().steps().undo();
+        QVERIFY(poseOf(document(), 1) == before);
+        waitForFrame();
+        QVERIFY(window().compareRoom().views().frame()->settings.camera == frameBefore->settings.camera);
+        for (std::size_t i = 0; i < 4; ++i)
+            QVERIFY(window().compareRoom().views().frame()->panes[i].image.size() ==
+                    frameBefore->panes[i].image.size());
+    }
+
+    void escapeEndsADragWithoutChange() {
+        const Document before = document();
+        const int steps = window().document().steps().index();
+        ComparePane& pane = grid().pane(0);
+        const QPoint from = pane.pictureRect().center();
+        QTest::mousePress(&pane, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&pane, from + QPoint(30, 0));
+        sendMove(pane, from + QPoint(30, 0), Qt::LeftButton);
+        QVERIFY(document() != before);
+        QTest::keyClick(&pane, Qt::Key_Escape);
+        QVERIFY(document() == before);
+        QTest::mouseRelease(&pane, Qt::LeftButton, {}, from + QPoint(30, 0));
+        QCOMPARE(window().document().steps().index(), steps);
+    }
+
+    void otherDragsPanZoomAndMoveTheLight() {
+        ComparePane& pane = grid().pane(1);
+        const Pose before = poseOf(document(), 1);
+        drag(pane, pane.pictureRect().center(), QPoint(20, 10), Qt::MiddleButton);
+        QVERIFY(poseOf(document(), 1).offsetMm != before.offsetMm);
+        QVERIFY(poseOf(document(), 1).direction == before.direction);
+        drag(pane, pane.pictureRect().center(), QPoint(0, 30), Qt::RightButton);
+        QVERIFY(poseOf(document(), 1).magnification < before.magnification);
+        Document lit = document();
+        lookOf(lit, 1).lighting = Lighting::surface;
+        window().document().edit(lit, "light");
+        const LightDirection light = lookOf(document(), 1).light;
+        drag(pane, pane.pictureRect().center(), QPoint(25, 0), Qt::LeftButton, Qt::ControlModifier);
+        QVERIFY(lookOf(document(), 1).light != light);
+        const double magnification = poseOf(document(), 1).magnification;
+        QWheelEvent wheel(pane.pictureRect().center(), pane.mapToGlobal(pane.pictureRect().center()), {}, {0, 120},
+                          Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&pane, &wheel);
+        QVERIFY(poseOf(document(), 1).magnification > magnification);
+    }
+
+    void aDoubleClickMaximisesAndEscapeGivesBack() {
+        QTest::mouseDClick(&grid().pane(1), Qt::LeftButton, {}, grid().pane(1).pictureRect().center());
+        QTRY_COMPARE(grid().maximised(), std::optional<std::size_t>(1));
+        QVERIFY(!grid().pane(0).isVisible());
+        waitForFrame();
+        QCOMPARE(window().compareRoom().views().frame()->panes.size(), std::size_t{1});
+        QTest::keyClick(&grid().pane(1), Qt::Key_Escape);
+        QVERIFY(!grid().maximised());
+        QVERIFY(grid().pane(0).isVisible());
+    }
+
+    void aPaneIsChosenInOneStepThatCanBeTakenBack() {
+        const int steps = window().document().steps().index();
+        auto* otf = child<QComboBox>("compare.otf2");
+        const int otsu = otf->findText("Otsu", Qt::MatchStartsWith);
+        QVERIFY(otsu > 0);
+        choose(otf, otsu);
+        QCOMPARE(window().document().steps().index(), steps + 1);
+        QVERIFY(designOf(document(), 2) != nullptr);
+        QCOMPARE(designerOf(*designOf(document(), 2)), Designer::otsu);
+        waitForFrame();
+        window().document().steps().undo();
+        QVERIFY(designOf(document(), 2) == nullptr);
+        QCOMPARE(viewOf(document(), 2).curve, CurveKind::parabolic);
+        child<QSpinBox>("compare.count")->setValue(2);
+        QCOMPARE(document().comparison.panes.size(), std::size_t{2});
+        waitForFrame();
+        window().document().steps().undo();
+        QCOMPARE(document().comparison.panes.size(), std::size_t{4});
+        QVERIFY(designOf(document(), 4) != nullptr);
+    }
+
+    void aTubeCoreIsLeftOutOfOnePane() {
+        auto* otf = child<QComboBox>("compare.otf3");
+        choose(otf, otf->count() - 1);
+        QCOMPARE(viewOf(document(), 3).withoutTubes.size(), std::size_t{1});
+        child<QSpinBox>("compare.tube3")->setValue(97);
+        QCOMPARE(viewOf(document(), 3).withoutTubes, std::vector{97});
+        waitForFrame();
+        QVERIFY(grid().pane(2).face().name.contains("97"));
+    }
+
+    void theTableEqualsTheMeasures() {
+        QTRY_VERIFY_WITH_TIMEOUT(panel().rows().size() == 4 && panel().rows()[3].contrast, 30000);
+        const auto frame = window().compareRoom().views().frame();
+        std::vector<Classification> classifications;
+        for (const PaneRequest& pane : frame->request.panes) classifications.push_back(pane.classification);
+        const auto measures =
+            measuresOf(*window().openStudy().voxelsOfOtf(), *window().openStudy().otf(), classifications);
+        for (std::size_t i = 0; i < 4; ++i) {
+            QVERIFY(panel().rows()[i].contrast == (*measures)[i].contrast.contrastToNoise());
+            QVERIFY(panel().rows()[i].nearSurfaces == (*measures)[i].light.meanShare);
+        }
+        // The command line measures the document (`echolucent-cli compare`).
+        const auto measured = measuresOfPanes(document(), {.scans = window().openStudy().study()->phases});
+        for (std::size_t i = 0; i < 4; ++i)
+            QVERIFY(panel().rows()[i].contrast == (*measured)[i]->contrast.contrastToNoise());
+        QCOMPARE(child<QTableWidget>("compare.table")->item(2, 0)->text(), cellsOf(panel().rows()[2])[1]);
+        click("compare.copyCsv");
+        QCOMPARE(QApplication::clipboard()->text(), compareCsv(panel().rows()));
+        click("compare.copyText");
+        QCOMPARE(QApplication::clipboard()->text(), compareText(panel().rows()));
+        QVERIFY(grid().pane(0).face().numbers.contains("CNR_S"));
+    }
+
+    void flickerIsMeasuredOnRequest() {
+        waitUntilRest();
+        QVERIFY(!panel().rows()[0].flicker);
+        click("compare.measureFlicker");
+        QVERIFY(!window().idle());
+        QTRY_VERIFY_WITH_TIMEOUT(panel().rows()[0].flicker.has_value(), 60000);
+        QVERIFY(*panel().rows()[0].flicker > 0.0);
+        QCOMPARE(*panel().rows()[1].flicker, 0.0);
+        QVERIFY(*panel().rows()[3].flicker > 0.0);  // Levoy's levels follow the tube cores
+        // Of another axis it is another one.
+        Document next = document();
+        next.motion.axis = MotionAxis::x;
+        window().document().edit(next, "axis");
+        QTRY_VERIFY(!panel().rows()[0].flicker);
+    }
+
+    void aDifferenceAndAWipeShowTwoPanes() {
+        auto* layout = child<QComboBox>("compare.layout");
+        choose(layout, 1);
+        QCOMPARE(document().comparison.layout, ComparisonLayout::difference);
+        waitForFrame();
+        QVERIFY(grid().pair().isVisible());
+        QVERIFY(grid().pair().face().numbers.startsWith("RMSE"));
+        const QImage before = grid().pair().image();
+        QVERIFY(!before.isNull());
+        choose(child<QComboBox>("compare.second"), 2);
+        QCOMPARE(document().comparison.second, 2);
+        waitForFrame();
+        QVERIFY(grid().pair().image() != before);
+        choose(layout, 2);
+        waitForFrame();
+        ComparePane& pair = grid().pair();
+        const QRect picture = pair.pictureRect();
+        const int steps = window().document().steps().index();
+        const Pose pose = poseOf(document(), 1);
+        drag(pair, QPoint(picture.x() + picture.width() / 2, picture.center().y() - 30), QPoint(60, 0), Qt::LeftButton);
+        QVERIFY(document().comparison.wipe > 0.5);
+        QVERIFY(poseOf(document(), 1) == pose);
+        QCOMPARE(window().document().steps().index(), steps + 1);
+        const double wipe = document().comparison.wipe;
+        const QPoint leftOfTheLine(picture.x() + picture.width() / 4, picture.center().y());
+        const QRgb unfocused = pair.grab().toImage().pixel(leftOfTheLine * pair.devicePixelRatioF());
+        pair.setFocus();
+        QCOMPARE(pair.grab().toImage().pixel(leftOfTheLine * pair.devicePixelRatioF()), unfocused);
+        QTest::keyClick(&pair, Qt::Key_Left);
+        QVERIFY(document().comparison.wipe < wipe);
+    }
+
+    void panesShowTheOtfsOfAMotion() {
+        waitUntilRest();
+        child<QAction>("compare.motions")->trigger();
+        QCOMPARE(document().comparison.panes.size(), std::size_t{3});
+        QCOMPARE(viewOf(document(), 2).motionOtf, std::optional(MotionOtf::eachView));
+        waitUntilRest();
+        QVERIFY(child<QComboBox>("compare.motion2")->isVisible());
+        const auto curves = [this] {
+            std::vector<Classification> made;
+            for (const PaneRequest& pane : window().compareRoom().views().frame()->request.panes)
+                made.push_back(pane.classification);
+            return made;
+        };
+        QVERIFY(curves()[0] == curves()[1] && curves()[1] == curves()[2]);  // all begin in one view
+        const Classification begun = curves()[0];
+        std::vector<SampledCurve> own;
+        OtfHistory history(OtfSmoothing::leastFlicker);
+        (void)history.add(0, std::get<SampledCurve>(begun.curve()));
+        for (int angle = 1; angle <= 3; ++angle) {
+            child<QSlider>("motion.angle")->setValue(angle);
+            waitUntilRest();
+            const auto made = curves();
+            QVERIFY(made[0] == begun);
+            const Design design = *echolucent::design(AdaptiveConfig{}, {*window().openStudy().volume(),
+                                                                         *window().openStudy().newestVoxels(),
+                                                                         {},
+                                                                         viewpointOf(document(), 1),
+                                                                         configOf(document())});
+            QVERIFY(made[1] == design.classification);
+            QVERIFY(made[2] == Classification(history.add(angle, std::get<SampledCurve>(made[1].curve()))));
+        }
+        click("compare.measureFlicker");
+        QTRY_VERIFY_WITH_TIMEOUT(panel().rows()[2].flicker.has_value(), 60000);
+        QCOMPARE(*panel().rows()[0].flicker, 0.0);
+        QVERIFY(*panel().rows()[2].flicker < *panel().rows()[1].flicker);
+    }
+
+    void figuresOfThePaperAreOneClick() {
+        child<QAction>("compare.figure9")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(document().motionAngle, 30.0, 60000);
+        QVERIFY(window().openStudy().isSimulatedScan());
+        QTRY_VERIFY_WITH_TIMEOUT(window().idle() && window().compareRoom().views().settled(), 60000);
+        const auto nine = window().compareRoom().views().frame();
+        QCOMPARE(nine->panes.size(), std::size_t{2});
+        QVERIFY(nine->request.panes[0].classification != nine->request.panes[1].classification);
+        child<QAction>("compare.figure1")->trigger();
+        waitUntilRest();
+        const auto one = window().compareRoom().views().frame();
+        QCOMPARE(one->panes.size(), std::size_t{3});
+        QVERIFY(opacityAt(one->request.panes[0].classification, 0.5, 0.0) == 0.5);
+    }
+
+    void whatIsTakenBackLeavesTheRoom() {
+        waitUntilRest();
+        window().document().steps().setIndex(0);
+        QTRY_VERIFY(window().volumeView().isVisible());
+        QVERIFY(!window().compareRoom().shown());
+        QVERIFY(grid().pane(0).image().isNull());
+    }
+
+    void anotherStudyIsNotShownUnderTheOldPictures() {
+        waitUntilRest();
+        window().open(m_moving);
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
+        QVERIFY(opened.wait(20000));
+        QVERIFY(!window().compareRoom().views().settled());
+        waitUntilRest();
+        QVERIFY(window().compareRoom().views().settled());
+        QVERIFY(window().compareRoom().views().frame()->request.panes[0].volume == window().openStudy().newestVoxels());
+    }
+
+    void thePaneOfTheMainViewKeepsItsDesigner() {
+        QTest::keyClick(&window(), Qt::Key_F5);
+        Document next = withDesign(document(), 1, OtsuConfig{.opacity = 0.5});
+        next.comparison = Comparison{};
+        window().document().begin(next);
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QCOMPARE(std::get<OtsuConfig>(*designOf(document(), 1)).opacity, 0.5);
+        QCOMPARE(document().comparison.panes.size(), std::size_t{4});
+        waitForFrame();
+    }
+
+    void aSessionKeepsTheComparison() {
+        Document next = document();
+        next.comparison.layout = ComparisonLayout::wipe;
+        next.comparison.first = 3;
+        next.comparison.wipe = 0.3;
+        window().document().edit(next, "wipe");
+        const auto read = sessionFromJson(jsonOf(SavedSession{.document = document()}), "session");
+        QVERIFY(read.has_value());
+        QVERIFY(read->document == document());
+        QCOMPARE(QByteArray::fromStdString(jsonOf(read->document)), QByteArray::fromStdString(jsonOf(document())));
+    }
+
+    void aPaneShowsAnotherPhase() {
+        window().open(m_moving);
+        waitUntilRest();
+        waitForFrame();
+        QVERIFY(child<QSpinBox>("compare.phase2")->isVisible());
+        child<QSpinBox>("compare.phase2")->setValue(2);
+        QCOMPARE(phaseOf(document(), 2), 1);
+        QCOMPARE(phaseOf(document(), 1), 0);
+        waitForFrame();
+        const auto frame = window().compareRoom().views().frame();
+        QVERIFY(frame->request.panes[1].volume != frame->request.panes[0].volume);
+        QVERIFY(frame->request.panes[2].volume == frame->request.panes[0].volume);
+        window().document().steps().undo();
+        QCOMPARE(phaseOf(document(), 2), 0);
+        window().document().steps().redo();
+        QCOMPARE(phaseOf(document(), 2), 1);
+    }
+
+    void theFullScreenShowsThePanesAlone() {
+        QTest::keyClick(&window(), Qt::Key_F);
+        QTRY_VERIFY(!child<QDockWidget>("dock.compare")->isVisible());
+        QVERIFY(grid().isVisible());
+        QTest::keyClick(&window(), Qt::Key_Escape);
+        QTRY_VERIFY(child<QDockWidget>("dock.compare")->isVisible());
+    }
+
+    void thePageOpensWithoutANetwork() {
+        waitUntilRest();
+        const QString path = temporaryFolder().filePath("comparison.html");
+        window().compareRoom().savePage(path);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), 20000);
+        waitUntilRest();
+        QFile page(path);
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        const QByteArray text = page.readAll();
+        QCOMPARE(text.count("data:image/png"), 4);
+        QVERIFY(text.contains("not for diagnosis") && text.contains("<svg"));
+        QVERIFY(!text.contains("href=\"http") && !text.contains("src=\"http"));
+    }
+
+    void aPageIsGivenUpWhereAPaneWillNotCome() {
+        waitUntilRest();
+        window().designs().setRun([](const DesignerConfig&, const DesignerInput&, const Progress& progress) {
+            while (!progress.cancelled()) std::this_thread::yield();
+            return std::optional<Design>();
+        });
+        window().document().edit(withPane(document(), 1, {.design = OtsuConfig{}}), "designer");
+        QTRY_VERIFY(window().designs().busy());
+        const QString path = temporaryFolder().filePath("given-up.html");
+        window().compareRoom().savePage(path);
+        QVERIFY(!window().idle());
+        window().designs().cancel();
+        waitUntilRest();
+        QVERIFY(!QFile::exists(path));
+        QVERIFY(child<QAbstractButton>("designer.compute") != nullptr);
+        QVERIFY(!panel().rows()[1].contrast);
+    }
+
+private:
+    [[nodiscard]] const Document& document() { return window().document().document(); }
+    CompareGrid& grid() { return *child<CompareGrid>("compare.panes"); }
+    ComparePanel& panel() { return *child<ComparePanel>("compare"); }
+    void waitForFrame() {
+        const auto& views = window().compareRoom().views();
+        QTRY_VERIFY_WITH_TIMEOUT(!window().compareRoom().busy() && views.frame() && views.frame()->converged(), 30000);
+    }
+    void waitUntilRest() { QTRY_VERIFY_WITH_TIMEOUT(window().idle(), 60000); }
+    static void choose(QComboBox* box, int index) {
+        box->setCurrentIndex(index);
+        emit box->activated(index);
+    }
+    static void sendMove(QWidget& widget, const QPoint& place, Qt::MouseButton button,
+                         Qt::KeyboardModifiers modifiers = {}) {
+        QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, button, modifiers);
+        QApplication::sendEvent(&widget, &move);
+    }
+    static void drag(QWidget& widget, const QPoint& from, const QPoint& by, Qt::MouseButton button,
+                     Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mousePress(&widget, button, modifiers, from);
+        for (int part = 1; part <= 4; ++part) sendMove(widget, from + by * part / 4, button, modifiers);
+        QTest::mouseRelease(&widget, button, modifiers, from + by);
+    }
+
+    QString m_file, m_moving;
+};
+
+int main(int count, char** arguments) {
+    VolumeViewWidget::prepareApplication();
+    QApplication application(count, arguments);
+    TestCompareRoom test;
+    return QTest::qExec(&test, count, arguments);
+}
+
+#include "test_compare_room.moc"

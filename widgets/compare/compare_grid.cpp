@@ -1,0 +1,130 @@
+#include "widgets/compare/compare_grid.h"
+
+#include <algorithm>
+
+namespace echolucent {
+
+namespace {
+
+constexpr int gap = 3;  // logical pixels between panes
+
+/// In how many columns so many panes have the longest shorter side.
+int columnsOf(int panes, const QSize& room) {
+    int best = 1, longest = 0;
+    for (int columns = 1; columns <= panes; ++columns) {
+        const int rows = (panes + columns - 1) / columns;
+        const int side = std::min(room.width() / columns, room.height() / rows);
+        if (side > longest) {
+            longest = side;
+            best = columns;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+CompareGrid::CompareGrid(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("compare.panes"));
+    setAccessibleName(tr("Panes compared"));
+    for (std::size_t i = 0; i < m_panes.size(); ++i) {
+        m_panes[i] = new ComparePane(QStringLiteral("compare.pane%1").arg(i + 1), this);
+        connectPane(m_panes[i]);
+        connect(m_panes[i], &ComparePane::maximiseRequested, this, [this, i] {
+            if (endMaximised()) return;
+            m_maximised = i;
+            place();
+            emit arranged();
+        });
+    }
+    m_pair = new ComparePane(QStringLiteral("compare.pair"), this);
+    connectPane(m_pair);
+    place();
+}
+
+void CompareGrid::connectPane(ComparePane* pane) {
+    connect(pane, &ComparePane::dragEnded, this, &CompareGrid::dragEnded);
+    connect(pane, &ComparePane::dragCancelled, this, &CompareGrid::dragCancelled);
+    connect(pane, &ComparePane::orbited, this, &CompareGrid::orbited);
+    connect(pane, &ComparePane::panned, this, &CompareGrid::panned);
+    connect(pane, &ComparePane::zoomed, this, &CompareGrid::zoomed);
+    connect(pane, &ComparePane::zoomedAbout, this, &CompareGrid::zoomedAbout);
+    connect(pane, &ComparePane::lightMoved, this, &CompareGrid::lightMoved);
+    connect(pane, &ComparePane::wipeMoved, this, &CompareGrid::wipeMoved);
+    connect(pane, &ComparePane::painted, this, &CompareGrid::painted);
+}
+
+void CompareGrid::arrange(ComparisonLayout layout, std::size_t panes) {
+    if (layout == m_layout && panes == m_count) return;
+    m_layout = layout;
+    m_count = std::clamp(panes, fewestPanes, mostPanes);
+    m_maximised.reset();
+    place();
+    emit arranged();
+}
+
+std::vector<std::size_t> CompareGrid::shownPanes() const {
+    std::vector<std::size_t> places;
+    if (m_layout != ComparisonLayout::sideBySide) return places;
+    if (m_maximised) return {*m_maximised};
+    for (std::size_t i = 0; i < m_count; ++i) places.push_back(i);
+    return places;
+}
+
+std::vector<ComparePane*> CompareGrid::shown() const {
+    if (m_layout != ComparisonLayout::sideBySide) return {m_pair};
+    std::vector<ComparePane*> panes;
+    for (const std::size_t place : shownPanes()) panes.push_back(m_panes[place]);
+    return panes;
+}
+
+QSize CompareGrid::pictureSize() const { return isVisible() ? shown().front()->pictureSize() : QSize(); }
+
+bool CompareGrid::dragging() const {
+    return m_pair->dragging() || std::ranges::any_of(m_panes, [](const ComparePane* pane) { return pane->dragging(); });
+}
+
+bool CompareGrid::cancelDrag() {
+    return m_pair->cancelDrag() || std::ranges::any_of(m_panes, [](ComparePane* pane) { return pane->cancelDrag(); });
+}
+
+bool CompareGrid::endMaximised() {
+    if (!m_maximised) return false;
+    m_maximised.reset();
+    place();
+    emit arranged();
+    return true;
+}
+
+void CompareGrid::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    place();
+    emit arranged();
+}
+
+void CompareGrid::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    emit arranged();
+}
+
+void CompareGrid::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    emit arranged();
+}
+
+void CompareGrid::place() {
+    const std::vector<ComparePane*> panes = shown();
+    for (ComparePane* pane : m_panes)
+        if (std::ranges::find(panes, pane) == panes.end()) pane->hide();
+    if (panes.front() != m_pair) m_pair->hide();
+    const auto count = static_cast<int>(panes.size());
+    const int columns = columnsOf(count, size()), rows = (count + columns - 1) / columns;
+    const int wide = (width() - (columns - 1) * gap) / columns, high = (height() - (rows - 1) * gap) / rows;
+    for (int i = 0; i < count; ++i) {
+        ComparePane* pane = panes[static_cast<std::size_t>(i)];
+        pane->setGeometry(i % columns * (wide + gap), i / columns * (high + gap), wide, high);
+        pane->show();
+    }
+}
+
+}  // namespace echolucent

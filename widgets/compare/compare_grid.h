@@ -1,0 +1,71 @@
+// The room of a comparison: its panes side by side, or one pane for a pair.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "processing/document/comparison.h"
+#include "widgets/compare/compare_pane.h"
+
+namespace echolucent {
+
+/// Places two to four panes of one size, as large as they can be; one of them may have the whole room for a while. In a
+/// difference or a wipe the pair's pane has the room. Objects: compare.panes (this), compare.pane1 … .pane4,
+/// compare.pair.
+class CompareGrid : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CompareGrid(QWidget* parent = nullptr);
+
+    /// Ends a maximised pane where it is another arrangement.
+    void arrange(ComparisonLayout layout, std::size_t panes);
+    [[nodiscard]] ComparePane& pane(std::size_t place) { return *m_panes.at(place); }
+    [[nodiscard]] ComparePane& pair() { return *m_pair; }
+    /// The size of the pictures that are shown, all of one, device pixels; empty where none is.
+    [[nodiscard]] QSize pictureSize() const;
+    /// The panes that are shown side by side, or the one that has the whole room; empty where the pair's pane is.
+    [[nodiscard]] std::vector<std::size_t> shownPanes() const;
+    [[nodiscard]] bool dragging() const;
+    /// Ends a drag without change; false where there is none.
+    bool cancelDrag();
+    [[nodiscard]] std::optional<std::size_t> maximised() const { return m_maximised; }
+    /// False where no pane has the whole room.
+    bool endMaximised();
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
+
+signals:
+    /// Other panes are shown, or in another size.
+    void arranged();
+    // As the panes'.
+    void dragEnded();
+    void dragCancelled();
+    void orbited(double right, double down);
+    void panned(double right, double down);
+    void zoomed(double factor);
+    void zoomedAbout(double right, double down, double factor);
+    void lightMoved(double right, double down);
+    void wipeMoved(double share);
+    void painted(double milliseconds);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    [[nodiscard]] std::vector<ComparePane*> shown() const;
+    void connectPane(ComparePane* pane);
+    void place();
+
+    std::array<ComparePane*, mostPanes> m_panes{};
+    ComparePane* m_pair = nullptr;
+    ComparisonLayout m_layout = ComparisonLayout::sideBySide;
+    std::size_t m_count = fewestPanes;
+    std::optional<std::size_t> m_maximised;
+};
+
+}  // namespace echolucent

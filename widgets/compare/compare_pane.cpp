@@ -1,0 +1,244 @@
+#include "widgets/compare/compare_pane.h"
+
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "widgets/theme_colours.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr double zoomPerNotch = 1.15, wheelNotch = 120.0, zoomOverHeight = 12.0;
+constexpr double moveOfKey = 0.05;  // of the picture's height
+constexpr double degreesOfHeight = 180.0;
+constexpr double wipeOfKey = 0.02;
+constexpr double lineReach = 8.0;  // logical pixels to either side of the line of a wipe
+constexpr int margin = 2, padding = 5;
+
+std::optional<QPointF> directionOfArrow(int key) {
+    switch (key) {
+        case Qt::Key_Left: return QPointF(-1, 0);
+        case Qt::Key_Right: return QPointF(1, 0);
+        case Qt::Key_Up: return QPointF(0, -1);
+        case Qt::Key_Down: return QPointF(0, 1);
+        default: return std::nullopt;
+    }
+}
+
+}  // namespace
+
+ComparePane::ComparePane(const QString& name, QWidget* parent) : QWidget(parent) {
+    setObjectName(name);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+}
+
+void ComparePane::setFace(const PaneFace& face) {
+    if (face == m_face) return;
+    m_face = face;
+    setAccessibleName(tr("Picture compared: %1").arg(face.name));
+    setAccessibleDescription(face.numbers);
+    update();
+}
+
+void ComparePane::setImage(const QImage& image) {
+    m_image = image;
+    update();
+}
+
+void ComparePane::setWipe(const QImage& right, std::optional<double> share) {
+    m_right = right;
+    m_wipe = share;
+    update();
+}
+
+void ComparePane::setBusy(bool busy) {
+    if (std::exchange(m_busy, busy) != busy) update();
+}
+
+QRect ComparePane::pictureRect() const {
+    const int caption = 2 * fontMetrics().height() + 2 * padding;
+    return rect().adjusted(margin, margin, -margin, -margin - caption);
+}
+
+QSize ComparePane::pictureSize() const {
+    const QSizeF size = QSizeF(pictureRect().size()) * devicePixelRatioF();
+    return {std::max(1, static_cast<int>(size.width())), std::max(1, static_cast<int>(size.height()))};
+}
+
+bool ComparePane::cancelDrag() {
+    if (!dragging()) return false;
+    m_drag = Drag::none;
+    emit dragCancelled();
+    return true;
+}
+
+void ComparePane::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    cancelDrag();
+}
+
+void ComparePane::paintEvent(QPaintEvent*) {
+    QElapsedTimer clock;
+    clock.start();
+    {
+        QPainter painter(this);
+        painter.fillRect(rect(), Qt::black);
+        paintPicture(painter);
+        paintCaption(painter);
+        if (m_face.frame) {
+            painter.setPen(QPen(*m_face.frame, margin, m_face.frameStyle));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRect(rect().adjusted(1, 1, -1, -1));
+        }
+        if (hasFocus()) {
+            painter.setPen(QPen(coloursOverPictures().accent, 1, Qt::DotLine));
+            painter.drawRect(rect().adjusted(3, 3, -4, -4));
+        }
+    }
+    emit painted(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+}
+
+void ComparePane::paintPicture(QPainter& painter) const {
+    const QRect place = pictureRect();
+    if (m_image.isNull()) return;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(place, m_image);
+    if (!m_wipe) return;
+    const double line = place.x() + *m_wipe * place.width();
+    painter.save();
+    painter.setClipRect(QRectF(line, place.y(), place.right() + 1 - line, place.height()));
+    if (!m_right.isNull()) painter.drawImage(place, m_right);
+    painter.setClipping(false);
+    painter.fillRect(QRectF(line - 1, place.y(), 2, place.height()), coloursOverPictures().accent);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(coloursOverPictures().accent);
+    painter.drawEllipse(QPointF(line, place.center().y()), 6, 6);
+    painter.restore();
+}
+
+void ComparePane::paintCaption(QPainter& painter) const {
+    const int high = fontMetrics().height();
+    const QRect picture = pictureRect();
+    QRect line(padding + margin, picture.bottom() + 1 + padding, width() - 2 * (padding + margin), high);
+    if (m_busy) {
+        const QString sign = tr("computing");
+        painter.setPen(coloursOverPictures().accent);
+        painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, sign);
+        line.setRight(line.right() - fontMetrics().horizontalAdvance(sign) - padding);
+    }
+    painter.setPen(coloursOverPictures().text);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(m_face.name, Qt::ElideRight, line.width()));
+    const QRect below(padding + margin, line.y() + high, width() - 2 * (padding + margin), high);
+    painter.setPen(coloursOverPictures().secondary);
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(m_face.numbers, Qt::ElideRight, below.width()));
+}
+
+bool ComparePane::onLine(const QPointF& place) const {
+    if (!m_wipe) return false;
+    const QRect picture = pictureRect();
+    return picture.contains(place.toPoint()) &&
+           std::abs(place.x() - picture.x() - *m_wipe * picture.width()) <= lineReach;
+}
+
+void ComparePane::mousePressEvent(QMouseEvent* event) {
+    if (dragging()) return;
+    const bool control = event->modifiers().testFlag(Qt::ControlModifier);
+    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+    switch (event->button()) {
+        case Qt::LeftButton:
+            m_drag = onLine(event->position()) ? Drag::wipe : control ? Drag::light : shift ? Drag::pan : Drag::orbit;
+            break;
+        case Qt::MiddleButton: m_drag = Drag::pan; break;
+        case Qt::RightButton: m_drag = Drag::zoom; break;
+        default: return;
+    }
+    m_button = event->button();
+    m_last = event->position();
+}
+
+void ComparePane::mouseMoveEvent(QMouseEvent* event) {
+    if (!dragging()) return setCursor(onLine(event->position()) ? Qt::SplitHCursor : Qt::ArrowCursor);
+    const QRect picture = pictureRect();
+    const QPointF moved = (event->position() - m_last) / std::max(1, picture.height());
+    m_last = event->position();
+    if (moved.isNull()) return;
+    switch (m_drag) {
+        case Drag::orbit: emit orbited(moved.x(), moved.y()); break;
+        case Drag::pan: emit panned(moved.x(), moved.y()); break;
+        case Drag::zoom: emit zoomed(std::pow(zoomOverHeight, -moved.y())); break;
+        case Drag::light: emit lightMoved(moved.x(), moved.y()); break;
+        case Drag::wipe:
+            emit wipeMoved(std::clamp((m_last.x() - picture.x()) / std::max(1, picture.width()), 0.0, 1.0));
+            break;
+        case Drag::none: break;
+    }
+}
+
+void ComparePane::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != m_button || !dragging()) return;
+    m_drag = Drag::none;
+    emit dragEnded();
+}
+
+void ComparePane::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && !onLine(event->position())) emit maximiseRequested();
+}
+
+void ComparePane::wheelEvent(QWheelEvent* event) {
+    const double notches = event->angleDelta().y() / wheelNotch;
+    if (notches == 0.0) return;
+    const QRectF picture = pictureRect();
+    const QPointF shares = (event->position() - picture.center()) / std::max(1.0, picture.height());
+    emit zoomedAbout(shares.x(), shares.y(), std::pow(zoomPerNotch, notches));
+    event->accept();
+}
+
+bool ComparePane::takesKey(const QKeyEvent& event) const {
+    if (event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) return false;
+    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    if (!control && (event.key() == Qt::Key_Plus || event.key() == Qt::Key_Minus)) return true;
+    const auto direction = directionOfArrow(event.key());
+    if (!direction) return false;
+    return control || shift || (m_wipe && direction->y() == 0.0);
+}
+
+bool ComparePane::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && takesKey(*static_cast<QKeyEvent*>(event))) {
+        event->accept();  // the keys of the pane come before those of the window
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void ComparePane::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && cancelDrag()) return;
+    if (!takesKey(*event)) return QWidget::keyPressEvent(event);
+    if (dragging()) return;
+    if (event->key() == Qt::Key_Plus) return emit zoomed(zoomPerNotch);
+    if (event->key() == Qt::Key_Minus) return emit zoomed(1.0 / zoomPerNotch);
+    const QPointF direction = *directionOfArrow(event->key());
+    const bool control = event->modifiers().testFlag(Qt::ControlModifier);
+    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+    if (control) {
+        const double share = (shift ? 10.0 : 1.0) / degreesOfHeight;
+        emit orbited(share * direction.x(), share * direction.y());
+    } else if (shift) {
+        emit panned(moveOfKey * direction.x(), moveOfKey * direction.y());
+    } else {
+        emit wipeMoved(std::clamp(*m_wipe + wipeOfKey * direction.x(), 0.0, 1.0));
+    }
+}
+
+}  // namespace echolucent

@@ -1,0 +1,369 @@
+#include "widgets/compare/compare_panel.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "widgets/panels/panel_controls.h"
+
+namespace echolucent {
+
+namespace {
+
+// The entries of a pane's choice: the curves, the designers, and the adaptive one without a tube core.
+constexpr int designerEntries = static_cast<int>(allCurveKinds.size());
+constexpr int withoutTubeEntry = designerEntries + static_cast<int>(allDesigners.size());
+
+QString labelOfCurve(CurveKind kind) {
+    switch (kind) {
+        case CurveKind::adaptive: return ComparePanel::tr("Adaptive curve");
+        case CurveKind::manual: return ComparePanel::tr("Manual curve");
+        case CurveKind::linear: return ComparePanel::tr("Linear curve");
+        case CurveKind::parabolic: return ComparePanel::tr("x² (parabolic curve)");
+        case CurveKind::quartic: return ComparePanel::tr("x⁴ (quartic curve)");
+    }
+    return {};
+}
+
+QString labelOfDesigner(Designer designer) {
+    if (designer == Designer::adaptive) return ComparePanel::tr("Adaptive, as a designer");
+    return textOf(labelOf(designer));
+}
+
+QString wordsOf(MotionOtf otf) {
+    switch (otf) {
+        case MotionOtf::oneOtf: return ComparePanel::tr("one OTF");
+        case MotionOtf::eachView: return ComparePanel::tr("each view's OTF");
+        case MotionOtf::mean: return ComparePanel::tr("mean of 5");
+        case MotionOtf::movingLeastSquares: return ComparePanel::tr("least squares");
+        case MotionOtf::leastFlicker: return ComparePanel::tr("least flicker");
+    }
+    return {};
+}
+
+bool isAdaptive(const PaneChoice& choice) {
+    return choice.design ? designerOf(*choice.design) == Designer::adaptive : choice.curve == CurveKind::adaptive;
+}
+
+int entryOf(const PaneChoice& choice) {
+    if (isAdaptive(choice) && !choice.withoutTubes.empty()) return withoutTubeEntry;
+    if (!choice.design) return static_cast<int>(indexOf(choice.curve));
+    return designerEntries + static_cast<int>(choice.design->index());
+}
+
+QGridLayout* gridIn(QGroupBox* group) {
+    auto* grid = new QGridLayout(group);
+    grid->setContentsMargins(6, 6, 6, 6);
+    grid->setColumnStretch(1, 1);
+    return grid;
+}
+
+/// A combo box whose words are long is as narrow as its column.
+QComboBox* narrowCombo(const QString& name, const QString& accessibleName, const QString& toolTip) {
+    auto* box = named(new QComboBox, name, accessibleName, toolTip);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+    wheelNeedsFocus(box);
+    return box;
+}
+
+}  // namespace
+
+QString nameOfPane(const PaneChoice& choice) {
+    const int entry = entryOf(choice);
+    QString name;
+    if (entry == withoutTubeEntry) {
+        QStringList tubes;
+        for (const int tube : choice.withoutTubes) tubes << QString::number(tube);
+        name = ComparePanel::tr("Adaptive without tube core %1").arg(tubes.join(QStringLiteral(", ")));
+    } else if (choice.design) {
+        name = labelOfDesigner(designerOf(*choice.design));
+    } else {
+        name = labelOfCurve(choice.curve);
+    }
+    if (choice.motionOtf) name += QStringLiteral(", ") + wordsOf(*choice.motionOtf);
+    return choice.phase ? ComparePanel::tr("%1, phase %2").arg(name).arg(*choice.phase + 1) : name;
+}
+
+ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
+    setObjectName("compare");
+    setAccessibleName(tr("Compare"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->addWidget(createPanes());
+    column->addWidget(m_layoutGroup = createLayout());
+    column->addWidget(m_tableGroup = createTable());
+    column->addStretch(1);
+    showAll();
+}
+
+QGroupBox* ComparePanel::createPanes() {
+    auto* group = new QGroupBox(tr("Panes under one camera"));
+    QGridLayout* grid = gridIn(group);
+    m_count =
+        named(new QSpinBox, "compare.count", tr("Number of panes"), tr("Two to four; the first is the 3D view's"));
+    m_count->setRange(static_cast<int>(fewestPanes), static_cast<int>(mostPanes));
+    wheelNeedsFocus(m_count);
+    connect(m_count, &QSpinBox::valueChanged, this, &ComparePanel::countChosen);
+    grid->addWidget(labelFor(m_count, tr("Panes")), 0, 0);
+    grid->addWidget(m_count, 0, 1);
+    for (std::size_t i = 0; i < m_controls.size(); ++i) {
+        PaneControls& pane = m_controls[i];
+        const QString number = QString::number(i + 1);
+        pane.otf = narrowCombo("compare.otf" + number, tr("OTF of pane %1").arg(number),
+                               tr("What this pane is rendered with: a curve or a designer"));
+        for (const CurveKind kind : allCurveKinds) pane.otf->addItem(labelOfCurve(kind));
+        for (const Designer designer : allDesigners) pane.otf->addItem(labelOfDesigner(designer));
+        pane.otf->addItem(tr("Adaptive without tube core …"));
+        pane.otf->insertSeparator(designerEntries);  // entries below it count one more
+        pane.tube =
+            named(new QSpinBox, "compare.tube" + number, tr("Tube core left out of pane %1").arg(number),
+                  tr("Number of the tube core, row by row from the upper left; it is never placed, so that ranks and "
+                     "weights of the others follow"));
+        pane.tube->setKeyboardTracking(false);
+        wheelNeedsFocus(pane.tube);
+        pane.phase = named(new QSpinBox, "compare.phase" + number, tr("Phase of pane %1").arg(number),
+                           tr("The phase of the 4D study that this pane shows"));
+        pane.phase->setSpecialValueText(tr("as pane 1"));
+        pane.phase->setKeyboardTracking(false);
+        wheelNeedsFocus(pane.phase);
+        pane.motion = narrowCombo("compare.motion" + number, tr("OTF of pane %1 in the motion").arg(number),
+                                  tr("Which OTF the frames of the motion show in this pane"));
+        pane.motion->addItem(tr("OTF as in the motion"));
+        for (const MotionOtf otf : allMotionOtfs) pane.motion->addItem(wordsOf(otf));
+        connect(pane.otf, &QComboBox::activated, this, [this, i] { choose(i); });
+        connect(pane.motion, &QComboBox::activated, this, [this, i] { choose(i); });
+        connect(pane.tube, &QSpinBox::valueChanged, this, [this, i] { choose(i); });
+        connect(pane.phase, &QSpinBox::valueChanged, this, [this, i] { choosePhase(i); });
+        const int row = static_cast<int>(3 * i) + 1;
+        grid->addWidget(pane.label = labelFor(pane.otf, number), row, 0);
+        grid->addWidget(pane.otf, row, 1, 1, 2);
+        grid->addWidget(pane.tube, row + 1, 1);
+        grid->addWidget(pane.phase, row + 1, 2);
+        grid->addWidget(pane.motion, row + 2, 1, 1, 2);
+    }
+    return group;
+}
+
+QGroupBox* ComparePanel::createLayout() {
+    auto* group = new QGroupBox(tr("Shown as"));
+    QGridLayout* grid = gridIn(group);
+    m_layout = narrowCombo("compare.layout", tr("How panes are shown"), tr("All of them, or two in one picture"));
+    m_layout->addItem(tr("Side by side"));
+    m_layout->addItem(tr("Difference of two"));
+    m_layout->addItem(tr("Wipe between two"));
+    m_first = narrowCombo("compare.first", tr("First of the two"),
+                          tr("Left of the wipe's line; in a difference, the second is subtracted from it"));
+    m_second = narrowCombo("compare.second", tr("Second of the two"),
+                           tr("Right of the wipe's line; in a difference, it is subtracted from the first"));
+    m_amplification = named(new QDoubleSpinBox, "compare.amplification", tr("Amplification of the difference"),
+                            tr("Grey is equal; brighter is where the first is brighter"));
+    m_amplification->setRange(leastAmplification, largestAmplification);
+    m_amplification->setDecimals(1);
+    m_amplification->setPrefix(QStringLiteral("× "));
+    m_amplification->setKeyboardTracking(false);
+    wheelNeedsFocus(m_amplification);
+    connect(m_layout, &QComboBox::activated, this, [this] { chooseComparison(tr("layout of the comparison")); });
+    connect(m_first, &QComboBox::activated, this, [this] { chooseComparison(tr("pair of panes")); });
+    connect(m_second, &QComboBox::activated, this, [this] { chooseComparison(tr("pair of panes")); });
+    connect(m_amplification, &QDoubleSpinBox::valueChanged, this,
+            [this] { chooseComparison(tr("amplification of the difference")); });
+    grid->addWidget(labelFor(m_layout, tr("Layout")), 0, 0);
+    grid->addWidget(m_layout, 0, 1);
+    grid->addWidget(labelFor(m_first, tr("First")), 1, 0);
+    grid->addWidget(m_first, 1, 1);
+    grid->addWidget(labelFor(m_second, tr("Second")), 2, 0);
+    grid->addWidget(m_second, 2, 1);
+    grid->addWidget(labelFor(m_amplification, tr("Difference")), 3, 0);
+    grid->addWidget(m_amplification, 3, 1);
+    return group;
+}
+
+QGroupBox* ComparePanel::createTable() {
+    auto* group = new QGroupBox(tr("Measured"));
+    auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(6, 6, 6, 6);
+    m_table = named(new QTableWidget(0, 5), "compare.table", tr("Table of the comparison"),
+                    tr("CNR_S: how well surfaces stand off; near: share of light near them"));
+    m_table->setHorizontalHeaderLabels(compareColumns().mid(1));
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setMinimumSectionSize(20);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* note = secondaryLabel(
+        tr("Rows are panes. CNR_S and near take the surfaces that the tube cores found for true, which favours the "
+           "adaptive OTF."));
+    note->setObjectName("compare.note");
+    note->setWordWrap(true);
+    m_flicker = named(new QPushButton(tr("Measure flicker")), "compare.measureFlicker", tr("Measure flicker"),
+                      tr("Turns the view from −10° to +10°, each frame with the OTF that its pane would show"));
+    auto* text = named(new QPushButton(tr("Copy as text")), "compare.copyText", tr("Copy the table as text"));
+    auto* csv = named(new QPushButton(tr("Copy as CSV")), "compare.copyCsv", tr("Copy the table as CSV"));
+    auto* page = named(new QPushButton(tr("Save page…")), "compare.savePage", tr("Save the comparison as a page"),
+                       tr("One HTML file that opens without a network"));
+    connect(m_flicker, &QPushButton::clicked, this, &ComparePanel::flickerRequested);
+    connect(text, &QPushButton::clicked, this, [this] { copy(compareText(m_rows)); });
+    connect(csv, &QPushButton::clicked, this, [this] { copy(compareCsv(m_rows)); });
+    connect(page, &QPushButton::clicked, this, &ComparePanel::pageRequested);
+    auto* buttons = new QGridLayout;
+    buttons->addWidget(m_flicker, 0, 0);
+    buttons->addWidget(page, 0, 1);
+    buttons->addWidget(text, 1, 0);
+    buttons->addWidget(csv, 1, 1);
+    fitTable();
+    column->addWidget(m_table);
+    column->addWidget(note);
+    column->addLayout(buttons);
+    return group;
+}
+
+void ComparePanel::copy(const QString& text) const { QApplication::clipboard()->setText(text); }
+
+void ComparePanel::choose(std::size_t place) {
+    const PaneControls& pane = m_controls.at(place);
+    const int index = pane.otf->currentIndex();
+    const int entry = index > designerEntries ? index - 1 : index;
+    PaneChoice choice{.curve = m_panes.at(place).curve};
+    if (entry == withoutTubeEntry) {
+        choice.design = AdaptiveConfig{};
+        // Where more than one was left out, they stay until a number is typed.
+        const std::vector<int>& before = m_panes[place].withoutTubes;
+        choice.withoutTubes =
+            before.size() > 1 && before.front() == pane.tube->value() ? before : std::vector{pane.tube->value()};
+    } else if (entry < designerEntries) {
+        choice.curve = allCurveKinds[static_cast<std::size_t>(entry)];
+    } else {
+        const Designer designer = allDesigners[static_cast<std::size_t>(entry - designerEntries)];
+        const auto& before = m_panes[place].design;
+        choice.design = before && designerOf(*before) == designer ? *before : defaultConfigOf(designer);
+    }
+    choice.phase = m_panes[place].phase;  // also where this study has not so many
+    if (place > 0 && isAdaptive(choice) && pane.motion->currentIndex() > 0)
+        choice.motionOtf = allMotionOtfs.at(static_cast<std::size_t>(pane.motion->currentIndex() - 1));
+    if (choice != m_panes[place]) emit paneChosen(static_cast<int>(place), choice);
+}
+
+void ComparePanel::choosePhase(std::size_t place) {
+    PaneChoice choice = m_panes.at(place);
+    const int phase = m_controls.at(place).phase->value();
+    choice.phase = phase > 0 ? std::optional(phase - 1) : std::nullopt;
+    if (choice != m_panes[place]) emit paneChosen(static_cast<int>(place), choice);
+}
+
+void ComparePanel::chooseComparison(const QString& what) {
+    Comparison next = m_comparison;
+    next.layout = static_cast<ComparisonLayout>(m_layout->currentIndex());
+    next.first = m_first->currentIndex();
+    next.second = m_second->currentIndex();
+    if (next.first == next.second) {  // the one that was not touched makes way
+        if (next.first != m_comparison.first)
+            next.second = m_comparison.first;
+        else
+            next.first = m_comparison.second;
+    }
+    next.amplification = m_amplification->value();
+    emit comparisonChosen(next, what);
+}
+
+void ComparePanel::setPanes(const std::vector<PaneChoice>& panes) {
+    if (panes == m_panes) return;
+    m_panes = panes;
+    showAll();
+}
+
+void ComparePanel::setComparison(const Comparison& comparison) {
+    if (comparison == m_comparison) return;
+    m_comparison = comparison;
+    showAll();
+}
+
+void ComparePanel::setLimits(int phases, int tubes) {
+    if (phases == m_phases && tubes == m_tubes) return;
+    m_phases = phases;
+    m_tubes = tubes;
+    showAll();
+}
+
+void ComparePanel::setMeasuringFlicker(bool measuring) {
+    m_measuring = measuring;
+    m_flicker->setEnabled(!measuring && !m_panes.empty());
+}
+
+void ComparePanel::showAll() {
+    const QSignalBlocker countBlocker(m_count);
+    m_count->setValue(static_cast<int>(std::max(m_panes.size(), fewestPanes)));
+    const QSignalBlocker firstBlocker(m_first), secondBlocker(m_second), amplificationBlocker(m_amplification);
+    m_first->clear();
+    m_second->clear();
+    for (std::size_t i = 0; i < m_controls.size(); ++i) {
+        PaneControls& pane = m_controls[i];
+        const bool there = i < m_panes.size();
+        const QSignalBlocker tubeBlocker(pane.tube), phaseBlocker(pane.phase);
+        pane.label->setVisible(there);
+        pane.otf->setVisible(there);
+        pane.tube->setRange(0, std::max(0, m_tubes - 1));
+        pane.phase->setRange(0, m_phases);
+        const bool withoutTube = there && entryOf(m_panes[i]) == withoutTubeEntry;
+        pane.tube->setVisible(withoutTube);
+        pane.phase->setVisible(there && i > 0 && m_phases > 1);
+        pane.motion->setVisible(there && i > 0 && isAdaptive(m_panes[i]));
+        if (!there) continue;
+        const int entry = entryOf(m_panes[i]);
+        pane.otf->setCurrentIndex(entry >= designerEntries ? entry + 1 : entry);
+        if (withoutTube)
+            pane.tube->setValue(m_panes[i].withoutTubes.front());
+        else
+            pane.tube->setValue(m_tubes / 2);
+        pane.phase->setValue(m_panes[i].phase ? *m_panes[i].phase + 1 : 0);
+        pane.motion->setCurrentIndex(m_panes[i].motionOtf ? static_cast<int>(*m_panes[i].motionOtf) + 1 : 0);
+        const QString name = QStringLiteral("%1: %2").arg(i + 1).arg(nameOfPane(m_panes[i]));
+        m_first->addItem(name);
+        m_second->addItem(name);
+    }
+    m_layout->setCurrentIndex(static_cast<int>(m_comparison.layout));
+    m_first->setCurrentIndex(m_comparison.first);
+    m_second->setCurrentIndex(m_comparison.second);
+    m_amplification->setValue(m_comparison.amplification);
+    const bool pair = m_comparison.layout != ComparisonLayout::sideBySide;
+    m_first->setEnabled(pair);
+    m_second->setEnabled(pair);
+    m_amplification->setEnabled(m_comparison.layout == ComparisonLayout::difference);
+    m_layoutGroup->setEnabled(!m_panes.empty());
+    m_tableGroup->setEnabled(!m_panes.empty());
+    setMeasuringFlicker(m_measuring);
+}
+
+void ComparePanel::setRows(const std::vector<CompareRow>& rows) {
+    if (rows == m_rows && m_table->rowCount() == static_cast<int>(rows.size())) return;
+    m_rows = rows;
+    m_table->setRowCount(static_cast<int>(rows.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const QStringList cells = cellsOf(rows[static_cast<std::size_t>(row)]);
+        for (int column = 0; column + 1 < cells.size(); ++column) {
+            auto* item = new QTableWidgetItem(cells[column + 1]);
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            item->setToolTip(cells[0]);
+            m_table->setItem(row, column, item);
+        }
+    }
+    fitTable();
+}
+
+/// The table is as high as its rows, and scrolls nothing.
+void ComparePanel::fitTable() {
+    int high = m_table->horizontalHeader()->sizeHint().height() + 2;
+    for (int row = 0; row < m_table->rowCount(); ++row) high += m_table->rowHeight(row);
+    m_table->setFixedHeight(high);
+}
+
+}  // namespace echolucent

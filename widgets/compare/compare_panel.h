@@ -1,0 +1,87 @@
+// What is compared, how, and the table of what is measured of it.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <vector>
+
+#include "processing/document/compared_panes.h"
+#include "widgets/compare/compare_rows.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGroupBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+class QTableWidget;
+
+namespace echolucent {
+
+/// "Linear curve", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112", with ", phase 3" where it has
+/// one.
+[[nodiscard]] QString nameOfPane(const PaneChoice& choice);
+
+/// Objects: compare (this), compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4, compare.motion2 …
+/// 4, compare.layout, compare.first, compare.second, compare.amplification, compare.table, compare.measureFlicker,
+/// compare.copyText, compare.copyCsv, compare.savePage, compare.note. No setter emits a signal.
+class ComparePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ComparePanel(QWidget* parent = nullptr);
+
+    /// What is compared; without a pane all but the number of panes is disabled.
+    void setPanes(const std::vector<PaneChoice>& panes);
+    void setComparison(const Comparison& comparison);
+    /// Of the study and the method, for the choices that depend on them.
+    void setLimits(int phases, int tubes);
+    void setRows(const std::vector<CompareRow>& rows);
+    [[nodiscard]] const std::vector<CompareRow>& rows() const { return m_rows; }
+    /// Whether the flicker is being measured.
+    void setMeasuringFlicker(bool measuring);
+
+signals:
+    void countChosen(int count);
+    void paneChosen(int place, const echolucent::PaneChoice& choice);
+    /// Layout, pair or amplification.
+    void comparisonChosen(const echolucent::Comparison& comparison, const QString& what);
+    void flickerRequested();
+    void pageRequested();
+
+private:
+    struct PaneControls {
+        QLabel* label = nullptr;
+        QComboBox* otf = nullptr;
+        QSpinBox* tube = nullptr;
+        QComboBox* motion = nullptr;
+        QSpinBox* phase = nullptr;
+    };
+    QGroupBox* createPanes();
+    QGroupBox* createLayout();
+    QGroupBox* createTable();
+    void choose(std::size_t place);
+    void choosePhase(std::size_t place);
+    void chooseComparison(const QString& what);
+    void copy(const QString& text) const;
+    void showAll();
+    void fitTable();
+
+    std::vector<PaneChoice> m_panes;
+    Comparison m_comparison;
+    std::vector<CompareRow> m_rows;
+    int m_phases = 1, m_tubes = 1;
+    bool m_measuring = false;
+    QSpinBox* m_count = nullptr;
+    std::array<PaneControls, mostPanes> m_controls{};
+    QComboBox* m_layout = nullptr;
+    QComboBox* m_first = nullptr;
+    QComboBox* m_second = nullptr;
+    QDoubleSpinBox* m_amplification = nullptr;
+    QTableWidget* m_table = nullptr;
+    QPushButton* m_flicker = nullptr;
+    QGroupBox* m_layoutGroup = nullptr;
+    QGroupBox* m_tableGroup = nullptr;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,33 @@
+// The table of a comparison: one row a pane, as numbers, as words and as text to be copied.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+namespace echolucent {
+
+/// What is measured of a pane; nothing where it is not known.
+struct CompareRow {
+    QString name;
+    std::optional<double> contrast{};             ///< CNR_S by the tube cores' surfaces
+    std::optional<double> nearSurfaces{};         ///< mean share of a ray's light near them, [0,1]
+    std::optional<double> flicker{};              ///< RMS of pictures in [0,1]
+    std::optional<double> designMilliseconds{};   ///< of the designer; a curve needs none
+    std::optional<double> pictureMilliseconds{};  ///< of the picture that is shown
+    friend bool operator==(const CompareRow&, const CompareRow&) = default;
+};
+
+/// The headings, the name first.
+[[nodiscard]] QStringList compareColumns();
+/// The cells of a row under these headings, "–" for what is not known.
+[[nodiscard]] QStringList cellsOf(const CompareRow& row);
+/// "CNR_S 2.31 · 45 % near surfaces · 12 ms": what stands under a picture.
+[[nodiscard]] QString numbersOf(const CompareRow& row);
+/// Columns aligned by spaces.
+[[nodiscard]] QString compareText(const std::vector<CompareRow>& rows);
+/// Comma-separated, with all digits; names stand in quotation marks, what is not known is empty.
+[[nodiscard]] QString compareCsv(const std::vector<CompareRow>& rows);
+
+}  // namespace echolucent
