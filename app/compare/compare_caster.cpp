@@ -14,8 +14,6 @@ namespace echolucent {
 namespace {
 
 constexpr double frameMilliseconds = 40.0;  // from one frame to the next while the hand moves
-constexpr int streamMilliseconds = 150;     // requests that follow each other within this belong to one movement
-constexpr int restMilliseconds = 40;        // longer than between two moves of a mouse
 
 bool ofSameVolumes(const CompareRequest& one, const CompareRequest& other) {
     return std::ranges::equal(one.panes, other.panes, {}, &PaneRequest::volume, &PaneRequest::volume);

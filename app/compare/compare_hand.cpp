@@ -1,5 +1,7 @@
 #include "app/compare/compare_hand.h"
 
+#include "app/document/camera_step.h"
+
 namespace echolucent {
 
 CompareHand::CompareHand(DocumentModel& model, OpenStudy& openStudy, HandGesture& hand, CompareGrid& grid,
@@ -34,20 +36,16 @@ void CompareHand::moveCamera(
     const auto volume = m_openStudy.volume();
     const QSize size = m_grid.pictureSize();
     if (!volume || size.isEmpty()) return;
-    Document next = m_model.document();
-    const Pose shown = shownPose(next, mainView);
+    const Document& document = m_model.document();
+    const Pose shown = shownPose(document, mainView);
     const double aspect = static_cast<double>(size.width()) / size.height();
-    const CameraPose before = cameraPoseOf(shown, next.beam.axis, cutOf(next, mainView).nearCutMm, volume->dataBox(),
-                                           lookOf(next, mainView).projection, aspect);
+    const CameraPose before = cameraPoseOf(shown, document.beam.axis, cutOf(document, mainView).nearCutMm,
+                                           volume->dataBox(), lookOf(document, mainView).projection, aspect);
     const CameraPose after = move(before, zoomLimits(volume->geometry()));
     const Pose moved = movedPose(shown, before, after, volume->dataBox(), aspect);
     if (moved == shown) return;
-    poseOf(next, mainView) = moved;
-    next.motionAngle = 0.0;  // the motion starts from where the person left the camera
-    const QString what = moved.direction != shown.direction           ? tr("turn view")
-                         : moved.magnification != shown.magnification ? tr("zoom")
-                                                                      : tr("move view");
-    take(next, what);
+    const CameraStep step = cameraStep(document, mainView, moved);
+    take(step.next, step.what);
     emit cameraMoved();
 }
 

@@ -64,20 +64,20 @@ void CompareMeasures::follow() {
             return [this, asked, measures = std::move(*measures)] {
                 m_measured = asked;
                 m_measures = measures;
-                showRows();
+                showMeasured();
             };
         });
     }
-    showRows();
+    showRows(asked);
 }
 
 void CompareMeasures::fail() { emit failed(tr("Measuring the panes needs more memory than this machine has.")); }
 
-void CompareMeasures::showRows() {
+void CompareMeasures::showRows(const std::optional<Asked>& asked) {
     const Document& document = m_model.document();
     std::vector<CompareRow> rows;
-    const auto asked = wanted();
-    const bool measured = asked && asked == m_measured, flickers = m_flickerOf && m_flickerOf == flickerWanted();
+    const bool measured = asked && asked == m_measured;
+    const bool flickers = m_flickerOf && m_flickerOf == flickerWanted(asked);
     for (std::size_t place = 0; place < document.comparison.panes.size(); ++place) {
         CompareRow row{.name = nameOfPane(paneChoiceOf(document, place))};
         m_views.addTimes(place, row);
@@ -95,8 +95,7 @@ void CompareMeasures::showRows() {
     emit rowsChanged(m_rows);
 }
 
-std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted() const {
-    const auto asked = wanted();
+std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted(const std::optional<Asked>& asked) const {
     if (!asked) return std::nullopt;
     const Document& document = m_model.document();
     const std::vector<int>& views = document.comparison.panes;
@@ -146,7 +145,7 @@ std::optional<double> CompareMeasures::flickerOf(const FlickerAsked& asked, cons
 }
 
 void CompareMeasures::measureFlicker() {
-    const auto asked = flickerWanted();
+    const auto asked = flickerWanted(wanted());
     if (!asked) return;
     m_flickerThread.submit([this, asked = *asked](const Progress& progress) -> NewestWinsThread::Deliver {
         std::map<std::size_t, double> flickers;
@@ -162,7 +161,7 @@ void CompareMeasures::measureFlicker() {
         return [this, asked, flickers] {
             m_flickerOf = asked;
             m_flickers = flickers;
-            showRows();
+            showMeasured();
         };
     });
 }

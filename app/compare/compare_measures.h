@@ -77,13 +77,15 @@ private:
         std::vector<FlickeringPane> panes{};
         friend bool operator==(const FlickerAsked&, const FlickerAsked&) = default;
     };
-    [[nodiscard]] std::optional<FlickerAsked> flickerWanted() const;
+    /// Of the panes in what wanted() gave.
+    [[nodiscard]] std::optional<FlickerAsked> flickerWanted(const std::optional<Asked>& asked) const;
     [[nodiscard]] static std::optional<double> flickerOf(const FlickerAsked& asked, const FlickeringPane& pane,
                                                          const Progress& progress);
     void fail();
     void forgetStudy();
     [[nodiscard]] std::optional<Asked> wanted() const;
-    void showRows();
+    void showRows(const std::optional<Asked>& asked);
+    void showMeasured() { showRows(wanted()); }
 
     DocumentModel& m_model;
     OpenStudy& m_openStudy;

@@ -176,6 +176,7 @@ void ComparedViews::clear() {
     m_caster.clear();
     m_courses.clear();
     m_rows.clear();
+    m_pair.reset();
     if (std::exchange(m_frame, nullptr) == nullptr) return;
     for (std::size_t place = 0; place < mostPanes; ++place) {
         m_parts.grid.pane(place).setImage({});
@@ -230,6 +231,10 @@ void ComparedViews::showPair() {
         return QStringLiteral("%1 %2").arg(place + 1).arg(nameOfPane(paneChoiceOf(m_parts.model.document(), at)));
     };
     const QString one = nameAt(comparison.first), other = nameAt(comparison.second);
+    // The document changes oftener than the pair does.
+    ShownPair asked{m_frame, comparison, one, other};
+    if (m_pair == asked) return;
+    m_pair = std::move(asked);
     if (comparison.layout == ComparisonLayout::difference) {
         const DifferenceImage difference = differenceOf(first, second, comparison.amplification);
         pair.setWipe({}, std::nullopt);

@@ -98,7 +98,15 @@ private:
         OtfCourse course;
     };
     std::map<int, Course> m_courses;  ///< by view
-    bool m_waits = false;             ///< for an OTF, before which a pane would be clear
+    /// What the picture of a pair was made of.
+    struct ShownPair {
+        std::shared_ptr<const CompareFrame> frame;
+        Comparison comparison;
+        QString first, second;  ///< their names
+        friend bool operator==(const ShownPair&, const ShownPair&) = default;
+    };
+    std::optional<ShownPair> m_pair;
+    bool m_waits = false;  ///< for an OTF, before which a pane would be clear
     CompareCaster m_caster;
 };
 

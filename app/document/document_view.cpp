@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/document/camera_step.h"
 #include "processing/document/view_caster.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
@@ -96,15 +97,8 @@ void DocumentView::showLook() {
 
 void DocumentView::takePose() {
     if (m_held) return;  // what the hand moves is the picture of the study before
-    Document next = m_model.document();
-    const Pose shown = shownPose(next, m_view);
-    const Pose moved = m_widget.pose();
-    poseOf(next, m_view) = moved;
-    next.motionAngle = 0.0;  // the motion starts from where the person left the camera
-    const QString what = moved.direction != shown.direction           ? tr("turn view")
-                         : moved.magnification != shown.magnification ? tr("zoom")
-                                                                      : tr("move view");
-    take(next, what);
+    const CameraStep step = cameraStep(m_model.document(), m_view, m_widget.pose());
+    take(step.next, step.what);
     emit cameraMoved();
 }
 

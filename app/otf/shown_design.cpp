@@ -19,9 +19,7 @@ ShownDesign::ShownDesign(const Parts& parts, QObject* parent) : QObject(parent),
         goOnWithout();
     });
     connect(&m_parts.view, &DocumentView::designAwaited, this, &ShownDesign::goOnWithout);
-    connect(&m_parts.designs, &ViewDesigns::busyChanged, this, [this](bool busy) {
-        if (!busy) goOnWithout();  // it was cancelled
-    });
+    connect(&m_parts.designs, &ViewDesigns::cancelled, this, &ShownDesign::goOnWithout);
     connect(&m_parts.model, &DocumentModel::viewsChanged, this, &ShownDesign::show);
     connect(&m_parts.model, &DocumentModel::designsChanged, this, &ShownDesign::show);
 }

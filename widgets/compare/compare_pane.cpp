@@ -14,22 +14,9 @@ namespace echolucent {
 
 namespace {
 
-constexpr double zoomPerNotch = 1.15, wheelNotch = 120.0, zoomOverHeight = 12.0;
-constexpr double moveOfKey = 0.05;  // of the picture's height
-constexpr double degreesOfHeight = 180.0;
 constexpr double wipeOfKey = 0.02;
 constexpr double lineReach = 8.0;  // logical pixels to either side of the line of a wipe
 constexpr int margin = 2, padding = 5;
-
-std::optional<QPointF> directionOfArrow(int key) {
-    switch (key) {
-        case Qt::Key_Left: return QPointF(-1, 0);
-        case Qt::Key_Right: return QPointF(1, 0);
-        case Qt::Key_Up: return QPointF(0, -1);
-        case Qt::Key_Down: return QPointF(0, 1);
-        default: return std::nullopt;
-    }
-}
 
 }  // namespace
 
@@ -75,7 +62,8 @@ QSize ComparePane::pictureSize() const {
 
 bool ComparePane::cancelDrag() {
     if (!dragging()) return false;
-    m_drag = Drag::none;
+    m_drag = CameraDrag::none;
+    m_wiping = false;
     emit dragCancelled();
     return true;
 }
@@ -153,16 +141,9 @@ bool ComparePane::onLine(const QPointF& place) const {
 
 void ComparePane::mousePressEvent(QMouseEvent* event) {
     if (dragging()) return;
-    const bool control = event->modifiers().testFlag(Qt::ControlModifier);
-    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-    switch (event->button()) {
-        case Qt::LeftButton:
-            m_drag = onLine(event->position()) ? Drag::wipe : control ? Drag::light : shift ? Drag::pan : Drag::orbit;
-            break;
-        case Qt::MiddleButton: m_drag = Drag::pan; break;
-        case Qt::RightButton: m_drag = Drag::zoom; break;
-        default: return;
-    }
+    m_wiping = event->button() == Qt::LeftButton && onLine(event->position());
+    m_drag = m_wiping ? CameraDrag::none : cameraDragOf(*event);
+    if (!dragging()) return;
     m_button = event->button();
     m_last = event->position();
 }
@@ -173,21 +154,21 @@ void ComparePane::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = (event->position() - m_last) / std::max(1, picture.height());
     m_last = event->position();
     if (moved.isNull()) return;
+    if (m_wiping)
+        return emit wipeMoved(std::clamp((m_last.x() - picture.x()) / std::max(1, picture.width()), 0.0, 1.0));
     switch (m_drag) {
-        case Drag::orbit: emit orbited(moved.x(), moved.y()); break;
-        case Drag::pan: emit panned(moved.x(), moved.y()); break;
-        case Drag::zoom: emit zoomed(std::pow(zoomOverHeight, -moved.y())); break;
-        case Drag::light: emit lightMoved(moved.x(), moved.y()); break;
-        case Drag::wipe:
-            emit wipeMoved(std::clamp((m_last.x() - picture.x()) / std::max(1, picture.width()), 0.0, 1.0));
-            break;
-        case Drag::none: break;
+        case CameraDrag::orbit: emit orbited(moved.x(), moved.y()); break;
+        case CameraDrag::pan: emit panned(moved.x(), moved.y()); break;
+        case CameraDrag::zoom: emit zoomed(zoomOfDrag(moved.y())); break;
+        case CameraDrag::light: emit lightMoved(moved.x(), moved.y()); break;
+        case CameraDrag::none: break;
     }
 }
 
 void ComparePane::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != m_button || !dragging()) return;
-    m_drag = Drag::none;
+    m_drag = CameraDrag::none;
+    m_wiping = false;
     emit dragEnded();
 }
 
@@ -196,26 +177,26 @@ void ComparePane::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ComparePane::wheelEvent(QWheelEvent* event) {
-    const double notches = event->angleDelta().y() / wheelNotch;
-    if (notches == 0.0) return;
+    const double factor = zoomOfWheel(*event);
+    if (factor == 1.0) return;
     const QRectF picture = pictureRect();
     const QPointF shares = (event->position() - picture.center()) / std::max(1.0, picture.height());
-    emit zoomedAbout(shares.x(), shares.y(), std::pow(zoomPerNotch, notches));
+    emit zoomedAbout(shares.x(), shares.y(), factor);
     event->accept();
 }
 
-bool ComparePane::takesKey(const QKeyEvent& event) const {
-    if (event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) return false;
-    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
-    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
-    if (!control && (event.key() == Qt::Key_Plus || event.key() == Qt::Key_Minus)) return true;
-    const auto direction = directionOfArrow(event.key());
-    if (!direction) return false;
-    return control || shift || (m_wipe && direction->y() == 0.0);
+/// By how much a key moves the line of a wipe; no value for another key.
+std::optional<double> ComparePane::wipeOf(const QKeyEvent& event) const {
+    const std::optional<QPointF> direction = directionOfArrow(event.key());
+    const bool held = event.modifiers() & (Qt::AltModifier | Qt::MetaModifier);
+    if (!m_wipe || held || !direction || direction->x() == 0.0) return std::nullopt;
+    return wipeOfKey * direction->x();
 }
 
 bool ComparePane::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && takesKey(*static_cast<QKeyEvent*>(event))) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (!cameraKeyOf(key) && !wipeOf(key)) return QWidget::event(event);
         event->accept();  // the keys of the pane come before those of the window
         return true;
     }
@@ -224,20 +205,15 @@ bool ComparePane::event(QEvent* event) {
 
 void ComparePane::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && cancelDrag()) return;
-    if (!takesKey(*event)) return QWidget::keyPressEvent(event);
+    const std::optional<CameraKey> key = cameraKeyOf(*event);
+    const std::optional<double> wipe = wipeOf(*event);
+    if (!key && !wipe) return QWidget::keyPressEvent(event);
     if (dragging()) return;
-    if (event->key() == Qt::Key_Plus) return emit zoomed(zoomPerNotch);
-    if (event->key() == Qt::Key_Minus) return emit zoomed(1.0 / zoomPerNotch);
-    const QPointF direction = *directionOfArrow(event->key());
-    const bool control = event->modifiers().testFlag(Qt::ControlModifier);
-    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-    if (control) {
-        const double share = (shift ? 10.0 : 1.0) / degreesOfHeight;
-        emit orbited(share * direction.x(), share * direction.y());
-    } else if (shift) {
-        emit panned(moveOfKey * direction.x(), moveOfKey * direction.y());
-    } else {
-        emit wipeMoved(std::clamp(*m_wipe + wipeOfKey * direction.x(), 0.0, 1.0));
+    if (!key) return emit wipeMoved(std::clamp(*m_wipe + *wipe, 0.0, 1.0));
+    switch (key->moves) {
+        case CameraDrag::orbit: emit orbited(key->shares.x(), key->shares.y()); break;
+        case CameraDrag::pan: emit panned(key->shares.x(), key->shares.y()); break;
+        default: emit zoomed(key->factor); break;
     }
 }
 

@@ -7,6 +7,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "widgets/camera_gestures.h"
+
 namespace echolucent {
 
 /// What stands under a picture and around it.
@@ -43,7 +45,7 @@ public:
     [[nodiscard]] QRect pictureRect() const;
     /// Its size in device pixels.
     [[nodiscard]] QSize pictureSize() const;
-    [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
+    [[nodiscard]] bool dragging() const { return m_drag != CameraDrag::none || m_wiping; }
     /// Ends a drag without change; false where there is none.
     bool cancelDrag();
 
@@ -76,9 +78,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    enum class Drag { none, orbit, pan, zoom, light, wipe };
     [[nodiscard]] bool onLine(const QPointF& place) const;
-    [[nodiscard]] bool takesKey(const QKeyEvent& event) const;
+    [[nodiscard]] std::optional<double> wipeOf(const QKeyEvent& event) const;
     void paintCaption(QPainter& painter) const;
     void paintPicture(QPainter& painter) const;
 
@@ -86,7 +87,8 @@ private:
     QImage m_image, m_right;
     std::optional<double> m_wipe;
     bool m_busy = false;
-    Drag m_drag = Drag::none;
+    CameraDrag m_drag = CameraDrag::none;
+    bool m_wiping = false;  ///< the drag moves the line
     Qt::MouseButton m_button = Qt::NoButton;
     QPointF m_last;
 };

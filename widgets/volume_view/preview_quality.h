@@ -8,6 +8,11 @@
 
 namespace echolucent {
 
+/// Requests that follow each other within this belong to one movement.
+inline constexpr int streamMilliseconds = 150;
+/// When the hand counts as at rest: longer than between two moves of a mouse.
+inline constexpr int restMilliseconds = 40;
+
 /// Learns what a ray's sample costs on this machine and this scene, and what bringing a picture to the screen costs,
 /// and chooses the finest of the qualities within a frame's time. Pictures of a new view and edits (another curve
 /// or colour map under the same camera, whose samples the ray caster keeps) cost differently and are learnt apart, and

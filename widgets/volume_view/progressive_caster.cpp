@@ -9,8 +9,6 @@
 namespace echolucent {
 
 namespace {
-constexpr int streamMilliseconds = 150;    // requests that follow each other within this belong to one movement
-constexpr int restMilliseconds = 40;       // longer than between two moves of a mouse
 constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts more often
 constexpr int passedFrames = 2;            // of a motion, before one is cast in high quality: it goes on meanwhile
 }  // namespace

@@ -12,12 +12,6 @@
 
 namespace echolucent {
 
-namespace {
-constexpr double zoomPerWheelNotch = 1.15;
-constexpr double wheelNotch = 120.0;     // Qt's eighths of a degree
-constexpr double zoomOverHeight = 12.0;  // factor of a right drag over the window's height
-}  // namespace
-
 QStringList localFiles(const QMimeData* data) {
     QStringList files;
     if (!data) return files;
@@ -63,24 +57,15 @@ bool ViewPointer::eventFilter(QObject* watched, QEvent* event) {
 
 bool ViewPointer::cancelDrag() {
     if (!dragging()) return false;
-    m_drag = Drag::none;
+    m_drag = CameraDrag::none;
     emit dragCancelled();
     return true;
 }
 
-ViewPointer::Drag ViewPointer::leftDrag(Qt::KeyboardModifiers modifiers) {
-    if (modifiers.testFlag(Qt::ControlModifier)) return Drag::light;
-    return modifiers.testFlag(Qt::ShiftModifier) ? Drag::pan : Drag::orbit;
-}
-
 void ViewPointer::press(const QMouseEvent& event) {
     if (dragging()) return;
-    switch (event.button()) {
-        case Qt::LeftButton: m_drag = leftDrag(event.modifiers()); break;
-        case Qt::MiddleButton: m_drag = Drag::pan; break;
-        case Qt::RightButton: m_drag = Drag::zoom; break;
-        default: return;
-    }
+    m_drag = cameraDragOf(event);
+    if (!dragging()) return;
     m_button = event.button();
     m_last = event.position();
     emit dragStarted();
@@ -95,26 +80,26 @@ void ViewPointer::move(const QMouseEvent& event) {
     m_last = event.position();
     if (moved.isNull()) return;
     switch (m_drag) {
-        case Drag::orbit: emit orbited(moved.x(), moved.y()); break;
-        case Drag::pan: emit panned(moved.x(), moved.y()); break;
-        case Drag::zoom: emit zoomed(std::pow(zoomOverHeight, -moved.y())); break;
-        case Drag::light: emit lightMoved(moved.x(), moved.y()); break;
-        case Drag::none: break;
+        case CameraDrag::orbit: emit orbited(moved.x(), moved.y()); break;
+        case CameraDrag::pan: emit panned(moved.x(), moved.y()); break;
+        case CameraDrag::zoom: emit zoomed(zoomOfDrag(moved.y())); break;
+        case CameraDrag::light: emit lightMoved(moved.x(), moved.y()); break;
+        case CameraDrag::none: break;
     }
 }
 
 void ViewPointer::release(const QMouseEvent& event) {
     if (event.button() != m_button || !dragging()) return;
-    m_drag = Drag::none;
+    m_drag = CameraDrag::none;
     emit dragEnded();
 }
 
 void ViewPointer::turnWheel(const QWheelEvent& event) {
-    const double notches = event.angleDelta().y() / wheelNotch;
-    if (notches == 0.0) return;
+    const double factor = zoomOfWheel(event);
+    if (factor == 1.0) return;
     const QPointF fromCentre = event.position() - QPointF(m_window->width(), m_window->height()) / 2.0;
     const QPointF shares = fromCentre / std::max(1, m_window->height());
-    emit zoomedAbout(shares.x(), shares.y(), std::pow(zoomPerWheelNotch, notches));
+    emit zoomedAbout(shares.x(), shares.y(), factor);
 }
 
 }  // namespace echolucent

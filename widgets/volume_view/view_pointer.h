@@ -5,6 +5,8 @@
 #include <QPointF>
 #include <QStringList>
 
+#include "widgets/camera_gestures.h"
+
 class QDropEvent;
 class QKeyEvent;
 class QMimeData;
@@ -25,7 +27,7 @@ class ViewPointer : public QObject {
 
 public:
     explicit ViewPointer(QWindow* window, QObject* parent = nullptr);
-    [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
+    [[nodiscard]] bool dragging() const { return m_drag != CameraDrag::none; }
     bool eventFilter(QObject* watched, QEvent* event) override;
     /// Ends a drag without change; false where there is none.
     bool cancelDrag();
@@ -47,15 +49,13 @@ signals:
     void filesDropped(const QStringList& files);
 
 private:
-    enum class Drag { none, orbit, pan, zoom, light };
-    static Drag leftDrag(Qt::KeyboardModifiers modifiers);
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
     void release(const QMouseEvent& event);
     void turnWheel(const QWheelEvent& event);
 
     QWindow* m_window;
-    Drag m_drag = Drag::none;
+    CameraDrag m_drag = CameraDrag::none;
     Qt::MouseButton m_button = Qt::NoButton;
     QPointF m_last;
 };

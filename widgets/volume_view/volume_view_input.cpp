@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "widgets/camera_gestures.h"
 #include "widgets/volume_view/volume_view_parts.h"
 
 namespace echolucent {
@@ -21,20 +22,6 @@ QSurfaceFormat surfaceFormat() {
     format.setSamples(0);
     format.setSwapInterval(0);  // a swap that waits would hold up the GUI thread
     return format;
-}
-
-constexpr double zoomPerKey = 1.15;
-constexpr double moveOfKey = 0.05;  // of the picture's height
-
-/// To the right and down.
-std::optional<QPointF> directionOfArrow(int key) {
-    switch (key) {
-        case Qt::Key_Left: return QPointF(-1, 0);
-        case Qt::Key_Right: return QPointF(1, 0);
-        case Qt::Key_Up: return QPointF(0, -1);
-        case Qt::Key_Down: return QPointF(0, 1);
-        default: return std::nullopt;
-    }
 }
 
 bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b) { return a.size == b.size && a.spacing == b.spacing; }
@@ -314,18 +301,13 @@ void VolumeViewWidget::keyPressEvent(QKeyEvent* event) {
 /// Where a key of the picture takes the camera; nothing for another key.
 std::optional<CameraPose> VolumeViewWidget::poseAfter(const QKeyEvent& event) const {
     if (!m_parts->volume) return std::nullopt;
-    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
-    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
-    if (event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) return std::nullopt;
-    if (!control && (event.key() == Qt::Key_Plus || event.key() == Qt::Key_Minus)) {
-        const double factor = event.key() == Qt::Key_Plus ? zoomPerKey : 1.0 / zoomPerKey;
-        return zoomed(camera(), factor, zoomLimits(m_parts->volume->geometry()));
+    const std::optional<CameraKey> key = cameraKeyOf(event);
+    if (!key) return std::nullopt;
+    switch (key->moves) {
+        case CameraDrag::orbit: return orbited(camera(), key->shares.x(), key->shares.y());
+        case CameraDrag::pan: return panned(camera(), key->shares.x(), key->shares.y());
+        default: return zoomed(camera(), key->factor, zoomLimits(m_parts->volume->geometry()));
     }
-    const std::optional<QPointF> direction = directionOfArrow(event.key());
-    if (!direction || (!control && !shift)) return std::nullopt;
-    if (!control) return panned(camera(), moveOfKey * direction->x(), moveOfKey * direction->y());
-    const double degrees = shift ? 10.0 : 1.0;
-    return orbited(camera(), degrees / degreesPerHeight * direction->x(), degrees / degreesPerHeight * direction->y());
 }
 
 void VolumeViewWidget::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,44 +1,24 @@
 // The comparison in the real window: panes under one camera, what the hand does there, the table, undo and sessions.
 #include <QAction>
 #include <QClipboard>
-#include <QComboBox>
 #include <QDockWidget>
-#include <QMouseEvent>
-#include <QSlider>
 #include <QSpinBox>
-#include <QStackedWidget>
 #include <QTableWidget>
 #include <QWheelEvent>
-#include <thread>
 
-#include "app/compare/compare_room.h"
-#include "app/otf/view_designs.h"
 #include "io/document/session_file.h"
 #include "processing/comparison/classification_measures.h"
 #include "processing/document/pane_measures.h"
-#include "processing/motion/otf_smoothing.h"
-#include "tests/app/window_fixture.h"
-#include "widgets/compare/compare_grid.h"
-#include "widgets/compare/compare_panel.h"
+#include "tests/app/compare/compare_fixture.h"
 
 using namespace echolucent;
 
-class TestCompareRoom : public QObject, private WindowFixture {
+class TestCompareRoom : public QObject, private CompareFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
-        m_moving =
-            file("moving.mha", {smallPhantom(PhantomScene::shapes, 5), smallPhantom(PhantomScene::shapes, 5, 0.5)});
-    }
-    void init() {
-        show();
-        useLook(Look{});
-        open(m_file);
-        window().compareRoom().setShown(true);
-        waitForFrame();
-    }
+    void initTestCase() { makeFiles(); }
+    void init() { begin(); }
     void cleanup() { close(); }
 
     void theKeyShowsFourPanesAndTakesThemAway() {
@@ -239,58 +219,6 @@ private slots:
         QVERIFY(document().comparison.wipe < wipe);
     }
 
-    void panesShowTheOtfsOfAMotion() {
-        waitUntilRest();
-        child<QAction>("compare.motions")->trigger();
-        QCOMPARE(document().comparison.panes.size(), std::size_t{3});
-        QCOMPARE(viewOf(document(), 2).motionOtf, std::optional(MotionOtf::eachView));
-        waitUntilRest();
-        QVERIFY(child<QComboBox>("compare.motion2")->isVisible());
-        const auto curves = [this] {
-            std::vector<Classification> made;
-            for (const PaneRequest& pane : window().compareRoom().views().frame()->request.panes)
-                made.push_back(pane.classification);
-            return made;
-        };
-        QVERIFY(curves()[0] == curves()[1] && curves()[1] == curves()[2]);  // all begin in one view
-        const Classification begun = curves()[0];
-        std::vector<SampledCurve> own;
-        OtfHistory history(OtfSmoothing::leastFlicker);
-        (void)history.add(0, std::get<SampledCurve>(begun.curve()));
-        for (int angle = 1; angle <= 3; ++angle) {
-            child<QSlider>("motion.angle")->setValue(angle);
-            waitUntilRest();
-            const auto made = curves();
-            QVERIFY(made[0] == begun);
-            const Design design = *echolucent::design(AdaptiveConfig{}, {*window().openStudy().volume(),
-                                                                         *window().openStudy().newestVoxels(),
-                                                                         {},
-                                                                         viewpointOf(document(), 1),
-                                                                         configOf(document())});
-            QVERIFY(made[1] == design.classification);
-            QVERIFY(made[2] == Classification(history.add(angle, std::get<SampledCurve>(made[1].curve()))));
-        }
-        click("compare.measureFlicker");
-        QTRY_VERIFY_WITH_TIMEOUT(panel().rows()[2].flicker.has_value(), 60000);
-        QCOMPARE(*panel().rows()[0].flicker, 0.0);
-        QVERIFY(*panel().rows()[2].flicker < *panel().rows()[1].flicker);
-    }
-
-    void figuresOfThePaperAreOneClick() {
-        child<QAction>("compare.figure9")->trigger();
-        QTRY_COMPARE_WITH_TIMEOUT(document().motionAngle, 30.0, 60000);
-        QVERIFY(window().openStudy().isSimulatedScan());
-        QTRY_VERIFY_WITH_TIMEOUT(window().idle() && window().compareRoom().views().settled(), 60000);
-        const auto nine = window().compareRoom().views().frame();
-        QCOMPARE(nine->panes.size(), std::size_t{2});
-        QVERIFY(nine->request.panes[0].classification != nine->request.panes[1].classification);
-        child<QAction>("compare.figure1")->trigger();
-        waitUntilRest();
-        const auto one = window().compareRoom().views().frame();
-        QCOMPARE(one->panes.size(), std::size_t{3});
-        QVERIFY(opacityAt(one->request.panes[0].classification, 0.5, 0.0) == 0.5);
-    }
-
     void whatIsTakenBackLeavesTheRoom() {
         waitUntilRest();
         window().document().steps().setIndex(0);
@@ -358,65 +286,6 @@ private slots:
         QTest::keyClick(&window(), Qt::Key_Escape);
         QTRY_VERIFY(child<QDockWidget>("dock.compare")->isVisible());
     }
-
-    void thePageOpensWithoutANetwork() {
-        waitUntilRest();
-        const QString path = temporaryFolder().filePath("comparison.html");
-        window().compareRoom().savePage(path);
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), 20000);
-        waitUntilRest();
-        QFile page(path);
-        QVERIFY(page.open(QIODevice::ReadOnly));
-        const QByteArray text = page.readAll();
-        QCOMPARE(text.count("data:image/png"), 4);
-        QVERIFY(text.contains("not for diagnosis") && text.contains("<svg"));
-        QVERIFY(!text.contains("href=\"http") && !text.contains("src=\"http"));
-    }
-
-    void aPageIsGivenUpWhereAPaneWillNotCome() {
-        waitUntilRest();
-        window().designs().setRun([](const DesignerConfig&, const DesignerInput&, const Progress& progress) {
-            while (!progress.cancelled()) std::this_thread::yield();
-            return std::optional<Design>();
-        });
-        window().document().edit(withPane(document(), 1, {.design = OtsuConfig{}}), "designer");
-        QTRY_VERIFY(window().designs().busy());
-        const QString path = temporaryFolder().filePath("given-up.html");
-        window().compareRoom().savePage(path);
-        QVERIFY(!window().idle());
-        window().designs().cancel();
-        waitUntilRest();
-        QVERIFY(!QFile::exists(path));
-        QVERIFY(child<QAbstractButton>("designer.compute") != nullptr);
-        QVERIFY(!panel().rows()[1].contrast);
-    }
-
-private:
-    [[nodiscard]] const Document& document() { return window().document().document(); }
-    CompareGrid& grid() { return *child<CompareGrid>("compare.panes"); }
-    ComparePanel& panel() { return *child<ComparePanel>("compare"); }
-    void waitForFrame() {
-        const auto& views = window().compareRoom().views();
-        QTRY_VERIFY_WITH_TIMEOUT(!window().compareRoom().busy() && views.frame() && views.frame()->converged(), 30000);
-    }
-    void waitUntilRest() { QTRY_VERIFY_WITH_TIMEOUT(window().idle(), 60000); }
-    static void choose(QComboBox* box, int index) {
-        box->setCurrentIndex(index);
-        emit box->activated(index);
-    }
-    static void sendMove(QWidget& widget, const QPoint& place, Qt::MouseButton button,
-                         Qt::KeyboardModifiers modifiers = {}) {
-        QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, button, modifiers);
-        QApplication::sendEvent(&widget, &move);
-    }
-    static void drag(QWidget& widget, const QPoint& from, const QPoint& by, Qt::MouseButton button,
-                     Qt::KeyboardModifiers modifiers = {}) {
-        QTest::mousePress(&widget, button, modifiers, from);
-        for (int part = 1; part <= 4; ++part) sendMove(widget, from + by * part / 4, button, modifiers);
-        QTest::mouseRelease(&widget, button, modifiers, from + by);
-    }
-
-    QString m_file, m_moving;
 };
 
 int main(int count, char** arguments) {
