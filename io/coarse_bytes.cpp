@@ -11,7 +11,7 @@ namespace echolucent {
 namespace {
 
 // Rows are read together with those between them as long as they fit: it takes fewer calls, and little memory.
-constexpr std::int64_t pieceBytes = std::int64_t{1} << 20;
+constexpr std::int64_t rowsPieceBytes = std::int64_t{1} << 20;
 constexpr std::int64_t mostRowBytes = std::int64_t{1} << 22;
 
 /// Takes every n-th voxel of a row, each of so many bytes.
@@ -46,7 +46,7 @@ Result<VoxelBytes> readCoarseBytes(const StoredVolume& stored, StoredBytes& sour
     const std::int64_t voxelBytes = bytesOf(stored.type) * stored.channels;
     const std::int64_t rowBytes = grid.full.size[0] * voxelBytes;
     const std::int64_t rows = grid.geometry.size[1];
-    const std::int64_t rowsAtOnce = std::clamp<std::int64_t>(pieceBytes / (rowBytes * grid.stride[1]), 1, rows);
+    const std::int64_t rowsAtOnce = std::clamp<std::int64_t>(rowsPieceBytes / (rowBytes * grid.stride[1]), 1, rows);
     VoxelBytes bytes(static_cast<std::size_t>(grid.geometry.voxelCount() * voxelBytes));
     std::vector<std::uint8_t> piece(static_cast<std::size_t>(((rowsAtOnce - 1) * grid.stride[1] + 1) * rowBytes));
     std::uint8_t* to = bytes.data();

@@ -1,5 +1,7 @@
 #include "io/curve_file.h"
 
+#include <nlohmann/json.hpp>
+
 #include "io/input_file.h"
 #include "io/json_values.h"
 #include "io/output/atomic_file.h"
@@ -8,19 +10,19 @@ namespace echolucent {
 
 namespace {
 
-constexpr const char* remedy = "Correct the file, or save the curve again from the program.";
+constexpr const char* remedyOfCurve = "Correct the file, or save the curve again from the program.";
 
 }  // namespace
 
 Result<ManualCurve> readCurve(const std::string& path) {
     const auto text = readWholeFile(path, std::size_t{1} << 20);
     if (!text) return tl::unexpected(text.error());
-    const auto object = jsonObject(*text, path, curveFormatName.data(), remedy);
+    const auto object = jsonObject(*text, path, curveFormatName.data(), remedyOfCurve);
     if (!object) return tl::unexpected(object.error());
     JsonProblems problems{path, std::nullopt};
     JsonFields fields(*object, {}, problems);
     ManualCurve curve = manualCurveIn(fields, "nodes");
-    if (problems.first) return problems.refused(remedy);
+    if (problems.first) return problems.refused(remedyOfCurve);
     return curve;
 }
 

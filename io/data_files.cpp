@@ -7,6 +7,7 @@
 
 #include "io/file_access.h"
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
@@ -14,10 +15,9 @@ namespace {
 
 // Such a name fits into a sentence.
 constexpr std::size_t longestName = 1000;
-const std::string exportAgain = "Correct the header or export the volume again.";
 
 tl::unexpected<Failure> wrong(const DataFileKey& key, const std::string& problem,
-                              const std::string& remedy = exportAgain) {
+                              const std::string& remedy = correctHeader) {
     return fail(FailureKind::unreadable, key.headerPath, key.key, problem, remedy);
 }
 

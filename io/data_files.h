@@ -1,6 +1,7 @@
 // The data files that a header names: one, a list, or a pattern with numbers; all in or below the header's own folder.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

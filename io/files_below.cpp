@@ -1,6 +1,7 @@
 #include "io/files_below.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <system_error>
 
@@ -14,15 +15,13 @@ namespace echolucent {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t mostFiles = 50000;
 constexpr std::size_t mostEntries = 4 * mostFiles;
 
 /// Counts entries of a folder for one sentence.
 class LeftOut {
 public:
-    void add(const fs::path& entry) {
+    void add(const std::filesystem::path& entry) {
         if (m_count++ == 0) m_first = entry.filename().string();
     }
     void say(const std::string& what, std::vector<std::string>& warnings, const std::string& remedy = "") const {
@@ -36,7 +35,7 @@ private:
 };
 
 /// Whether `path` lies in `folder` or below it; both are free of links.
-bool liesBelow(const fs::path& folder, const fs::path& path) {
+bool liesBelow(const std::filesystem::path& folder, const std::filesystem::path& path) {
     return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
@@ -45,19 +44,21 @@ class Walk {
 public:
     Walk(const std::string& folder, int deepest) : m_folder(folder), m_deepest(deepest) {
         std::error_code unknown;
-        m_linkFree = fs::canonical(folder, unknown);
+        m_linkFree = std::filesystem::canonical(folder, unknown);
     }
 
     FilesBelow run(const Progress& progress) {
         std::error_code error;
-        if (const fs::directory_iterator own(m_folder, error); error) {
+        if (const std::filesystem::directory_iterator own(m_folder, error); error) {
             m_found.warnings.push_back(
                 fmt::format("The folder could not be looked into: {}.", inputProblem(error.value())));
             return std::move(m_found);
         }
-        fs::recursive_directory_iterator entry(m_folder, fs::directory_options::skip_permission_denied, error);
+        std::filesystem::recursive_directory_iterator entry(
+            m_folder, std::filesystem::directory_options::skip_permission_denied, error);
         std::size_t entries = 0;
-        for (; !error && !progress.cancelled() && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        for (; !error && !progress.cancelled() && entry != std::filesystem::recursive_directory_iterator();
+             entry.increment(error)) {
             if (m_found.paths.size() == mostFiles || ++entries > mostEntries) {
                 m_found.warnings.push_back(fmt::format(
                     "There are more than {} files; the others were not looked at. Open a folder further down.",
@@ -83,16 +84,16 @@ public:
     }
 
 private:
-    void take(fs::recursive_directory_iterator& entry) {
+    void take(std::filesystem::recursive_directory_iterator& entry) {
         std::error_code unknown;
         if (entry->is_symlink(unknown)) {
             takeLink(entry->path());
         } else if (entry->is_directory(unknown)) {
-            const fs::directory_iterator inside(entry->path(), unknown);
+            const std::filesystem::directory_iterator inside(entry->path(), unknown);
             if (unknown) m_closed.add(entry->path());
             if (entry.depth() < m_deepest) return;
             entry.disable_recursion_pending();
-            if (!unknown && inside != fs::directory_iterator()) m_deeper.add(entry->path());
+            if (!unknown && inside != std::filesystem::directory_iterator()) m_deeper.add(entry->path());
         } else if (entry->is_regular_file(unknown)) {
             m_found.paths.push_back(entry->path().string());
         } else {
@@ -100,19 +101,19 @@ private:
         }
     }
 
-    void takeLink(const fs::path& link) {
+    void takeLink(const std::filesystem::path& link) {
         std::error_code error;
-        const fs::path target = fs::canonical(link, error);
+        const std::filesystem::path target = std::filesystem::canonical(link, error);
         if (error) return m_dangling.add(link);
         if (liesBelow(m_linkFree, target)) return;
-        if (fs::is_directory(target, error)) return m_foldersOutside.add(link);
-        if (!fs::is_regular_file(target, error)) return m_special.add(link);
+        if (std::filesystem::is_directory(target, error)) return m_foldersOutside.add(link);
+        if (!std::filesystem::is_regular_file(target, error)) return m_special.add(link);
         m_filesOutside.add(link);
         m_found.paths.push_back(link.string());
     }
 
     std::string m_folder;
-    fs::path m_linkFree;
+    std::filesystem::path m_linkFree;
     int m_deepest;
     FilesBelow m_found;
     LeftOut m_deeper, m_closed, m_filesOutside, m_foldersOutside, m_dangling, m_special;

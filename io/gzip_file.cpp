@@ -19,8 +19,8 @@ namespace echolucent {
 namespace {
 
 constexpr std::uint64_t alwaysUnpacked = std::uint64_t{256} << 20;
-constexpr std::uint64_t largestRatio = 32;
-constexpr std::size_t pieceBytes = std::size_t{1} << 20;
+constexpr std::uint64_t largestUnpackedRatio = 32;
+constexpr std::size_t unpackedPieceBytes = std::size_t{1} << 20;
 
 /// A file in memory that is written from its beginning on.
 class MemoryFile {
@@ -62,7 +62,7 @@ std::string withoutGzipEnding(const std::string& path) {
 
 std::uint64_t mostUnpackedBytes(std::uint64_t packedBytes) {
     return std::min(machineMemoryBytes() / 2,
-                    std::max(alwaysUnpacked, std::min(packedBytes, machineMemoryBytes()) * largestRatio));
+                    std::max(alwaysUnpacked, std::min(packedBytes, machineMemoryBytes()) * largestUnpackedRatio));
 }
 
 Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress) {
@@ -74,8 +74,8 @@ Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress) 
                        StoredType::uint8);
     MemoryFile memory;
     // What is not written is not cleared either: most packed files are far smaller.
-    const auto memoryOfPiece = std::make_unique_for_overwrite<std::uint8_t[]>(pieceBytes);
-    const std::span piece(memoryOfPiece.get(), pieceBytes);
+    const auto memoryOfPiece = std::make_unique_for_overwrite<std::uint8_t[]>(unpackedPieceBytes);
+    const std::span piece(memoryOfPiece.get(), unpackedPieceBytes);
     for (std::uint64_t given = 0; true;) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, packed.path(), "", "was not read: cancelled");
         progress.at(source.shareTaken());

@@ -73,7 +73,7 @@ Result<void> InputFile::readAt(std::uint64_t offset, std::span<std::uint8_t> byt
         if (count == 0)
             return fail(FailureKind::unreadable, m_path, "",
                         fmt::format("ends after {} bytes where {} are needed", offset + done, offset + bytes.size()),
-                        "The file is incomplete: copy or export it again.");
+                        incompleteFile);
         done += static_cast<std::size_t>(count);
     }
     return {};

@@ -1,6 +1,7 @@
 // A file opened for reading at any position, and arithmetic on sizes that cannot overflow.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>

@@ -12,4 +12,11 @@ namespace echolucent {
 /// What to do with a file that no honest program writes, as in Failure::remedy.
 constexpr const char* doNotOpen = "The file is damaged or made to do harm: do not open it.";
 
+// What to do with a file that cannot be read, as in Failure::remedy.
+constexpr const char* copyAgain = "Copy or export it again.";
+constexpr const char* incompleteFile = "The file is incomplete: copy or export it again.";
+constexpr const char* damagedFile = "The file is incomplete or damaged: copy or export it again.";
+constexpr const char* exportAgain = "Export the volume again.";
+constexpr const char* correctHeader = "Correct the header or export the volume again.";
+
 }  // namespace echolucent

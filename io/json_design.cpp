@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "io/json_document.h"
+#include "io/json_parameters.h"
 #include "io/json_values.h"
+#include "processing/designers/designer.h"
 
 namespace echolucent {
 

@@ -1,10 +1,10 @@
 // Configs of OTF designers as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "io/json_fields.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/designer_config.h"
 
 namespace echolucent {
 

@@ -1,7 +1,9 @@
 #include "io/json_document.h"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
+#include "io/json_parameters.h"
 #include "io/json_values.h"
 #include "processing/adaptive/method_parameters.h"
 

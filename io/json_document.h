@@ -1,22 +1,14 @@
 // Values that stand both in documents and in files of presets.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "io/json_fields.h"
-#include "processing/document/document.h"
+#include "processing/document/curve_set.h"
+#include "processing/document/method_choice.h"
+#include "processing/picture/look.h"
 
 namespace echolucent {
-
-/// What a table says of values; rows that mean nothing in them are left out.
-template <typename Values>
-nlohmann::ordered_json parametersJson(std::span<const Parameter<Values>> table, const Values& values) {
-    nlohmann::ordered_json object = nlohmann::ordered_json::object();
-    for (const Parameter<Values>& row : table)
-        if (const auto value = row.get(values))
-            std::visit([&](const auto& plain) { object[std::string(row.name)] = plain; }, *value);
-    return object;
-}
 
 [[nodiscard]] nlohmann::ordered_json lookJson(const Look& look);
 /// What is missing is that of lookAtStart().

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
 
@@ -263,8 +264,10 @@ std::array<std::int64_t, 3> JsonFields::size(const char* key, double largest) {
     return size;
 }
 
-std::optional<ParameterValue> JsonFields::parameterValue(const json& value, const std::optional<ParameterValue>& like) {
+std::optional<ParameterValue> JsonFields::parameterValue(const char* key,
+                                                         const std::optional<ParameterValue>& like) const {
     if (!like) return std::nullopt;
+    const json& value = *m_object->find(key);
     if (std::holds_alternative<bool>(*like) && value.is_boolean()) return ParameterValue(value.get<bool>());
     if (std::holds_alternative<std::int64_t>(*like) && value.is_number_integer() &&
         value <= json(std::numeric_limits<std::int64_t>::max()))
@@ -275,5 +278,7 @@ std::optional<ParameterValue> JsonFields::parameterValue(const json& value, cons
         return ParameterValue(value.get<std::string>());
     return std::nullopt;
 }
+
+std::string JsonFields::written(const char* key) const { return m_object->find(key)->dump(); }
 
 }  // namespace echolucent

@@ -4,10 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "processing/parameter.h"
@@ -95,18 +96,20 @@ private:
     template <typename Values>
     void take(const Parameter<Values>& row, Values& values) {
         const std::string key(row.name);
-        const auto found = m_object->find(key);
-        if (found == m_object->end()) return;
-        const std::optional<ParameterValue> value = parameterValue(*found, row.get(values));
+        if (!has(key.c_str())) return;
+        const std::optional<ParameterValue> value = parameterValue(key.c_str(), row.get(values));
         if (!value || !row.set(values, *value))
-            wrong(key.c_str(), "must not be " + shortened(found->dump()));
+            wrong(key.c_str(), "must not be " + shortened(written(key.c_str())));
         else if (const auto number = numberOf(*value); number && !inRange(*number, row.range))
             wrong(key.c_str(), "must be " + textOf(row.range.least) + " to " + textOf(row.range.largest));
     }
     const nlohmann::json* find(const char* key);
-    /// `value` as a parameter's value of the kind that `like` has, or nothing where it is no such value.
-    static std::optional<ParameterValue> parameterValue(const nlohmann::json& value,
-                                                        const std::optional<ParameterValue>& like);
+    /// The value of a key that is there as a parameter's value of the kind that `like` has, or nothing where it is no
+    /// such value.
+    [[nodiscard]] std::optional<ParameterValue> parameterValue(const char* key,
+                                                               const std::optional<ParameterValue>& like) const;
+    /// The value of a key that is there as JSON.
+    [[nodiscard]] std::string written(const char* key) const;
 
     const nlohmann::json* m_object;
     std::string m_place;

@@ -1,5 +1,7 @@
 #include "io/json_values.h"
 
+#include <nlohmann/json.hpp>
+
 namespace echolucent {
 
 using nlohmann::ordered_json;

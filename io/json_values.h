@@ -1,7 +1,7 @@
 // Values that stand in more than one kind of JSON file.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "io/json_fields.h"
 #include "processing/document/read_options.h"

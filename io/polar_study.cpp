@@ -75,7 +75,7 @@ Result<void> checkThickness(const std::string& path, const ConversionGrid& grid,
 }
 
 /// Progress of one of several phases, between 0.8 and 0.9 of the reading.
-Progress partOf(const Progress& progress, std::size_t phase, std::size_t phases) {
+Progress progressOfPhase(const Progress& progress, std::size_t phase, std::size_t phases) {
     Progress part;
     part.cancel = progress.cancel;
     part.report = [&progress, phase, phases](double share) {
@@ -127,8 +127,8 @@ Result<void> scanConvert(StudyParts& parts, const PolarGeometry& polar, const Po
     const ScanConversion conversion(polar, grid, tables);
     if (progress.cancelled()) return cancelled();
     for (std::size_t phase = 0; phase < parts.voxels.phases.size(); ++phase) {
-        auto converted =
-            conversion.convert(parts.voxels.phases[phase], partOf(progress, phase, parts.voxels.phases.size()));
+        auto converted = conversion.convert(parts.voxels.phases[phase],
+                                            progressOfPhase(progress, phase, parts.voxels.phases.size()));
         if (!converted) return cancelled();
         parts.voxels.phases[phase] = std::move(*converted);
     }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 #include "io/reading_memory.h"
 #include "io/study_assembly.h"
 
@@ -58,7 +59,7 @@ Result<std::uint64_t> StoredBytes::skippedLines(const InputFile& file) const {
         if (end == std::string_view::npos)
             return fail(FailureKind::unreadable, m_stored.path, "line skip",
                         fmt::format("is {}, but the data begin with only {} lines", m_stored.skipLines, line),
-                        "Correct the header or export the volume again.");
+                        correctHeader);
         rest.remove_prefix(end + 1);
     }
     return beginning->size() - rest.size();
@@ -96,15 +97,14 @@ Result<VoxelExtent> StoredBytes::extentOfEncoded(const InputFile& file, VoxelExt
     const std::uint64_t rest = extent.offset <= file.size() ? file.size() - extent.offset : 0;
     if (extent.length > rest)
         return fail(FailureKind::unreadable, m_stored.path, "CompressedDataSize",
-                    fmt::format("declares {} bytes where {} holds only {}", extent.length, name, rest),
-                    "The file is incomplete: copy or export it again.");
+                    fmt::format("declares {} bytes where {} holds only {}", extent.length, name, rest), incompleteFile);
     if (rest == 0) return tooShort(name + " holds none");
     if (extent.length == 0) extent.length = rest;
     if (isCompressed(extent.encoding) && extent.skipBytes > mostBeyond)
         return fail(FailureKind::unreadable, m_stored.path, "byte skip",
                     fmt::format("is {}, more than the {} bytes that are unpacked and skipped before voxels",
                                 extent.skipBytes, mostBeyond),
-                    "Correct the header or export the volume again.");
+                    correctHeader);
     if (leastEncoded(m_stored, m_part + extent.skipBytes) <= extent.length) return extent;
     if (isCompressed(extent.encoding))
         return tooShort(
@@ -197,8 +197,7 @@ Result<void> StoredBytes::endFile(const Progress& progress) {
                     "The file is damaged, or its header belongs to another one: export it again.");
     if (compressed && !m_source->ended())
         return fail(FailureKind::unreadable, m_file, "",
-                    "ends within its compressed data, so that their checksum cannot be verified",
-                    "The file is incomplete or damaged: copy or export it again.");
+                    "ends within its compressed data, so that their checksum cannot be verified", damagedFile);
     if (more && *more == 0) {
         // A file that was cut there and one whose writer ends it so look alike.
         if (m_mayBeCut)

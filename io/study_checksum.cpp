@@ -54,7 +54,7 @@ std::vector<std::string> filesBelow(const fs::path& folder, std::size_t most) {
     return files;
 }
 
-std::int64_t bytesOf(const std::vector<std::string>& files) {
+std::int64_t bytesOfFiles(const std::vector<std::string>& files) {
     std::int64_t bytes = 0;
     for (const std::string& file : files) {
         std::error_code error;
@@ -131,7 +131,8 @@ private:
     }
 
     bool hasItsBytes(const std::vector<std::string>& files) const {
-        if (static_cast<std::int64_t>(files.size()) != m_study.files || bytesOf(files) != m_study.bytes) return false;
+        if (static_cast<std::int64_t>(files.size()) != m_study.files || bytesOfFiles(files) != m_study.bytes)
+            return false;
         const auto checksum = checksumOf(files, m_progress);
         return checksum && checksum->text == m_study.checksum;
     }

@@ -17,6 +17,7 @@
 #include "io/headers/meta_image.h"
 #include "io/headers/nrrd.h"
 #include "io/headers/raw_volume.h"
+#include "io/input_problems.h"
 #include "io/kretz/kretz_items.h"
 #include "io/kretz/kretz_reader.h"
 #include "io/nifti/nifti_header.h"
@@ -55,7 +56,7 @@ std::optional<Failure> cutWithinItsBeginning(const std::string& path, std::strin
     if (format == nullptr) return std::nullopt;
     return fail(FailureKind::unreadable, path, "",
                 fmt::format("ends after {} bytes, within the beginning of {}", beginning.size(), format),
-                "The file is incomplete: copy or export it again.")
+                incompleteFile)
         .value();
 }
 

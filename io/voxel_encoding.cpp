@@ -53,7 +53,7 @@ const char* bzip2Problem(int status) {
                                          : "a block cannot be decoded, or its checksum (CRC) does not match";
 }
 
-std::string_view textOf(std::span<const std::uint8_t> bytes) {
+std::string_view asText(std::span<const std::uint8_t> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -76,7 +76,7 @@ public:
             return Step{input.size() - m_stream.avail_in, output.size() - m_stream.avail_out, ended};
         };
         while (true) {
-            const std::string_view rest = textOf(input.last(m_stream.avail_in));
+            const std::string_view rest = asText(input.last(m_stream.avail_in));
             if (m_between) {
                 if (rest.size() < gzipMagic.size() && !isLast) return step(false);
                 if (!m_gzip || !rest.starts_with(gzipMagic)) return step(true);
@@ -119,7 +119,7 @@ public:
         };
         while (true) {
             if (m_between) {
-                const std::string_view rest = textOf(input.last(m_stream.avail_in));
+                const std::string_view rest = asText(input.last(m_stream.avail_in));
                 if (rest.size() < bzip2Magic.size() && !isLast) return step(false);
                 if (!rest.starts_with(bzip2Magic)) return step(true);
                 beginAnother();

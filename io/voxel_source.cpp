@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "io/input_problems.h"
+
 namespace echolucent {
 
 namespace {
-constexpr std::size_t pieceBytes = std::size_t{4} << 20;
+constexpr std::size_t voxelPieceBytes = std::size_t{4} << 20;
 constexpr std::size_t inputBytes = std::size_t{1} << 18;
 
 tl::unexpected<Failure> cancelled(const std::string& path) {
@@ -66,7 +68,7 @@ Result<std::size_t> VoxelSource::decodeSome(std::span<std::uint8_t> bytes) {
             return fail(FailureKind::unreadable, m_file.path(), "",
                         fmt::format("{} near byte {}: {}", step.error().what,
                                     m_extent.offset + m_position - m_waiting.size(), step.error().detail),
-                        "Copy or export it again.");
+                        copyAgain);
         m_waiting = m_waiting.subspan(step->taken);
         given += step->given;
         m_ended = step->ended;
@@ -82,13 +84,13 @@ Result<void> VoxelSource::read(std::span<std::uint8_t> bytes, const Progress& pr
     while (done < bytes.size()) {
         if (progress.cancelled()) return cancelled(m_file.path());
         progress.at(from + (to - from) * static_cast<double>(done) / static_cast<double>(bytes.size()));
-        const auto count = readSome(bytes.subspan(done, std::min(pieceBytes, bytes.size() - done)));
+        const auto count = readSome(bytes.subspan(done, std::min(voxelPieceBytes, bytes.size() - done)));
         if (!count) return tl::unexpected(count.error());
         if (*count == 0)
             return fail(FailureKind::unreadable, m_file.path(), "",
                         fmt::format("holds only {} bytes of voxels where {} or more are declared", m_given,
                                     m_given - done + bytes.size()),
-                        "The file is incomplete or damaged: copy or export it again.");
+                        damagedFile);
         done += *count;
         m_given += *count;
     }

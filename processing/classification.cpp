@@ -9,7 +9,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr int fewestNodes = 2, mostNodes = 1024;
+constexpr int fewestOtfNodes = 2, mostOtfNodes = 1024;
 
 /// Where a value lies between nodes: the node before it, and how far it is from there to the next one.
 struct BetweenNodes {
@@ -28,7 +28,7 @@ struct BetweenNodes {
 }  // namespace
 
 void classification_detail::check(int intensities, int gradients, double largestGradient) {
-    const auto isNumber = [](int nodes) { return nodes >= fewestNodes && nodes <= mostNodes; };
+    const auto isNumber = [](int nodes) { return nodes >= fewestOtfNodes && nodes <= mostOtfNodes; };
     if (!isNumber(intensities) || !isNumber(gradients))
         throw std::invalid_argument("TwoDimensionalOtf: nodes along an axis must be 2 to 1024");
     if (!(std::isfinite(largestGradient) && largestGradient > 0.0))

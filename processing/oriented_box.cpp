@@ -56,7 +56,7 @@ std::vector<CuttingFace> facesThatCut(const OrientedBox& box, const VolumeGeomet
 std::vector<std::uint8_t> dataMaskWithin(const OrientedBox& box, const Volume& volume) {
     const VolumeGeometry& geometry = volume.geometry();
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(geometry.voxelCount()));
-    parallelFor(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 16), [&](const auto& rows) {
+    parallelFor(LoopRange<std::int64_t>(0, geometry.size[1] * geometry.size[2], 16), [&](const auto& rows) {
         for (std::int64_t row = rows.begin(); row < rows.end(); ++row) {
             const std::int64_t y = row % geometry.size[1], z = row / geometry.size[1];
             const std::int64_t first = geometry.offset(0, y, z);

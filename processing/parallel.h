@@ -1,103 +1,86 @@
-// Parallel loops: oneTBB's. Under the thread sanitizer they run on plain threads instead, because Debian's oneTBB
-// runtime is not instrumented: the sanitizer would not see how it hands work from thread to thread, and would report
-// races where there are none.
+// Parallel loops. Their bodies are called through a pointer, once for each part of a loop, so that only parallel.cpp
+// sees oneTBB.
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/blocked_range2d.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
-#ifdef __SANITIZE_THREAD__
-#include <tbb/task_arena.h>
-
-#include <algorithm>
-#include <atomic>
-#include <exception>
-#include <functional>
-#include <map>
-#include <mutex>
-#include <thread>
-#include <utility>
-#include <vector>
-#endif
+#include <cstddef>
+#include <cstdint>
 
 namespace echolucent {
 
-#ifdef __SANITIZE_THREAD__
-
-/// Calls `body` on every smallest part of `range`, on as many threads as oneTBB would use here; the caller's is one of
-/// them. What `body` throws first is thrown to the caller once all threads have ended.
-template <typename Range, typename Body>
-void parallelFor(const Range& range, const Body& body) {
-    std::vector<Range> open{range}, parts;
-    while (!open.empty()) {
-        if (open.back().is_divisible()) {
-            Range second(open.back(), tbb::split{});
-            open.push_back(second);
-        } else {
-            if (!open.back().empty()) parts.push_back(open.back());
-            open.pop_back();
-        }
-    }
-    std::atomic<std::size_t> next = 0;
-    std::exception_ptr thrown;
-    std::mutex mutex;
-    const auto work = [&] {
-        try {
-            for (std::size_t i = next++; i < parts.size(); i = next++) body(parts[i]);
-        } catch (...) {
-            next = parts.size();
-            const std::lock_guard lock(mutex);
-            if (!thrown) thrown = std::current_exception();
-        }
-    };
-    const int atOnce = tbb::this_task_arena::max_concurrency();
-    std::vector<std::jthread> threads;
-    for (int i = 1; i < std::min(atOnce, static_cast<int>(parts.size())); ++i) threads.emplace_back(work);
-    work();
-    threads.clear();
-    if (thrown) std::rethrow_exception(thrown);
-}
-
-/// A value of each thread's own, made by `make` when the thread first asks for it.
-template <typename Value>
-class PerThread {
+/// The indices of [first, last). A parallel loop splits it into parts, and no part of at most `grain` (>= 1) indices.
+template <typename Index>
+class LoopRange {
 public:
-    explicit PerThread(std::function<Value()> make) : m_make(std::move(make)) {}
-    [[nodiscard]] Value& local() {
-        const std::lock_guard lock(m_mutex);
-        const auto found = m_values.find(std::this_thread::get_id());
-        return found != m_values.end() ? found->second
-                                       : m_values.emplace(std::this_thread::get_id(), m_make()).first->second;
-    }
+    LoopRange(Index first, Index last, Index grain = 1) : m_first(first), m_last(last), m_grain(grain) {}
+    [[nodiscard]] Index begin() const { return m_first; }
+    [[nodiscard]] Index end() const { return m_last; }
+    [[nodiscard]] Index grain() const { return m_grain; }
+    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(m_last - m_first); }
 
 private:
-    std::function<Value()> m_make;
-    std::mutex m_mutex;
-    std::map<std::thread::id, Value> m_values;
+    Index m_first, m_last, m_grain;
 };
 
-#else
+/// The indices of [0, rows) by [0, columns). A parallel loop splits it along both.
+template <typename Index>
+class LoopRectangle {
+public:
+    LoopRectangle(Index rows, Index columns) : m_rows(0, rows), m_columns(0, columns) {}
+    LoopRectangle(const LoopRange<Index>& rows, const LoopRange<Index>& columns) : m_rows(rows), m_columns(columns) {}
+    [[nodiscard]] const LoopRange<Index>& rows() const { return m_rows; }
+    [[nodiscard]] const LoopRange<Index>& columns() const { return m_columns; }
 
-/// Calls `body` on parts of `range` (a tbb::blocked_range or blocked_range2d) that together are the whole, on the
-/// threads of oneTBB's arena, the caller's among them.
-template <typename Range, typename Body>
-void parallelFor(const Range& range, const Body& body) {
-    tbb::parallel_for(range, body);
+private:
+    LoopRange<Index> m_rows, m_columns;
+};
+
+/// What parallelFor() is made of.
+namespace parallel {
+
+using Part = LoopRange<std::int64_t>;
+using Tile = LoopRectangle<std::int64_t>;
+
+/// Calls call(body, part) for parts of `range` that together are the whole, on the threads of oneTBB's arena, the
+/// caller's among them. What a call throws first is thrown to the caller once all calls have ended.
+void forParts(const Part& range, void (*call)(const void* body, const Part& part), const void* body);
+/// The same for tiles of a rectangle.
+void forTiles(const Tile& range, void (*call)(const void* body, const Tile& tile), const void* body);
+
+/// A part in the caller's type of indices.
+template <typename Index>
+[[nodiscard]] LoopRange<Index> partAs(const Part& part) {
+    return {static_cast<Index>(part.begin()), static_cast<Index>(part.end()), static_cast<Index>(part.grain())};
 }
 
-/// A value of each thread's own, made when the thread first asks for it (local()).
-template <typename Value>
-using PerThread = tbb::enumerable_thread_specific<Value>;
+}  // namespace parallel
 
-#endif
+/// Calls `body` on parts of `range`, each an LoopRange<Index>, that together are the whole.
+template <typename Index, typename Body>
+void parallelFor(const LoopRange<Index>& range, const Body& body) {
+    const auto call = [](const void* of, const parallel::Part& part) {
+        (*static_cast<const Body*>(of))(parallel::partAs<Index>(part));
+    };
+    parallel::forParts({static_cast<std::int64_t>(range.begin()), static_cast<std::int64_t>(range.end()),
+                        static_cast<std::int64_t>(range.grain())},
+                       call, &body);
+}
+
+/// Calls `body` on tiles of `range`, each an LoopRectangle<Index>, that together are the whole.
+template <typename Index, typename Body>
+void parallelFor(const LoopRectangle<Index>& range, const Body& body) {
+    const auto call = [](const void* of, const parallel::Tile& tile) {
+        (*static_cast<const Body*>(of))(
+            LoopRectangle<Index>(parallel::partAs<Index>(tile.rows()), parallel::partAs<Index>(tile.columns())));
+    };
+    parallel::forTiles(
+        {static_cast<std::int64_t>(range.rows().end()), static_cast<std::int64_t>(range.columns().end())}, call, &body);
+}
 
 /// Calls body(index) for every index of [first, last).
 template <typename Index, typename Body>
 void parallelFor(Index first, Index last, const Body& body) {
     if (first >= last) return;
-    parallelFor(tbb::blocked_range<Index>(first, last), [&](const tbb::blocked_range<Index>& part) {
+    parallelFor(LoopRange<Index>(first, last), [&](const LoopRange<Index>& part) {
         for (Index index = part.begin(); index < part.end(); ++index) body(index);
     });
 }

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <atomic>
-#include <cstddef>
 #include <functional>
-#include <thread>
 
 namespace echolucent {
 
@@ -26,22 +24,12 @@ struct Progress {
     }
 };
 
-/// Counts for all threads what is done, and reports the share from the thread that made it only: the counts of others
-/// may arrive out of order. The progress must outlive it.
-class ProgressCount {
-public:
-    ProgressCount(const Progress& progress, std::size_t total) : m_progress(progress), m_total(total) {}
-    void oneDone() {
-        const std::size_t done = m_done.fetch_add(1, std::memory_order_relaxed) + 1;
-        if (std::this_thread::get_id() == m_caller)
-            m_progress.at(static_cast<double>(done) / static_cast<double>(m_total));
-    }
-
-private:
-    const Progress& m_progress;
-    std::size_t m_total;
-    std::thread::id m_caller = std::this_thread::get_id();
-    std::atomic<std::size_t> m_done{0};
-};
+/// Of a part of a computation: what it reports as shares of the part goes to `whole`, from the share `from` of the
+/// whole to the share `to`, both in [0,1]. `whole` must outlive it.
+[[nodiscard]] inline Progress partOf(const Progress& whole, double from, double to) {
+    Progress part = whole;
+    if (whole.report) part.report = [&whole, from, to](double share) { whole.at(from + share * (to - from)); };
+    return part;
+}
 
 }  // namespace echolucent

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "processing/parallel.h"
+#include "processing/progress_count.h"
 #include "processing/ray_caster/empty_space.h"
 #include "processing/ray_caster/kept_views.h"
 #include "processing/ray_caster/kernel_job.h"
@@ -31,9 +32,9 @@ bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
     const int columns = (std::max(0, box.lastColumn - left) + tileEdge - 1) / tileEdge;
     const int rows = (std::max(0, box.lastRow - top) + tileEdge - 1) / tileEdge;
     ProgressCount count(progress, static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    parallelFor(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1), [&](const auto& tiles) {
+    parallelFor(LoopRectangle<int>(rows, columns), [&](const auto& tiles) {
         for (int row = tiles.rows().begin(); row < tiles.rows().end(); ++row)
-            for (int column = tiles.cols().begin(); column < tiles.cols().end(); ++column) {
+            for (int column = tiles.columns().begin(); column < tiles.columns().end(); ++column) {
                 if (progress.cancelled()) return;
                 const int x = left + column * tileEdge, y = top + row * tileEdge;
                 castTile(job, {x, std::min(x + tileEdge, box.lastColumn), y, std::min(y + tileEdge, box.lastRow)});

@@ -7,7 +7,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::array rows{
+constexpr std::array themeRows{
     ThemeColourRow{"background", &ThemeColours::background, 0x14171a, 0xd3d9df},
     ThemeColourRow{"panel", &ThemeColours::panel, 0x1e2226, 0xf1f3f5},
     ThemeColourRow{"head", &ThemeColours::head, 0x262b30, 0xe4e8ec},
@@ -43,13 +43,14 @@ constexpr std::array rows{
 
 ThemeColours madeOf(Theme theme) {
     ThemeColours colours;
-    for (const ThemeColourRow& row : rows) colours.*row.member = QColor(theme == Theme::dark ? row.dark : row.light);
+    for (const ThemeColourRow& row : themeRows)
+        colours.*row.member = QColor(theme == Theme::dark ? row.dark : row.light);
     return colours;
 }
 
 }  // namespace
 
-std::span<const ThemeColourRow> themeColourRows() { return rows; }
+std::span<const ThemeColourRow> themeColourRows() { return themeRows; }
 
 const ThemeColours& coloursOf(Theme theme) {
     static const ThemeColours dark = madeOf(Theme::dark), light = madeOf(Theme::light);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/command.h"
+#include "app/cli/report_json.h"
 #include "io/headers/header_text.h"
 #include "io/import_report.h"
 #include "io/output/atomic_file.h"
@@ -22,8 +23,6 @@
 namespace echolucent::cli {
 
 namespace {
-
-using nlohmann::ordered_json;
 
 struct InfoOptions {
     VolumeOptions volume;
@@ -40,7 +39,7 @@ struct StoredRange {
 
 /// Loops that ask the volume nothing at a voxel become vectors.
 template <typename Value, typename IsData>
-StoredRange rangeOf(std::span<const Value> values, IsData isData) {
+StoredRange rangeOfData(std::span<const Value> values, IsData isData) {
     Value low = std::numeric_limits<Value>::max(), high = std::numeric_limits<Value>::lowest();
     for (std::size_t offset = 0; offset < values.size(); ++offset) {
         const Value value = values[offset];
@@ -55,24 +54,22 @@ StoredRange storedRangeOf(const Volume& volume) {
         [&](const auto& values) {
             const std::span all(values.data(), values.size());
             const std::uint8_t* const mask = volume.dataMaskOrNull();
-            if (mask == nullptr) return rangeOf(all, [](std::size_t) { return true; });
+            if (mask == nullptr) return rangeOfData(all, [](std::size_t) { return true; });
             const auto marked = [](std::uint8_t mark) { return mark != 0; };
             const auto count = std::count_if(mask, mask + values.size(), marked);
             if (count == 0) return StoredRange{};
-            StoredRange range = rangeOf(all, [&](std::size_t offset) { return marked(mask[offset]); });
+            StoredRange range = rangeOfData(all, [&](std::size_t offset) { return marked(mask[offset]); });
             range.dataVoxels = count;
             return range;
         },
         volume.voxels());
 }
 
-ordered_json vectorJson(const Vec3& vector) { return {vector[0], vector[1], vector[2]}; }
-
-ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
+Json infoJson(const Study& study, const Volume& volume, int phase) {
     const VolumeGeometry& geometry = volume.geometry();
     const StoredRange range = storedRangeOf(volume);
-    ordered_json object;
-    ordered_json& entry = object["volume"];
+    Json object;
+    Json& entry = object["volume"];
     entry["name"] = study.name;
     entry["size"] = geometry.size;
     if (geometry.reduction) {
@@ -82,7 +79,7 @@ ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
     entry["spacing_mm"] = vectorJson(geometry.spacing);
     entry["spacing_known"] = geometry.spacingKnown;
     entry["origin_mm"] = vectorJson(geometry.origin);
-    entry["direction"] = ordered_json::array();
+    entry["direction"] = Json::array();
     for (int axis = 0; axis < 3; ++axis)
         entry["direction"].push_back(
             {geometry.direction(0, axis), geometry.direction(1, axis), geometry.direction(2, axis)});
@@ -91,19 +88,18 @@ ordered_json infoJson(const Study& study, const Volume& volume, int phase) {
     entry["white_level"] = volume.whiteLevel();
     entry["phases"] = study.phases.size();
     entry["phase"] = phase;
-    entry["phase_seconds"] = study.phaseSeconds ? ordered_json(*study.phaseSeconds) : ordered_json();
-    entry["stored_range"] = range.dataVoxels > 0 ? ordered_json{range.low, range.high} : ordered_json();
+    entry["phase_seconds"] = study.phaseSeconds ? Json(*study.phaseSeconds) : Json();
+    entry["stored_range"] = range.dataVoxels > 0 ? Json{range.low, range.high} : Json();
     entry["no_data_share"] = 1.0 - static_cast<double>(range.dataVoxels) / static_cast<double>(geometry.voxelCount());
     const bool lossKnown = study.lossyCompression != LossyCompression::unknown;
-    entry["lossy_compressed"] =
-        lossKnown ? ordered_json(study.lossyCompression == LossyCompression::yes) : ordered_json();
+    entry["lossy_compressed"] = lossKnown ? Json(study.lossyCompression == LossyCompression::yes) : Json();
     const BeamGuess guess = *guessBeamAxis(volume);
     object["view"] = {{"beam_axis", nameOf(guess.axis)}};
     object["beam"] = {{"axis", nameOf(guess.axis)},
                       {"source", guess.sure ? nameOf(guess.evidence) : "assumed"},
                       {"confidence", guess.confidence},
                       {"sentence", guess.sentence}};
-    object["facts"] = ordered_json::array();
+    object["facts"] = Json::array();
     for (const ImportFact& fact : importReport(study, guess))
         object["facts"].push_back({{"name", fact.name}, {"value", fact.value}, {"source", fact.source}});
     object["warnings"] = study.warnings;
@@ -160,8 +156,8 @@ std::string seriesText(const SeriesList& list, const SeriesEntry* read) {
 }
 
 /// An object a series (docs/cli-info.md).
-ordered_json seriesJson(const SeriesList& list, const SeriesEntry* read) {
-    auto array = ordered_json::array();
+Json seriesJson(const SeriesList& list, const SeriesEntry* read) {
+    auto array = Json::array();
     for (const SeriesEntry& entry : list.series)
         array.push_back({{"number", array.size() + 1},
                          {"uid", entry.uid},
@@ -171,15 +167,15 @@ ordered_json seriesJson(const SeriesList& list, const SeriesEntry* read) {
                          {"size", entry.size},
                          {"files", entry.files.size()},
                          {"read", &entry == read},
-                         {"why_not", entry.whyNot ? ordered_json(entry.whyNot->sentence()) : ordered_json()}});
+                         {"why_not", entry.whyNot ? Json(entry.whyNot->sentence()) : Json()}});
     return array;
 }
 
 /// Writes the list of series where none of them could be read; the failure follows.
 Result<void> writeListOnly(const std::optional<SeriesList>& list, const InfoOptions& options, const Failure& failure) {
     if (!list || list->series.size() < 2) return tl::unexpected(failure);
-    const ordered_json object{{"series", seriesJson(*list, nullptr)}};
-    const std::string text = options.toJson ? object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n"
+    const Json object{{"series", seriesJson(*list, nullptr)}};
+    const std::string text = options.toJson ? object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                                             : printable(seriesText(*list, nullptr));
     const std::string output = options.toJson ? options.json : "-";
     if (auto written = writeFileAtomically(output, text); !written) return written;
@@ -201,10 +197,10 @@ Result<void> runInfo(const InfoOptions& options) {
         if (*list) text += printable(seriesText(**list, read));
         return writeFileAtomically("-", text);
     }
-    ordered_json object = infoJson(*study, volume, options.volume.phase);
+    Json object = infoJson(*study, volume, options.volume.phase);
     if (*list) object["series"] = seriesJson(**list, read);
     // Text in files may be in any encoding; JSON must be UTF-8.
-    return writeFileAtomically(options.json, object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    return writeFileAtomically(options.json, object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace

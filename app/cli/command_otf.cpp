@@ -10,6 +10,7 @@
 #include "app/cli/otf_report.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/designers/designer.h"
 
 namespace echolucent::cli {
 
@@ -24,7 +25,7 @@ struct OtfOptions {
     std::string json, csv, tubesCsv;
 };
 
-Result<void> write(const OtfOptions& options, const Volume& volume, const AdaptiveOtf& otf, const ChosenBeam& beam) {
+Result<void> writeOtf(const OtfOptions& options, const Volume& volume, const AdaptiveOtf& otf, const ChosenBeam& beam) {
     if (options.json.empty() && options.csv.empty() && options.tubesCsv.empty())
         return writeFileAtomically("-", summary(volume, otf));
     if (!options.json.empty())
@@ -41,7 +42,8 @@ Result<void> write(const OtfOptions& options, const Volume& volume, const Adapti
 }
 
 /// What a designer other than the adaptive one makes.
-Result<void> write(const OtfOptions& options, const Volume& volume, const DesignRun& run, const ChosenBeam& beam) {
+Result<void> writeDesign(const OtfOptions& options, const Volume& volume, const DesignRun& run,
+                         const ChosenBeam& beam) {
     if (options.json.empty() && options.csv.empty()) return writeFileAtomically("-", summary(run));
     if (!options.json.empty())
         if (auto done = writeFileAtomically(options.json, jsonReport(volume, run, beam)); !done) return done;
@@ -84,9 +86,10 @@ Result<void> computeOtf(const OtfOptions& options) {
     if (!cut) return tl::unexpected<Failure>(cut.error());
     const auto quiet = quietVolume(**volume, look->reduction);
     if (!adaptive)
-        return write(options, **volume, runOf(**designer, {**volume, *quiet, look->reduction, *cut, *config}), beam);
+        return writeDesign(options, **volume, runOf(**designer, {**volume, *quiet, look->reduction, *cut, *config}),
+                           beam);
     const auto otf = adaptOpacity(**volume, *cut, *config, {}, {&*quiet, look->reduction});
-    return write(options, **volume, *otf, beam);
+    return writeOtf(options, **volume, *otf, beam);
 }
 
 }  // namespace

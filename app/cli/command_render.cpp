@@ -10,6 +10,7 @@
 #include "app/cli/picture_words.h"
 #include "io/import_report.h"
 #include "io/output/picture_file.h"
+#include "processing/designers/designer.h"
 #include "processing/picture/empty_picture.h"
 #include "processing/picture/view_limits.h"
 #include "processing/ray_caster.h"
@@ -38,7 +39,7 @@ Result<std::array<int, 2>> sizeFrom(const std::string& text) {
 }
 
 /// Size and look; the camera follows once the volume is there.
-Result<RayCastSettings> settingsFrom(const RenderOptions& options, const Look& look) {
+Result<RayCastSettings> renderSettingsFrom(const RenderOptions& options, const Look& look) {
     RayCastSettings settings = rayCastSettings(look);
     const auto size = sizeFrom(options.size);
     if (!size) return tl::unexpected<Failure>(size.error());
@@ -79,7 +80,7 @@ void explainEmptiness(const Picture& picture, const Classification& classificati
 }
 
 /// What a view of a document shows, without labels.
-Result<void> renderDocument(const RenderOptions& options, const CLI::App& command) {
+Result<void> renderViewOfDocument(const RenderOptions& options, const CLI::App& command) {
     if (auto checked = options.document.checkAlone(command); !checked) return checked;
     if (auto checked = checkPictureName(options.output, "-o"); !checked) return checked;
     if (auto checked = checkOutputs({options.output}); !checked) return checked;
@@ -87,7 +88,7 @@ Result<void> renderDocument(const RenderOptions& options, const CLI::App& comman
     if (!size) return tl::unexpected<Failure>(size.error());
     const auto background = backgroundFrom(options.background);
     if (!background) return tl::unexpected<Failure>(background.error());
-    const auto shown = cli::renderDocument(options.document, options.volume, *size, options.output);
+    const auto shown = renderDocument(options.document, options.volume, *size, options.output);
     if (!shown) return tl::unexpected<Failure>(shown.error());
     if (!shown->message.empty()) std::fprintf(stderr, "%s\n", shown->message.c_str());
     if (shown->cast.mode == RenderMode::direct) explainEmptiness(shown->picture, shown->classification, *shown->voxels);
@@ -107,7 +108,7 @@ Result<void> render(const RenderOptions& options) {
     if (!named) return tl::unexpected<Failure>(named.error());
     const auto look = options.look.get();
     if (!look) return tl::unexpected<Failure>(look.error());
-    auto settings = settingsFrom(options, *look);
+    auto settings = renderSettingsFrom(options, *look);
     if (!settings) return tl::unexpected<Failure>(settings.error());
     auto designer = options.designer.get();
     if (!designer) return tl::unexpected<Failure>(designer.error());
@@ -166,7 +167,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
     command.footer("Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive -o chest.png");
     command.callback([options, &command, &action] {
         action = [options, &command] {
-            return options->document.path.empty() ? render(*options) : renderDocument(*options, command);
+            return options->document.path.empty() ? render(*options) : renderViewOfDocument(*options, command);
         };
     });
 }

@@ -31,7 +31,7 @@ struct SweepOptions {
     std::string csv, json, movie;
 };
 
-constexpr int largestPictureEdge = 4096;
+constexpr int largestFrameEdge = 4096;
 constexpr double mostFrames = 100'000;
 
 Result<Motion> motionFrom(const SweepOptions& options) {
@@ -49,8 +49,8 @@ Result<Motion> motionFrom(const SweepOptions& options) {
     return motion;
 }
 
-Result<RayCastSettings> settingsFrom(const SweepOptions& options) {
-    const auto size = parseWholePair(options.size, 1, largestPictureEdge, "--size", "512x512");
+Result<RayCastSettings> frameSettingsFrom(const SweepOptions& options) {
+    const auto size = parseWholePair(options.size, 1, largestFrameEdge, "--size", "512x512");
     if (!size) return tl::unexpected<Failure>(size.error());
     if (!(options.frameRate >= 1 && options.frameRate <= 1000))
         return wrongUsage("--frame-rate", "must be 1 to 1000 a second");
@@ -88,8 +88,8 @@ Result<void> writeMovie(const SweepOptions& options, const Study& study, const s
     return movie->finish();
 }
 
-Result<void> write(const SweepOptions& options, const Study& study, SweepReport& report,
-                   const RayCastSettings& settings) {
+Result<void> writeReport(const SweepOptions& options, const Study& study, SweepReport& report,
+                         const RayCastSettings& settings) {
     if (options.pictureFlicker) {
         const std::vector<SweepFrame> frames = framesOf(report.frames);
         const FrameRenderer render = frameRenderer(study.phases, frames, settings);
@@ -128,7 +128,7 @@ Result<void> sweep(const SweepOptions& options) {
     if (auto possible = checkSweepOutputs(options); !possible) return possible;
     const auto motion = motionFrom(options);
     if (!motion) return tl::unexpected<Failure>(motion.error());
-    const auto settings = settingsFrom(options);
+    const auto settings = frameSettingsFrom(options);
     if (!settings) return tl::unexpected<Failure>(settings.error());
     if (!options.movie.empty())
         if (auto possible = MovieFile::check(options.movie, settings->width, settings->height); !possible)
@@ -152,7 +152,7 @@ Result<void> sweep(const SweepOptions& options) {
                                             : withOneOtf(*study, *view, frames, *config, motion->firstPhase);
     report.frames = swept;
     sayWhatIsMissing(*study, swept, !options.movie.empty());
-    if (auto done = write(options, *study, report, *settings); !done) return done;
+    if (auto done = writeReport(options, *study, report, *settings); !done) return done;
     return options.movie.empty() ? Result<void>() : writeMovie(options, *study, swept, *settings);
 }
 

@@ -2,20 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "app/cli/report_json.h"
+#include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/designers/designer.h"
 
 namespace echolucent::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json triple(const Vec3& vector) { return Json::array({vector[0], vector[1], vector[2]}); }
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-Json parameters(const DesignerConfig& config) {
+Json designerParametersJson(const DesignerConfig& config) {
     Json all = Json::object();
     forEachParameter(config, [&](const auto& row, const auto& values) {
         if (const auto value = row.get(values))
@@ -23,8 +20,6 @@ Json parameters(const DesignerConfig& config) {
     });
     return all;
 }
-
-double intensityOf(int sample) { return static_cast<double>(sample) / (AdaptiveOtf::sampleCount - 1); }
 
 Json otfObject(const Classification& classification) {
     if (classification.isTwoDimensional()) {
@@ -36,9 +31,9 @@ Json otfObject(const Classification& classification) {
                 {"opacity", otf.opacities}};
     }
     Json intensities = Json::array(), opacities = Json::array();
-    for (int i = 0; i < AdaptiveOtf::sampleCount; ++i) {
-        intensities.push_back(intensityOf(i));
-        opacities.push_back(opacityAt(classification.curve(), intensityOf(i)));
+    for (std::size_t i = 0; i < AdaptiveOtf::sampleCount; ++i) {
+        intensities.push_back(AdaptiveOtf::intensityOf(i));
+        opacities.push_back(opacityAt(classification.curve(), AdaptiveOtf::intensityOf(i)));
     }
     return {{"dimensions", 1}, {"intensity", intensities}, {"opacity", opacities}};
 }
@@ -47,7 +42,7 @@ Json plotsArray(const Design& design) {
     Json plots = Json::array();
     for (const DesignPlot& plot : design.plots) {
         Json values = Json::array();
-        for (const double value : plot.values) values.push_back(finite(value));
+        for (const double value : plot.values) values.push_back(finiteJson(value));
         plots.push_back({{"name", plot.name},
                          {"label", plot.label},
                          {"unit", plot.unit},
@@ -66,7 +61,7 @@ std::string jsonReport(const Volume& volume, const DesignRun& run, const ChosenB
     report["message"] = run.design.message;
     report["explanation"] = run.design.explanation;
     report["volume"] = {{"size", Json::array({geometry.size[0], geometry.size[1], geometry.size[2]})},
-                        {"spacing_mm", triple(geometry.spacing)},
+                        {"spacing_mm", vectorJson(geometry.spacing)},
                         {"spacing_known", geometry.spacingKnown},
                         {"type", volume.typeName()},
                         {"white_level", volume.whiteLevel()}};
@@ -78,11 +73,11 @@ std::string jsonReport(const Volume& volume, const DesignRun& run, const ChosenB
                       {"source", beam.source},
                       {"confidence", beam.confidence ? Json(*beam.confidence) : Json()}};
     report["reduction"] = echolucent::nameOf(run.reduction);
-    report["parameters"] = parameters(run.config);
+    report["parameters"] = designerParametersJson(run.config);
     report["time_ms"] = run.milliseconds;
     report["facts"] = Json::object();
     for (const DesignFact& fact : run.design.facts)
-        report["facts"][fact.name] = {{"label", fact.label}, {"value", finite(fact.value)}, {"unit", fact.unit}};
+        report["facts"][fact.name] = {{"label", fact.label}, {"value", finiteJson(fact.value)}, {"unit", fact.unit}};
     report["plots"] = plotsArray(run.design);
     report["otf"] = otfObject(run.design.classification);
     return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -91,8 +86,9 @@ std::string jsonReport(const Volume& volume, const DesignRun& run, const ChosenB
 std::string curveTable(const Design& design) {
     if (!design.classification.isTwoDimensional()) {
         std::string table = "intensity,opacity\n";
-        for (int i = 0; i < AdaptiveOtf::sampleCount; ++i)
-            table += fmt::format("{},{}\n", intensityOf(i), opacityAt(design.classification.curve(), intensityOf(i)));
+        for (std::size_t i = 0; i < AdaptiveOtf::sampleCount; ++i)
+            table += fmt::format("{},{}\n", AdaptiveOtf::intensityOf(i),
+                                 opacityAt(design.classification.curve(), AdaptiveOtf::intensityOf(i)));
         return table;
     }
     const TwoDimensionalOtf& otf = *design.classification.twoDimensional();

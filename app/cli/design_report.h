@@ -4,7 +4,8 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/design.h"
+#include "processing/designers/designer_config.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::cli {

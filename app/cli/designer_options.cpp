@@ -1,10 +1,12 @@
 #include "app/cli/designer_options.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <charconv>
 
 #include "app/cli/option_text.h"
+#include "processing/designers/designer.h"
 
 namespace echolucent::cli {
 

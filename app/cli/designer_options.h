@@ -1,13 +1,16 @@
 // The options that choose and configure an OTF designer.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "processing/designers/designer.h"
+#include "processing/designers/designer_config.h"
 #include "processing/result.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace echolucent::cli {
 

@@ -16,7 +16,7 @@ namespace echolucent::cli {
 namespace {
 
 /// A text as the cell of a Markdown table.
-std::string cell(std::string text) {
+std::string tableCell(std::string text) {
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.replace(at, 1, "\\|");
     return text;
 }
@@ -59,11 +59,11 @@ std::string asSlices(const std::string& path) {
 
 std::string fileRow(const std::string& path, const std::string& shownName) {
     const auto study = restricted::readStudy(path);
-    const std::string start = "| `" + cell(shownName) + "` | ";
-    if (study) return start + "opens | " + cell(summaryOf(*study)) + " |";
+    const std::string start = "| `" + tableCell(shownName) + "` | ";
+    if (study) return start + "opens | " + tableCell(summaryOf(*study)) + " |";
     std::string why = sentenceOf(study.error(), path);
     if (study.error().framesCouldBeSlices) why += asSlices(path);
-    return start + "refused | " + cell(why) + " |";
+    return start + "refused | " + tableCell(why) + " |";
 }
 
 Result<std::string> fileTable(const std::string& folder, const Progress& progress, const std::string& output) {

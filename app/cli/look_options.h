@@ -1,14 +1,19 @@
 // The options of a picture's look, made from the table of the look.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "processing/parameter.h"
 #include "processing/picture/look.h"
 #include "processing/result.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace echolucent::cli {
 

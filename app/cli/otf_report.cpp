@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/report_json.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/tube_core/tube_grid.h"
@@ -14,13 +15,8 @@ namespace echolucent::cli {
 
 namespace {
 
-// Keys in the order they are written; doubles are written with as many digits as they need to come back the same.
-using Json = nlohmann::ordered_json;
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json maybe(const std::optional<double>& value) { return value ? finite(*value) : Json(nullptr); }
-Json triple(const Vec3& value) { return Json::array({value[0], value[1], value[2]}); }
-Json maybe(const std::optional<Vec3>& value) { return value ? triple(*value) : Json(nullptr); }
+Json maybe(const std::optional<double>& value) { return value ? finiteJson(*value) : Json(nullptr); }
+Json maybe(const std::optional<Vec3>& value) { return value ? vectorJson(*value) : Json(nullptr); }
 
 /// Of the tube core of an index; one that is never placed tells nothing of where it would lie.
 std::string_view statusOf(const AdaptiveOtf& otf, std::size_t tube) {
@@ -67,7 +63,7 @@ Json valueOf(const ParameterValue& value) {
 }
 
 /// By the names of the command line's options; what does not apply is left out.
-Json parameters(const AdaptiveOtf& otf, const std::string& initialName, double manualFactor) {
+Json methodParametersJson(const AdaptiveOtf& otf, const std::string& initialName, double manualFactor) {
     const AdaptiveOtfConfig& config = otf.config;
     Json all{{"reading", readingName(config)},
              {"initial", initialName},
@@ -106,24 +102,22 @@ Json tubeObject(const TubeCore& tube, std::string_view status) {
             {"d", tube.d}};
 }
 
-double intensityOf(std::size_t sample) { return static_cast<double>(sample) / (AdaptiveOtf::sampleCount - 1); }
-
 Json curveObject(const AdaptiveOtf& otf) {
     Json intensities = Json::array(), logOpacities = Json::array(), opacities = Json::array();
     for (std::size_t i = 0; i < otf.logOpacity.size(); ++i) {
-        intensities.push_back(intensityOf(i));
-        logOpacities.push_back(finite(otf.logOpacity[i]));
+        intensities.push_back(AdaptiveOtf::intensityOf(i));
+        logOpacities.push_back(finiteJson(otf.logOpacity[i]));
         opacities.push_back(otf.curve.opacities[i]);
     }
     return {{"intensity", intensities}, {"log_opacity", logOpacities}, {"opacity", opacities}};
 }
 
 /// Shortest text that reads back as the same double; empty where there is no number.
-std::string cell(const std::optional<double>& value) {
+std::string numberCell(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
 }
 
-std::string cells(const std::optional<Vec3>& value) {
+std::string vectorCells(const std::optional<Vec3>& value) {
     return value ? fmt::format("{},{},{}", (*value)[0], (*value)[1], (*value)[2]) : std::string(",,");
 }
 
@@ -136,11 +130,11 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const Chose
     Json report;
     report["message"] = otf.message;
     report["volume"] = {{"size", Json::array({geometry.size[0], geometry.size[1], geometry.size[2]})},
-                        {"spacing_mm", triple(geometry.spacing)},
+                        {"spacing_mm", vectorJson(geometry.spacing)},
                         {"spacing_known", geometry.spacingKnown},
                         {"type", volume.typeName()},
                         {"white_level", volume.whiteLevel()}};
-    report["view"] = {{"direction_voxel", triple(otf.directionVoxel)},
+    report["view"] = {{"direction_voxel", vectorJson(otf.directionVoxel)},
                       {"beam_axis", echolucent::nameOf(otf.view.beamAxis)},
                       {"azimuth", otf.view.azimuthDegrees},
                       {"elevation", otf.view.elevationDegrees},
@@ -149,7 +143,7 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const Chose
         {"axis", echolucent::nameOf(beam.axis)}, {"source", beam.source}, {"confidence", maybe(beam.confidence)}};
     report["reduction"] = echolucent::nameOf(otf.reduction);
     report["speckle_left"] = otf.speckleLeft;
-    report["parameters"] = parameters(otf, initialName, manualFactor);
+    report["parameters"] = methodParametersJson(otf, initialName, manualFactor);
     report["times_ms"] = {{"sampling", times.sampling}, {"cells", times.cells}, {"detection", times.detection},
                           {"weights", times.weights},   {"curve", times.curve}, {"total", times.total}};
     report["tubes"] = Json::array();
@@ -163,8 +157,8 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const Chose
 std::string curveTable(const AdaptiveOtf& otf) {
     std::string table = "intensity,opacity,log_opacity,initial_opacity\n";
     for (std::size_t i = 0; i < otf.logOpacity.size(); ++i)
-        table += fmt::format("{},{},{},{}\n", intensityOf(i), otf.curve.opacities[i], cell(otf.logOpacity[i]),
-                             opacityAt(otf.config.initial, intensityOf(i)));
+        table += fmt::format("{},{},{},{}\n", AdaptiveOtf::intensityOf(i), otf.curve.opacities[i],
+                             numberCell(otf.logOpacity[i]), opacityAt(otf.config.initial, AdaptiveOtf::intensityOf(i)));
     return table;
 }
 
@@ -174,10 +168,11 @@ std::string tubeTable(const AdaptiveOtf& otf) {
         "w_intensity,w_slope,w_extra,d\n";
     for (std::size_t t = 0; t < otf.tubes.size(); ++t) {
         const TubeCore& tube = otf.tubes[t];
-        table += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", tube.column, tube.row, statusOf(otf, t),
-                             cells(tube.entryVoxel), cells(tube.surfaceVoxel), cell(tube.lowIntensity),
-                             cell(tube.highIntensity), cell(tube.lowIntensityMax), cell(tube.slope),
-                             cell(tube.edgeToNoise), tube.intensityWeight, tube.slopeWeight, tube.extraWeight, tube.d);
+        table +=
+            fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", tube.column, tube.row, statusOf(otf, t),
+                        vectorCells(tube.entryVoxel), vectorCells(tube.surfaceVoxel), numberCell(tube.lowIntensity),
+                        numberCell(tube.highIntensity), numberCell(tube.lowIntensityMax), numberCell(tube.slope),
+                        numberCell(tube.edgeToNoise), tube.intensityWeight, tube.slopeWeight, tube.extraWeight, tube.d);
     }
     return table;
 }

@@ -18,7 +18,7 @@ namespace {
 
 enum class Ending { kretz, raw, other };
 
-Ending endingOf(const std::string& path) {
+Ending polarEndingOf(const std::string& path) {
     const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
     return extension == ".vol" ? Ending::kretz : extension == ".raw" ? Ending::raw : Ending::other;
 }
@@ -44,13 +44,15 @@ Result<void> writeRaw(const std::string& path, const PolarGeometry& polar, const
 
 }  // namespace
 
-bool isPolarName(const std::string& path) { return endingOf(path) != Ending::other; }
+bool isPolarName(const std::string& path) { return polarEndingOf(path) != Ending::other; }
 
-std::string layoutBeside(const std::string& path) { return endingOf(path) == Ending::raw ? rawLayoutPath(path) : ""; }
+std::string layoutBeside(const std::string& path) {
+    return polarEndingOf(path) == Ending::raw ? rawLayoutPath(path) : "";
+}
 
 Result<std::optional<PolarGeometry>> polarOfPhantom(const std::string& path, const std::string& kind, int phases,
                                                     const PhantomConfig& config) {
-    const Ending ending = endingOf(path);
+    const Ending ending = polarEndingOf(path);
     if (kind.empty() && ending == Ending::raw)
         return wrongUsage("--polar", "is missing for a raw file", "Give it, or write a MetaImage (.mha).");
     if (kind.empty() && ending == Ending::other) return std::optional<PolarGeometry>();
@@ -85,7 +87,7 @@ Result<void> writePolarPhantom(const std::string& path, const PolarGeometry& pol
         phase = configOnGrid(phase, grid);
         voxels.push_back(*makePolarPhantom(phase, polar, grid));
     }
-    if (endingOf(path) == Ending::raw) return writeRaw(path, polar, voxels.front());
+    if (polarEndingOf(path) == Ending::raw) return writeRaw(path, polar, voxels.front());
     std::vector<std::vector<std::uint8_t>> bytes;
     bytes.reserve(voxels.size());
     for (const Voxels& phase : voxels) bytes.push_back(std::get<VoxelArray<std::uint8_t>>(phase).toVector());

@@ -2,15 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/report_json.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json triple(const Vec3& value) { return Json::array({value[0], value[1], value[2]}); }
 
 VolumeGeometry geometryOf(const PhantomConfig& config) {
     VolumeGeometry geometry;
@@ -22,7 +19,7 @@ VolumeGeometry geometryOf(const PhantomConfig& config) {
 Json configJson(const PhantomConfig& config) {
     return {{"scene", nameOf(config.scene)},
             {"size", config.size},
-            {"spacing_mm", triple(config.spacing)},
+            {"spacing_mm", vectorJson(config.spacing)},
             {"fluid", config.fluid},
             {"tissue", config.tissue},
             {"object", config.object},
@@ -59,13 +56,13 @@ Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const V
               {"entry_voxel", nullptr},   {"depth_units", nullptr},
               {"surface_voxel", nullptr}, {"corner_depths_units", Json::array({nullptr, nullptr, nullptr, nullptr})}};
     if (!axis.entryVoxel) return tube;
-    tube["entry_voxel"] = triple(*axis.entryVoxel);
+    tube["entry_voxel"] = vectorJson(*axis.entryVoxel);
     const Vec3 entry = geometry.gridMmFromVoxel(*axis.entryVoxel);
     const double nearPlane = nearPlaneDepthMm(view, geometry);
     const auto depthOf = [&](const Vec3& surface) { return axis.directionMm.dot(surface - entry) / geometry.unit(); };
     if (const auto surface = truth.firstInterfacePoint(entry, axis.directionMm, nearPlane)) {
         tube["depth_units"] = depthOf(*surface);
-        tube["surface_voxel"] = triple(geometry.voxelFromGridMm(*surface));
+        tube["surface_voxel"] = vectorJson(geometry.voxelFromGridMm(*surface));
     }
     const ViewFrame frame = frameOf(view);
     const double half = 0.5 * (cellSize - 1) * geometry.unit();
@@ -98,7 +95,7 @@ std::string truthReport(const std::vector<PhantomConfig>& phases, const Viewpoin
                       {"azimuth_degrees", view.azimuthDegrees},
                       {"elevation_degrees", view.elevationDegrees},
                       {"near_mm", view.nearCutMm},
-                      {"direction_mm", triple(frameOf(view).forward)}};
+                      {"direction_mm", vectorJson(frameOf(view).forward)}};
     const auto spacing = tubeSpacingUnits(geometryOf(first), view, tubes, cellSize);
     report["tube_grid"] = {
         {"columns", tubes.columns}, {"rows", tubes.rows}, {"spacing_units", spacing}, {"cell_size_units", cellSize}};

@@ -30,7 +30,7 @@ Result<void> setRadii(const std::string& text, EvenPolar& even) {
     return {};
 }
 
-const char* optionOf(PolarPart part) {
+const char* rawOptionOf(PolarPart part) {
     switch (part) {
         case PolarPart::range: return "--raw-range";
         case PolarPart::lines: return "--raw-lines";
@@ -91,7 +91,7 @@ Result<std::optional<PolarGeometry>> PolarOptions::get(const std::array<std::int
                           "Give it as SAMPLESxLINESxPLANES.");
     const PolarGeometry polar = polarGeometry(even, size);
     if (const auto problem = problemOf(polar))
-        return wrongUsage(optionOf(problem->part), problem->words, "Correct the geometry of the beams.");
+        return wrongUsage(rawOptionOf(problem->part), problem->words, "Correct the geometry of the beams.");
     return std::optional(polar);
 }
 

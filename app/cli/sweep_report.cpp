@@ -4,11 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/report_json.h"
+#include "processing/adaptive/adaptive_otf_result.h"
+
 namespace echolucent::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json gainsJson(OtfSmoothing smoothing) {
     const SmoothingGains gains = gainsOf(smoothing);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "processing/comparison/plain_frames.h"
+#include "processing/designers/designer.h"
 #include "processing/document/view_caster.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/motion_mode.h"

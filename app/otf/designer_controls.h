@@ -8,7 +8,7 @@
 #include "app/document/document_model.h"
 #include "app/document/hand_gesture.h"
 #include "app/otf/view_designs.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/designer_config.h"
 
 namespace echolucent {
 

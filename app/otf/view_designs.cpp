@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "processing/designers/designer.h"
 #include "processing/document/view_caster.h"
 
 namespace echolucent {

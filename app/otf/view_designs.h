@@ -11,7 +11,8 @@
 
 #include "app/document/document_model.h"
 #include "app/study/open_study.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/design.h"
+#include "processing/designers/designer_config.h"
 #include "widgets/newest_wins_thread.h"
 
 namespace echolucent {

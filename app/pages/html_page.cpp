@@ -110,7 +110,7 @@ CoarsePicture coarser(int width, int height, std::vector<std::uint8_t> rgb, int 
 }
 
 /// The map with ticks at its sides and the scale of its colours beside it.
-std::string svgOf(const HeatMap& map, int coarseness) {
+std::string heatMapSvg(const HeatMap& map, int coarseness) {
     constexpr double left = 78, top = 40, wide = 560, high = 344, barLeft = 664, barWide = 18, steps = 5;
     const int columns = static_cast<int>(map.columns), rows = static_cast<int>(map.values.size() / map.columns);
     std::string body = fmt::format(
@@ -179,7 +179,7 @@ void HtmlPage::plot(const Plot& plot) { add("<figure>" + echolucent::svgOf(plot)
 void HtmlPage::heatMap(const HeatMap& map) {
     if (map.columns == 0 || map.values.empty() || map.values.size() % map.columns != 0)
         throw std::invalid_argument("HtmlPage::heatMap: the values do not fill whole rows");
-    m_pieces.emplace_back([map](int coarseness) { return "<figure>" + svgOf(map, coarseness) + "</figure>\n"; });
+    m_pieces.emplace_back([map](int coarseness) { return "<figure>" + heatMapSvg(map, coarseness) + "</figure>\n"; });
 }
 
 void HtmlPage::picture(const Picture& picture, const std::string& caption, int zoom) {

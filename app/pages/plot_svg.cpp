@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr double width = 760, left = 78, right = 736, top = 40, bottom = 384;
+constexpr double plotWidth = 760, plotLeft = 78, plotRight = 736, plotTop = 40, plotBottom = 384;
 constexpr double characterWidth = 6.6;  // of the legend's and the labels' type, a little generous
 constexpr double legendRow = 20, legendSample = 34;
 
@@ -87,12 +87,12 @@ public:
         return fmt::format(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
             "role=\"img\" font-family=\"sans-serif\" font-size=\"12\">\n<title>{2}</title>\n{3}</svg>\n",
-            width, height, escaped(m_plot.title), m_body);
+            plotWidth, height, escaped(m_plot.title), m_body);
     }
 
 private:
-    [[nodiscard]] double pixelX(double value) const { return left + (right - left) * m_x.placeOf(value); }
-    [[nodiscard]] double pixelY(double value) const { return bottom - (bottom - top) * m_y.placeOf(value); }
+    [[nodiscard]] double pixelX(double value) const { return plotLeft + (plotRight - plotLeft) * m_x.placeOf(value); }
+    [[nodiscard]] double pixelY(double value) const { return plotBottom - (plotBottom - plotTop) * m_y.placeOf(value); }
     [[nodiscard]] bool shows(const PlotSeries& series, std::size_t i) const {
         return m_x.shows(series.x[i]) && m_y.shows(series.y[i]);
     }
@@ -119,32 +119,34 @@ private:
 void PlotDrawing::drawGrid() {
     for (const PlotTick& tick : m_x.ticks()) {
         const double x = pixelX(tick.value);
-        m_body += fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{0:.1f} {1}V{2}\"/>\n", x, top, bottom);
+        m_body +=
+            fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{0:.1f} {1}V{2}\"/>\n", x, plotTop, plotBottom);
         if (!tick.label.empty())
             m_body += fmt::format(
                 "<text class=\"ink\" fill=\"#333\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", x,
-                bottom + 18, escaped(tick.label));
+                plotBottom + 18, escaped(tick.label));
     }
     for (const PlotTick& tick : m_y.ticks()) {
         const double y = pixelY(tick.value);
-        m_body += fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{1} {0:.1f}H{2}\"/>\n", y, left, right);
+        m_body +=
+            fmt::format("<path class=\"grid\" stroke=\"#d5d9de\" d=\"M{1} {0:.1f}H{2}\"/>\n", y, plotLeft, plotRight);
         if (!tick.label.empty())
             m_body +=
                 fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n",
-                            left - 8, y + 4, escaped(tick.label));
+                            plotLeft - 8, y + 4, escaped(tick.label));
     }
     m_body += fmt::format(
-        "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#666\"/>\n", left,
-        top, right - left, bottom - top);
+        "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#666\"/>\n",
+        plotLeft, plotTop, plotRight - plotLeft, plotBottom - plotTop);
 }
 
 void PlotDrawing::drawTitles() {
-    constexpr double middleY = (top + bottom) / 2;
+    constexpr double middleY = (plotTop + plotBottom) / 2;
     m_body += fmt::format(
-        "<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"24\" font-size=\"15\" font-weight=\"bold\">{}</text>\n", left,
-        escaped(m_plot.title));
+        "<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"24\" font-size=\"15\" font-weight=\"bold\">{}</text>\n",
+        plotLeft, escaped(m_plot.title));
     m_body += fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
-                          (left + right) / 2, bottom + 38, escaped(m_plot.xLabel));
+                          (plotLeft + plotRight) / 2, plotBottom + 38, escaped(m_plot.xLabel));
     m_body += fmt::format(
         "<text class=\"ink\" fill=\"#333\" x=\"18\" y=\"{0}\" text-anchor=\"middle\" transform=\"rotate(-90 18 "
         "{0})\">{1}"
@@ -215,7 +217,8 @@ void PlotDrawing::drawLabels(std::size_t index) {
             Box{x - wide / 2, y + gap, wide, height}};
         // Where no side is free the label is left to the marker's tooltip: two on top of each other tell nothing.
         const auto free = std::find_if(places.begin(), places.end(), [&](const Box& place) {
-            return place.x >= left && place.x + wide <= right && place.y >= top && place.y + height <= bottom &&
+            return place.x >= plotLeft && place.x + wide <= plotRight && place.y >= plotTop &&
+                   place.y + height <= plotBottom &&
                    std::none_of(m_taken.begin(), m_taken.end(), [&](const Box& box) { return box.meets(place); });
         });
         if (free == places.end()) continue;
@@ -227,12 +230,12 @@ void PlotDrawing::drawLabels(std::size_t index) {
 }
 
 double PlotDrawing::drawLegend() {
-    double x = left, y = bottom + 62;
+    double x = plotLeft, y = plotBottom + 62;
     for (std::size_t i = 0; i < m_plot.series.size(); ++i) {
         const PlotSeries& series = m_plot.series[i];
         const double wide = legendSample + textWidth(series.name) + 22;
-        if (x > left && x + wide > right) {
-            x = left;
+        if (x > plotLeft && x + wide > plotRight) {
+            x = plotLeft;
             y += legendRow;
         }
         if (series.line)

@@ -12,38 +12,43 @@ namespace echolucent {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("explanation", text); }
+QString explanationText(const char* text) { return QCoreApplication::translate("explanation", text); }
 
 /// What the designer of the picture's OTF says of it, which is the one before while that of the document computes.
 QStringList designSentences(const PictureFacts& facts, const DesignerConfig& config) {
-    const QString follows = tr("What is seen and what is clear follows from the OTF of the designer %1.");
+    const QString follows = explanationText("What is seen and what is clear follows from the OTF of the designer %1.");
     if (facts.design == nullptr)
-        return {tr("The OTF of %1 is not computed yet: the picture shows what it had before.").arg(labelOf(config))};
+        return {explanationText("The OTF of %1 is not computed yet: the picture shows what it had before.")
+                    .arg(labelOf(config))};
     const QString designer = labelOf(facts.design->config);
     QStringList sentences{follows.arg(designer)};
     if (facts.design->config.index() != config.index())
-        sentences << tr("The OTF of %1 is not computed yet.").arg(labelOf(config));
+        sentences << explanationText("The OTF of %1 is not computed yet.").arg(labelOf(config));
     else if (!facts.designIsNewest)
-        sentences << tr("It was made before the newest change, whose OTF is not there yet.");
+        sentences << explanationText("It was made before the newest change, whose OTF is not there yet.");
     const Design& design = facts.design->design;
     QStringList said{QString::fromStdString(design.message)};
     for (const std::string& sentence : design.explanation) said << QString::fromStdString(sentence);
     said.removeAll(QString());
-    if (!said.isEmpty()) sentences << tr("%1: %2").arg(designer, said.join(QLatin1Char(' ')));
+    if (!said.isEmpty()) sentences << explanationText("%1: %2").arg(designer, said.join(QLatin1Char(' ')));
     return sentences;
 }
 
 QString curveSentence(const PictureFacts& facts) {
     switch (viewOf(facts.document, facts.view).curve) {
         case CurveKind::adaptive:
-            return tr(
+            return explanationText(
                 "What is seen and what is clear follows from the adaptive opacity transfer function (OTF), which was "
                 "computed from this volume.");
-        case CurveKind::manual: return tr("What is seen and what is clear follows from the OTF drawn by hand.");
+        case CurveKind::manual:
+            return explanationText("What is seen and what is clear follows from the OTF drawn by hand.");
         case CurveKind::linear:
-            return tr("A linear OTF: everything above a threshold becomes opaque in proportion to its intensity.");
-        case CurveKind::parabolic: return tr("A parabolic OTF: opacity grows with the square of the intensity.");
-        case CurveKind::quartic: return tr("A quartic OTF: opacity grows with the fourth power of the intensity.");
+            return explanationText(
+                "A linear OTF: everything above a threshold becomes opaque in proportion to its intensity.");
+        case CurveKind::parabolic:
+            return explanationText("A parabolic OTF: opacity grows with the square of the intensity.");
+        case CurveKind::quartic:
+            return explanationText("A quartic OTF: opacity grows with the fourth power of the intensity.");
     }
     return {};
 }
@@ -53,10 +58,13 @@ QString surfaceSentence(const AdaptiveOtf& otf) {
     const MeanInterface mean = meanInterfaceOf(otf);
     const QString effect =
         std::holds_alternative<RampRule>(otf.config.curve)
-            ? tr("In front of it the intensity is about %1 and stays clear, at it about %2 and becomes opaque.")
-            : tr("In front of it the intensity is about %1 and becomes clearer, at it about %2 and becomes more "
-                 "opaque.");
-    return tr("%1 of %2 tube cores (columns of voxels along the view) found a surface behind darker tissue or fluid.")
+            ? explanationText(
+                  "In front of it the intensity is about %1 and stays clear, at it about %2 and becomes opaque.")
+            : explanationText(
+                  "In front of it the intensity is about %1 and becomes clearer, at it about %2 and becomes more "
+                  "opaque.");
+    return explanationText(
+               "%1 of %2 tube cores (columns of voxels along the view) found a surface behind darker tissue or fluid.")
                .arg(otf.tubesWithWeight)
                .arg(otf.tubesMeetingVolume) +
            QLatin1Char(' ') + effect.arg(mean.low, 0, 'f', 2).arg(mean.high, 0, 'f', 2);
@@ -64,11 +72,13 @@ QString surfaceSentence(const AdaptiveOtf& otf) {
 
 QString readingSentence(const AdaptiveOtfConfig& config) {
     const auto reading = readingOf(config);
-    if (!reading) return tr("Parameters of the method were changed.");
+    if (!reading) return explanationText("Parameters of the method were changed.");
     switch (*reading) {
-        case MethodReading::asPublished: return tr("The method is read as it was published, word by word.");
-        case MethodReading::settled: return tr("The open points of the published method are settled by experiment.");
-        case MethodReading::standard: return tr("The method runs with this program's default parameters.");
+        case MethodReading::asPublished:
+            return explanationText("The method is read as it was published, word by word.");
+        case MethodReading::settled:
+            return explanationText("The open points of the published method are settled by experiment.");
+        case MethodReading::standard: return explanationText("The method runs with this program's default parameters.");
     }
     return {};
 }
@@ -80,14 +90,17 @@ QString methodSentences(const AdaptiveOtf& otf) {
     QStringList sentences{readingSentence(config)};
     sentences
         << (std::holds_alternative<RatioRule>(config.detection)
-                ? tr("Surfaces are looked for where it is much brighter behind than before, by the ratio of means.")
-                : tr("Surfaces are looked for where the intensity varies most, from coarse to fine scales."));
+                ? explanationText(
+                      "Surfaces are looked for where it is much brighter behind than before, by the ratio of means.")
+                : explanationText(
+                      "Surfaces are looked for where the intensity varies most, from coarse to fine scales."));
     sentences
-        << (ramp ? tr("The curve is the mean of one ramp for each tube core, clear up to its fluid and full from its "
-                      "surface on.")
-                 : tr("The curve is the initial function times one basis function for each tube core."));
+        << (ramp ? explanationText(
+                       "The curve is the mean of one ramp for each tube core, clear up to its fluid and full from its "
+                       "surface on.")
+                 : explanationText("The curve is the initial function times one basis function for each tube core."));
     if (ramp && otf.trust > 0.0 && otf.trust < 1.0)
-        sentences << tr("As few tube cores found a surface, %1 % of the curve is the initial function.")
+        sentences << explanationText("As few tube cores found a surface, %1 % of the curve is the initial function.")
                          .arg(100.0 * (1.0 - otf.trust), 0, 'f', 0);
     return sentences.join(QLatin1Char(' '));
 }
@@ -95,17 +108,20 @@ QString methodSentences(const AdaptiveOtf& otf) {
 QString motionSentence(const MotionChoice& motion, std::size_t phases) {
     switch (motion.otf) {
         case MotionOtf::oneOtf:
-            return phases < 2 ? tr("In a motion this one OTF serves every frame.")
-                              : tr("In a motion the OTF of phase %1 serves every frame.").arg(motion.otfPhase + 1);
-        case MotionOtf::eachView: return tr("In a motion every frame has an OTF of its own, not smoothed over time.");
+            return phases < 2 ? explanationText("In a motion this one OTF serves every frame.")
+                              : explanationText("In a motion the OTF of phase %1 serves every frame.")
+                                    .arg(motion.otfPhase + 1);
+        case MotionOtf::eachView:
+            return explanationText("In a motion every frame has an OTF of its own, not smoothed over time.");
         case MotionOtf::mean:
-            return tr("In a motion every frame gets an OTF of its own, and the mean of the newest five is shown.");
+            return explanationText(
+                "In a motion every frame gets an OTF of its own, and the mean of the newest five is shown.");
         case MotionOtf::movingLeastSquares:
-            return tr(
+            return explanationText(
                 "In a motion every frame gets an OTF of its own, and what is shown is a polynomial of order two "
                 "through the newest five (moving least squares).");
         case MotionOtf::leastFlicker:
-            return tr(
+            return explanationText(
                 "In a motion every frame gets an OTF of its own, and these are smoothed over time with the weights "
                 "that flicker least for their delay.");
     }
@@ -113,11 +129,11 @@ QString motionSentence(const MotionChoice& motion, std::size_t phases) {
 }
 
 QString lightSentence(const LightDirection& light) {
-    return tr("Light from %1° to the %2 and %3° %4 shows the shape of surfaces.")
+    return explanationText("Light from %1° to the %2 and %3° %4 shows the shape of surfaces.")
         .arg(std::abs(light.azimuthDegrees), 0, 'f', 0)
-        .arg(light.azimuthDegrees < 0 ? tr("left") : tr("right"))
+        .arg(light.azimuthDegrees < 0 ? explanationText("left") : explanationText("right"))
         .arg(std::abs(light.elevationDegrees), 0, 'f', 0)
-        .arg(light.elevationDegrees < 0 ? tr("below") : tr("above"));
+        .arg(light.elevationDegrees < 0 ? explanationText("below") : explanationText("above"));
 }
 
 /// What each mode makes of the volume, and in direct rendering the curve's, the light's and the depth's part in it.
@@ -125,10 +141,13 @@ QStringList whatIsSeen(const PictureFacts& facts) {
     const Look& look = lookOf(facts.document, facts.view);
     switch (look.mode) {
         case RenderMode::direct: break;
-        case RenderMode::maximum: return {tr("Each pixel shows the brightest echo behind it; the OTF plays no part.")};
-        case RenderMode::minimum: return {tr("Each pixel shows the darkest echo behind it; the OTF plays no part.")};
+        case RenderMode::maximum:
+            return {explanationText("Each pixel shows the brightest echo behind it; the OTF plays no part.")};
+        case RenderMode::minimum:
+            return {explanationText("Each pixel shows the darkest echo behind it; the OTF plays no part.")};
         case RenderMode::mean:
-            return {tr("Each pixel shows the mean of all echoes behind it, as an x-ray would; the OTF plays no part.")};
+            return {explanationText(
+                "Each pixel shows the mean of all echoes behind it, as an x-ray would; the OTF plays no part.")};
     }
     const DesignerConfig* config = designOf(facts.document, facts.view);
     QStringList sentences = config != nullptr ? designSentences(facts, *config) : QStringList{curveSentence(facts)};
@@ -136,17 +155,20 @@ QStringList whatIsSeen(const PictureFacts& facts) {
         sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf)
                   << motionSentence(facts.document.motion, facts.study.phases.size());
     if (curveIsOfAnotherView(facts.document, facts.view, facts.otf))
-        sentences << tr("The curve was computed for another view than this one: A computes it for this one.");
+        sentences << explanationText(
+            "The curve was computed for another view than this one: A computes it for this one.");
     if (look.lighting != Lighting::flat) sentences << lightSentence(look.light);
     if (look.lighting == Lighting::depth && look.reaching.shadow > 0)
-        sentences << tr(
+        sentences << explanationText(
             "It falls only as far as it reaches through the tissue before it: hollows are dark, and what "
             "stands in front casts shadows.");
     if (look.reduction != SpeckleReduction::off && facts.speckle == ShownSpeckle::reduced)
-        sentences << tr("Speckle was reduced (%1) in the voxels of the picture; the tube cores read the voxels as they "
-                        "were measured.")
-                         .arg(textOf(nameOf(look.reduction)));
-    if (look.depthColoured) sentences << tr("What is near is tinted warm, what is far blue.");
+        sentences
+            << explanationText(
+                   "Speckle was reduced (%1) in the voxels of the picture; the tube cores read the voxels as they "
+                   "were measured.")
+                   .arg(textOf(nameOf(look.reduction)));
+    if (look.depthColoured) sentences << explanationText("What is near is tinted warm, what is far blue.");
     return sentences;
 }
 
@@ -156,28 +178,30 @@ QString explainPicture(const PictureFacts& facts) {
     const Viewpoint shown = viewpointOf(facts.document, facts.view);
     QStringList sentences;
     if (std::holds_alternative<SimulatedScan>(facts.document.study))
-        sentences << tr("This is a simulated scan, not a patient.");
-    sentences << tr("The volume is looked at along its %1 axis, turned by %2° of azimuth and %3° of elevation.")
+        sentences << explanationText("This is a simulated scan, not a patient.");
+    sentences << explanationText(
+                     "The volume is looked at along its %1 axis, turned by %2° of azimuth and %3° of elevation.")
                      .arg(textOf(nameOf(shown.beamAxis)))
                      .arg(shown.azimuthDegrees, 0, 'f', 0)
                      .arg(shown.elevationDegrees, 0, 'f', 0);
     if (shown.nearCutMm > 0)
-        sentences << tr("The near cut removes the first %1 mm; the tube cores begin there too.")
+        sentences << explanationText("The near cut removes the first %1 mm; the tube cores begin there too.")
                          .arg(shown.nearCutMm, 0, 'f', 1);
     if (cutOf(facts.document, facts.view).surface)
-        sentences << tr("A curved cut removes what lies before it; the tube cores begin there too.");
+        sentences << explanationText("A curved cut removes what lies before it; the tube cores begin there too.");
     sentences << whatIsSeen(facts);
     if (!facts.volume.dataMask().empty())
-        sentences << tr("Voxels outside the scanned sector hold no data and are left out.");
+        sentences << explanationText("Voxels outside the scanned sector hold no data and are left out.");
     if (!facts.volume.geometry().spacingKnown)
-        sentences << tr("The spacing of the voxels is unknown, so proportions may be wrong.");
+        sentences << explanationText("The spacing of the voxels is unknown, so proportions may be wrong.");
     if (const auto& reduction = facts.volume.geometry().reduction)
         sentences
-            << tr("The file holds more voxels than are shown: each is the mean of %1, which averages fine detail.")
+            << explanationText(
+                   "The file holds more voxels than are shown: each is the mean of %1, which averages fine detail.")
                    .arg(textOf(factorsText(*reduction)));
     if (facts.study.lossyCompression == LossyCompression::yes)
-        sentences << tr("The data were compressed with loss, which changes intensities.");
-    sentences << tr("Not a medical device.");
+        sentences << explanationText("The data were compressed with loss, which changes intensities.");
+    sentences << explanationText("Not a medical device.");
     return sentences.join(QStringLiteral("\n\n"));
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/picture/picture_to_keep.h"
 #include "app/planes/measurement_overlay.h"
+#include "app/planes/scene_colour.h"
 #include "processing/document/box_editing.h"
 #include "widgets/planes/plane_colours.h"
 #include "widgets/volume_view/grip_pointer.h"
@@ -15,11 +16,6 @@ namespace echolucent {
 namespace {
 
 constexpr double faceRadius = 5.0, edgeRadius = 3.5, cornerRadius = 3.5, centreRadius = 4.0;  // plain pixels
-
-Colour inScene(const QColor& colour) {
-    return {static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
-            static_cast<unsigned char>(colour.blue())};
-}
 
 /// Where the faces of a grip meet: the middle of a face or of an edge, a corner, or the centre.
 Vec3 placeOf(const OrientedBox& box, const std::vector<BoxFace>& faces) {
@@ -103,8 +99,8 @@ void BoxIn3d::addPlanes(Overlay& overlay) const {
         const BoxSection section =
             sectionOf(whole, referencePointOf(planes, data), frameOf(plane, planes, document.beam.axis).forward);
         for (std::size_t i = 0; i < section.corners.size(); ++i)
-            overlay.spaceLines.push_back(
-                {section.corners[i], section.corners[(i + 1) % section.corners.size()], inScene(colourOf(plane)), 1.5});
+            overlay.spaceLines.push_back({section.corners[i], section.corners[(i + 1) % section.corners.size()],
+                                          sceneColourOf(colourOf(plane)), 1.5});
     }
 }
 
@@ -133,15 +129,15 @@ void BoxIn3d::addBox(Overlay& overlay) {
                               : grip.size() == 1 ? faceRadius
                               : grip.size() == 2 ? edgeRadius
                                                  : cornerRadius;
-        if (seen) overlay.discs.push_back({place, inScene(ofFront ? boxFrontColour() : boxColour()), radius});
+        if (seen) overlay.discs.push_back({place, sceneColourOf(ofFront ? boxFrontColour() : boxColour()), radius});
         if (grip.size() != 2) continue;
         // The edge on which this grip lies goes along the axis that none of its faces has.
         const int along = 3 - grip[0].axis - grip[1].axis;
         const Vec3 half = outwardNormal(box, {along, 1}) * (0.5 * box.sizeMm[along]);
         overlay.spaceLines.push_back({place - half, place + half,
-                                      inScene(ofFront ? boxFrontColour()
-                                              : seen  ? boxColour()
-                                                      : boxBehindColour()),
+                                      sceneColourOf(ofFront ? boxFrontColour()
+                                                    : seen  ? boxColour()
+                                                            : boxBehindColour()),
                                       ofFront ? 3.0 : 1.5});
     }
     m_picture.grips().setGrips(places);

@@ -1,17 +1,16 @@
 #include "app/planes/measurement_overlay.h"
 
+#include "app/planes/scene_colour.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 
 namespace echolucent {
 
 namespace {
 
-const Colour colour{static_cast<unsigned char>(measurementColour.red()),
-                    static_cast<unsigned char>(measurementColour.green()),
-                    static_cast<unsigned char>(measurementColour.blue())};
+const Colour measurementInScene = sceneColourOf(measurementColour);
 
 void addLine(Overlay& overlay, const std::vector<Vec3>& places) {
-    if (places.size() > 1) overlay.spacePaths.push_back({places, colour, measurementLineWidth});
+    if (places.size() > 1) overlay.spacePaths.push_back({places, measurementInScene, measurementLineWidth});
 }
 
 }  // namespace
@@ -21,8 +20,10 @@ Overlay overlayOf(const std::vector<ShownMeasurement>& shown) {
     for (const ShownMeasurement& each : shown) {
         addLine(overlay, each.placesMm);
         addLine(overlay, each.arcMm);
-        for (const Vec3& place : each.placesMm) overlay.discs.push_back({place, colour, measurementMarkRadius});
-        if (!each.text.empty()) overlay.texts.push_back({each.placesMm, each.text, colour, measurementTextGap});
+        for (const Vec3& place : each.placesMm)
+            overlay.discs.push_back({place, measurementInScene, measurementMarkRadius});
+        if (!each.text.empty())
+            overlay.texts.push_back({each.placesMm, each.text, measurementInScene, measurementTextGap});
     }
     return overlay;
 }
@@ -37,7 +38,7 @@ void append(Overlay& overlay, const Overlay& more) {
 }
 
 PictureLine rubberLine(const PicturePlace& from, const PicturePlace& to) {
-    return {{from, to}, colour, measurementLineWidth};
+    return {{from, to}, measurementInScene, measurementLineWidth};
 }
 
 }  // namespace echolucent

@@ -8,6 +8,7 @@
 #include "app/pages/html_page.h"
 #include "app/picture/picture_image.h"
 #include "processing/adaptive/method_parameters.h"
+#include "processing/designers/designer.h"
 #include "processing/document/shown_measurement.h"
 #include "processing/picture/look.h"
 

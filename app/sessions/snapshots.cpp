@@ -6,7 +6,7 @@ namespace echolucent {
 
 namespace {
 
-QString problemOf(const std::string& name) {
+QString sentenceOnName(const std::string& name) {
     const std::string problem = problemOfSnapshotName(name);
     return problem.empty() ? QString() : Snapshots::tr("A snapshot's name %1.").arg(QString::fromStdString(problem));
 }
@@ -20,7 +20,7 @@ void Snapshots::begin(std::vector<Snapshot> list) {
 
 QString Snapshots::keep(const QString& name, const Document& document) {
     const std::string wanted = name.trimmed().toStdString();
-    if (QString problem = problemOf(wanted); !problem.isEmpty()) return problem;
+    if (QString problem = sentenceOnName(wanted); !problem.isEmpty()) return problem;
     if (m_list.size() >= mostSnapshots)
         return tr("A session holds at most %1 snapshots. Remove one first.").arg(mostSnapshots);
     m_list.push_back({wanted, document});
@@ -30,7 +30,7 @@ QString Snapshots::keep(const QString& name, const Document& document) {
 
 QString Snapshots::rename(int snapshot, const QString& name) {
     const std::string wanted = name.trimmed().toStdString();
-    if (QString problem = problemOf(wanted); !problem.isEmpty()) return problem;
+    if (QString problem = sentenceOnName(wanted); !problem.isEmpty()) return problem;
     m_list.at(static_cast<std::size_t>(snapshot)).name = wanted;
     emit changed();
     return {};

@@ -7,7 +7,7 @@ namespace echolucent {
 
 namespace {
 
-std::size_t bytesOf(const AdaptiveOtf& otf) {
+std::size_t bytesOfOtf(const AdaptiveOtf& otf) {
     std::size_t bytes =
         sizeof otf + sizeof(double) * 2 * AdaptiveOtf::sampleCount + sizeof(TubeCore) * otf.tubes.size();
     for (const TubeCore& tube : otf.tubes)
@@ -20,7 +20,7 @@ std::size_t bytesOf(const AdaptiveOtf& otf) {
 
 void KeptOtfs::keep(const OtfRequest& request, std::shared_ptr<const AdaptiveOtf> otf) {
     if (find(request)) return;
-    const std::size_t bytes = bytesOf(*otf);
+    const std::size_t bytes = bytesOfOtf(*otf);
     if (m_bytes + bytes > byteLimit) {
         std::erase_if(m_kept, [&](const Kept& kept) { return kept.volume.expired() || kept.voxels.expired(); });
         m_bytes = 0;

@@ -10,7 +10,7 @@ namespace echolucent {
 
 namespace {
 
-std::size_t bytesOf(const Volume& volume) {
+std::size_t bytesOfVoxels(const Volume& volume) {
     return std::visit([](const auto& voxels) { return voxels.size() * sizeof(voxels[0]); }, volume.voxels());
 }
 
@@ -66,13 +66,13 @@ int QuietPhases::madeCount() const { return static_cast<int>(m_order.size()); }
 
 std::size_t QuietPhases::bytes() const {
     std::size_t bytes = 0;
-    for (const int phase : m_order) bytes += bytesOf(*m_quiet[static_cast<std::size_t>(phase)].voxels);
+    for (const int phase : m_order) bytes += bytesOfVoxels(*m_quiet[static_cast<std::size_t>(phase)].voxels);
     return bytes;
 }
 
 int QuietPhases::keptAtMost() const {
     if (m_raw.empty()) return 0;
-    const std::size_t fit = keptBytesLimit / std::max<std::size_t>(1, bytesOf(*m_raw.front()));
+    const std::size_t fit = keptBytesLimit / std::max<std::size_t>(1, bytesOfVoxels(*m_raw.front()));
     return static_cast<int>(std::clamp<std::size_t>(fit, m_another == m_wanted ? 1 : 2, m_raw.size()));
 }
 

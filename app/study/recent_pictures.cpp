@@ -15,7 +15,7 @@ namespace echolucent {
 
 namespace {
 
-QString nameOf(const QString& path) { return Settings::hashOf(path) + QStringLiteral(".png"); }
+QString pictureFileOf(const QString& path) { return Settings::hashOf(path) + QStringLiteral(".png"); }
 
 /// The square in the middle of a picture, where the study is, made small.
 QImage smallSquare(const QImage& image) {
@@ -26,7 +26,7 @@ QImage smallSquare(const QImage& image) {
 
 void removeOthers(const QString& folder, const QStringList& recent) {
     QSet<QString> kept;
-    for (const QString& path : recent) kept << nameOf(path);
+    for (const QString& path : recent) kept << pictureFileOf(path);
     QDir pictures(folder);
     for (const QString& name : pictures.entryList({QStringLiteral("*.png")}, QDir::Files))
         if (!kept.contains(name)) pictures.remove(name);
@@ -75,7 +75,7 @@ void RecentPictures::keep(const QString& path, std::function<QImage()> make) {
                 const QImage image = make();
                 if (image.isNull() || !QDir().mkpath(folder)) return {};
                 const QImage small = smallSquare(image);
-                (void)writePng(QDir(folder).filePath(nameOf(path)).toStdString(), small.width(), small.height(),
+                (void)writePng(QDir(folder).filePath(pictureFileOf(path)).toStdString(), small.width(), small.height(),
                                rgbBytesOf(small));
             } catch (const std::exception&) {
             }
@@ -93,6 +93,6 @@ void RecentPictures::clear() {
         NewestWinsThread::WhenSuperseded::finish);
 }
 
-QImage RecentPictures::of(const QString& path) const { return QImage(QDir(m_folder).filePath(nameOf(path))); }
+QImage RecentPictures::of(const QString& path) const { return QImage(QDir(m_folder).filePath(pictureFileOf(path))); }
 
 }  // namespace echolucent

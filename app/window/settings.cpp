@@ -46,11 +46,11 @@ bool boolOr(const QVariant& value, bool otherwise) {
 }
 
 template <typename Values>
-QString keyOf(const QString& group, const Parameter<Values>& row) {
+QString settingKey(const QString& group, const Parameter<Values>& row) {
     return group + '/' + QString::fromStdString(camelCase(row.name));
 }
 
-QString keyOf(const Parameter<Look>& row) { return keyOf("picture", row); }
+QString settingKey(const Parameter<Look>& row) { return settingKey("picture", row); }
 
 /// A stored value of the kind of `standard`; nothing where it is not understood.
 std::optional<ParameterValue> valueOf(const QVariant& stored, const ParameterValue& standard,
@@ -158,7 +158,7 @@ Look Settings::look() const {
         if (!chosenByPersons(row)) continue;
         // Files of before 0.2 know depth colours by another key.
         const QVariant older = row.name == "depth_colouring" ? m_store.value("picture/depthColoured") : QVariant();
-        if (const auto value = valueOf(m_store.value(keyOf(row), older), *row.get(Look{}), row.range))
+        if (const auto value = valueOf(m_store.value(settingKey(row), older), *row.get(Look{}), row.range))
             row.set(look, *value);
     }
     return look;
@@ -166,7 +166,7 @@ Look Settings::look() const {
 void Settings::setLook(const Look& look) {
     for (const Parameter<Look>& row : lookParameters()) {
         if (!chosenByPersons(row)) continue;
-        m_store.setValue(keyOf(row), storedOf(*row.get(look)));
+        m_store.setValue(settingKey(row), storedOf(*row.get(look)));
     }
 }
 
@@ -226,7 +226,7 @@ MethodChoice Settings::method() const {
     for (const Parameter<AdaptiveOtfConfig>& row : methodParameters()) {
         const auto standard = row.get(method.config);
         if (!standard) continue;
-        if (const auto value = valueOf(m_store.value(keyOf("method", row)), *standard, row.range))
+        if (const auto value = valueOf(m_store.value(settingKey("method", row)), *standard, row.range))
             row.set(method.config, *value);
     }
     method.config.initial = AdaptiveOtfConfig{}.initial;
@@ -238,7 +238,7 @@ void Settings::setMethod(const MethodChoice& method) {
     m_store.setValue(initialKey, textOf(nameOf(method.initial)));
     m_store.setValue(initialScaleKey, method.initialScale);
     for (const Parameter<AdaptiveOtfConfig>& row : methodParameters())
-        if (const auto value = row.get(method.config)) m_store.setValue(keyOf("method", row), storedOf(*value));
+        if (const auto value = row.get(method.config)) m_store.setValue(settingKey("method", row), storedOf(*value));
 }
 
 bool Settings::save() { return m_store.save(); }

@@ -33,7 +33,7 @@ bool isReadAsNumber(DcmEVR vr) {
 }
 
 /// The bytes of an element as a little endian file holds them.
-std::string bytesOf(DcmElement& element) {
+std::string bytesOfElement(DcmElement& element) {
     Uint8* bytes = nullptr;
     Uint16* words = nullptr;
     const Uint32 length = element.getLength();
@@ -50,7 +50,7 @@ std::string bytesOf(DcmElement& element) {
 DcmElement* readAnew(DcmItem& item, DcmElement& element, DicomTag tag) {
     const DcmTag known(tag.group, tag.element);
     if (!isReadAsText(known.getEVR()) && !isReadAsNumber(known.getEVR())) return nullptr;
-    std::string bytes = element.getLength() <= longestReadAnew ? bytesOf(element) : std::string();
+    std::string bytes = element.getLength() <= longestReadAnew ? bytesOfElement(element) : std::string();
     std::array<std::uint16_t, 4> header{tag.group, tag.element, static_cast<std::uint16_t>(bytes.size() & 0xffff),
                                         static_cast<std::uint16_t>(bytes.size() >> 16)};
     bytes.insert(0, reinterpret_cast<const char*>(header.data()), sizeof(header));

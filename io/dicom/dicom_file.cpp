@@ -16,9 +16,6 @@ namespace echolucent {
 
 namespace {
 
-const char* const incomplete = "The file is incomplete or damaged: copy or export it again.";
-const char* const copyAgain = "Copy or export it again.";
-
 /// Silences DCMTK, whose own messages go to stderr and may hold patient data, and lets it take values of VR UN for what
 /// its dictionary knows of them.
 void prepareLibrary() {
@@ -44,7 +41,7 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
         return fail(FailureKind::unreadable, path, tagText(lacking->tag),
                     fmt::format("declares {} bytes where the file holds only {}", lacking->bytesDeclared,
                                 lacking->bytesHeld),
-                    incomplete)
+                    damagedFile)
             .value();
     // Of a deflated data set the library takes memory for every value before it looks what there is, and where the walk
     // lost its way the library may read another length: it is given none of these, whatever was whole before.
@@ -53,14 +50,14 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
     if (mayGoOn && scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut) return std::nullopt;
     switch (scan.end) {
         case DicomScanEnd::inMeta:
-            return refuse(fmt::format("ends after {} bytes, before its data set begins", scan.fileBytes), incomplete);
+            return refuse(fmt::format("ends after {} bytes, before its data set begins", scan.fileBytes), damagedFile);
         case DicomScanEnd::deflate:
             return refuse(fmt::format("holds deflated data that end too early or are damaged, after {} bytes unpacked",
                                       scan.endPosition),
-                          incomplete);
+                          damagedFile);
         case DicomScanEnd::cut:
             if (mayGoOn && scan.pixelsEnd) return std::nullopt;
-            return refuse(fmt::format("ends after {} bytes in the middle of an element", scan.fileBytes), incomplete);
+            return refuse(fmt::format("ends after {} bytes in the middle of an element", scan.fileBytes), damagedFile);
         case DicomScanEnd::damaged:
             if (mayGoOn && scan.pixelsEnd) return std::nullopt;
             return refuse(fmt::format("is damaged: what stands at byte {} is no DICOM element", scan.endPosition),
@@ -77,7 +74,7 @@ std::optional<Failure> refusal(const std::string& path, const DicomScan& scan, b
         return refuse(
             "(7fe0,0010) Pixel Data",
             fmt::format("declares {} bytes where the file holds only {}", scan.pixelBytesDeclared, scan.pixelBytesHeld),
-            "The file is incomplete: copy or export it again.");
+            incompleteFile);
     const E_TransferSyntax syntax = DcmXfer(scan.transferSyntax.c_str()).getXfer();
     if (!scan.transferSyntax.empty() && syntax == EXS_Unknown)
         return refuse("(0002,0010) Transfer Syntax",
@@ -105,7 +102,7 @@ tl::unexpected<Failure> damaged(const InputFile& input, const DicomParsed& parse
             return refuse(fmt::format("is damaged: what stands before byte {} is no DICOM element", parsed.position),
                           copyAgain);
         default:
-            return refuse(fmt::format("ends after {} bytes in the middle of an element", input.size()), incomplete);
+            return refuse(fmt::format("ends after {} bytes in the middle of an element", input.size()), damagedFile);
     }
 }
 

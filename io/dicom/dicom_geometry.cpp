@@ -11,7 +11,6 @@ namespace {
 
 constexpr DicomTag positionPatient{0x0020, 0x0032};
 constexpr DicomTag orientationPatient{0x0020, 0x0037};
-constexpr DicomTag pixelSpacingTag{0x0028, 0x0030};
 
 bool framesFollowInTime(DcmItem& dataset) {
     const std::string pointer = dicomText(dataset, {0x0028, 0x0009});

@@ -14,6 +14,8 @@ class DcmItem;
 
 namespace echolucent {
 
+inline constexpr DicomTag pixelSpacingTag{0x0028, 0x0030};
+
 /// Three finite numbers of an attribute as a point; no value where it holds something else.
 [[nodiscard]] std::optional<Vec3> dicomPoint(DcmItem& item, DicomTag tag);
 /// The two directions of an image orientation (along a row, along a column), made perpendicular unit vectors; no value

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_attributes.h"
+#include "io/input_problems.h"
 #include "io/kretz/kretz_reader.h"
 
 namespace echolucent {
@@ -29,7 +30,8 @@ DcmElement* volumeElement(DcmDataset& dataset, DicomTag& tag) {
     return nullptr;
 }
 
-bool holdsBytes(DcmElement& element) {
+/// Whether an element is of a value representation in which a volume is kept.
+bool mayHoldVolume(DcmElement& element) {
     const DcmEVR vr = element.ident();
     // Without value representations, the library has none for private elements.
     return vr == EVR_OB || vr == EVR_OW || vr == EVR_UN || vr == EVR_UNKNOWN || vr == EVR_ox;
@@ -40,7 +42,7 @@ bool holdsBytes(DcmElement& element) {
 std::optional<KretzSource> kretzVolumeIn(const DicomFile& file) {
     DicomTag tag;
     DcmElement* const element = volumeElement(file.dataset(), tag);
-    if (element == nullptr || !holdsBytes(*element)) return std::nullopt;
+    if (element == nullptr || !mayHoldVolume(*element)) return std::nullopt;
     KretzSource source;
     source.path = file.path();
     source.element = tagText(tag);
@@ -51,7 +53,7 @@ std::optional<KretzSource> kretzVolumeIn(const DicomFile& file) {
                           std::uint64_t, std::span<std::uint8_t>) -> Result<void> {
             return fail(FailureKind::unreadable, path, name,
                         fmt::format("declares a volume of {} bytes where the file holds only {}", size, held),
-                        "The file is incomplete: copy or export it again.");
+                        incompleteFile);
         };
         return source;
     }
@@ -62,7 +64,7 @@ std::optional<KretzSource> kretzVolumeIn(const DicomFile& file) {
             element->getPartialValue(bytes.data(), static_cast<Uint32>(offset), static_cast<Uint32>(bytes.size()),
                                      cache.get(), EBO_LittleEndian);
         if (read.good()) return {};
-        return fail(FailureKind::unreadable, path, name, "could not be read to its end", "Copy or export it again.");
+        return fail(FailureKind::unreadable, path, name, "could not be read to its end", copyAgain);
     };
     std::array<std::uint8_t, kretzSignature.size()> beginning{};
     if (source.size < beginning.size() || !source.read(0, beginning)) return std::nullopt;

@@ -19,12 +19,12 @@
 #include "io/dicom/pixels/pixel_statements.h"
 #include "io/gzip_file.h"
 #include "io/input_file.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
 namespace {
 
-const std::string copyAgain = "Copy or export it again.";
 const std::string pixelDataName = "(7fe0,0010) Pixel Data";
 const std::string saveUncompressed = "Save it uncompressed, or with RLE, JPEG, JPEG-LS or JPEG 2000.";
 

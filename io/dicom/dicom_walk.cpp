@@ -22,7 +22,6 @@ namespace echolucent {
 namespace {
 
 constexpr std::uint32_t itemTag = 0xfffee000U;
-constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
 constexpr std::uint32_t sopClassTag = 0x00080016U;
 constexpr std::uint32_t kretzGroup = 0x7fe1;
 constexpr std::string_view kretzCreator = "KRETZ_US";

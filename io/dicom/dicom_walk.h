@@ -15,6 +15,9 @@
 
 namespace echolucent {
 
+/// (7fe0,0010) Pixel Data: group and element in one number.
+inline constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
+
 /// The walk over one file, element by element. File and progress must outlive it.
 class DicomWalk {
 public:

@@ -16,12 +16,11 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
 /// Values of this many bytes are kept, to be compared with those of an element that stands twice.
 constexpr std::uint32_t keptValue = 64;
 
 /// "(0028,0030) Pixel Spacing": DCMTK's dictionary writes names without blanks.
-std::string nameOf(std::uint32_t tag) {
+std::string tagAndName(std::uint32_t tag) {
     std::string name = fmt::format("({:04x},{:04x}) ", tag >> 16, tag & 0xffff);
     const std::string written = DcmTag(static_cast<Uint16>(tag >> 16), static_cast<Uint16>(tag & 0xffff)).getTagName();
     for (std::size_t i = 0; i < written.size(); ++i) {
@@ -47,7 +46,7 @@ void DicomWalk::refuseLongRecordType(std::uint32_t tag, std::uint32_t length) {
     constexpr std::uint32_t recordTypeTag = 0x00041430, longestCodeString = 16;
     if (tag != recordTypeTag || length <= longestCodeString) return;
     m_harm =
-        Harm{nameOf(tag),
+        Harm{tagAndName(tag),
              fmt::format("is {} bytes long, and a directory record's type has at most {}", length, longestCodeString),
              doNotOpen};
 }
@@ -81,7 +80,7 @@ bool DicomWalk::describe(std::uint32_t tag, std::uint32_t length, bool plain, bo
         level.described.push_back(std::move(described));
         return true;
     }
-    const std::string name = nameOf(tag);
+    const std::string name = tagAndName(tag);
     if (!before->isKept || !described.isKept || before->value != described.value)
         m_harm = Harm{name, "stands twice, with different values", "Export it again: it cannot be told which is true."};
     else

@@ -10,6 +10,7 @@
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/frame_phases.h"
 #include "io/dicom/picture_scale.h"
+#include "io/input_problems.h"
 #include "io/slice_stack.h"
 
 namespace echolucent {
@@ -42,7 +43,7 @@ private:
         return m_inPatient ? positionPatientName : positionVolumeName;
     }
     [[nodiscard]] tl::unexpected<Failure> refuse(const std::string& element, const std::string& problem) const {
-        return fail(FailureKind::unreadable, m_path, element, problem, "Export the volume again.");
+        return fail(FailureKind::unreadable, m_path, element, problem, exportAgain);
     }
 
     DcmItem& m_dataset;

@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
 namespace {
 
-const std::string exportAgain = "Export the volume again.";
 const std::string indexValuesName = "(0020,9157) Dimension Index Values";
 const std::string timeOffsetName = "(0020,930d) Temporal Position Time Offset";
 const std::string tissueType = "TISSUE_INTENSITY";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_geometry.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
@@ -10,10 +11,7 @@ namespace {
 
 constexpr DicomTag orientationVolumeTag{0x0020, 0x9302};
 constexpr DicomTag orientationPatientTag{0x0020, 0x0037};
-constexpr DicomTag pixelSpacingTag{0x0028, 0x0030};
 constexpr DicomTag betweenSlicesTag{0x0018, 0x0088};
-
-const char* const exportAgain = "Export the volume again.";
 
 /// Reads one item of functional groups into what is known of a frame. It stops at the first value that makes no sense.
 class GroupsReader {

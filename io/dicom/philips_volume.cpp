@@ -13,6 +13,7 @@
 #include "io/dicom/dicom_study.h"
 #include "io/dicom/pixels/pixel_statements.h"
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 #include "io/study_assembly.h"
 
 namespace echolucent {
@@ -112,7 +113,7 @@ Result<std::optional<PhilipsVolume>> qlabVolume(const DicomFile& file) {
         return fail(FailureKind::unreadable, file.path(), "(7fe0,0010) Pixel Data",
                     fmt::format("holds {} bytes where one volume of {} voxels needs {}", held, sizeText(volume.size),
                                 one ? std::to_string(*one) : "more than can be counted"),
-                    "The file is incomplete: copy or export it again.");
+                    incompleteFile);
     takeQlabSpacing(dataset, volume);
     volume.phaseSeconds = frameSeconds(dataset);
     return std::optional(volume);
@@ -309,8 +310,7 @@ Result<PhilipsVoxels> privateVoxels(const DicomFile& file, const PhilipsVolume& 
     const auto count = static_cast<std::size_t>(*voxelsOf(volume.size));
     if (file.dataset().findAndGetElement(key, element).bad() || element->getUint8Array(bytes).bad() ||
         bytes == nullptr || element->getLength() < count)
-        return fail(FailureKind::unreadable, file.path(), tagText(volume.voxels), "could not be read",
-                    "Copy or export it again.");
+        return fail(FailureKind::unreadable, file.path(), tagText(volume.voxels), "could not be read", copyAgain);
     PhilipsVoxels voxels;
     voxels.phases.emplace_back(bytes, bytes + count);
     return voxels;
@@ -356,8 +356,7 @@ Result<GreySlice> readPhilipsSlice(const InputFile& input, const DicomFile& file
             ->getPartialValue(slice.bytes.data(), static_cast<Uint32>(start), static_cast<Uint32>(pixels), nullptr,
                               EBO_LittleEndian)
             .bad())
-        return fail(FailureKind::unreadable, file.path(), tagText(volume.voxels), "could not be read",
-                    "Copy or export it again.");
+        return fail(FailureKind::unreadable, file.path(), tagText(volume.voxels), "could not be read", copyAgain);
     return slice;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "io/document/session_file.h"
 #include "io/input_file.h"
@@ -16,7 +17,7 @@ constexpr std::size_t mostEntries = 1000;
 constexpr std::size_t mostPlaces = 200'000;                    // of one stroke
 constexpr std::size_t longestChecksum = 200;                   // bytes
 constexpr std::int64_t mostSimulated = std::int64_t{1} << 27;  // voxels
-constexpr const char* remedy = "Correct the file, or save the document again from the program.";
+constexpr const char* remedyOfDocument = "Correct the file, or save the document again from the program.";
 
 int idIn(JsonFields& fields, const char* key = "id") { return static_cast<int>(fields.whole(key, 0, largestId)); }
 
@@ -230,15 +231,15 @@ Document documentIn(JsonFields root) {
 }
 
 Result<nlohmann::json> rootOf(std::string_view text, const std::string& file) {
-    return jsonObject(text, file, std::string(documentFormatName), remedy);
+    return jsonObject(text, file, std::string(documentFormatName), remedyOfDocument);
 }
 
 Result<Document> documentOf(const nlohmann::json& object, const std::string& place, const std::string& file) {
     JsonProblems problems{file, std::nullopt};
     Document document = documentIn(JsonFields(object, place, problems));
-    if (problems.first) return problems.refused(remedy);
+    if (problems.first) return problems.refused(remedyOfDocument);
     if (const std::string problem = problemOf(document); !problem.empty())
-        return fail(FailureKind::unreadable, file, place, problem, remedy);
+        return fail(FailureKind::unreadable, file, place, problem, remedyOfDocument);
     return document;
 }
 
@@ -281,7 +282,7 @@ Result<SavedSession> sessionFromJson(std::string_view text, const std::string& f
         snapshot.document.study = session.document.study;
         session.snapshots.push_back(std::move(snapshot));
     }
-    if (problems.first) return problems.refused(remedy);
+    if (problems.first) return problems.refused(remedyOfDocument);
     return session;
 }
 

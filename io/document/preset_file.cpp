@@ -1,6 +1,7 @@
 #include "io/document/preset_file.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "io/input_file.h"
 #include "io/json_document.h"
@@ -13,7 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::size_t largestFile = std::size_t{4} << 20;
-constexpr const char* remedy = "Correct the file, or export the presets again from the program.";
+constexpr const char* remedyOfPresets = "Correct the file, or export the presets again from the program.";
 
 Preset presetIn(JsonFields& fields) {
     Preset preset{.name = fields.text("name")};
@@ -45,7 +46,7 @@ std::string jsonOf(const std::vector<Preset>& presets) {
 }
 
 Result<std::vector<Preset>> presetsFromJson(std::string_view text, const std::string& file) {
-    const auto object = jsonObject(text, file, std::string(presetsFormatName), remedy);
+    const auto object = jsonObject(text, file, std::string(presetsFormatName), remedyOfPresets);
     if (!object) return tl::unexpected(object.error());
     JsonProblems problems{file, std::nullopt};
     std::vector<Preset> presets;
@@ -55,7 +56,7 @@ Result<std::vector<Preset>> presetsFromJson(std::string_view text, const std::st
             fields.wrong("name", "names two presets");
         presets.push_back(std::move(preset));
     }
-    if (problems.first) return problems.refused(remedy);
+    if (problems.first) return problems.refused(remedyOfPresets);
     return presets;
 }
 

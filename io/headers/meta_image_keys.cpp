@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
@@ -36,8 +37,6 @@ constexpr std::array<std::string_view, 23> ourKeys{"ObjectType",
                                                    "HeaderSize",
                                                    "WhiteLevel",
                                                    "ElementDataFile"};
-
-const std::string incomplete = "The file is incomplete or damaged: copy or export it again.";
 
 /// Whether two values of keys for the same thing say the same.
 bool saySame(const std::string& one, const std::string& other) {
@@ -106,7 +105,7 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
         const auto equals = line->find('=');
         if (isCut && equals == std::string_view::npos && number > 1)
             return keys.wrong("", fmt::format("ends within line {} of its header ({})", number, quotedText(*line)),
-                              incomplete);
+                              damagedFile);
         if (equals == std::string_view::npos || trimmed(line->substr(0, equals)).empty())
             return keys.wrong(
                 "", fmt::format("has no \"Key = Value\" in line {} of its header ({})", number, quotedText(*line)),
@@ -119,7 +118,7 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
         if (const std::string& name = *keys.find(key);
             isCut && !name.empty() && name != "LOCAL" && std::string_view("LOCAL").starts_with(name))
             return keys.wrong(key, fmt::format("is cut off after {}, where the file ends", quotedText(name)),
-                              incomplete);
+                              damagedFile);
         keys.headerBytes = beginning->size() - rest.size();
         if (isMetaImageList(*keys.find(key)))
             if (auto listed = readListedNames(file, rest, keys); !listed) return tl::unexpected(listed.error());
@@ -127,7 +126,7 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
     }
     return keys.wrong("ElementDataFile",
                       fmt::format("is missing from the header (looked through {} bytes)", beginning->size()),
-                      incomplete);
+                      damagedFile);
 }
 
 }  // namespace echolucent

@@ -1,12 +1,14 @@
 // The keys of a MetaImage header as text.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "io/input_file.h"
+#include "io/input_problems.h"
 #include "processing/result.h"
 
 namespace echolucent {
@@ -27,9 +29,8 @@ struct MetaImageKeys {
     /// True or False; false where the header does not hold the key. Fails (unreadable) for other values.
     [[nodiscard]] Result<bool> flag(const std::string& key) const;
     /// A failure (unreadable) about one key.
-    [[nodiscard]] tl::unexpected<Failure> wrong(
-        const std::string& key, const std::string& problem,
-        const std::string& remedy = "Correct the header or export the volume again.") const;
+    [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem,
+                                                const std::string& remedy = correctHeader) const;
 };
 
 /// Whether the value of ElementDataFile says that a list of files follows.

@@ -11,13 +11,12 @@
 #include "io/headers/header_text.h"
 #include "io/headers/nrrd_axes.h"
 #include "io/headers/nrrd_fields.h"
+#include "io/input_problems.h"
 #include "io/study_assembly.h"
 
 namespace echolucent {
 
 namespace {
-
-const std::string exportAgain = "Correct the header or export the volume again.";
 
 class NrrdHeader {
 public:
@@ -56,7 +55,7 @@ private:
         return found == m_fields.fields.end() ? nullptr : &found->second;
     }
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& field, const std::string& problem,
-                                                const std::string& remedy = exportAgain) const {
+                                                const std::string& remedy = correctHeader) const {
         return fail(FailureKind::unreadable, m_path, field, problem, remedy);
     }
     Result<std::int64_t> skipOf(const char* field, std::int64_t least) const;
@@ -77,8 +76,7 @@ Result<StoredVolume> NrrdHeader::read() {
     if (!fields) return tl::unexpected(fields.error());
     m_fields = std::move(*fields);
     if (!m_fields.ended && find("data file") == nullptr)
-        return wrong("", "has a header without the empty line that ends it",
-                     "The file is incomplete or damaged: copy or export it again.");
+        return wrong("", "has a header without the empty line that ends it", damagedFile);
     for (const Step step :
          {&NrrdHeader::readType, &NrrdHeader::placeAxes, &NrrdHeader::readSpacing, &NrrdHeader::readDirections,
           &NrrdHeader::readOrigin, &NrrdHeader::applySpace, &NrrdHeader::readPhaseTime, &NrrdHeader::readFrames,

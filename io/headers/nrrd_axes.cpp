@@ -6,6 +6,7 @@
 
 #include "io/headers/frames_over_time.h"
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
@@ -37,9 +38,8 @@ private:
         const auto found = m_fields.fields.find(field);
         return found == m_fields.fields.end() ? nullptr : &found->second;
     }
-    [[nodiscard]] tl::unexpected<Failure> wrong(
-        const std::string& field, const std::string& problem,
-        const std::string& remedy = "Correct the header or export the volume again.") const {
+    [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& field, const std::string& problem,
+                                                const std::string& remedy = correctHeader) const {
         return fail(FailureKind::unreadable, m_path, field, problem, remedy);
     }
 

@@ -7,6 +7,7 @@
 
 #include "io/headers/header_text.h"
 #include "io/input_file.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
@@ -55,8 +56,6 @@ constexpr std::array<TypeAlias, 38> typeAliases{{{"signed char", StoredType::int
                                                  {"float", StoredType::float32},
                                                  {"double", StoredType::float64}}};
 
-const std::string incomplete = "The file is incomplete or damaged: copy or export it again.";
-
 Result<void> readLine(const std::string& path, std::string_view line, int number, NrrdFields& result) {
     if (line.starts_with('#')) return {};
     const auto colon = line.find(':');
@@ -69,7 +68,7 @@ Result<void> readLine(const std::string& path, std::string_view line, int number
         // Of all keys this one alone is read.
         if (!isNew && key == "WhiteLevel" && known->second != value)
             return fail(FailureKind::unreadable, path, key, "appears twice in the header, with different values",
-                        "Correct the header or export the volume again.");
+                        correctHeader);
         return {};
     }
     if (!isField && !(colon != std::string_view::npos && colon + 1 == line.size()))
@@ -81,8 +80,7 @@ Result<void> readLine(const std::string& path, std::string_view line, int number
     if (field == "lineskip") field = "line skip";
     if (field == "byteskip") field = "byte skip";
     if (!result.fields.emplace(field, trimmed(line.substr(colon + 1))).second)
-        return fail(FailureKind::unreadable, path, quotedText(field), "appears twice in the header",
-                    "Correct the header or export the volume again.");
+        return fail(FailureKind::unreadable, path, quotedText(field), "appears twice in the header", correctHeader);
     return {};
 }
 
@@ -97,7 +95,7 @@ Result<NrrdFields> readNrrdFields(const InputFile& file) {
     if (beginning->size() < 8 && std::string_view("NRRD000").starts_with(beginning->substr(0, 7)))
         return fail(FailureKind::unreadable, path, "",
                     fmt::format("ends after {} bytes, within the first line of its header", beginning->size()),
-                    incomplete);
+                    damagedFile);
     if (!magic || magic->size() != 8 || !magic->starts_with("NRRD000"))
         return fail(FailureKind::unreadable, path, "", "does not begin with NRRD and a version",
                     "This is no NRRD file.");
@@ -114,7 +112,7 @@ Result<NrrdFields> readNrrdFields(const InputFile& file) {
         if (rest.empty() && !beginning->ends_with('\n') && line->find(':') == std::string_view::npos &&
             !line->starts_with('#'))
             return fail(FailureKind::unreadable, path, "",
-                        fmt::format("ends within line {} of its header ({})", number, quotedText(*line)), incomplete);
+                        fmt::format("ends within line {} of its header ({})", number, quotedText(*line)), damagedFile);
         if (const auto read = readLine(path, *line, number, result); !read) return tl::unexpected(read.error());
         if (const auto data = result.fields.find("data file");
             data != result.fields.end() && isNrrdList(data->second)) {

@@ -1,6 +1,7 @@
 // The bytes behind a raw deflate stream in a file, in order.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>

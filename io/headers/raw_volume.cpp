@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "io/file_access.h"
 #include "io/headers/header_text.h"
@@ -17,7 +18,7 @@ namespace {
 // As many lines and planes as a geometry may have, each a number on a line of its own.
 constexpr std::size_t layoutLimit = 2 * static_cast<std::size_t>(mostPolarLines) * 64;
 constexpr const char* formatName = "echolucent-raw-layout";
-constexpr const char* remedy =
+constexpr const char* remedyOfLayout =
     "Delete this file and describe the raw file again, with --raw-size and the options beside it.";
 
 }  // namespace
@@ -76,12 +77,12 @@ Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path) {
     if (auto inside = requireInItsFolder(file); !inside) return tl::unexpected(inside.error());
     const auto text = readWholeFile(file, layoutLimit);
     if (!text) return tl::unexpected(text.error());
-    const auto object = jsonObject(*text, file, formatName, remedy);
+    const auto object = jsonObject(*text, file, formatName, remedyOfLayout);
     if (!object) return tl::unexpected(object.error());
     JsonProblems problems{file, std::nullopt};
     JsonFields fields(*object, {}, problems);
     RawLayout layout = rawLayoutIn(fields);
-    if (problems.first) return problems.refused(remedy);
+    if (problems.first) return problems.refused(remedyOfLayout);
     return std::optional(layout);
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "io/input_problems.h"
 #include "io/voxel_types.h"
 
 namespace echolucent {
@@ -45,7 +46,7 @@ Result<KretzItems> KretzItems::walk(KretzSource source, const Progress& progress
         if (auto read = bytes.read(0, signature); !read) return tl::unexpected(read.error());
     if (std::memcmp(signature.data(), kretzSignature.data(), signature.size()) != 0)
         return fail(FailureKind::unreadable, bytes.path, bytes.element, "is no GE Voluson volume (KRETZFILE 1.0)",
-                    "Copy or export it again.");
+                    copyAgain);
     std::uint64_t offset = signature.size();
     while (offset < bytes.size) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, bytes.path, "", "was not read: cancelled");
@@ -57,8 +58,7 @@ Result<KretzItems> KretzItems::walk(KretzSource source, const Progress& progress
             // A DICOM element is filled up with zeros.
             if (std::all_of(part.begin(), part.end(), [](std::uint8_t byte) { return byte == 0; })) break;
             return fail(FailureKind::unreadable, bytes.path, bytes.element,
-                        fmt::format("ends within the header of an item, at byte {}", offset),
-                        "The file is incomplete: copy or export it again.");
+                        fmt::format("ends within the header of an item, at byte {}", offset), incompleteFile);
         }
         const std::span<const std::uint8_t> all(header);
         const KretzItem item{{static_cast<std::uint16_t>(littleEndian(all.subspan(0, 2))),
@@ -73,11 +73,10 @@ Result<KretzItems> KretzItems::walk(KretzSource source, const Progress& progress
             return items.refused(item.tag,
                                  fmt::format("at byte {} declares {} bytes where only {} follow", offset, item.length,
                                              rest - headerBytes),
-                                 "The file is incomplete or damaged: copy or export it again.");
+                                 damagedFile);
         if (items.m_items.size() == mostKretzItems)
             return fail(FailureKind::unreadable, bytes.path, bytes.element,
-                        fmt::format("has more than {} items, which no scanner writes", mostKretzItems),
-                        "Copy or export it again.");
+                        fmt::format("has more than {} items, which no scanner writes", mostKretzItems), copyAgain);
         items.m_items.push_back(item);
         offset = item.offset + item.length;
     }

@@ -1,6 +1,7 @@
 // The items of a GE Voluson (Kretz) volume: a flat list of group, element, length and value.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "io/input_file.h"
+#include "io/input_problems.h"
 #include "io/kretz/kretz_tags.h"
 #include "processing/progress.h"
 #include "processing/result.h"
@@ -66,7 +68,7 @@ public:
                                                                      const std::string& what) const;
     /// A failure of this source: "PATH: TAG problem."
     [[nodiscard]] tl::unexpected<Failure> refused(KretzTag tag, const std::string& problem,
-                                                  const std::string& remedy = "Copy or export it again.") const;
+                                                  const std::string& remedy = copyAgain) const;
 
 private:
     explicit KretzItems(KretzSource source) : m_source(std::move(source)) {}

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "io/input_problems.h"
 #include "io/kretz/kretz_tags.h"
 #include "io/polar_study.h"
 #include "io/study_assembly.h"
@@ -40,7 +41,7 @@ private:
     [[nodiscard]] bool saysCompressed() const;
     /// What to do where an item is missing.
     [[nodiscard]] std::string missingRemedy() const {
-        return m_items.ended() ? "Copy or export it again."
+        return m_items.ended() ? copyAgain
                                : "The file is incomplete, since its items have no end: copy or export it again.";
     }
     Result<std::vector<VoxelBytes>> readPhases(const StoredPhases& phases) const;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "io/input_problems.h"
 #include "io/study_assembly.h"
 
 namespace echolucent {
@@ -17,8 +18,6 @@ struct Affine {
     Mat3 steps = Mat3::eye();  ///< columns: the step from one voxel to the next along x, y, z
     Vec3 origin{0, 0, 0};
 };
-
-const std::string exportAgain = "Correct the header or export the volume again.";
 
 std::string frameWords(std::int64_t code) {
     switch (code) {
@@ -46,7 +45,7 @@ private:
     void setSpacing(const Affine& affine, const std::string& key);
     [[nodiscard]] bool hasVoxelSizes() const;
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem) const {
-        return fail(FailureKind::unreadable, m_stored.path, key, problem, exportAgain);
+        return fail(FailureKind::unreadable, m_stored.path, key, problem, correctHeader);
     }
     void note(std::string_view sentence) { m_stored.warnings.emplace_back(sentence); }
 

@@ -11,14 +11,13 @@
 #include "io/gzip_file.h"
 #include "io/headers/frames_over_time.h"
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 #include "io/nifti/nifti_geometry.h"
 #include "io/study_assembly.h"
 
 namespace echolucent {
 
 namespace {
-
-const std::string exportAgain = "Correct the header or export the volume again.";
 
 struct TypeCode {
     std::int64_t code;
@@ -88,7 +87,7 @@ private:
     [[nodiscard]] bool saysWhite() const;
     void readWindow();
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem,
-                                                const std::string& remedy = exportAgain) const {
+                                                const std::string& remedy = correctHeader) const {
         return fail(FailureKind::unreadable, m_stored.path, key, problem, remedy);
     }
     void note(std::string_view sentence) { m_stored.warnings.emplace_back(sentence); }
@@ -300,8 +299,7 @@ Result<StoredVolume> readNiftiHeader(const InputFile& file, bool framesAsSlices,
     const auto header = niftiHeaderIn(*beginning);
     if (!header && (beginning->size() < sizeof(std::int32_t) || beginsLikeNifti(*beginning)))
         return fail(FailureKind::unreadable, file.path(), "",
-                    fmt::format("ends after {} bytes, within its NIfTI header", beginning->size()),
-                    "The file is incomplete or damaged: copy or export it again.");
+                    fmt::format("ends after {} bytes, within its NIfTI header", beginning->size()), damagedFile);
     if (!header)
         return fail(FailureKind::unreadable, file.path(), "", "does not begin with a NIfTI header",
                     "It is incomplete or damaged, or of another kind than its name says.");

@@ -12,7 +12,7 @@ namespace echolucent {
 
 namespace {
 
-void require(const OFCondition& done, const DcmTagKey& attribute) {
+void requireTaken(const OFCondition& done, const DcmTagKey& attribute) {
     if (done.bad())
         throw std::logic_error(fmt::format("DicomItemWriter: ({:04x},{:04x}): {}", attribute.getGroup(),
                                            attribute.getElement(), done.text()));
@@ -33,7 +33,7 @@ std::string decimalString(double number) {
 }
 
 void DicomItemWriter::text(const DcmTagKey& attribute, const std::string& value) {
-    require(m_item->putAndInsertString(attribute, value.c_str()), attribute);
+    requireTaken(m_item->putAndInsertString(attribute, value.c_str()), attribute);
 }
 
 void DicomItemWriter::decimals(const DcmTagKey& attribute, const std::vector<double>& values) {
@@ -43,39 +43,39 @@ void DicomItemWriter::decimals(const DcmTagKey& attribute, const std::vector<dou
 }
 
 void DicomItemWriter::doubles(const DcmTagKey& attribute, const std::vector<double>& values) {
-    require(m_item->putAndInsertFloat64Array(attribute, values.data(), values.size()), attribute);
+    requireTaken(m_item->putAndInsertFloat64Array(attribute, values.data(), values.size()), attribute);
 }
 
 void DicomItemWriter::word(const DcmTagKey& attribute, std::uint16_t value) {
-    require(m_item->putAndInsertUint16(attribute, value), attribute);
+    requireTaken(m_item->putAndInsertUint16(attribute, value), attribute);
 }
 
 void DicomItemWriter::longWords(const DcmTagKey& attribute, const std::vector<std::uint32_t>& values) {
     auto element = std::make_unique<DcmUnsignedLong>(attribute);
     const std::vector<Uint32> longs(values.begin(), values.end());
-    require(element->putUint32Array(longs.data(), static_cast<unsigned long>(longs.size())), attribute);
-    require(m_item->insert(element.release(), OFTrue), attribute);
+    requireTaken(element->putUint32Array(longs.data(), static_cast<unsigned long>(longs.size())), attribute);
+    requireTaken(m_item->insert(element.release(), OFTrue), attribute);
 }
 
 void DicomItemWriter::tag(const DcmTagKey& attribute, const DcmTagKey& value) {
-    require(m_item->putAndInsertTagKey(attribute, value), attribute);
+    requireTaken(m_item->putAndInsertTagKey(attribute, value), attribute);
 }
 
 void DicomItemWriter::pixels(const std::vector<std::uint8_t>& values) {
-    require(m_item->putAndInsertUint8Array(DCM_PixelData, values.data(), values.size()), DCM_PixelData);
+    requireTaken(m_item->putAndInsertUint8Array(DCM_PixelData, values.data(), values.size()), DCM_PixelData);
 }
 
 void DicomItemWriter::pixels(const std::vector<std::uint16_t>& values) {
-    require(m_item->putAndInsertUint16Array(DCM_PixelData, values.data(), values.size()), DCM_PixelData);
+    requireTaken(m_item->putAndInsertUint16Array(DCM_PixelData, values.data(), values.size()), DCM_PixelData);
 }
 
 void DicomItemWriter::emptySequence(const DcmTagKey& sequence) {
-    require(m_item->insertEmptyElement(sequence), sequence);
+    requireTaken(m_item->insertEmptyElement(sequence), sequence);
 }
 
 DicomItemWriter DicomItemWriter::newItem(const DcmTagKey& sequence) {
     DcmItem* item = nullptr;
-    require(m_item->findOrCreateSequenceItem(sequence, item, -2), sequence);
+    requireTaken(m_item->findOrCreateSequenceItem(sequence, item, -2), sequence);
     return DicomItemWriter(*item);
 }
 

@@ -269,7 +269,7 @@ void EnhancedUsObject::putPixels() {
 }
 
 /// The bytes of the file, so that it can be written whole or not at all.
-std::string bytesOf(DcmFileFormat& file) {
+std::string bytesOfFile(DcmFileFormat& file) {
     std::string bytes;
     std::vector<char> buffer(std::size_t{1} << 20);
     DcmOutputBufferStream stream(buffer.data(), static_cast<offile_off_t>(buffer.size()));
@@ -318,7 +318,7 @@ Result<void> writeEnhancedUs(const std::string& path, const Phases& phases, cons
             throw std::invalid_argument("writeEnhancedUs: phases of different size or type");
     if (auto checked = check(path, phases); !checked) return checked;
     EnhancedUsObject object(phases, details);
-    return writeFileAtomically(path, bytesOf(object.file()));
+    return writeFileAtomically(path, bytesOfFile(object.file()));
 }
 
 }  // namespace echolucent

@@ -37,7 +37,7 @@ void appendVoxels(std::string& bytes, const std::vector<std::uint8_t>& voxels) {
     bytes.append(reinterpret_cast<const char*>(voxels.data()), voxels.size());
 }
 
-void require(const PolarGeometry& polar, const std::vector<std::vector<std::uint8_t>>& phases) {
+void requireWritable(const PolarGeometry& polar, const std::vector<std::vector<std::uint8_t>>& phases) {
     const auto size = polar.size();
     if (problemOf(polar) || kindOf(polar) != PolarKind::wobbler)
         throw std::invalid_argument("kretzBytes: the geometry is not that of a wobbler");
@@ -53,7 +53,7 @@ void require(const PolarGeometry& polar, const std::vector<std::vector<std::uint
 }  // namespace
 
 std::string kretzBytes(const PolarGeometry& polar, const std::vector<std::vector<std::uint8_t>>& phases) {
-    require(polar, phases);
+    requireWritable(polar, phases);
     const auto size = polar.size();
     // The file counts from the axis of the lines, in samples, and knows no face of the probe.
     const double firstSample = (polar.lines.radiusMm + polar.rangeStartMm) / polar.rangeStepMm;

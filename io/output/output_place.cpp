@@ -43,7 +43,7 @@ std::optional<int> descriptorNamed(std::string_view path) {
     return std::nullopt;
 }
 
-const char* kindOf(mode_t mode) {
+const char* kindOfFile(mode_t mode) {
     if (S_ISDIR(mode)) return "a folder";
     if (S_ISFIFO(mode)) return "a named pipe";
     if (S_ISSOCK(mode)) return "a socket";
@@ -81,7 +81,8 @@ Result<OutputPlace> placeOfOutput(const std::string& path, OutputKind kind) {
     }
     struct stat present {};
     const bool exists = stat(path.c_str(), &present) == 0;
-    if (exists && !S_ISREG(present.st_mode)) return isNoPlace(path, std::string("it is ") + kindOf(present.st_mode));
+    if (exists && !S_ISREG(present.st_mode))
+        return isNoPlace(path, std::string("it is ") + kindOfFile(present.st_mode));
     if (auto allowed = refuseToOverwriteKept(path, kind); !allowed) return tl::unexpected<Failure>(allowed.error());
     // The file that a link points to is replaced, so that a link stays a link.
     std::error_code error;

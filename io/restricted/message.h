@@ -76,6 +76,14 @@ private:
     std::string m_bytes;
 };
 
+/// The bytes of values, written one after the other.
+template <typename... Values>
+[[nodiscard]] std::string messageOf(const Values&... values) {
+    MessageWriter writer;
+    writer(values...);
+    return writer.bytes();
+}
+
 /// Reads values in the order in which they were written.
 class MessageReader {
 public:

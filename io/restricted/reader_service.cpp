@@ -88,18 +88,22 @@ void sendCoarse(Channel& channel, const CoarseVolume& coarse) {
     if (shared && !channel.send(MessageKind::coarse, shared->bytes, {shared->voxels.number()})) leave();
 }
 
+/// Reads in this process: not what restricted_reader.h declares under the same names.
 bool perform(Channel& channel, const Request& request, SharedVoxelMemory& memory, const Progress& progress) {
     switch (request.task) {
-        case Task::readStudy: return sendStudy(channel, readStudy(request.path, request.options, progress), memory);
+        case Task::readStudy:
+            return sendStudy(channel, echolucent::readStudy(request.path, request.options, progress), memory);
         case Task::readSeries:
-            return sendStudy(channel, readSeries(request.list, request.list.series.front(), request.options, progress),
-                             memory);
-        case Task::listSeries: return sendOutcome(channel, listSeries(request.path, progress));
-        case Task::holdsSeries: return sendOutcome(channel, Result<bool>(holdsSeries(request.path)));
+            return sendStudy(
+                channel, echolucent::readSeries(request.list, request.list.series.front(), request.options, progress),
+                memory);
+        case Task::listSeries: return sendOutcome(channel, echolucent::listSeries(request.path, progress));
+        case Task::holdsSeries: return sendOutcome(channel, Result<bool>(echolucent::holdsSeries(request.path)));
         case Task::middlePicture:
-            return sendOutcome(channel,
-                               middlePicture(request.list.series.front(), std::max(1, request.longestEdge), progress));
-        case Task::readPatient: return sendOutcome(channel, readPatient(request.files, request.series, progress));
+            return sendOutcome(channel, echolucent::middlePicture(request.list.series.front(),
+                                                                  std::max(1, request.longestEdge), progress));
+        case Task::readPatient:
+            return sendOutcome(channel, echolucent::readPatient(request.files, request.series, progress));
     }
     return false;
 }

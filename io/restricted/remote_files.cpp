@@ -15,14 +15,6 @@ std::span<const std::uint8_t> bytesOf(const Message& message) {
     return {reinterpret_cast<const std::uint8_t*>(message.bytes.data()), message.bytes.size()};
 }
 
-/// The bytes of values, written one after the other.
-template <typename... Values>
-std::string messageOf(const Values&... values) {
-    MessageWriter writer;
-    writer(values...);
-    return writer.bytes();
-}
-
 bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder) {
     return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }

@@ -59,12 +59,6 @@ Spare& spare() {
     return spare;
 }
 
-std::string bytesOf(const Request& request) {
-    MessageWriter writer;
-    writer(request);
-    return writer.bytes();
-}
-
 Request requestFor(Task task, const std::string& path = {}) {
     Request request;
     request.task = task;
@@ -77,7 +71,7 @@ Request requestFor(Task task, const std::string& path = {}) {
 Result<ReaderProcess::Answer> ask(const Request& request, FileBroker broker, const std::string& file,
                                   const Progress& progress) {
     if (progress.cancelled()) return fail(FailureKind::cancelled, file, "", "was not read: cancelled");
-    const std::string bytes = bytesOf(request);
+    const std::string bytes = messageOf(request);
     if (auto waiting = spare().take(); waiting && waiting->request(bytes)) {
         auto answer = waiting->serve(broker, file, progress);
         const bool counts = answer || waiting->hasBegun() || answer.error().kind == FailureKind::cancelled;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,10 @@ namespace echolucent {
 /// processing/tube_core/tube_core.h.
 struct AdaptiveOtf {
     static constexpr int sampleCount = 256;
+    /// The normalised intensity of a sample, [0, sampleCount).
+    [[nodiscard]] static constexpr double intensityOf(std::size_t sample) {
+        return static_cast<double>(sample) / (sampleCount - 1);
+    }
     AdaptiveOtfConfig config;                      ///< as asked for
     std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, units, along the view's right and down axes
     Viewpoint view;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "processing/adaptive/detection.h"
-#include "processing/parallel.h"
+#include "processing/per_thread.h"
 #include "processing/tube_core/scale_space.h"
 #include "processing/tube_core/surface_detection.h"
 

@@ -8,9 +8,9 @@
 
 namespace echolucent {
 
-namespace {
+namespace method_rows {
 
-using namespace method_rows;
+namespace {
 
 constexpr std::array samplings{Named{Interpolation::trilinear, "trilinear"}, Named{Interpolation::nearest, "nearest"}};
 constexpr std::array precisions{Named{Precision::single32, "single"}, Named{Precision::double64, "double"}};
@@ -271,6 +271,12 @@ std::vector<Row> allRows() {
     return all;
 }
 
+}  // namespace
+
+}  // namespace method_rows
+
+namespace {
+
 /// What is wrong with the list of tube cores that are never placed.
 std::string problemWithLeftOut(const TubeGrid& grid) {
     const std::vector<int>& left = grid.withoutTubes;
@@ -287,8 +293,8 @@ std::string problemWithLeftOut(const TubeGrid& grid) {
 
 }  // namespace
 
-std::span<const Row> methodParameters() {
-    static const std::vector<Row> rows = allRows();
+std::span<const Parameter<AdaptiveOtfConfig>> methodParameters() {
+    static const std::vector<Parameter<AdaptiveOtfConfig>> rows = method_rows::allRows();
     return rows;
 }
 

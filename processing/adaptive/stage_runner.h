@@ -48,7 +48,7 @@ public:
     template <typename MakeState, typename Body>
     void forEach(std::size_t count, const MakeState& makeState, const Body& body) {
         std::atomic<std::size_t> done = 0;
-        parallelFor(tbb::blocked_range<std::size_t>(0, count), [&](const tbb::blocked_range<std::size_t>& range) {
+        parallelFor(LoopRange<std::size_t>(0, count), [&](const LoopRange<std::size_t>& range) {
             auto state = makeState();
             for (std::size_t i = range.begin(); i < range.end() && !m_progress.cancelled(); ++i) {
                 body(i, state);

@@ -18,7 +18,8 @@ struct CoarseEcho {
     std::vector<float> dataShare;      ///< share of the sampled voxels of a cell that are data, [0,1]
     std::vector<float> echo;           ///< mean stored value of its data voxels above 0; 0 where it has none
 
-    static constexpr int mostCells = 48;  ///< along an axis
+    static constexpr int mostCells = 48;           ///< along an axis
+    static constexpr float leastDataShare = 0.5F;  ///< from that share on a cell counts as data
 
     /// Distance in the arrays between neighbours along an axis.
     [[nodiscard]] std::size_t stride(int axis) const {

@@ -10,14 +10,13 @@ namespace echolucent {
 
 namespace {
 
-constexpr float leastDataShare = 0.5F;
 constexpr double brightQuantile = 0.98;  ///< of the cells: echo 1
 constexpr float faintest = 0.004F;       ///< echoes below that share of the bright ones count as that share
 constexpr float oneTissue = 0.35F;       ///< natural logarithm: echoes that differ by less are of one tissue
 constexpr int tissueStep = 3;            ///< cells between the places whose fall within one tissue is taken
 constexpr int typicalStep = 6;           ///< cells between any places whose fall is taken
 constexpr std::size_t fewestPairs = 50;  ///< of a slice
-constexpr std::size_t fewestSlices = 8;
+constexpr std::size_t fewestSlicesWithPairs = 8;
 constexpr int shadowGap = 3;  ///< cells that neither count before nor behind: a place is not its own shadow
 constexpr std::array<int, 3> shadowOffsets{2, 3, 4};  ///< cells between neighbours across the axis
 
@@ -39,7 +38,7 @@ LogEcho logEchoOf(const CoarseEcho& coarse) {
     LogEcho log{std::vector<float>(count), std::vector<float>(count), std::vector<std::uint8_t>(count)};
     std::vector<float> echoes;
     for (std::size_t i = 0; i < count; ++i)
-        if (coarse.dataShare[i] >= leastDataShare && coarse.echo[i] > 0.0F) {
+        if (coarse.dataShare[i] >= CoarseEcho::leastDataShare && coarse.echo[i] > 0.0F) {
             log.is[i] = 1;
             echoes.push_back(coarse.echo[i]);
         }
@@ -118,7 +117,7 @@ Fall fallOf(const LogEcho& log, const Course& course, int apart,
         std::vector<float> steps = stepsOf(log, course, slice, apart);
         if (const float step = ofSlice(steps); !std::isnan(step)) perSlice.push_back(step);
     }
-    if (perSlice.size() < fewestSlices) return {};
+    if (perSlice.size() < fewestSlicesWithPairs) return {};
     const auto falling = std::count_if(perSlice.begin(), perSlice.end(), [](float step) { return step < 0.0F; });
     const auto rising = std::count_if(perSlice.begin(), perSlice.end(), [](float step) { return step > 0.0F; });
     const double share = 0.5 + 0.5 * static_cast<double>(falling - rising) / static_cast<double>(perSlice.size());

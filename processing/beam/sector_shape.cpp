@@ -9,8 +9,6 @@ namespace echolucent {
 
 namespace {
 
-/// A cell belongs to the sector where at least that share of it is data.
-constexpr float leastDataShare = 0.5F;
 /// Where the edges of a slice lie: that share of its cells is left out on each side, so that a stray cell is no edge.
 constexpr double edgeQuantile = 0.03;
 /// The sector is as wide as it gets from the first slice on that reaches this share of its largest width.
@@ -21,7 +19,7 @@ constexpr double leastBalance = 0.2;        ///< slope of one edge as a share of
 constexpr double fullGrowth = 0.3;          ///< a sector that widens by that share of its width has the full score
 constexpr double largestBend = 0.05;        ///< root mean square distance of the edges from lines, share of the width
 constexpr double largestShrinking = 0.15;   ///< of the sector across its fan, share of the width
-constexpr int fewestSlices = 10;
+constexpr int fewestSectorSlices = 10;
 
 /// The two edges of a slice across the depth, mm.
 struct Edges {
@@ -47,7 +45,7 @@ std::vector<std::vector<std::int32_t>> countsOf(const CoarseEcho& coarse, int de
         for (std::size_t t = 0; t < sizeOf(across); ++t)
             for (std::size_t o = 0; o < sizeOf(other); ++o)
                 if (coarse.dataShare[s * coarse.stride(depth) + t * coarse.stride(across) + o * coarse.stride(other)] >=
-                    leastDataShare)
+                    CoarseEcho::leastDataShare)
                     ++counts[s][t];
     return counts;
 }
@@ -106,7 +104,7 @@ std::size_t wideningSlices(const std::vector<Edges>& edges) {
 
 /// The score of one fan, seen from the front of its slices on.
 double fanScore(const std::vector<Edges>& edges, double sliceMm) {
-    if (edges.size() < fewestSlices) return 0.0;
+    if (edges.size() < fewestSectorSlices) return 0.0;
     const std::size_t widening = wideningSlices(edges);
     const double share = static_cast<double>(widening) / static_cast<double>(edges.size());
     if (share < leastWideningDepth) return 0.0;
@@ -123,7 +121,7 @@ double fanScore(const std::vector<Edges>& edges, double sliceMm) {
 
 /// Whether the sector, seen from the front on, gets narrower across the fan.
 bool shrinks(const std::vector<Edges>& edges) {
-    if (edges.size() < fewestSlices) return true;
+    if (edges.size() < fewestSectorSlices) return true;
     const Line width = lineThrough(edges.size(), [&](std::size_t i) { return edges[i].width(); });
     const double last = width.start + width.slope * static_cast<double>(edges.size() - 1);
     return last < (1.0 - largestShrinking) * width.start;

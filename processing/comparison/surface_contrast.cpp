@@ -103,8 +103,8 @@ private:
     RaySamples m_samples;
 };
 
-/// Every stride-th value from `first` on.
-SurfaceContrast summedUp(const std::vector<RayLight>& lights, std::size_t first, std::size_t stride) {
+/// Of every stride-th value from `first` on.
+SurfaceContrast contrastOf(const std::vector<RayLight>& lights, std::size_t first, std::size_t stride) {
     SurfaceContrast contrast;
     for (std::size_t i = first; i < lights.size(); i += stride) {
         ++contrast.rays;
@@ -161,7 +161,7 @@ std::vector<SurfaceContrast> surfaceContrasts(const RaySampler& sampler, std::sp
     const Vec3 forward = frameOf(view).forward;
     const double nearPlane = nearPlaneDepthMm(view, sampler.volume().geometry());
     std::vector<RayLight> lights(rays.size() * tables.size());
-    parallelFor(tbb::blocked_range<std::size_t>(0, rays.size(), 64), [&](const auto& some) {
+    parallelFor(LoopRange<std::size_t>(0, rays.size(), 64), [&](const auto& some) {
         for (std::size_t r = some.begin(); r < some.end(); ++r) {
             const SampledRay ray(sampler, rays[r], forward, nearPlane);
             for (std::size_t c = 0; c < tables.size(); ++c) lights[r * tables.size() + c] = ray.lightOf(tables[c]);
@@ -169,7 +169,7 @@ std::vector<SurfaceContrast> surfaceContrasts(const RaySampler& sampler, std::sp
     });
     // Each ray has its place and the sums are made in one order, so that any number of threads gives the same bits.
     std::vector<SurfaceContrast> contrasts;
-    for (std::size_t c = 0; c < tables.size(); ++c) contrasts.push_back(summedUp(lights, c, tables.size()));
+    for (std::size_t c = 0; c < tables.size(); ++c) contrasts.push_back(contrastOf(lights, c, tables.size()));
     return contrasts;
 }
 

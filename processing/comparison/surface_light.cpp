@@ -48,7 +48,8 @@ struct TubeRay {
     }
 };
 
-SurfaceLight summedUp(const std::vector<TubeLight>& lights, std::size_t first, std::size_t stride) {
+/// Of every stride-th value from `first` on.
+SurfaceLight surfaceLightOf(const std::vector<TubeLight>& lights, std::size_t first, std::size_t stride) {
     std::vector<double> shares, intensities;
     for (std::size_t i = first; i < lights.size(); i += stride) {
         shares.push_back(lights[i].share);
@@ -96,7 +97,7 @@ std::vector<SurfaceLight> surfaceLights(const RaySampler& sampler, const Adaptiv
         for (std::size_t c = 0; c < tables.size(); ++c) lights[i * tables.size() + c] = ray.lightOf(tables[c]);
     });
     std::vector<SurfaceLight> all;
-    for (std::size_t c = 0; c < tables.size(); ++c) all.push_back(summedUp(lights, c, tables.size()));
+    for (std::size_t c = 0; c < tables.size(); ++c) all.push_back(surfaceLightOf(lights, c, tables.size()));
     return all;
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/tube_core/tube_core.h"
 
 namespace echolucent {
@@ -22,7 +23,7 @@ double sumOfD(const AdaptiveOtf& otf) {
                            [](double sum, const TubeCore& tube) { return sum + tube.d; });
 }
 
-std::vector<DesignFact> factsOf(const AdaptiveOtf& otf) {
+std::vector<DesignFact> adaptiveFacts(const AdaptiveOtf& otf) {
     std::vector<DesignFact> facts{
         {"tube_cores", "Tube cores that meet the volume", static_cast<double>(otf.tubesMeetingVolume)},
         {"surfaces", "Surfaces found", static_cast<double>(surfacesFound(otf))},
@@ -58,8 +59,8 @@ DesignPlot initialFunction(const OpacityCurve& initial) {
 }
 
 /// With two decimals.
-std::string shortText(double value) { return textOf(std::round(value * 100.0) / 100.0); }
-std::string percent(double share) { return textOf(std::round(share * 100.0)) + " %"; }
+std::string hundredthsInWords(double value) { return textOf(std::round(value * 100.0) / 100.0); }
+std::string wholePercentInWords(double share) { return textOf(std::round(share * 100.0)) + " %"; }
 
 std::string surfaceSentence(const AdaptiveOtf& otf) {
     const MeanInterface mean = meanInterfaceOf(otf);
@@ -67,18 +68,19 @@ std::string surfaceSentence(const AdaptiveOtf& otf) {
     return std::to_string(surfacesFound(otf)) + " of " + std::to_string(otf.tubesMeetingVolume) +
            " tube cores (columns of voxels along the view) found a surface behind darker tissue or fluid, and " +
            std::to_string(otf.tubesWithWeight) + " of these have a weight. In front of it the intensity is about " +
-           shortText(mean.low) + (ramp ? " and stays clear, at it about " : " and becomes clearer, at it about ") +
-           shortText(mean.high) + (ramp ? " and becomes opaque." : " and becomes more opaque.");
+           hundredthsInWords(mean.low) +
+           (ramp ? " and stays clear, at it about " : " and becomes clearer, at it about ") +
+           hundredthsInWords(mean.high) + (ramp ? " and becomes opaque." : " and becomes more opaque.");
 }
 
 std::string curveSentence(const AdaptiveOtf& otf) {
     if (const auto* product = std::get_if<ProductRule>(&otf.config.curve))
         return "The curve is the initial function times one basis function for each tube core, with a strength of " +
-               shortText(product->strength) + ", of which " + shortText(sumOfD(otf)) + " is used.";
+               hundredthsInWords(product->strength) + ", of which " + hundredthsInWords(sumOfD(otf)) + " is used.";
     std::string sentence =
         "The curve is the mean of one ramp for each tube core, clear up to its fluid and full from its surface on.";
     if (otf.trust < 1.0)
-        sentence += " As few tube cores found a surface, " + percent(1.0 - otf.trust) +
+        sentence += " As few tube cores found a surface, " + wholePercentInWords(1.0 - otf.trust) +
                     " of the curve is the initial function.";
     return sentence;
 }
@@ -99,7 +101,7 @@ std::vector<std::string> explanationOf(const AdaptiveOtf& otf) {
         sentences.push_back(
             "The tube cores read the voxels as they were measured; the curve is meant for the quiet ones, "
             "in which " +
-            percent(otf.speckleLeft) + " of the fluid's speckle is left.");
+            wholePercentInWords(otf.speckleLeft) + " of the fluid's speckle is left.");
     return sentences;
 }
 
@@ -114,7 +116,7 @@ std::optional<Design> design(const AdaptiveConfig& /*config*/, const DesignerInp
 }
 
 Design designOf(const AdaptiveOtf& otf) {
-    return {otf.curve, explanationOf(otf), factsOf(otf), {initialFunction(otf.config.initial)}, otf.message};
+    return {otf.curve, explanationOf(otf), adaptiveFacts(otf), {initialFunction(otf.config.initial)}, otf.message};
 }
 
 }  // namespace echolucent

@@ -4,18 +4,14 @@
 #include <optional>
 #include <span>
 
-#include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/designers/design.h"
+#include "processing/designers/designer_config.h"
 #include "processing/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
 
-/// The adaptive designer has no parameter of its own: DesignerInput::method holds them all, the tube cores that are
-/// never placed among them (TubeGrid::withoutTubes). docs/designers/adaptive.md says more.
-struct AdaptiveConfig {
-    friend bool operator==(const AdaptiveConfig&, const AdaptiveConfig&) = default;
-};
+struct AdaptiveOtf;
 
 /// No row.
 [[nodiscard]] std::span<const Parameter<AdaptiveConfig>> parametersOf(const AdaptiveConfig& config);

@@ -12,7 +12,6 @@ namespace echolucent {
 
 namespace {
 
-constexpr int nodes = HistogramVolume::intensityNodes;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double reliableVoxels = 30.0;  ///< a node of so many voxels weighs half of one of very many
 constexpr double leastVoxels = 16.0;
@@ -31,7 +30,7 @@ std::optional<Mean> meanAround(const std::vector<DerivativeSums>& sums, int node
     const int reach = static_cast<int>(std::ceil(3.0 * smoothing));
     double voxels = 0.0, weights = 0.0;
     Mean mean;
-    for (int i = std::max(0, node - reach); i <= std::min(nodes - 1, node + reach); ++i) {
+    for (int i = std::max(0, node - reach); i <= std::min(HistogramVolume::intensityNodes - 1, node + reach); ++i) {
         const DerivativeSums& here = sums[static_cast<std::size_t>(i)];
         if (here.voxels == 0.0) continue;
         const double apart = i == node ? 0.0 : (i - node) / smoothing;
@@ -50,7 +49,7 @@ std::optional<Mean> meanAround(const std::vector<DerivativeSums>& sums, int node
 /// The means that are known, of ascending intensities.
 std::vector<Mean> knownMeans(const std::vector<DerivativeSums>& sums, double smoothing) {
     std::vector<Mean> means;
-    for (int node = 0; node < nodes; ++node) {
+    for (int node = 0; node < HistogramVolume::intensityNodes; ++node) {
         const std::optional<Mean> mean = meanAround(sums, node, smoothing);
         // Nodes that see the same voxels stand at the same place.
         if (mean && (means.empty() || mean->intensity > means.back().intensity + 1e-6)) means.push_back(*mean);
@@ -69,7 +68,7 @@ struct Smoothed {
     cv::Mat voxels, weights, gradients, seconds;
 };
 
-Smoothed smoothed(const Smoothed& from, double sigma) {
+Smoothed smoothedOverBoth(const Smoothed& from, double sigma) {
     const auto blurred = [&](const cv::Mat& matrix) {
         cv::Mat result;
         const auto taps = [](double deviation) { return 2 * static_cast<int>(std::ceil(3.0 * deviation)) + 1; };
@@ -80,11 +79,14 @@ Smoothed smoothed(const Smoothed& from, double sigma) {
 }
 
 Smoothed matricesOf(const HistogramVolume& histogram) {
-    const auto matrix = [&] { return cv::Mat(cv::Mat::zeros(histogram.gradientNodes, nodes, CV_64F)); };
+    const auto matrix = [&] {
+        return cv::Mat(cv::Mat::zeros(histogram.gradientNodes, HistogramVolume::intensityNodes, CV_64F));
+    };
     Smoothed all{matrix(), matrix(), matrix(), matrix()};
     for (int row = 0; row < histogram.gradientNodes; ++row)
-        for (int column = 0; column < nodes; ++column) {
-            const DerivativeSums& here = histogram.overBoth[static_cast<std::size_t>(row * nodes + column)];
+        for (int column = 0; column < HistogramVolume::intensityNodes; ++column) {
+            const DerivativeSums& here =
+                histogram.overBoth[static_cast<std::size_t>(row * HistogramVolume::intensityNodes + column)];
             if (here.voxels == 0.0) continue;
             const double weight = reliability(here.voxels);
             all.voxels.at<double>(row, column) = here.voxels;
@@ -99,10 +101,11 @@ Smoothed matricesOf(const HistogramVolume& histogram) {
 
 MeanDerivatives meanDerivatives(const HistogramVolume& histogram, double smoothing) {
     const std::vector<Mean> means = knownMeans(histogram.overIntensity, smoothing);
-    MeanDerivatives result{std::vector<double>(nodes, unknown), std::vector<double>(nodes, unknown)};
+    MeanDerivatives result{std::vector<double>(HistogramVolume::intensityNodes, unknown),
+                           std::vector<double>(HistogramVolume::intensityNodes, unknown)};
     if (means.empty()) return result;
-    constexpr double step = 1.0 / (nodes - 1);
-    for (int node = 0; node < nodes; ++node) {
+    constexpr double step = 1.0 / (HistogramVolume::intensityNodes - 1);
+    for (int node = 0; node < HistogramVolume::intensityNodes; ++node) {
         const double intensity = node * step;
         if (intensity < means.front().intensity - 0.5 * step || intensity > means.back().intensity + 0.5 * step)
             continue;
@@ -154,11 +157,12 @@ std::vector<double> boundaryPositions(const HistogramVolume& histogram, const Bo
     const double stretch = width.smoothed / std::max(width.sigma, 0.5 * width.smoothed);
     std::vector<bool> found(positions.size(), false);
     for (const double sigma : {finest, 2.0 * finest, 4.0 * finest}) {
-        const Smoothed means = smoothed(sums, sigma);
+        const Smoothed means = smoothedOverBoth(sums, sigma);
         // Of what lies on the node itself the Gaussian leaves this share.
         const double middle = 1.0 / (2.0 * std::numbers::pi * sigma * 0.5 * sigma);
         for (std::size_t i = 0; i < positions.size(); ++i) {
-            const int row = static_cast<int>(i) / nodes, column = static_cast<int>(i) % nodes;
+            const int row = static_cast<int>(i) / HistogramVolume::intensityNodes,
+                      column = static_cast<int>(i) % HistogramVolume::intensityNodes;
             if (found[i] || means.voxels.at<double>(row, column) < leastFound * middle) continue;
             found[i] = true;
             const double weight = means.weights.at<double>(row, column);

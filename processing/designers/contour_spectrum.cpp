@@ -15,37 +15,38 @@ namespace echolucent {
 
 namespace {
 
-using Config = ContourSpectrumConfig;
-
-constexpr std::string_view page = "docs/designers/contour-spectrum.md";
+constexpr std::string_view contourSpectrumPage = "docs/designers/contour-spectrum.md";
 
 /// The threshold means nothing while no person chooses it.
-bool isGiven(const Config& config) { return config.choice == IsovalueChoice::given; }
+bool thresholdIsGiven(const ContourSpectrumConfig& config) { return config.choice == IsovalueChoice::given; }
 
-const std::vector<Parameter<Config>>& rows() {
+const std::vector<Parameter<ContourSpectrumConfig>>& contourSpectrumRows() {
     using namespace config_rows;
+    using Config = ContourSpectrumConfig;
     static const std::vector<Parameter<Config>> table{
         choice<&Config::choice, isovalueChoiceNames>(
             {"isovalue", "Isovalue",
              "Where the ramp stands: where the isosurfaces are steepest, or at a given threshold", "",
              "Bajaj, Pascucci, Schikore 1997"}),
-        number<&Config::threshold, isGiven>({"threshold", "Threshold", "Intensity of the middle of the ramp", "", page},
-                                            {0, 1}, {}, {"isovalue", "given"}),
+        number<&Config::threshold, thresholdIsGiven>(
+            {"threshold", "Threshold", "Intensity of the middle of the ramp", "", contourSpectrumPage}, {0, 1}, {},
+            {"isovalue", "given"}),
         number<&Config::leastArea>(
             {"least_area", "Least area",
              "Isosurfaces that are smaller than this share of the largest one are not asked, because they are noise",
-             "share", page},
+             "share", contourSpectrumPage},
             {0, 1}),
-        number<&Config::halfWidth>(
-            {"half_width", "Half-width", "How far the ramp reaches to both sides of its middle", "", page}, {0, 1},
-            ParameterRange{0, 0.5}),
-        number<&Config::opacity>({"opacity", "Opacity", "Opacity of what is brighter than the ramp", "", page}, {0, 1}),
+        number<&Config::halfWidth>({"half_width", "Half-width", "How far the ramp reaches to both sides of its middle",
+                                    "", contourSpectrumPage},
+                                   {0, 1}, ParameterRange{0, 0.5}),
+        number<&Config::opacity>(
+            {"opacity", "Opacity", "Opacity of what is brighter than the ramp", "", contourSpectrumPage}, {0, 1}),
     };
     return table;
 }
 
 /// What of the ramp lies within [0,1].
-ManualCurve rampAt(double threshold, const Config& config) {
+ManualCurve rampAt(double threshold, const ContourSpectrumConfig& config) {
     const double begin = threshold - config.halfWidth, end = threshold + config.halfWidth;
     const auto at = [&](double intensity) { return config.opacity * (intensity - begin) / (end - begin); };
     ManualCurve ramp;
@@ -53,8 +54,6 @@ ManualCurve rampAt(double threshold, const Config& config) {
     ramp.nodes.push_back(end > 1.0 ? CurveNode{1.0, at(1.0)} : CurveNode{end, config.opacity});
     return ramp;
 }
-
-std::string rounded(double value, double step) { return textOf(std::round(value / step) * step); }
 
 /// Area and volume as a person reads them.
 struct Lengths {
@@ -73,7 +72,7 @@ std::vector<double> times(std::vector<double> values, double factor) {
     return values;
 }
 
-std::vector<DesignPlot> plotsOf(const ContourSpectrum& spectrum, const Lengths& lengths) {
+std::vector<DesignPlot> spectrumPlots(const ContourSpectrum& spectrum, const Lengths& lengths) {
     std::vector<double> isovalues(ContourSpectrum::count);
     for (std::size_t i = 0; i < isovalues.size(); ++i) isovalues[i] = ContourSpectrum::isovalue(i);
     const double unit = lengths.perUnit;
@@ -110,7 +109,9 @@ std::string whyNoMaximum(const ContourSpectrum& spectrum) {
 
 }  // namespace
 
-std::span<const Parameter<ContourSpectrumConfig>> parametersOf(const ContourSpectrumConfig&) { return rows(); }
+std::span<const Parameter<ContourSpectrumConfig>> parametersOf(const ContourSpectrumConfig&) {
+    return contourSpectrumRows();
+}
 
 std::optional<Design> design(const ContourSpectrumConfig& config, const DesignerInput& input,
                              const Progress& progress) {
@@ -121,7 +122,7 @@ std::optional<Design> design(const ContourSpectrumConfig& config, const Designer
     const bool given = config.choice == IsovalueChoice::given;
     const std::vector<SpectrumMaximum> maxima = maximaOf(*spectrum, config.leastArea);
     Design design{PowerCurve{2, config.opacity}};
-    design.plots = plotsOf(*spectrum, lengths);
+    design.plots = spectrumPlots(*spectrum, lengths);
     if (!given && maxima.empty()) {
         design.message = whyNoMaximum(*spectrum) + ": the opacity grows with the square of the intensity.";
         return design;
@@ -131,19 +132,20 @@ std::optional<Design> design(const ContourSpectrumConfig& config, const Designer
     addFacts(*spectrum, threshold, maxima, lengths, design);
     if (!(*std::ranges::max_element(spectrum->area) > 0.0))
         design.message = whyNoMaximum(*spectrum) + ": the ramp stands at the given threshold all the same.";
-    design.explanation.push_back(given ? "The ramp stands at the given threshold " + rounded(threshold, 0.001) + "."
-                                       : "The isosurfaces are steepest at intensity " + rounded(threshold, 0.001) +
-                                             ", where the intensity rises by " +
-                                             rounded(maxima.front().meanGradient, 0.001) +
-                                             " per unit in the mean: the ramp stands there.");
     design.explanation.push_back(
-        "The isosurface of this intensity has an area of " + rounded(design.facts[1].value, 1.0) + " " + lengths.area +
-        ", and " + rounded(design.facts[2].value, 1.0) + " " + lengths.volume + " of the volume are brighter.");
+        given ? "The ramp stands at the given threshold " + roundedInWords(threshold, 0.001) + "."
+              : "The isosurfaces are steepest at intensity " + roundedInWords(threshold, 0.001) +
+                    ", where the intensity rises by " + roundedInWords(maxima.front().meanGradient, 0.001) +
+                    " per unit in the mean: the ramp stands there.");
+    design.explanation.push_back("The isosurface of this intensity has an area of " +
+                                 roundedInWords(design.facts[1].value, 1.0) + " " + lengths.area + ", and " +
+                                 roundedInWords(design.facts[2].value, 1.0) + " " + lengths.volume +
+                                 " of the volume are brighter.");
     const std::size_t first = given ? 0 : 1, end = std::min(maxima.size(), mostMaximumFacts);
     if (first < end) {
         std::string others = given ? "Isosurfaces are steepest at" : "Isosurfaces are steep, too, at";
         for (std::size_t i = first; i < end; ++i)
-            others += (i > first ? ", " : " ") + rounded(maxima[i].isovalue, 0.001);
+            others += (i > first ? ", " : " ") + roundedInWords(maxima[i].isovalue, 0.001);
         design.explanation.push_back(others + ".");
     }
     return design;

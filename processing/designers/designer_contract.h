@@ -27,6 +27,11 @@ void requireDesignable(std::string_view configName, std::span<const Parameter<Co
 /// A number as sentences of designers write it: with at most three decimals.
 [[nodiscard]] inline std::string inWords(double number) { return textOf(std::round(number * 1e3) / 1e3); }
 
+/// The same, rounded to a multiple of `step`, above 0.
+[[nodiscard]] inline std::string roundedInWords(double number, double step) {
+    return textOf(std::round(number / step) * step);
+}
+
 /// A share as sentences of designers write it: "37.5 %".
 [[nodiscard]] inline std::string percentInWords(double share) { return textOf(std::round(share * 1e3) / 1e1) + " %"; }
 

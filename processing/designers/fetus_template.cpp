@@ -1,18 +1,20 @@
 // The template that stands ready. tests/processing/designers/template_reference.cpp makes its numbers anew from the
 // phantom and compares.
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
 #include <vector>
 
 #include "processing/designers/template_reference.h"
+#include "processing/phantom/phantom_config.h"
 
 namespace echolucent {
 
 namespace {
 
 /// Voxels by normalised intensity: value i counts [i/256, (i+1)/256[; above the last one there are none.
-constexpr std::uint32_t counts[] = {
+constexpr std::uint32_t fetusCounts[] = {
     0,     0,     0,     0,     0,     0,     0,     0,     0,     0,     1090,  29463, 147262, 268910, 258650, 148710,
     62195, 22981, 10033, 6107,  4754,  4208,  3962,  3952,  3806,  3886,  3715,  3587,  3397,   3379,   3411,   3280,
     3303,  3113,  3127,  2985,  3164,  3198,  3078,  3017,  3153,  3155,  3234,  3308,  3326,   3312,   3278,   3274,
@@ -29,7 +31,7 @@ constexpr std::uint32_t counts[] = {
     0,     1,     1};
 
 /// The adaptive curve within 0.02, its nodes at intensities of 255.
-ManualCurve curve() {
+ManualCurve fetusCurve() {
     ManualCurve curve{{{47, 0.0},
                        {54, 0.02},
                        {60, 0.05},
@@ -43,11 +45,11 @@ ManualCurve curve() {
     return curve;
 }
 
-TemplateReference made() {
-    const double total = std::accumulate(std::begin(counts), std::end(counts), 0.0);
+TemplateReference fetusReference() {
+    const double total = std::accumulate(std::begin(fetusCounts), std::end(fetusCounts), 0.0);
     std::vector<double> histogram(256, 0.0);
-    for (std::size_t bin = 0; bin < std::size(counts); ++bin) histogram[bin] = counts[bin] / total;
-    return {"simulated fetus", histogram, curve()};
+    for (std::size_t bin = 0; bin < std::size(fetusCounts); ++bin) histogram[bin] = fetusCounts[bin] / total;
+    return {"simulated fetus", histogram, fetusCurve()};
 }
 
 }  // namespace
@@ -61,7 +63,7 @@ PhantomConfig fetusTemplateConfig() {
 }
 
 const SharedTemplate& fetusTemplate() {
-    static const SharedTemplate shared(made());
+    static const SharedTemplate shared(fetusReference());
     return shared;
 }
 

@@ -42,7 +42,7 @@ ManualCurve echoRamp(const EchoRampConfig& config) {
 }
 
 /// The curve as it is, and what it shows of the voxels.
-Design designOf(ManualCurve curve, const Volume& shown, const std::string& name) {
+Design presetDesign(ManualCurve curve, const Volume& shown, const std::string& name) {
     const IntensityCounts counts = intensityCounts(shown);
     Design design{std::move(curve)};
     std::uint64_t visible = 0;
@@ -81,8 +81,8 @@ std::span<const Parameter<EchoRampConfig>> parametersOf(const EchoRampConfig&) {
 
 std::optional<Design> design(const FetalPresetConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("FetalPresetConfig", parametersOf(config), config, input);
-    Design design = designOf(ManualCurve{{fetalPresetNodes.begin(), fetalPresetNodes.end()}}, input.shown,
-                             "3D Slicer's fetal preset");
+    Design design = presetDesign(ManualCurve{{fetalPresetNodes.begin(), fetalPresetNodes.end()}}, input.shown,
+                                 "3D Slicer's fetal preset");
     if (progress.cancelled()) return std::nullopt;
     progress.at(1.0);
     design.explanation.emplace_back(
@@ -92,7 +92,7 @@ std::optional<Design> design(const FetalPresetConfig& config, const DesignerInpu
 
 std::optional<Design> design(const EchoRampConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("EchoRampConfig", parametersOf(config), config, input);
-    Design design = designOf(echoRamp(config), input.shown, "SlicerHeart's echo ramp");
+    Design design = presetDesign(echoRamp(config), input.shown, "SlicerHeart's echo ramp");
     if (progress.cancelled()) return std::nullopt;
     progress.at(1.0);
     design.explanation.push_back("It is clear up to " + inWords(config.threshold - config.edge) + ", rises to 0.2 at " +

@@ -6,23 +6,11 @@
 #include <span>
 
 #include "processing/designers/design.h"
+#include "processing/designers/designer_config.h"
 #include "processing/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
-
-/// 3D Slicer's preset for fetal ultrasound (fetalPresetNodes). It has no parameters.
-struct FetalPresetConfig {
-    friend bool operator==(const FetalPresetConfig&, const FetalPresetConfig&) = default;
-};
-
-/// The curve of SlicerHeart's module Echo Volume Render (docs/designers/echo-ramp.md): clear up to the threshold minus
-/// the edge, rising to 0.2 at the threshold, 0.8 just above it and 0.95 at the threshold plus the edge.
-struct EchoRampConfig {
-    double threshold = 0.2;  ///< normalised intensity, [0,1]
-    double edge = 0.05;      ///< width of the ramp to either side, normalised intensity, [0,1]
-    friend bool operator==(const EchoRampConfig&, const EchoRampConfig&) = default;
-};
 
 /// Their tables; the argument only selects one.
 [[nodiscard]] std::span<const Parameter<FetalPresetConfig>> parametersOf(const FetalPresetConfig&);

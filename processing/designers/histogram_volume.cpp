@@ -14,7 +14,6 @@ namespace echolucent {
 
 namespace {
 
-constexpr int nodes = HistogramVolume::intensityNodes;
 constexpr std::int64_t slabVoxels = std::int64_t{1} << 21, leastSlabSlices = 8;
 
 /// Sums of the slices that one loop body takes; they are added in one order afterwards.
@@ -48,9 +47,10 @@ public:
 
     [[nodiscard]] Part emptyPart() const {
         Part part;
-        part.overIntensity.resize(nodes);
+        part.overIntensity.resize(HistogramVolume::intensityNodes);
         if (m_pictures == nullptr) return part;
-        part.overBoth.resize(static_cast<std::size_t>(nodes) * static_cast<std::size_t>(m_gradients));
+        part.overBoth.resize(static_cast<std::size_t>(HistogramVolume::intensityNodes) *
+                             static_cast<std::size_t>(m_gradients));
         part.pictureGradients.resize(static_cast<std::size_t>(m_volume.geometry().size[0]));
         return part;
     }
@@ -71,11 +71,12 @@ private:
             ++part.usedVoxels;
             const NormalDerivatives here = m_derivatives.at(x, y, z);
             const DerivativeSums sums{1.0, here.intensity, here.gradient, here.second};
-            part.overIntensity[nearestNode(here.intensity, 1.0, nodes)] += sums;
+            part.overIntensity[nearestNode(here.intensity, 1.0, HistogramVolume::intensityNodes)] += sums;
             if (m_pictures == nullptr) continue;
             const auto column = static_cast<std::size_t>(x);
             const std::size_t row = nearestNode(part.pictureGradients[column], m_pictures->largest, m_gradients);
-            part.overBoth[row * nodes + nearestNode(intensities[column], 1.0, nodes)] += sums;
+            part.overBoth[row * HistogramVolume::intensityNodes +
+                          nearestNode(intensities[column], 1.0, HistogramVolume::intensityNodes)] += sums;
         }
     }
 
@@ -85,7 +86,7 @@ private:
     int m_gradients;
 };
 
-void check(const HistogramVolumeConfig& config) {
+void requireValid(const HistogramVolumeConfig& config) {
     if (!(config.prefilter >= 0.0 && config.prefilter <= 8.0))
         throw std::invalid_argument("HistogramVolumeConfig: the prefilter must be 0 to 8");
     if (config.gradients != 0 && (config.gradients < 2 || config.gradients > 1024))
@@ -119,7 +120,7 @@ DerivativeSums& DerivativeSums::operator+=(const DerivativeSums& other) {
 
 std::optional<HistogramVolume> histogramVolume(const Volume& volume, const HistogramVolumeConfig& config,
                                                const Progress& progress) {
-    check(config);
+    requireValid(config);
     std::optional<PictureGradients> pictures;
     if (config.gradients > 0) {
         pictures.emplace(volume);

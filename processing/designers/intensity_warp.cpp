@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "processing/parallel.h"
 
@@ -163,7 +164,7 @@ double distanceAlong(const Costs& costs, const std::vector<std::size_t>& path) {
     return std::sqrt(sum / static_cast<double>(steps + 1));
 }
 
-void check(std::span<const double> shares) {
+void requireShares(std::span<const double> shares) {
     double sum = 0.0;
     for (const double share : shares) sum += share >= 0.0 ? share : std::numeric_limits<double>::quiet_NaN();
     if (shares.size() != warpBins || !(std::abs(sum - 1.0) < 1e-6))
@@ -180,7 +181,7 @@ std::optional<std::vector<std::size_t>> cheapestPath(const Costs& costs, const P
     for (std::size_t step = 1; step <= steps; ++step) {
         if (progress.cancelled()) return std::nullopt;
         const Costs::Step along = costs.alongReference(step);
-        parallelFor(tbb::blocked_range<std::size_t>(0, places, 256), [&](const auto& range) {
+        parallelFor(LoopRange<std::size_t>(0, places, 256), [&](const auto& range) {
             for (std::size_t to = range.begin(); to < range.end(); ++to) {
                 double least = never;
                 std::size_t best = shortest;
@@ -223,8 +224,8 @@ double IntensityWarp::inverse(double other) const {
 
 std::optional<FoundWarp> findWarp(std::span<const double> reference, std::span<const double> other,
                                   const WarpRule& rule, const Progress& progress) {
-    check(reference);
-    check(other);
+    requireShares(reference);
+    requireShares(other);
     if (!(rule.leastSlope >= 1.0 / 8.0 && rule.leastSlope <= 1.0 && rule.largestSlope >= 1.0 &&
           rule.largestSlope <= 8.0))
         throw std::invalid_argument("findWarp: slopes must be 1/8 to 1 and 1 to 8");

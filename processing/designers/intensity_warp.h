@@ -2,13 +2,12 @@
 // (docs/designers/template.md).
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
-#include "processing/choice_names.h"
+#include "processing/designers/template_comparison.h"
 #include "processing/progress.h"
 
 namespace echolucent {
@@ -24,21 +23,6 @@ struct IntensityWarp {
     /// The intensity of the reference whose t is `other`: 0 below t(0), 1 above t(1).
     [[nodiscard]] double inverse(double other) const;
 };
-
-/// What two distributions are compared by.
-enum class TemplateComparison {
-    logarithm,   ///< logarithms of the shares of voxels along the axis, and a little the cumulative distributions
-    cumulative,  ///< the cumulative distributions alone
-};
-inline constexpr std::array allTemplateComparisons{TemplateComparison::logarithm, TemplateComparison::cumulative};
-inline constexpr ChoiceNames<allTemplateComparisons.size()> templateComparisonNames{"logarithm", "cumulative"};
-/// "logarithm", "cumulative".
-[[nodiscard]] inline std::string_view nameOf(TemplateComparison comparison) {
-    return nameIn(templateComparisonNames, comparison);
-}
-[[nodiscard]] inline std::optional<TemplateComparison> templateComparisonFromName(std::string_view name) {
-    return choiceNamed<TemplateComparison>(templateComparisonNames, name);
-}
 
 struct WarpRule {
     TemplateComparison comparison = TemplateComparison::logarithm;

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "processing/parallel.h"
+#include "processing/progress_count.h"
 #include "processing/volume/filled_volume.h"
 #include "processing/volume/gradient_magnitude.h"
 
@@ -17,8 +18,8 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::size_t count = ContourSpectrum::count;
-constexpr double lastIndex = count - 1;
+constexpr std::size_t isovalueCount = ContourSpectrum::count;
+constexpr double lastIsovalue = isovalueCount - 1;
 
 /// Sums over the isovalues as whole numbers, so that no order of summing changes a bit, and what is 0 stays 0. 2^39
 /// voxels fit.
@@ -29,7 +30,8 @@ public:
     /// Spreads an amount evenly over [low, high[. Isovalue i stands at i + 1/2 of this axis and owns [i, i + 1[.
     void add(double amount, double low, double high) {
         const auto whole = static_cast<std::int64_t>(std::llround(amount * one));
-        const auto first = static_cast<std::size_t>(low), last = std::min(static_cast<std::size_t>(high), count - 1);
+        const auto first = static_cast<std::size_t>(low),
+                   last = std::min(static_cast<std::size_t>(high), isovalueCount - 1);
         if (first == last) {
             m_single[first] += whole;
             return;
@@ -44,16 +46,16 @@ public:
     }
 
     void add(const SpreadSums& other) {
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < isovalueCount; ++i) {
             m_single[i] += other.m_single[i];
             m_step[i] += other.m_step[i];
         }
     }
 
-    [[nodiscard]] std::array<double, count> sums() const {
-        std::array<double, count> sums{};
+    [[nodiscard]] std::array<double, isovalueCount> sums() const {
+        std::array<double, isovalueCount> sums{};
         std::int64_t between = 0;
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < isovalueCount; ++i) {
             between += m_step[i];
             sums[i] = static_cast<double>(m_single[i] + between) / one;
         }
@@ -61,8 +63,8 @@ public:
     }
 
 private:
-    std::array<std::int64_t, count> m_single{};
-    std::array<std::int64_t, count> m_step{};  ///< how much more each isovalue from here on holds
+    std::array<std::int64_t, isovalueCount> m_single{};
+    std::array<std::int64_t, isovalueCount> m_step{};  ///< how much more each isovalue from here on holds
 };
 
 struct Sums {
@@ -86,10 +88,10 @@ void addSlice(const Volume& volume, const VoxelArray<Voxel>& voxels, const Gradi
                 if (!std::isfinite(stored)) continue;
             const auto gradient = static_cast<double>(row[x]);
             const double share = stored / volume.whiteLevel();
-            const double middle = 0.5 + lastIndex * (share > 0.0 ? std::min(share, 1.0) : 0.0);
-            const double reach = std::max(0.5, 0.5 * lastIndex * edge * gradient);
+            const double middle = 0.5 + lastIsovalue * (share > 0.0 ? std::min(share, 1.0) : 0.0);
+            const double reach = std::max(0.5, 0.5 * lastIsovalue * edge * gradient);
             // What would lie beyond black or white is pressed together before it.
-            const double low = std::max(middle - reach, 0.5), high = std::min(middle + reach, lastIndex + 0.5);
+            const double low = std::max(middle - reach, 0.5), high = std::min(middle + reach, lastIsovalue + 0.5);
             sums.voxels.add(1.0, low, high);
             sums.gradients.add(gradient, low, high);
             sums.squares.add(gradient * gradient, low, high);
@@ -99,7 +101,7 @@ void addSlice(const Volume& volume, const VoxelArray<Voxel>& voxels, const Gradi
 
 /// A row of isovalues under a Gaussian with a standard deviation of two steps. The ends, which are no surfaces, take no
 /// part.
-std::vector<double> smoothed(const std::vector<double>& values) {
+std::vector<double> smoothedOverIsovalues(const std::vector<double>& values) {
     constexpr int taps = 13;
     std::vector<double> inner(values.begin() + 1, values.end() - 1);
     cv::Mat row(1, static_cast<int>(inner.size()), CV_64F, inner.data());
@@ -160,16 +162,17 @@ std::optional<ContourSpectrum> contourSpectrum(const Volume& volume, const Progr
         found[0].gradients.add(found[part].gradients);
         found[0].squares.add(found[part].squares);
     }
-    const std::array<double, count> voxels = found[0].voxels.sums(), first = found[0].gradients.sums(),
-                                    second = found[0].squares.sums();
-    ContourSpectrum spectrum{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
+    const std::array<double, isovalueCount> voxels = found[0].voxels.sums(), first = found[0].gradients.sums(),
+                                            second = found[0].squares.sums();
+    ContourSpectrum spectrum{std::vector<double>(isovalueCount), std::vector<double>(isovalueCount),
+                             std::vector<double>(isovalueCount)};
     double above = 0.0;
-    for (std::size_t i = count; i-- > 0;) {
+    for (std::size_t i = isovalueCount; i-- > 0;) {
         const double width = ContourSpectrum::width(i);
         spectrum.area[i] = first[i] * voxelVolume / width;
         spectrum.gradientIntegral[i] = second[i] * voxelVolume / width;
         // Half of what an isovalue owns lies below it; at 0 all of it is above, at 1 nothing is.
-        const double half = i == 0 ? 1.0 : i + 1 == count ? 0.0 : 0.5;
+        const double half = i == 0 ? 1.0 : i + 1 == isovalueCount ? 0.0 : 0.5;
         spectrum.volume[i] = (above + half * voxels[i]) * voxelVolume;
         above += voxels[i];
     }
@@ -178,13 +181,13 @@ std::optional<ContourSpectrum> contourSpectrum(const Volume& volume, const Progr
 
 std::vector<SpectrumMaximum> maximaOf(const ContourSpectrum& spectrum, double leastArea) {
     constexpr double leastFall = 0.05;
-    const std::vector<double> area = smoothed(spectrum.area);
-    std::vector<double> steepness = ratios(smoothed(spectrum.gradientIntegral), area);
+    const std::vector<double> area = smoothedOverIsovalues(spectrum.area);
+    std::vector<double> steepness = ratios(smoothedOverIsovalues(spectrum.gradientIntegral), area);
     const double needed = leastArea * *std::ranges::max_element(area);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < isovalueCount; ++i)
         if (!(area[i] >= needed)) steepness[i] = std::numeric_limits<double>::quiet_NaN();
     std::vector<SpectrumMaximum> maxima;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < isovalueCount; ++i) {
         if (!(steepness[i] > 0.0)) continue;
         const double fall = leastFall * steepness[i];
         if (fallFrom(steepness, i, -1) >= fall && fallFrom(steepness, i, 1) >= fall)

@@ -16,14 +16,14 @@ namespace echolucent {
 
 namespace {
 
-constexpr int gradientNodes = 64;
+constexpr int kindlmannGradientNodes = 64;
 
 bool isHat(const KindlmannConfig& config) { return config.emphasis == BoundaryEmphasis::hat; }
 
 constexpr std::string_view theirs = "Kindlmann and Durkin 1998, section 5";
-constexpr std::string_view page = "docs/designers/kindlmann.md";
+constexpr std::string_view kindlmannPage = "docs/designers/kindlmann.md";
 
-const std::vector<Parameter<KindlmannConfig>>& rows() {
+const std::vector<Parameter<KindlmannConfig>>& kindlmannRows() {
     using namespace config_rows;
     using Config = KindlmannConfig;
     // Numbers of the hat mean nothing of what a person drew.
@@ -36,17 +36,17 @@ const std::vector<Parameter<KindlmannConfig>>& rows() {
             {"prefilter", "Prefilter",
              "Standard deviation of the Gaussian under which derivatives are taken; 0 takes them "
              "of the voxels themselves",
-             "units", page},
+             "units", kindlmannPage},
             {0, 8}, ParameterRange{0, 4}),
         number<&Config::smoothing>(
             {"smoothing", "Smoothing over the intensity",
              "Standard deviation of the Gaussian that smooths the mean derivatives over the intensity", "levels of 255",
-             page},
+             kindlmannPage},
             {0, 16}),
         number<&Config::threshold>(
             {"threshold", "Gradient threshold",
              "Share of the largest mean gradient magnitude that is taken for the floor of speckle and noise", "share",
-             page},
+             kindlmannPage},
             {0, 0.9}),
         choice<&Config::emphasis, boundaryEmphasisNames>(
             {"emphasis", "Boundary emphasis",
@@ -87,7 +87,7 @@ double drawnAt(const std::vector<EmphasisNode>& nodes, double position) {
 }
 
 /// A number of three significant digits.
-std::string shortText(double number) {
+std::string threeDigitsInWords(double number) {
     if (number == 0.0) return "0";
     const double scale = std::pow(10.0, 2 - static_cast<int>(std::floor(std::log10(std::abs(number)))));
     return textOf(std::round(number * scale) / scale);
@@ -117,13 +117,13 @@ struct Findings {
 };
 
 std::string counted(double number, std::string_view thing) {
-    return shortText(number) + " " + std::string(thing) + (number == 1.0 ? "" : "s");
+    return threeDigitsInWords(number) + " " + std::string(thing) + (number == 1.0 ? "" : "s");
 }
 
 std::string sentenceOfWidth(const BoundaryWidth& width) {
-    std::string text = "The largest mean gradient is " + shortText(width.largestGradient) +
-                       " per unit, mean second derivatives lie between " + shortText(width.leastSecond) + " and " +
-                       shortText(width.largestSecond) + " per square unit: ";
+    std::string text = "The largest mean gradient is " + threeDigitsInWords(width.largestGradient) +
+                       " per unit, mean second derivatives lie between " + threeDigitsInWords(width.leastSecond) +
+                       " and " + threeDigitsInWords(width.largestSecond) + " per square unit: ";
     const std::string prefilter = "the prefilter of " + counted(width.prefilter, "unit");
     if (width.sigma == 0.0) return text + "what they belong to is sharper than " + prefilter + " can tell.";
     text += "boundaries are blurred by a standard deviation of " + counted(width.sigma, "unit");
@@ -149,11 +149,11 @@ std::string sentenceOfEmphasis(const KindlmannConfig& config) {
                                   ? "in the middle of a boundary"
                                   : counted(std::abs(config.centre), "standard deviation") + " to the " +
                                         (config.centre < 0.0 ? "darker" : "brighter") + " side of a boundary's middle";
-    return "Opacity is " + shortText(config.peak) + " " + place + " and falls to 0 within " +
+    return "Opacity is " + threeDigitsInWords(config.peak) + " " + place + " and falls to 0 within " +
            counted(config.halfWidth, "standard deviation") + " to both sides.";
 }
 
-std::vector<DesignFact> factsOf(const Findings& findings) {
+std::vector<DesignFact> kindlmannFacts(const Findings& findings) {
     const double data = static_cast<double>(findings.histogram.dataVoxels);
     std::vector<DesignFact> facts;
     if (findings.width) {
@@ -169,7 +169,7 @@ std::vector<DesignFact> factsOf(const Findings& findings) {
     return facts;
 }
 
-std::vector<DesignPlot> plotsOf(const Findings& findings) {
+std::vector<DesignPlot> kindlmannPlots(const Findings& findings) {
     std::vector<double> intensities;
     for (int i = 0; i < HistogramVolume::intensityNodes; ++i)
         intensities.push_back(static_cast<double>(i) / (HistogramVolume::intensityNodes - 1));
@@ -192,7 +192,8 @@ Classification classified(const KindlmannConfig& config, const Findings& finding
                                [&](double position) { return opacityOf(config, position); });
         return SampledCurve{std::move(opacities)};
     }
-    TwoDimensionalOtf otf{HistogramVolume::intensityNodes, gradientNodes, findings.histogram.largestGradient, {}};
+    TwoDimensionalOtf otf{
+        HistogramVolume::intensityNodes, kindlmannGradientNodes, findings.histogram.largestGradient, {}};
     for (const double position : boundaryPositions(findings.histogram, *findings.width, config.threshold))
         otf.opacities.push_back(static_cast<float>(opacityOf(config, position)));
     return Classification(std::move(otf));
@@ -216,7 +217,7 @@ double widestSigma(const VolumeGeometry& geometry) {
 
 }  // namespace
 
-std::span<const Parameter<KindlmannConfig>> parametersOf(const KindlmannConfig&) { return rows(); }
+std::span<const Parameter<KindlmannConfig>> parametersOf(const KindlmannConfig&) { return kindlmannRows(); }
 
 std::string problemOf(const KindlmannConfig& config) {
     if (std::string problem = problemIn(parametersOf(config), config); !problem.empty()) return problem;
@@ -234,14 +235,14 @@ std::optional<Design> design(const KindlmannConfig& config, const DesignerInput&
         throw std::invalid_argument("KindlmannConfig: " + problem);
     const bool flat = config.dimensions == KindlmannDimensions::one;
     std::optional<HistogramVolume> histogram =
-        histogramVolume(input.shown, {config.prefilter, flat ? 0 : gradientNodes}, progress);
+        histogramVolume(input.shown, {config.prefilter, flat ? 0 : kindlmannGradientNodes}, progress);
     if (!histogram) return std::nullopt;
     Findings findings{std::move(*histogram), {}, {}, {}};
     findings.means = meanDerivatives(findings.histogram, config.smoothing);
     findings.width = boundaryWidth(findings.means, config.prefilter, widestSigma(input.shown.geometry()));
     if (findings.width) findings.positions = boundaryPositions(findings.means, *findings.width, config.threshold);
 
-    Design result{PowerCurve{}, {}, factsOf(findings), plotsOf(findings), {}};
+    Design result{PowerCurve{}, {}, kindlmannFacts(findings), kindlmannPlots(findings), {}};
     if (!findings.width) {
         result.message = "No boundary was found in this volume; the parabola x² is shown in its place.";
         return result;

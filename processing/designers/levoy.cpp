@@ -16,66 +16,61 @@
 #include "processing/designers/otsu.h"
 #include "processing/volume/filled_volume.h"
 #include "processing/volume/gradient_magnitude.h"
+#include "processing/volume/intensity_counts.h"
 
 namespace echolucent {
 
 namespace {
 
-constexpr ChoiceNames<2> formNames{"isovalues", "boundaries"};
-constexpr ChoiceNames<3> levelNames{"tube_cores", "otsu", "given"};
-constexpr ChoiceNames<2> scaleNames{"largest", "quantile"};
+constexpr ChoiceNames<2> levoyFormNames{"isovalues", "boundaries"};
+constexpr ChoiceNames<3> levoyLevelsNames{"tube_cores", "otsu", "given"};
+constexpr ChoiceNames<2> levoyGradientScaleNames{"largest", "quantile"};
 
-constexpr int intensityNodes = 1021;  // three between each two bytes, so that bytes lie on nodes
-constexpr int isovalueGradientNodes = 256;
+constexpr int levoyIntensityNodes = 1021;  // three between each two bytes, so that bytes lie on nodes
+constexpr int levoyGradientNodes = 256;
 
-constexpr std::string_view page = "docs/designers/levoy.md";
+constexpr std::string_view levoyPage = "docs/designers/levoy.md";
 
-bool isGiven(const LevoyConfig& config) { return config.levels == LevoyLevels::given; }
+bool levelsAreGiven(const LevoyConfig& config) { return config.levels == LevoyLevels::given; }
 bool hasContours(const LevoyConfig& config) { return config.form == LevoyForm::isovalues; }
 bool hasBoundaries(const LevoyConfig& config) { return config.form == LevoyForm::boundaries; }
 
-const std::vector<Parameter<LevoyConfig>>& rows() {
+const std::vector<Parameter<LevoyConfig>>& levoyRows() {
     using namespace config_rows;
     constexpr ParameterScope given{"levels", "given"}, isovalues{"form", "isovalues"}, boundaries{"form", "boundaries"};
     static const std::vector<Parameter<LevoyConfig>> table{
-        choice<&LevoyConfig::form, formNames>(
+        choice<&LevoyConfig::form, levoyFormNames>(
             {"form", "Form", "Contours of values, as thick everywhere, or boundaries, as opaque as they are steep", "",
              "Levoy 1988"}),
-        choice<&LevoyConfig::levels, levelNames>(
-            {"levels", "Levels", "What gives the levels of fluid and tissue", "", page}),
-        number<&LevoyConfig::fluidLevel, isGiven>(
+        choice<&LevoyConfig::levels, levoyLevelsNames>(
+            {"levels", "Levels", "What gives the levels of fluid and tissue", "", levoyPage}),
+        number<&LevoyConfig::fluidLevel, levelsAreGiven>(
             {"fluid_level", "Fluid level", "Intensity of fluid, as a share of white", "share", "chosen by looking"},
             {0, 1}, {}, given),
-        number<&LevoyConfig::tissueLevel, isGiven>(
+        number<&LevoyConfig::tissueLevel, levelsAreGiven>(
             {"tissue_level", "Tissue level", "Intensity of tissue, as a share of white", "share", "chosen by looking"},
             {0, 1}, {}, given),
-        number<&LevoyConfig::fluidOpacity>({"fluid_opacity", "Fluid opacity", "Opacity of the fluid level", "", page},
-                                           {0, 1}),
+        number<&LevoyConfig::fluidOpacity>(
+            {"fluid_opacity", "Fluid opacity", "Opacity of the fluid level", "", levoyPage}, {0, 1}),
         number<&LevoyConfig::tissueOpacity>(
-            {"tissue_opacity", "Tissue opacity", "Opacity of the tissue level", "", page}, {0, 1}),
+            {"tissue_opacity", "Tissue opacity", "Opacity of the tissue level", "", levoyPage}, {0, 1}),
         number<&LevoyConfig::surfaceOpacity, hasContours>(
-            {"surface_opacity", "Surface opacity", "Opacity of the contour between fluid and tissue", "", page}, {0, 1},
-            {}, isovalues),
+            {"surface_opacity", "Surface opacity", "Opacity of the contour between fluid and tissue", "", levoyPage},
+            {0, 1}, {}, isovalues),
         number<&LevoyConfig::surfaceShare, hasContours>(
             {"surface_share", "Place of the surface",
-             "How far the value of the surface's contour lies from the fluid level to the tissue level", "share", page},
+             "How far the value of the surface's contour lies from the fluid level to the tissue level", "share",
+             levoyPage},
             {0, 1}, {}, isovalues),
         number<&LevoyConfig::transitionWidth, hasContours>(
-            {"transition_width", "Transition width r", "Half the thickness of a contour", "units", page}, {0.1, 100},
-            ParameterRange{0.5, 10}, isovalues),
-        choice<&LevoyConfig::gradientScale, scaleNames, hasBoundaries>(
+            {"transition_width", "Transition width r", "Half the thickness of a contour", "units", levoyPage},
+            {0.1, 100}, ParameterRange{0.5, 10}, isovalues),
+        choice<&LevoyConfig::gradientScale, levoyGradientScaleNames, hasBoundaries>(
             {"gradient_scale", "Gradient scale", "Which gradient counts as the steepest: larger ones count as it", "",
-             page},
+             levoyPage},
             boundaries),
     };
     return table;
-}
-
-/// What is reported of a part of the work is reported of the whole.
-Progress partOf(const Progress& progress, double from, double to) {
-    Progress part = progress;
-    part.report = [&progress, from, to](double share) { progress.at(from + share * (to - from)); };
-    return part;
 }
 
 /// The levels, where they come from, and what could not be done; both levels are 0 where there are none.
@@ -132,7 +127,9 @@ std::optional<Levels> levelsOf(const LevoyConfig& config, const DesignerInput& i
     return levels;
 }
 
-double atNode(double intensity) { return std::round(intensity * (intensityNodes - 1)) / (intensityNodes - 1); }
+double atNode(double intensity) {
+    return std::round(intensity * (levoyIntensityNodes - 1)) / (levoyIntensityNodes - 1);
+}
 
 /// The contours of a volume's levels, those that are clear left out.
 std::vector<LevoyLevel> contoursOf(const LevoyConfig& config, const Levels& levels) {
@@ -145,7 +142,7 @@ std::vector<LevoyLevel> contoursOf(const LevoyConfig& config, const Levels& leve
 }
 
 TwoDimensionalOtf isovalueTable(const std::vector<LevoyLevel>& contours, double width, double largestGradient) {
-    return tabulated(intensityNodes, isovalueGradientNodes, largestGradient, [&](double intensity, double gradient) {
+    return tabulated(levoyIntensityNodes, levoyGradientNodes, largestGradient, [&](double intensity, double gradient) {
         double clear = 1.0;
         for (const LevoyLevel& level : contours) clear *= 1.0 - isovalueOpacity(intensity, gradient, level, width);
         return 1.0 - clear;
@@ -154,7 +151,7 @@ TwoDimensionalOtf isovalueTable(const std::vector<LevoyLevel>& contours, double 
 
 /// Along the gradient the form is a straight line up to the gradient that counts as 1, and constant beyond.
 TwoDimensionalOtf boundaryTable(std::span<const LevoyLevel> levels, double gradientScale) {
-    return tabulated(intensityNodes, 2, gradientScale, [&](double intensity, double gradient) {
+    return tabulated(levoyIntensityNodes, 2, gradientScale, [&](double intensity, double gradient) {
         return boundaryOpacity(intensity, gradient / gradientScale, levels);
     });
 }
@@ -205,7 +202,7 @@ double boundaryOpacity(double intensity, double scaledGradient, std::span<const 
     return steepness * levels.back().opacity;
 }
 
-std::span<const Parameter<LevoyConfig>> parametersOf(const LevoyConfig&) { return rows(); }
+std::span<const Parameter<LevoyConfig>> parametersOf(const LevoyConfig&) { return levoyRows(); }
 
 std::optional<Design> design(const LevoyConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("LevoyConfig", parametersOf(config), config, input);

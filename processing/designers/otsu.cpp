@@ -67,7 +67,7 @@ DesignPlot betweenVariances(const IntensityCounts& counts) {
     return plot;
 }
 
-const auto& rows() {
+const auto& otsuRows() {
     using namespace config_rows;
     static const std::array table{
         number<&OtsuConfig::spreads>(
@@ -98,7 +98,7 @@ std::optional<OtsuClasses> otsuClasses(const IntensityCounts& counts) {
                        classOf(counts, best, intensities), largest};
 }
 
-std::span<const Parameter<OtsuConfig>> parametersOf(const OtsuConfig&) { return rows(); }
+std::span<const Parameter<OtsuConfig>> parametersOf(const OtsuConfig&) { return otsuRows(); }
 
 std::optional<Design> design(const OtsuConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("OtsuConfig", parametersOf(config), config, input);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "processing/designers/design.h"
+#include "processing/designers/designer_config.h"
 #include "processing/parameter.h"
 #include "processing/progress.h"
 #include "processing/volume/intensity_counts.h"
@@ -31,13 +32,6 @@ struct OtsuClasses {
 
 /// Nothing where fewer than two intensities were counted. Of thresholds that are equally good the lowest counts.
 [[nodiscard]] std::optional<OtsuClasses> otsuClasses(const IntensityCounts& counts);
-
-/// The ranges stand in parametersOf().
-struct OtsuConfig {
-    double spreads = 1.0;  ///< the ramp reaches this many class spreads to either side of the threshold
-    double opacity = 1.0;  ///< of the bright class beyond the ramp, per unit
-    friend bool operator==(const OtsuConfig&, const OtsuConfig&) = default;
-};
 
 /// Its table; the argument only selects it.
 [[nodiscard]] std::span<const Parameter<OtsuConfig>> parametersOf(const OtsuConfig&);

@@ -20,7 +20,7 @@ struct Ramp {
 };
 
 /// The counts of the intensities with an index in [first, last).
-IntensityCounts partOf(const IntensityCounts& counts, std::ptrdiff_t first, std::ptrdiff_t last) {
+IntensityCounts countsFrom(const IntensityCounts& counts, std::ptrdiff_t first, std::ptrdiff_t last) {
     IntensityCounts part;
     part.intensities.assign(counts.intensities.begin() + first, counts.intensities.begin() + last);
     part.counts.assign(counts.counts.begin() + first, counts.counts.begin() + last);
@@ -38,9 +38,10 @@ Ramp rampOf(const IntensityCounts& counts, const PercentileConfig& config) {
     const std::string shared =
         "So many voxels have the intensity " + inWords(begin) + " that both percentiles are it: the voxels ";
     if (found + 1 < last)
-        return {begin, percentileOf(partOf(counts, found + 1, last), config.full),
+        return {begin, percentileOf(countsFrom(counts, found + 1, last), config.full),
                 shared + "above it alone give the upper end."};
-    return {percentileOf(partOf(counts, 0, found), config.clear), end, shared + "below it alone give the lower end."};
+    return {percentileOf(countsFrom(counts, 0, found), config.clear), end,
+            shared + "below it alone give the lower end."};
 }
 
 /// The share of the voxels that an intensity is not exceeded by, at 256 intensities.
@@ -58,7 +59,7 @@ DesignPlot sharesUpTo(const IntensityCounts& counts) {
     return plot;
 }
 
-const auto& rows() {
+const auto& percentileRows() {
     using namespace config_rows;
     constexpr std::string_view byLooking = "docs/designers/percentile.md; chosen by looking";
     static const std::array table{
@@ -76,7 +77,7 @@ const auto& rows() {
 
 }  // namespace
 
-std::span<const Parameter<PercentileConfig>> parametersOf(const PercentileConfig&) { return rows(); }
+std::span<const Parameter<PercentileConfig>> parametersOf(const PercentileConfig&) { return percentileRows(); }
 
 std::optional<Design> design(const PercentileConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("PercentileConfig", parametersOf(config), config, input);

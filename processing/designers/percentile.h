@@ -5,18 +5,11 @@
 #include <span>
 
 #include "processing/designers/design.h"
+#include "processing/designers/designer_config.h"
 #include "processing/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
-
-/// The ranges stand in parametersOf().
-struct PercentileConfig {
-    double clear = 60.0;   ///< opacity is 0 up to this percentile of the voxels with data, %
-    double full = 95.0;    ///< and full from this one on, %; where it is not above `clear`, the ramp is a step
-    double opacity = 1.0;  ///< full opacity, per unit
-    friend bool operator==(const PercentileConfig&, const PercentileConfig&) = default;
-};
 
 /// Its table; the argument only selects it.
 [[nodiscard]] std::span<const Parameter<PercentileConfig>> parametersOf(const PercentileConfig&);

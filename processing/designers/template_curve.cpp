@@ -12,25 +12,26 @@
 
 #include "processing/designers/config_rows.h"
 #include "processing/designers/designer_contract.h"
+#include "processing/designers/intensity_warp.h"
+#include "processing/designers/template_reference.h"
 
 namespace echolucent {
 
 namespace {
 
-using Config = TemplateConfig;
+constexpr std::string_view templatePage = "docs/designers/template.md";
+constexpr int curveNodes = 256;
 
-constexpr std::string_view page = "docs/designers/template.md";
-constexpr int nodes = 256;
-
-const std::vector<Parameter<Config>>& rows() {
+const std::vector<Parameter<TemplateConfig>>& templateRows() {
     using namespace config_rows;
+    using Config = TemplateConfig;
     static const std::vector<Parameter<Config>> table{
         choice<&Config::comparison, templateComparisonNames>(
             {"comparison", "Comparison",
              "What the intensities of the volume and of the template are compared by: the logarithms of their shares, "
              "which asks little how much of a tissue there is, or the cumulative distributions, which find a change of "
              "gain alone more exactly",
-             "", page}),
+             "", templatePage}),
         number<&Config::leastSlope>(
             {"least_slope", "Least slope", "How much the intensity axis of the template may be pressed together",
              "times", "Rezk-Salama and others 2000"},
@@ -50,8 +51,6 @@ bool isHistogram(const std::vector<double>& histogram) {
     return histogram.size() == warpBins && areShares && (sum == 0.0 || std::abs(sum - 1.0) < 1e-6);
 }
 
-std::string rounded(double value, double step) { return textOf(std::round(value / step) * step); }
-
 /// Why a histogram cannot be compared; empty where it can.
 std::string whyNotCompared(const std::vector<double>& histogram, const std::string& what) {
     const auto filled = std::ranges::count_if(histogram, [](double share) { return share > 0.0; });
@@ -59,7 +58,7 @@ std::string whyNotCompared(const std::vector<double>& histogram, const std::stri
     return filled == 1 ? "All data of " + what + " has one intensity" : std::string();
 }
 
-std::string sentence(std::string words) {
+std::string beginningASentence(std::string words) {
     if (!words.empty() && words[0] == 't') words[0] = 'T';
     return words;
 }
@@ -74,8 +73,8 @@ DesignPlot plotOf(std::string name, std::string label, const std::vector<double>
 
 DesignPlot plotOf(const IntensityWarp& warp) {
     DesignPlot plot{"warp", "Warp t(v)", "", {}, {}};
-    for (int i = 0; i < nodes; ++i) {
-        const double v = static_cast<double>(i) / (nodes - 1), t = warp.at(v);
+    for (int i = 0; i < curveNodes; ++i) {
+        const double v = static_cast<double>(i) / (curveNodes - 1), t = warp.at(v);
         plot.intensities.push_back(v);
         plot.values.push_back(t >= 0.0 && t <= 1.0 ? t : std::numeric_limits<double>::quiet_NaN());
     }
@@ -87,21 +86,21 @@ struct Shift {
 };
 Shift largestShift(const IntensityWarp& warp) {
     Shift largest;
-    for (int i = 0; i < nodes; ++i) {
-        const double v = static_cast<double>(i) / (nodes - 1), t = warp.at(v);
+    for (int i = 0; i < curveNodes; ++i) {
+        const double v = static_cast<double>(i) / (curveNodes - 1), t = warp.at(v);
         if (t >= 0.0 && t <= 1.0 && std::abs(t - v) > std::abs(largest.by)) largest = {v, t - v};
     }
     return largest;
 }
 
 bool isClear(const OpacityCurve& curve) {
-    return std::ranges::all_of(sampledOpacities(curve, nodes), [](double opacity) { return opacity == 0.0; });
+    return std::ranges::all_of(sampledOpacities(curve, curveNodes), [](double opacity) { return opacity == 0.0; });
 }
 
 SampledCurve carried(const OpacityCurve& curve, const IntensityWarp& warp) {
     SampledCurve carried;
-    for (int i = 0; i < nodes; ++i)
-        carried.opacities.push_back(opacityAt(curve, warp.inverse(static_cast<double>(i) / (nodes - 1))));
+    for (int i = 0; i < curveNodes; ++i)
+        carried.opacities.push_back(opacityAt(curve, warp.inverse(static_cast<double>(i) / (curveNodes - 1))));
     return carried;
 }
 
@@ -113,16 +112,17 @@ void describe(const FoundWarp& found, const std::string& name, Design& design) {
                     {"mean_slope", "Mean slope", slope, ""},
                     {"distance_before", "Distance before", found.distanceBefore, ""},
                     {"distance", "Distance", found.distance, ""}};
-    design.explanation = {
-        "The curve of the template \"" + name + "\" was carried over: what is " + rounded(shift.from, 0.001) +
-            " there is " + rounded(shift.from + shift.by, 0.001) + " here, which is the largest shift.",
-        "The distributions of intensities were " + rounded(found.distanceBefore, 0.001) + " apart before and are " +
-            rounded(found.distance, 0.001) + " apart now; the warp has a mean slope of " + rounded(slope, 0.001) + "."};
+    design.explanation = {"The curve of the template \"" + name + "\" was carried over: what is " +
+                              roundedInWords(shift.from, 0.001) + " there is " +
+                              roundedInWords(shift.from + shift.by, 0.001) + " here, which is the largest shift.",
+                          "The distributions of intensities were " + roundedInWords(found.distanceBefore, 0.001) +
+                              " apart before and are " + roundedInWords(found.distance, 0.001) +
+                              " apart now; the warp has a mean slope of " + roundedInWords(slope, 0.001) + "."};
 }
 
 }  // namespace
 
-std::span<const Parameter<TemplateConfig>> parametersOf(const TemplateConfig&) { return rows(); }
+std::span<const Parameter<TemplateConfig>> parametersOf(const TemplateConfig&) { return templateRows(); }
 
 std::string problemOf(const TemplateConfig& config) {
     if (std::string problem = problemIn(parametersOf(config), config); !problem.empty()) return problem;
@@ -148,7 +148,7 @@ std::optional<Design> design(const TemplateConfig& config, const DesignerInput& 
         return design;
     }
     if (!why.empty()) {
-        design.message = sentence(why) + ": the curve of the template is used as it is.";
+        design.message = beginningASentence(why) + ": the curve of the template is used as it is.";
         return design;
     }
     const auto found =

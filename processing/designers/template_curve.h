@@ -7,20 +7,11 @@
 #include <string>
 
 #include "processing/designers/design.h"
-#include "processing/designers/intensity_warp.h"
-#include "processing/designers/template_reference.h"
+#include "processing/designers/designer_config.h"
 #include "processing/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
-
-struct TemplateConfig {
-    SharedTemplate reference = fetusTemplate();  ///< no row of the table
-    TemplateComparison comparison = TemplateComparison::logarithm;
-    double leastSlope = 0.25;   ///< of the warp, [1/8,1]
-    double largestSlope = 4.0;  ///< of the warp, [1,8]
-    friend bool operator==(const TemplateConfig&, const TemplateConfig&) = default;
-};
 
 [[nodiscard]] std::span<const Parameter<TemplateConfig>> parametersOf(const TemplateConfig&);
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "processing/volume/histogram.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
 

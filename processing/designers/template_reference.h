@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "processing/opacity_curve.h"
-#include "processing/phantom/phantom_config.h"
-#include "processing/volume/volume.h"
 
 namespace echolucent {
+
+class Volume;
+struct PhantomConfig;
 
 /// A volume's intensities, and the curve that was made for it.
 struct TemplateReference {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "processing/choice_names.h"
+#include "processing/designers/designer.h"
 #include "processing/motion/otf_sweep.h"
 
 namespace echolucent {

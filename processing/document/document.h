@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "processing/cut_surface.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/designer_config.h"
 #include "processing/document/box.h"
 #include "processing/document/comparison.h"
 #include "processing/document/curve_set.h"

@@ -28,7 +28,7 @@ ViewFrame frameOf(PlaneName plane, const ViewFrame& axes) {
 }
 
 /// Height of a picture in which the data box fits whichever of the three unturned planes it shows.
-double fittedHeightMm(BeamAxis beam, const DataBox& data, double aspect) {
+double threePlanesHeightMm(BeamAxis beam, const DataBox& data, double aspect) {
     const ViewFrame axes = frameOf(Viewpoint{.beamAxis = beam});
     const OrientedBox whole = orientedBoxOf(data);
     double height = 0.0;
@@ -87,7 +87,7 @@ PlaneView planeViewOf(const Planes& planes, PlaneName plane, BeamAxis beam, cons
     const ViewFrame frame = frameOf(plane, planes, beam);
     const Vec3 centre = data.centreMm() + frame.right * crop.panRightMm + frame.down * crop.panDownMm +
                         frame.forward * frame.forward.dot(planes.offsetMm);
-    return {centre, frame, fittedHeightMm(beam, data, aspect) / crop.magnification};
+    return {centre, frame, threePlanesHeightMm(beam, data, aspect) / crop.magnification};
 }
 
 }  // namespace echolucent

@@ -8,7 +8,7 @@ namespace {
 constexpr ChoiceNames<5> beamSourceNames{"assumed", "sector shape", "echo", "person", "file"};
 
 /// Height of the picture at magnification 1, mm.
-double fittedHeightMm(const DataBox& box, BeamAxis beam, double aspect) {
+double wholeBoxHeightMm(const DataBox& box, BeamAxis beam, double aspect) {
     return fittedPose(box, Viewpoint{.beamAxis = beam}, Projection::parallel, aspect).heightMm;
 }
 
@@ -43,7 +43,7 @@ Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction) {
 CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, double nearCutMm, const DataBox& box, Projection projection,
                         double aspect) {
     return {viewpointOf(beam, pose.direction, nearCutMm), box.centreMm() + pose.offsetMm,
-            fittedHeightMm(box, beam, aspect) / pose.magnification, projection};
+            wholeBoxHeightMm(box, beam, aspect) / pose.magnification, projection};
 }
 
 Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& after, const DataBox& box, double aspect) {
@@ -51,14 +51,14 @@ Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& aft
     moved.direction = directionOf(after.view);
     if (after.focalPoint != before.focalPoint) moved.offsetMm = after.focalPoint - box.centreMm();
     if (after.heightMm != before.heightMm)
-        moved.magnification = fittedHeightMm(box, after.view.beamAxis, aspect) / after.heightMm;
+        moved.magnification = wholeBoxHeightMm(box, after.view.beamAxis, aspect) / after.heightMm;
     return moved;
 }
 
 Pose wholeVolumePose(const DataBox& box, const Viewpoint& viewpoint, Projection projection, double aspect) {
     const CameraPose fitted = fittedPose(box, viewpoint, projection, aspect);
     return {directionOf(viewpoint), fitted.focalPoint - box.centreMm(),
-            fittedHeightMm(box, viewpoint.beamAxis, aspect) / fitted.heightMm};
+            wholeBoxHeightMm(box, viewpoint.beamAxis, aspect) / fitted.heightMm};
 }
 
 }  // namespace echolucent

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "processing/document/read_options.h"
-#include "processing/phantom/phantom.h"
+#include "processing/phantom/phantom_config.h"
 
 namespace echolucent {
 

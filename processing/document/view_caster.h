@@ -8,6 +8,7 @@
 
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/classification.h"
+#include "processing/designers/design.h"
 #include "processing/document/document.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/ray_cast_settings.h"

@@ -7,6 +7,9 @@
 
 namespace echolucent::light {
 
+/// The half-angle of the cone that is a whole hemisphere.
+inline constexpr double hemisphereDegrees = 90.0;
+
 struct WeightedDirection {
     Vec3 towards;  ///< unit, grid mm: towards the light
     double weight = 1.0;

@@ -15,6 +15,7 @@
 #include "processing/light/light_grid.h"
 #include "processing/light/slice_kernel.h"
 #include "processing/parallel.h"
+#include "processing/progress_count.h"
 #include "processing/volume/filled_volume.h"
 
 namespace echolucent {
@@ -45,8 +46,6 @@ LightScene lightSceneOf(const RayCastSettings& settings, const VolumeGeometry& g
 }
 
 namespace {
-
-constexpr double hemisphereDegrees = 90.0;
 
 void check(const LightScene& scene) {
     const auto isDirection = [](const Vec3& v) { return std::isfinite(length(v)) && length(v) > 0.0; };
@@ -104,7 +103,7 @@ private:
 /// Both lights as bytes, rounded from 256ths.
 std::vector<std::uint8_t> bytesOf(const std::vector<std::uint16_t>& key, const std::vector<std::uint16_t>& around) {
     std::vector<std::uint8_t> bytes(2 * key.size());
-    parallelFor(tbb::blocked_range<std::size_t>(0, key.size(), 1 << 15), [&](const auto& part) {
+    parallelFor(LoopRange<std::size_t>(0, key.size(), 1 << 15), [&](const auto& part) {
         for (std::size_t i = part.begin(); i < part.end(); ++i) {
             bytes[2 * i] = static_cast<std::uint8_t>((key[i] + 128U) >> 8);
             bytes[2 * i + 1] = static_cast<std::uint8_t>((around[i] + 128U) >> 8);
@@ -142,7 +141,7 @@ public:
             lights.emplace_back(light::DirectionBundle::of(directions, grid), grid);
         };
         add(scene.towardsKey, scene.keyHalfAngleDegrees, scene.keyDirections);
-        if (!keptAround) add(scene.towardsViewer, hemisphereDegrees, scene.aroundDirections);
+        if (!keptAround) add(scene.towardsViewer, light::hemisphereDegrees, scene.aroundDirections);
         sweepAll(lights, scene, grid, progress);
         if (progress.cancelled()) return std::nullopt;
         if (!keptAround) m_around = lights[1].takeSum();
@@ -215,7 +214,7 @@ private:
             }
         if (alongX) extinctions.yFastest = light::withYFastest(extinctions.xFastest, grid);
         ProgressCount count(progress, jobs.size());
-        parallelFor(tbb::blocked_range<std::size_t>(0, jobs.size(), 1), [&](const auto& part) {
+        parallelFor(LoopRange<std::size_t>(0, jobs.size(), 1), [&](const auto& part) {
             for (std::size_t i = part.begin(); i < part.end(); ++i) {
                 const auto& [bundle, light] = jobs[i];
                 light->add(*bundle, bundle->sweep(extinctions, scene.attenuation, progress));

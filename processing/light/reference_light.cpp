@@ -13,7 +13,6 @@ namespace {
 
 constexpr int extinctionIntervals = 4080;
 constexpr double mostExtinction = 1e6;  // per unit, of opacity 1
-constexpr double hemisphereDegrees = 90.0;
 
 std::vector<double> extinctionsOf(const OpacityCurve& curve) {
     std::vector<double> extinctions = sampledOpacities(curve, extinctionIntervals + 1);

@@ -5,9 +5,16 @@
 #include <optional>
 #include <string_view>
 
-#include "processing/motion/otf_sweep.h"
+#include "processing/motion/otf_smoothing.h"
 
 namespace echolucent {
+
+/// About which axis of the view's frame the view turns: x changes the elevation, y the azimuth, z the roll.
+enum class MotionAxis { x, y, z };
+
+/// The range of the motion, whole degrees from the view in which it was started.
+inline constexpr int firstMotionAngle = -45;
+inline constexpr int lastMotionAngle = 45;
 
 /// What moves from frame to frame (Petersch 2005, section 5).
 enum class MotionScenario {

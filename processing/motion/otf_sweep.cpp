@@ -9,6 +9,7 @@
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/parallel.h"
+#include "processing/progress_count.h"
 
 namespace echolucent {
 
@@ -65,7 +66,7 @@ bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::s
                    std::span<FrameOtf> results) {
     ProgressCount count(progress, wanted.size());
     const Progress quiet{{}, progress.cancel};
-    parallelFor(tbb::blocked_range<std::size_t>(0, wanted.size(), 1), [&](const auto& range) {
+    parallelFor(LoopRange<std::size_t>(0, wanted.size(), 1), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end() && !progress.cancelled(); ++i) {
             const SweepFrame& frame = frames[wanted[i]];
             const Volume& volume = *phases[static_cast<std::size_t>(frame.phase)];

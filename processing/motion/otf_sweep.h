@@ -6,17 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/motion/motion_mode.h"
 #include "processing/motion/otf_smoothing.h"
+#include "processing/opacity_curve.h"
+#include "processing/progress.h"
+#include "processing/viewpoint.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent {
-
-/// About which axis of the view's frame the view turns: x changes the elevation, y the azimuth, z the roll.
-enum class MotionAxis { x, y, z };
-
-/// The range of the motion, whole degrees from the view in which it was started.
-inline constexpr int firstMotionAngle = -45;
-inline constexpr int lastMotionAngle = 45;
 
 /// The view turned by an angle from the view in which a motion began.
 [[nodiscard]] Viewpoint turned(const Viewpoint& start, MotionAxis axis, double degrees);

@@ -12,7 +12,7 @@ namespace {
 constexpr int nodesAcross = 16;  // along the longer side
 constexpr int leastTubes = 30;   // fewer tell no shape
 // Samples behind the place where a stretch begins: there the wall's ramp, as wide as the smoothing, is over.
-constexpr double inside = 2.5;
+constexpr double farEnoughInside = 2.5;
 constexpr double steepest = 1.75;    // depth over distance
 constexpr double flattening = 0.02;  // of the mean weight of a node: draws to the plane what no tube core tells
 constexpr int fits = 10;
@@ -167,7 +167,7 @@ private:
     [[nodiscard]] Target targetOf(const FluidStretch& stretch) const {
         return {stretch.tube % m_tubes.columns / m_nodes.samplesApart,
                 stretch.tube / m_tubes.columns / m_nodes.samplesApart,
-                stretch.begin - 0.5 + std::min(inside, stretch.length() / 2.0),
+                stretch.begin - 0.5 + std::min(farEnoughInside, stretch.length() / 2.0),
                 std::min(1.0, stretch.length() / 10.0) * stretch.contrast};
     }
     /// Of each tube core the stretch for which `cost` is least.

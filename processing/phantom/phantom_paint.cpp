@@ -202,9 +202,9 @@ std::vector<float> paintedEchoes(const PhantomScenery& scenery, const PhantomCon
     std::vector<float> echoes(static_cast<std::size_t>(size[0] * size[1] * size[2]));
     Painter painter(scenery, config, sampling, echoes);
     const std::int64_t columns = (size[0] + edge - 1) / edge, rows = (size[1] + edge - 1) / edge;
-    parallelFor(tbb::blocked_range2d<std::int64_t>(0, rows, 1, 0, columns, 1), [&](const auto& range) {
+    parallelFor(LoopRectangle<std::int64_t>(rows, columns), [&](const auto& range) {
         for (std::int64_t row = range.rows().begin(); row < range.rows().end(); ++row)
-            for (std::int64_t column = range.cols().begin(); column < range.cols().end(); ++column)
+            for (std::int64_t column = range.columns().begin(); column < range.columns().end(); ++column)
                 if (!progress.cancelled()) painter.paintColumn(column * edge, row * edge);
     });
     return progress.cancelled() ? std::vector<float>{} : echoes;

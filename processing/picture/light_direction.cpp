@@ -2,13 +2,9 @@
 
 #include <algorithm>
 
+#include "processing/picture/camera_pose.h"
+
 namespace echolucent {
-
-namespace {
-
-constexpr double degreesPerHeight = 180.0;
-
-}  // namespace
 
 Vec3 towardsLight(const LightDirection& light) {
     return rotationY(-light.azimuthDegrees) * rotationX(-light.elevationDegrees) * Vec3{0, 0, -1};

@@ -48,7 +48,7 @@ void forEachRowOf(const VolumeGeometry& geometry, const std::array<std::int64_t,
 template <typename Visit>
 void forEachBrick(const BrickGrid& grid, const Visit& visit) {
     const std::int64_t columns = grid.size[0], rows = grid.size[1];
-    parallelFor(tbb::blocked_range<std::int64_t>(0, rows * grid.size[2]), [&](const auto& range) {
+    parallelFor(LoopRange<std::int64_t>(0, rows * grid.size[2]), [&](const auto& range) {
         for (std::int64_t row = range.begin(); row < range.end(); ++row)
             for (std::int64_t x = 0; x < columns; ++x)
                 visit(std::array<std::int64_t, 3>{x, row % rows, row / rows},

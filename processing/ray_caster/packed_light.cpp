@@ -15,7 +15,7 @@ PackedLight::PackedLight(const LightVolume& light, const VolumeGeometry& geometr
     }
     const std::int64_t columns = size[0], rows = size[1], slices = size[2];
     places.resize(static_cast<std::size_t>(columns * rows * (slices + 1) * bytesPerPlace));
-    parallelFor(tbb::blocked_range<std::int64_t>(0, rows * (slices + 1), 32), [&](const auto& range) {
+    parallelFor(LoopRange<std::int64_t>(0, rows * (slices + 1), 32), [&](const auto& range) {
         for (std::int64_t row = range.begin(); row < range.end(); ++row) {
             const std::int64_t y = row % rows, z = std::min(row / rows, slices - 1);
             const std::uint8_t* const here = light.reaching.data() + (z * rows + y) * columns * 2;

@@ -18,7 +18,7 @@ RowMarks PackedPresence::follow(const Volume& volume, const RowMarks& masked) {
     }
     if (!m_cubes) {
         m_cubes = std::make_unique_for_overwrite<std::uint8_t[]>(m_order.stored());
-        parallelFor(tbb::blocked_range<std::size_t>(0, m_order.stored(), 1 << 18), [&](const auto& part) {
+        parallelFor(LoopRange<std::size_t>(0, m_order.stored(), 1 << 18), [&](const auto& part) {
             std::fill(m_cubes.get() + part.begin(), m_cubes.get() + part.end(), std::uint8_t{255});
         });
     }

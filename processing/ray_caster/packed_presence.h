@@ -51,7 +51,7 @@ template <typename Fold, typename Visit>
 void PackedPresence::foldBricks(std::int64_t edge, const std::array<std::int64_t, 3>& bricks, const RowMarks& rows,
                                 const Fold& fold, const Visit& visit) const {
     const std::int64_t bytes = (m_order.size[0] + 1) * voxelsPerCube;
-    parallelFor(tbb::blocked_range<std::int64_t>(0, bricks[1] * bricks[2]), [&](const auto& range) {
+    parallelFor(LoopRange<std::int64_t>(0, bricks[1] * bricks[2]), [&](const auto& range) {
         std::vector<std::uint8_t> columns(static_cast<std::size_t>(bytes));
         for (std::int64_t brick = range.begin(); brick < range.end(); ++brick) {
             const std::int64_t y = brick % bricks[1] * edge, z = brick / bricks[1] * edge;

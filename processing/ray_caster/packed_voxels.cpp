@@ -41,7 +41,7 @@ PackedVoxels<Voxel>::PackedVoxels(const Volume& filled) : m_order(filled.geometr
     const Packing<Voxel> packing{TransferTable::intervals / filled.whiteLevel()};
     const Voxel* voxels = std::get<VoxelArray<Voxel>>(filled.voxels()).data();
     m_cubes = std::make_unique_for_overwrite<Voxel[]>(m_order.stored());
-    parallelFor(tbb::blocked_range<std::int64_t>(0, m_order.rows * m_order.slices, 64), [&](const auto& range) {
+    parallelFor(LoopRange<std::int64_t>(0, m_order.rows * m_order.slices, 64), [&](const auto& range) {
         for (std::int64_t each = range.begin(); each < range.end(); ++each) {
             const std::int64_t row = each % m_order.rows, slice = each / m_order.rows;
             const auto rowOf = [&](std::int64_t y) {

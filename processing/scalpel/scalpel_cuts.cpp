@@ -9,6 +9,7 @@
 
 #include "processing/parallel.h"
 #include "processing/picture/picture_place.h"
+#include "processing/progress_count.h"
 #include "processing/scalpel/stroke_raster.h"
 
 namespace echolucent {

@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double farthestMm = 1e4;
 /// How far beyond the first or last sample, line or plane a position counts as there: what rounding does.
-constexpr double forgiven = 1e-6;
+constexpr double forgivenPosition = 1e-6;
 
 constexpr ChoiceNames<4> kindNames{"linear", "convex", "linear-wobbler", "wobbler"};
 
@@ -70,7 +70,7 @@ std::optional<std::string> problemOfAxis(const PolarAxis& axis, double rangeStar
     if (!angular) return std::nullopt;
     if (!(std::abs(axis.radiusMm) <= farthestMm))
         return "turn about an axis " + textOf(axis.radiusMm) + " mm from the face, which no probe has";
-    if (rangeStartMm + axis.radiusMm < -forgiven)
+    if (rangeStartMm + axis.radiusMm < -forgivenPosition)
         return "turn about an axis that lies behind the first sample, at " + textOf(-axis.radiusMm) + " mm";
     return std::nullopt;
 }
@@ -125,7 +125,7 @@ std::optional<double> indexOnAxis(const PolarAxis& axis, double value) {
     const double low = axis.values[static_cast<std::size_t>(before)];
     const double high = axis.values[static_cast<std::size_t>(before + 1)];
     const double index = static_cast<double>(before) + (value - low) / (high - low);
-    if (!(index >= -forgiven && index <= static_cast<double>(last) + forgiven)) return std::nullopt;
+    if (!(index >= -forgivenPosition && index <= static_cast<double>(last) + forgivenPosition)) return std::nullopt;
     return std::clamp(index, 0.0, static_cast<double>(last));
 }
 
@@ -144,7 +144,7 @@ std::optional<Vec3> polarFromProbeMm(const PolarGeometry& geometry, const Vec3& 
     }
     const double sample = (range - geometry.rangeStartMm) / geometry.rangeStepMm;
     const auto last = static_cast<double>(geometry.samples - 1);
-    if (!(sample >= -forgiven && sample <= last + forgiven)) return std::nullopt;
+    if (!(sample >= -forgivenPosition && sample <= last + forgivenPosition)) return std::nullopt;
     const auto lineIndex = indexOnAxis(geometry.lines, line), planeIndex = indexOnAxis(geometry.planes, plane);
     if (!lineIndex || !planeIndex) return std::nullopt;
     return Vec3(std::clamp(sample, 0.0, last), *lineIndex, *planeIndex);

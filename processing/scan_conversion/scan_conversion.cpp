@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "processing/parallel.h"
+#include "processing/progress_count.h"
 #include "processing/scan_conversion/conversion_kernel.h"
 
 namespace echolucent {
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How far beyond the insonified region a voxel's centre counts as in it, voxels: what rounding does.
-constexpr double forgiven = 1e-6;
+constexpr double forgivenVoxels = 1e-6;
 /// How far from a sample a voxel's centre counts as on it, samples: what rounding in the file does.
 constexpr double onASample = 1e-4;
 
@@ -107,11 +108,11 @@ void ScanConversion::setRow(std::int64_t y, std::int64_t z) {
     row.planeShare = static_cast<float>(*planeIndex - row.plane);
 
     const auto [lowest, highest] = std::minmax(m_polar.lines.values.front(), m_polar.lines.values.back());
-    const double tolerance = forgiven * m_grid.geometry.spacing[0];
+    const double tolerance = forgivenVoxels * m_grid.geometry.spacing[0];
     Interval left, right;
     if (m_polar.lines.spread == PolarSpread::positions) {
         row.along = static_cast<float>(along);
-        const double step = forgiven * m_polar.rangeStepMm;
+        const double step = forgivenVoxels * m_polar.rangeStepMm;
         if (along < m_polar.rangeStartMm - step || along > m_polar.rangeEndMm() + step) return;
         right = {lowest, highest};
         left.clear();
@@ -127,8 +128,8 @@ void ScanConversion::setRow(std::int64_t y, std::int64_t z) {
     const auto runOf = [&](const Interval& interval) {
         if (!(interval.low <= interval.high + 2 * tolerance)) return Run{};
         const double spacing = m_grid.geometry.spacing[0];
-        const double first = std::ceil((interval.low - mm[0]) / spacing - forgiven);
-        const double last = std::floor((interval.high - mm[0]) / spacing + forgiven);
+        const double first = std::ceil((interval.low - mm[0]) / spacing - forgivenVoxels);
+        const double last = std::floor((interval.high - mm[0]) / spacing + forgivenVoxels);
         const auto count = static_cast<double>(m_grid.geometry.size[0]);
         const Run run{static_cast<std::int32_t>(std::clamp(first, 0.0, count)),
                       static_cast<std::int32_t>(std::clamp(last + 1, 0.0, count))};

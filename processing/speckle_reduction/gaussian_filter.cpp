@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "processing/parallel.h"
+#include "processing/per_thread.h"
+#include "processing/progress_count.h"
 #include "processing/speckle_reduction/filter_spacing.h"
 #include "processing/speckle_reduction/row_sums.h"
 #include "processing/speckle_reduction/shown_range.h"

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "processing/parallel.h"
+#include "processing/per_thread.h"
+#include "processing/progress_count.h"
 #include "processing/speckle_reduction/filter_slabs.h"
 #include "processing/speckle_reduction/filter_spacing.h"
 #include "processing/speckle_reduction/guide_slices.h"
@@ -165,12 +167,6 @@ private:
     std::int64_t m_first = 0;  ///< the slice behind the rim in front
     std::int64_t m_taken = 0;  ///< the first slice of which there is no plane yet
 };
-
-/// What runs from one share of the whole to another.
-Progress partOf(const Progress& progress, double from, double to) {
-    if (!progress.report) return progress;
-    return {[&progress, from, to](double share) { progress.at(from + share * (to - from)); }, progress.cancel};
-}
 
 /// Where the means of a slice go: its place along z, and the means, x fastest. It is called from several threads.
 using SliceTaker = std::function<void(std::int64_t z, std::span<const float> means)>;

@@ -12,7 +12,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr double apart = 3.0;  // mean voxels
+constexpr double pairDistance = 3.0;  // mean voxels
 constexpr std::int64_t mostPairs = 200'000;
 /// Rarer intensities are those of boundaries, whose differences are not speckle.
 constexpr double leastShare = 0.002;
@@ -41,7 +41,7 @@ SpeckleLawMeasurement::SpeckleLawMeasurement(VolumeGeometry geometry)
     : m_geometry(std::move(geometry)), m_spacing(filterSpacing(m_geometry)) {}
 
 std::int64_t SpeckleLawMeasurement::placesAlong(int axis) const {
-    return std::max<std::int64_t>(1, std::llround(apart / m_spacing[axis]));
+    return std::max<std::int64_t>(1, std::llround(pairDistance / m_spacing[axis]));
 }
 
 std::int64_t SpeckleLawMeasurement::reach() const { return placesAlong(2); }

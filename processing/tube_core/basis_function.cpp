@@ -46,11 +46,11 @@ std::vector<double> adaptedLogOpacity(const OpacityCurve& initial, std::span<con
         intensities[i] = static_cast<double>(i) / (count - 1);
         if (const double first = logOpacityAt(initial, intensities[i]); std::isfinite(first)) sums[i] = first;
     }
-    const auto partOf = [](auto& values, const tbb::blocked_range<std::size_t>& range) {
+    const auto partOf = [](auto& values, const LoopRange<std::size_t>& range) {
         return std::span(values).subspan(range.begin(), range.size());
     };
     constexpr std::size_t grain = 32;
-    parallelFor(tbb::blocked_range<std::size_t>(0, size, grain), [&](const tbb::blocked_range<std::size_t>& range) {
+    parallelFor(LoopRange<std::size_t>(0, size, grain), [&](const LoopRange<std::size_t>& range) {
         addFactors(factors, partOf(intensities, range), partOf(sums, range), partOf(lost, range));
     });
     for (std::size_t i = 0; i < size; ++i) {

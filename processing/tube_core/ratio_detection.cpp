@@ -151,13 +151,12 @@ TubeContrasts::TubeContrasts(const TubeProfiles& profiles, const SpeckleScale& s
         m_contrasts.emplace_back(next + slabCount, boundaries);
         next += slabCount + boundaries;
     }
-    parallelFor(tbb::blocked_range<std::size_t>(0, profiles.tubes(), tubesPerTask),
-                [&](const tbb::blocked_range<std::size_t>& range) {
-                    for (std::size_t t = range.begin(); t < range.end(); ++t) {
-                        scale.scale(profiles.means(t), m_profiles[t]);
-                        contrastsAlong(m_profiles[t], rule, m_contrasts[t]);
-                    }
-                });
+    parallelFor(LoopRange<std::size_t>(0, profiles.tubes(), tubesPerTask), [&](const LoopRange<std::size_t>& range) {
+        for (std::size_t t = range.begin(); t < range.end(); ++t) {
+            scale.scale(profiles.means(t), m_profiles[t]);
+            contrastsAlong(m_profiles[t], rule, m_contrasts[t]);
+        }
+    });
 }
 
 namespace {

@@ -3,22 +3,17 @@
 #include <algorithm>
 #include <bit>
 
-#include "processing/parallel.h"
+#include "processing/volume/grid_rows.h"
 
 namespace echolucent {
 
 namespace {
 
+constexpr std::int64_t rowsOfBits = 256;  ///< that one thread takes together
+
 /// The bits that exist in the last word of a row.
 std::uint64_t lastWordMask(std::int64_t sizeX) {
     return sizeX % 64 == 0 ? ~std::uint64_t{0} : (std::uint64_t{1} << (sizeX % 64)) - 1;
-}
-
-template <typename Body>
-void forEachRow(const std::array<std::int64_t, 3>& size, const Body& body) {
-    parallelFor(tbb::blocked_range<std::int64_t>(0, size[1] * size[2], 256), [&](const auto& rows) {
-        for (std::int64_t row = rows.begin(); row < rows.end(); ++row) body(row % size[1], row / size[1]);
-    });
 }
 
 /// Spreads `row` along x in both directions until every run of `passable` that it touches is full.
@@ -75,7 +70,7 @@ BitGrid BitGrid::operator|(const BitGrid& other) const {
 BitGrid BitGrid::dilated() const {
     BitGrid result = *this;
     const std::uint64_t lastMask = lastWordMask(m_size[0]);
-    forEachRow(m_size, [&](std::int64_t y, std::int64_t z) {
+    forEachRow(m_size, rowsOfBits, [&](std::int64_t y, std::int64_t z) {
         const std::uint64_t* own = row(y, z);
         std::uint64_t* target = result.row(y, z);
         for (std::int64_t i = 0; i < m_words; ++i) {
@@ -99,7 +94,7 @@ BitGrid BitGrid::eroded() const {
         if (i < 0 || i >= m_words) return ~std::uint64_t{0};
         return i == m_words - 1 ? own[i] | beyondLast : own[i];
     };
-    forEachRow(m_size, [&](std::int64_t y, std::int64_t z) {
+    forEachRow(m_size, rowsOfBits, [&](std::int64_t y, std::int64_t z) {
         const std::uint64_t* own = row(y, z);
         std::uint64_t* target = result.row(y, z);
         for (std::int64_t i = 0; i < m_words; ++i) {

@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "processing/parallel.h"
 #include "processing/volume/bit_grid.h"
+#include "processing/volume/grid_rows.h"
 #include "processing/volume/presence.h"
 
 namespace echolucent {
@@ -17,21 +17,15 @@ namespace echolucent {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-using Size = std::array<std::int64_t, 3>;
 
-template <typename Visit>
-void forEachRow(const Size& size, const Visit& visit) {
-    parallelFor(tbb::blocked_range<std::int64_t>(0, size[1] * size[2], 64), [&](const auto& rows) {
-        for (std::int64_t row = rows.begin(); row < rows.end(); ++row) visit(row % size[1], row / size[1]);
-    });
-}
+constexpr std::int64_t rowsOfVoxels = 64;  ///< that one thread takes together
 
 /// One byte a voxel, 1 where a mask (empty where all are) marks a voxel that is finite; empty where all voxels are.
 template <typename Voxel>
 Bytes dataOf(const VolumeGeometry& geometry, const DataMask& mask, const VoxelArray<Voxel>& voxels) {
     if (mask.empty() && !std::is_same_v<Voxel, float>) return {};
     Bytes data(voxels.size());
-    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
+    forEachRow(geometry.size, rowsOfVoxels, [&](std::int64_t y, std::int64_t z) {
         const std::int64_t first = geometry.offset(0, y, z), columns = geometry.size[0];
         std::uint8_t* to = data.data() + first;
         const std::uint8_t* marks = mask.empty() ? nullptr : mask.data() + first;
@@ -58,7 +52,7 @@ struct RowsAround {
 /// Bits of the bytes that dataOf() gives: a pass over them is short, and most voxels lie far from the border.
 BitGrid bitsOf(const VolumeGeometry& geometry, const Bytes& data) {
     BitGrid bits(geometry.size);
-    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
+    forEachRow(geometry.size, rowsOfVoxels, [&](std::int64_t y, std::int64_t z) {
         const std::uint8_t* from = data.data() + geometry.offset(0, y, z);
         std::uint64_t* to = bits.row(y, z);
         std::int64_t x = 0;
@@ -136,7 +130,7 @@ struct NineRows {
 template <typename Voxel>
 void growLayer(const VolumeGeometry& geometry, std::vector<Voxel>& voxels, BitGrid& known, Bytes& mask) {
     BitGrid grown = known;
-    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
+    forEachRow(geometry.size, rowsOfVoxels, [&](std::int64_t y, std::int64_t z) {
         const NineRows<Voxel> rows(geometry, voxels, known, y, z);
         const auto first = static_cast<std::size_t>(geometry.offset(0, y, z));
         rows.forEachBesideKnown([&](std::int64_t x) {
@@ -157,7 +151,7 @@ Volume filled(const Volume& volume, const VoxelArray<Voxel>& given) {
     std::vector<Voxel> voxels = given.toVector();
     BitGrid known = bitsOf(geometry, mask);
     for (int layer = 0; layer < FilledVolume::fillReach; ++layer) growLayer(geometry, voxels, known, mask);
-    forEachRow(geometry.size, [&](std::int64_t y, std::int64_t z) {
+    forEachRow(geometry.size, rowsOfVoxels, [&](std::int64_t y, std::int64_t z) {
         const auto first = static_cast<std::size_t>(geometry.offset(0, y, z));
         for (std::size_t i = first; i < first + static_cast<std::size_t>(geometry.size[0]); ++i)
             if (mask[i] == 0) voxels[i] = Voxel{};

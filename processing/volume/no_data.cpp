@@ -58,19 +58,18 @@ BitGrid blankVoxels(const Volume& volume) {
     const std::uint8_t* mask = volume.dataMaskOrNull();
     std::visit(
         [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) {
-            parallelFor(
-                tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
-                    for (std::int64_t row = rows.begin(); row < rows.end(); ++row)
-                        for (std::int64_t x = 0; x < geometry.size[0]; x += 64) {
-                            const std::int64_t offset = row * geometry.size[0] + x;
-                            const std::int64_t count = std::min<std::int64_t>(64, geometry.size[0] - x);
-                            std::uint64_t& word = blank.row(row % geometry.size[1], row / geometry.size[1])[x / 64];
-                            if (std::is_same_v<Voxel, std::uint8_t> && mask == nullptr && count == 64)
-                                word = zeroBytes(reinterpret_cast<const std::uint8_t*>(voxels.data() + offset));
-                            else
-                                word = blankBits(voxels.data() + offset, mask ? mask + offset : nullptr, count);
-                        }
-                });
+            parallelFor(LoopRange<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
+                for (std::int64_t row = rows.begin(); row < rows.end(); ++row)
+                    for (std::int64_t x = 0; x < geometry.size[0]; x += 64) {
+                        const std::int64_t offset = row * geometry.size[0] + x;
+                        const std::int64_t count = std::min<std::int64_t>(64, geometry.size[0] - x);
+                        std::uint64_t& word = blank.row(row % geometry.size[1], row / geometry.size[1])[x / 64];
+                        if (std::is_same_v<Voxel, std::uint8_t> && mask == nullptr && count == 64)
+                            word = zeroBytes(reinterpret_cast<const std::uint8_t*>(voxels.data() + offset));
+                        else
+                            word = blankBits(voxels.data() + offset, mask ? mask + offset : nullptr, count);
+                    }
+            });
         },
         volume.voxels());
     return blank;
@@ -100,7 +99,7 @@ DataMask maskWithout(const BitGrid& region, const Volume& volume, std::pmr::memo
     const auto owner = std::make_shared<std::pmr::vector<std::uint8_t>>(own.begin(), own.end(), &memory);
     std::pmr::vector<std::uint8_t>& mask = *owner;
     if (mask.empty()) mask.resize(static_cast<std::size_t>(geometry.voxelCount()), 1);
-    parallelFor(tbb::blocked_range<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
+    parallelFor(LoopRange<std::int64_t>(0, geometry.size[1] * geometry.size[2], 64), [&](const auto& rows) {
         for (std::int64_t row = rows.begin(); row < rows.end(); ++row) {
             const std::uint64_t* words = region.row(row % geometry.size[1], row / geometry.size[1]);
             std::uint8_t* target = mask.data() + row * geometry.size[0];

@@ -12,7 +12,7 @@ namespace echolucent {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-constexpr double rounding = 1e-9;  // as in inBox()
+constexpr double roundingOfBox = 1e-9;  // as in inBox()
 
 /// Rows of a plane in voxels.
 struct RowsInVoxels {
@@ -26,12 +26,12 @@ struct RowsInVoxels {
     [[nodiscard]] Span inBox(const Vec3& start, int columns) const {
         double from = 0.0, to = columns - 1.0;
         for (int axis = 0; axis < 3; ++axis) {
-            const double low = -0.5 - rounding - start[axis],
-                         high =
-                             static_cast<double>(size[static_cast<std::size_t>(axis)]) - 0.5 + rounding - start[axis];
+            const double low = -0.5 - roundingOfBox - start[axis],
+                         high = static_cast<double>(size[static_cast<std::size_t>(axis)]) - 0.5 + roundingOfBox -
+                                start[axis];
             const double step = perColumn[axis];
             // Steps that change nothing over the whole row are none.
-            if (std::abs(step) * columns < rounding) {
+            if (std::abs(step) * columns < roundingOfBox) {
                 if (low > 0.0 || high < 0.0) return {0, 0};
                 continue;
             }

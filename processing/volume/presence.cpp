@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::uint8_t whole = 255;
+constexpr std::uint8_t fullPresence = 255;
 /// Rows or slices that a smoothed one is made of.
 constexpr std::size_t taps = 2 * presenceReach + 1;
 using Rows = std::array<const std::uint8_t*, taps>;
@@ -34,7 +34,7 @@ void smoothRows(const Rows& from, std::int64_t count, std::uint8_t* __restrict t
 /// What the mask says, the less smooth the less of the surroundings agree.
 std::uint8_t keptThin(std::uint8_t smooth, bool data) {
     constexpr int thin = 77, wide = 115;  // bytes of agreement: 0.30, 0.45
-    const int agreement = data ? smooth : whole - smooth, said = data ? whole : 0;
+    const int agreement = data ? smooth : fullPresence - smooth, said = data ? fullPresence : 0;
     const int share = std::clamp(wide - agreement, 0, wide - thin);
     return static_cast<std::uint8_t>(smooth + (said - smooth) * share / (wide - thin));
 }
@@ -59,9 +59,9 @@ public:
     /// A part of a row; `to` holds the part alone.
     void write(std::int64_t y, std::int64_t z, const RowPart& part, std::uint8_t* __restrict to) const {
         const std::int64_t first = m_geometry.offset(part.first, y, z), count = part.count();
-        if (m_mask == nullptr) std::fill_n(to, count, whole);
+        if (m_mask == nullptr) std::fill_n(to, count, fullPresence);
         const std::uint8_t* marks = m_mask == nullptr ? nullptr : m_mask + first;
-        for (std::int64_t x = 0; x < count && marks != nullptr; ++x) to[x] = marks[x] != 0 ? whole : 0;
+        for (std::int64_t x = 0; x < count && marks != nullptr; ++x) to[x] = marks[x] != 0 ? fullPresence : 0;
         if constexpr (std::is_same_v<Voxel, float>)
             for (std::int64_t x = 0; x < count; ++x)
                 if (!std::isfinite(m_voxels[static_cast<std::size_t>(first + x)])) to[x] = 0;
@@ -192,7 +192,7 @@ void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence
         [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) {
             // A part also smooths the slices around it.
             constexpr std::int64_t part = 16;
-            parallelFor(tbb::blocked_range<std::int64_t>(0, rows.slices(), part), [&](const auto& slices) {
+            parallelFor(LoopRange<std::int64_t>(0, rows.slices(), part), [&](const auto& slices) {
                 if (!rows.partWithin({0, rows.rows()}, {slices.begin(), slices.end()}).any()) return;
                 SliceSmoother<Voxel> smoother(volume, voxels, rows, kept);
                 for (std::int64_t z = slices.begin(); z < slices.end(); ++z)

@@ -1,3 +1,4 @@
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "program.h"
@@ -5,7 +6,7 @@
 namespace echolucent {
 namespace {
 
-TEST(Bench, ReportsBothViewsAndASweep) {
+TEST(LongBench, ReportsBothViewsAndASweep) {
     const Outcome outcome = runProgram("bench otf \"" + shapesFile() + "\" --runs 1 --json - --threads 2");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     const auto report = nlohmann::json::parse(outcome.output);

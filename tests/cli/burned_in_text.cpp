@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "program.h"
+#include "scan_slices.h"
 #include "tests/io/dicom_files.h"
 
 namespace echolucent {
@@ -12,12 +13,7 @@ namespace {
 void writeSlices(const Folder& folder, const std::string& stated) {
     std::filesystem::create_directory(folder / "series");
     for (int slice = 0; slice < 12; ++slice) {
-        TestImage image;
-        image.columns = image.rows = 20;
-        image.pixels8.assign(400, static_cast<std::uint8_t>(100 + slice));
-        image.position = Vec3(0, 0, slice);
-        image.orientation = {1, 0, 0, 0, 1, 0};
-        image.pixelSpacing = {1, 1};
+        TestImage image = scanSlice(slice);
         image.burnedInAnnotation = stated;
         writeDicom(folder / ("series/s" + std::to_string(slice) + ".dcm"), image);
     }

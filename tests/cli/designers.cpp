@@ -1,6 +1,7 @@
 // The real program's OTF designers: `otf --designer`, `render --designer` and `study designers`.
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
@@ -112,7 +113,7 @@ TEST(DesignersCommand, RenderShowsEachDesignersPicture) {
     EXPECT_EQ(contentsOf(folder / "x.png"), adaptive);
 }
 
-TEST(DesignersCommand, TheStudyHasARowForEachDesignerConditionAndSeed) {
+TEST(LongDesignersCommand, TheStudyHasARowForEachDesignerConditionAndSeed) {
     const Folder folder;
     const Outcome outcome =
         runProgram("study designers --size 40 --seeds 1,2 --repeats 1 --picture-size 24 -o \"" + folder / "d" + "\"");

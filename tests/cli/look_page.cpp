@@ -41,7 +41,7 @@ TEST(LookPage, HasALineForEveryRowOfTheTable) {
     }
 }
 
-TEST(LookPage, ShortFormsMakeTheSamePicture) {
+TEST(LongLookPage, ShortFormsMakeTheSamePicture) {
     const Folder folder;
     const auto rendered = [&](const std::string& options) {
         const std::string file = folder / "picture.png";

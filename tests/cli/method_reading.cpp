@@ -1,5 +1,7 @@
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "otf_of.h"
 #include "program.h"
 
 namespace echolucent {

@@ -1,6 +1,8 @@
 // --near auto through the real program.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "otf_of.h"
 #include "program.h"
 
 namespace echolucent {
@@ -65,7 +67,7 @@ TEST(NearAuto, WorksForThePictureToo) {
     EXPECT_TRUE(std::filesystem::exists(folder / "cut.png"));
 }
 
-TEST(NearAuto, CutsWhereverAVolumeIsLookedAt) {
+TEST(LongNearAuto, CutsWhereverAVolumeIsLookedAt) {
     const json cut = otfOf(walledFile(), "--beam-axis +z --near auto");
     const Outcome sweep = runProgram("sweep \"" + walledFile() +
                                      "\" --beam-axis +z --near auto --from 0 --to 1 --step 1 --smoothing none --csv -");

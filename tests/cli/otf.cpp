@@ -1,9 +1,11 @@
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
+#include "otf_of.h"
 #include "program.h"
+#include "tables.h"
 
 namespace echolucent {
 namespace {
@@ -221,17 +223,6 @@ TEST(OtfJson, SaysSoWhereThereIsNoSurface) {
             EXPECT_NEAR(otf["otf"]["opacity"][i].get<double>(), static_cast<double>(i * i) / 65025, 1e-15);
         EXPECT_EQ(outcome.output.find("nan"), std::string::npos);
     }
-}
-
-std::vector<std::vector<std::string>> rowsOf(const std::string& table) {
-    std::vector<std::vector<std::string>> rows;
-    std::istringstream lines(table);
-    for (std::string line; std::getline(lines, line);) {
-        rows.emplace_back();
-        std::istringstream cells(line + ",");
-        for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-    }
-    return rows;
 }
 
 TEST(OtfTables, HoldTheSameNumbersAsTheJson) {

@@ -7,6 +7,7 @@
 
 #include "io/document/document_file.h"
 #include "program.h"
+#include "scan_slices.h"
 #include "tests/io/dicom_files.h"
 
 namespace echolucent {
@@ -31,12 +32,7 @@ public:
               "\"nodes\": [{\"intensity\": 0.2, \"opacity\": 0}, {\"intensity\": 1, \"opacity\": 0.5}]}");
         std::filesystem::create_directory(m_folder / "series");
         for (int slice = 0; slice < 20; ++slice) {
-            TestImage image;
-            image.columns = image.rows = 20;
-            image.pixels8.assign(400, static_cast<std::uint8_t>(100 + slice));
-            image.position = Vec3(0, 0, slice);
-            image.orientation = {1, 0, 0, 0, 1, 0};
-            image.pixelSpacing = {1, 1};
+            TestImage image = scanSlice(slice);
             image.series = slice < 18 ? "1.2.3" : "1.2.4";  // the last two belong to a series that is not shown
             writeDicom(m_folder / ("series/s" + std::to_string(slice) + ".dcm"), image);
         }

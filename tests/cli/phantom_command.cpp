@@ -14,12 +14,12 @@
 namespace {
 
 namespace fs = std::filesystem;
-using echolucent::Outcome;
 using echolucent::runTool;
+using echolucent::ToolOutcome;
 using nlohmann::json;
 
 /// What the command ends with; both streams are its output.
-Outcome run(const std::string& options) { return runTool(std::string(ECHOLUCENT_CLI) + " " + options + " 2>&1"); }
+ToolOutcome run(const std::string& options) { return runTool(std::string(ECHOLUCENT_CLI) + " " + options + " 2>&1"); }
 
 std::string contentOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -38,7 +38,7 @@ protected:
     std::string path(const std::string& name) const { return (m_folder / name).string(); }
     /// Writes a phantom with its truth and gives the truth.
     json truthOf(const std::string& options) const {
-        const Outcome outcome = run("phantom " + path("v.mha") + " --truth " + path("t.json") + " " + options);
+        const ToolOutcome outcome = run("phantom " + path("v.mha") + " --truth " + path("t.json") + " " + options);
         EXPECT_EQ(outcome.status, 0) << outcome.output;
         return json::parse(contentOf(path("t.json")));
     }
@@ -133,7 +133,7 @@ TEST_F(PhantomCommand, TheEndingChoosesTheFormat) {
     ASSERT_EQ(run("phantom " + path("v.mha") + " --size 24x20x16 --phases 2 --bits 16").status, 0);
     ASSERT_EQ(run("phantom " + path("v.dcm") + " --size 24x20x16 --phases 2 --bits 16").status, 0);
     EXPECT_EQ(contentOf(path("v.dcm")).substr(128, 4), "DICM");
-    const Outcome same = run("info " + path("v.dcm"));
+    const ToolOutcome same = run("info " + path("v.dcm"));
     EXPECT_NE(same.output.find("DICOM Enhanced US Volume, one file, 2 phases of 16 frames"), std::string::npos);
     // The same voxels, geometry and view give the same curves.
     for (const std::string name : {"v.dcm", "v.mha"})
@@ -141,7 +141,7 @@ TEST_F(PhantomCommand, TheEndingChoosesTheFormat) {
                   0);
     EXPECT_EQ(json::parse(contentOf(path("v.dcm.json"))).at("otf"),
               json::parse(contentOf(path("v.mha.json"))).at("otf"));
-    const Outcome refused = run("phantom " + path("v.xyz") + " --size 16");
+    const ToolOutcome refused = run("phantom " + path("v.xyz") + " --size 16");
     EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.output.find("Use .mha, .mhd, .nii, .nii.gz or .dcm."), std::string::npos) << refused.output;
     EXPECT_FALSE(fs::exists(path("v.xyz")));
@@ -178,7 +178,7 @@ TEST_F(PhantomCommand, WrongUsageIsStatusTwoInOneSentence) {
                                 "--contrast 1,2,300", "--bits 9", "--scene heart", "--scene empty --front-wall",
                                 "--speckle 2", "--speckle nan", "--ramp -1", "--log-compress 0", "--phases 0",
                                 "--beam-axis q", "--tube-grid 0x3", "--size 1024 --bits 16 --phases 8", "--nonsense"}) {
-        const Outcome outcome = run("phantom " + path("v.mha") + " " + options);
+        const ToolOutcome outcome = run("phantom " + path("v.mha") + " " + options);
         EXPECT_EQ(outcome.status, 2) << options << ": " << outcome.output;
         EXPECT_FALSE(outcome.output.empty());
         EXPECT_FALSE(fs::exists(path("v.mha"))) << options;
@@ -188,13 +188,13 @@ TEST_F(PhantomCommand, WrongUsageIsStatusTwoInOneSentence) {
 
 TEST_F(PhantomCommand, WhatCannotBeWrittenIsStatusFour) {
     EXPECT_EQ(run("phantom " + path("missing/v.mha") + " --size 16").status, 4);
-    const Outcome outcome = run("phantom " + path("v.mha") + " --size 16 --truth " + path("missing/t.json"));
+    const ToolOutcome outcome = run("phantom " + path("v.mha") + " --size 16 --truth " + path("missing/t.json"));
     EXPECT_EQ(outcome.status, 4);
     EXPECT_NE(outcome.output.find("missing/t.json"), std::string::npos);
 }
 
 TEST_F(PhantomCommand, HelpHasAnExample) {
-    const Outcome outcome = run("phantom --help");
+    const ToolOutcome outcome = run("phantom --help");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.output.find("Example: echolucent-cli phantom"), std::string::npos);
 }

@@ -6,9 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -28,11 +26,6 @@ class Folder : public TemporaryFolder {
 public:
     [[nodiscard]] std::string operator/(const std::string& name) const { return file(name); }
 };
-
-inline std::string contentsOf(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 inline void write(const std::string& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -58,14 +51,6 @@ inline std::string phantomFile(const std::string& name, const std::string& optio
     return path;
 }
 inline std::string shapesFile() { return phantomFile("shapes.mha", "--scene shapes --size 110x100x120 --seed 5"); }
-
-/// The OTF, where no option says otherwise for the voxels as they are: that is what follows from the tubes it reports.
-inline nlohmann::json otfOf(const std::string& volume, const std::string& options = {}) {
-    const std::string reduction = options.find("--reduction") == std::string::npos ? "--reduction off " : "";
-    const Outcome outcome = runProgram("otf \"" + volume + "\" --json - " + reduction + options);
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    return nlohmann::json::parse(outcome.output);
-}
 
 /// An 8-bit MetaImage of one value.
 inline void writeConstantVolume(const std::string& path, int edge, char value) {

@@ -3,6 +3,7 @@
 
 #include "io/study.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
+#include "tests/cli/otf_of.h"
 #include "tests/cli/program.h"
 
 namespace echolucent {
@@ -53,7 +54,7 @@ TEST(QuietCommand, TheReportOfOtfNamesTheReduction) {
     EXPECT_NE(off["otf"], medium["otf"]);
 }
 
-TEST(QuietCommand, TheStudyHasARowForEveryFilter) {
+TEST(LongQuietCommand, TheStudyHasARowForEveryFilter) {
     const Folder folder;
     const Outcome outcome =
         runProgram("study quiet --size 48 --seeds 3 --timed-edge 16 --repeats 1 -o \"" + folder / "q" + "\"");

@@ -1,4 +1,5 @@
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,7 @@ std::size_t rendered(const Folder& folder, const std::string& options) {
     return std::hash<std::string>{}(contentsOf(path));
 }
 
-TEST(Render, ALightFromElsewhereMakesAnotherPicture) {
+TEST(LongRender, ALightFromElsewhereMakesAnotherPicture) {
     const Folder folder;
     const std::size_t usual = rendered(folder, "--otf parabolic --shade");
     const std::size_t left = rendered(folder, "--otf parabolic --light -80,0 --shade");

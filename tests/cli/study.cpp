@@ -1,52 +1,20 @@
 // The real program's `study`: the files it writes, what they hold, and how it refuses.
 #include <cmath>
-#include <map>
-#include <sstream>
 #include <vector>
 
 #include "app/measuring/otf/study_otf.h"
 #include "processing/adaptive/method_parameters.h"
 #include "tests/cli/program.h"
+#include "tests/cli/tables.h"
 
 namespace echolucent {
 namespace {
 
-using Row = std::map<std::string, std::string>;
+const std::string onSmallPhantoms = " --phantoms --size 64 --repeats 1";
 
-/// This serves tables without quotes.
-std::vector<Row> rowsOf(const std::string& csv) {
-    const auto cells = [](const std::string& line) {
-        std::vector<std::string> all;
-        std::string cell;
-        for (const char c : line + ",") {
-            if (c != ',') {
-                cell += c;
-                continue;
-            }
-            all.push_back(cell);
-            cell.clear();
-        }
-        return all;
-    };
-    std::istringstream stream(csv);
-    std::string line;
-    std::getline(stream, line);
-    const auto columns = cells(line);
-    std::vector<Row> rows;
-    while (std::getline(stream, line)) {
-        const auto values = cells(line);
-        EXPECT_EQ(values.size(), columns.size()) << line;
-        rows.emplace_back();
-        for (std::size_t i = 0; i < std::min(columns.size(), values.size()); ++i) rows.back()[columns[i]] = values[i];
-    }
-    return rows;
-}
-
-const std::string tiny = " --phantoms --size 64 --repeats 1";
-
-TEST(StudyOtf, OnPhantomsWritesPageTablesAndPlots) {
+TEST(LongStudyOtf, OnPhantomsWritesPageTablesAndPlots) {
     const Folder folder;
-    const Outcome outcome = runProgram("study otf -o \"" + folder / "deep/er" + "\"" + tiny);
+    const Outcome outcome = runProgram("study otf -o \"" + folder / "deep/er" + "\"" + onSmallPhantoms);
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_NE(outcome.output.find("CNR_S"), std::string::npos);
     const std::string page = contentsOf(folder / "deep/er/otf.html");
@@ -55,9 +23,9 @@ TEST(StudyOtf, OnPhantomsWritesPageTablesAndPlots) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     EXPECT_TRUE(contentsOf(folder / "deep/er/otf-pareto-ratio.svg").starts_with("<svg"));
 
-    const auto settings = rowsOf(contentsOf(folder / "deep/er/otf-settings.csv"));
+    const auto settings = namedRowsOf(contentsOf(folder / "deep/er/otf-settings.csv"));
     int references = 0, onFront = 0;
-    for (const Row& row : settings) {
+    for (const NamedRow& row : settings) {
         EXPECT_GT(std::stod(row.at("time_ratio")), 0.0);
         EXPECT_LE(std::stod(row.at("rms_difference")), std::stod(row.at("max_difference")));
         onFront += row.at("front") == "1";
@@ -69,11 +37,11 @@ TEST(StudyOtf, OnPhantomsWritesPageTablesAndPlots) {
     EXPECT_EQ(references, 2);
     EXPECT_GE(onFront, 2);
 
-    const auto readings = rowsOf(contentsOf(folder / "deep/er/otf-readings.csv"));
+    const auto readings = namedRowsOf(contentsOf(folder / "deep/er/otf-readings.csv"));
     // There are 12 conditions, two views and three readings.
     EXPECT_EQ(readings.size(), 72U);
     int contrasts = 0;
-    for (const Row& row : readings) contrasts += !row.at("cnr_s").empty();
+    for (const NamedRow& row : readings) contrasts += !row.at("cnr_s").empty();
     EXPECT_EQ(contrasts, 18);
 }
 
@@ -82,7 +50,7 @@ TEST(StudyOtf, OnAVolumeKnowsNoDetection) {
     const Outcome outcome =
         runProgram("study otf \"" + shapesFile() + "\" --repeats 1 --view-azimuth 10 -o \"" + folder / "out" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
-    for (const Row& row : rowsOf(contentsOf(folder / "out/otf-settings.csv")))
+    for (const NamedRow& row : namedRowsOf(contentsOf(folder / "out/otf-settings.csv")))
         EXPECT_EQ(row.at("right_weight_share"), "");
     const std::string page = contentsOf(folder / "out/otf.html");
     EXPECT_EQ(page.find("Detection by"), std::string::npos);
@@ -106,7 +74,7 @@ TEST(StudyOtf, RefusesInOneSentence) {
     EXPECT_EQ(runProgram("study nonsense").status, 2);
 }
 
-TEST(StudyContrast, IsTheSameForAnyNumberOfThreads) {
+TEST(LongStudyContrast, IsTheSameForAnyNumberOfThreads) {
     const Folder folder;
     const std::string options = "study contrast --size 72 --seeds 3 --csv ";
     const Outcome one = runProgram("--threads 1 " + options + "\"" + folder / "one.csv" + "\"");
@@ -115,10 +83,10 @@ TEST(StudyContrast, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.output, three.output);
     const std::string csv = contentsOf(folder / "one.csv");
     EXPECT_EQ(csv, contentsOf(folder / "three.csv"));
-    EXPECT_EQ(rowsOf(csv).size(), 30U);  // six conditions, five curves
+    EXPECT_EQ(namedRowsOf(csv).size(), 30U);  // six conditions, five curves
 }
 
-cli::VariantResult resultOf(double timeRatio, double error, bool isReference = false) {
+cli::VariantResult variantResult(double timeRatio, double error, bool isReference = false) {
     cli::VariantResult result;
     result.variant.isReference = isReference;
     result.timeRatios = {timeRatio};
@@ -128,10 +96,10 @@ cli::VariantResult resultOf(double timeRatio, double error, bool isReference = f
 }
 
 TEST(StudyOtf, TheFrontIsWhatNothingBeats) {
-    std::vector<cli::VariantResult> results{resultOf(1, 0.5), resultOf(2, 0.1),     resultOf(2, 0.2),
-                                            resultOf(3, 0.1), resultOf(4, 0, true), resultOf(0.5, 0.9)};
+    std::vector<cli::VariantResult> results{variantResult(1, 0.5), variantResult(2, 0.1),     variantResult(2, 0.2),
+                                            variantResult(3, 0.1), variantResult(4, 0, true), variantResult(0.5, 0.9)};
     // The same figures by the other interface function stand on a front of their own.
-    results.push_back(resultOf(5, 5));
+    results.push_back(variantResult(5, 5));
     results.back().variant.interfaceFunction = "ratio";
     cli::markFront(results);
     const std::vector<bool> expected{true, true, false, false, false, true, true};
@@ -139,7 +107,7 @@ TEST(StudyOtf, TheFrontIsWhatNothingBeats) {
 }
 
 TEST(StudyOtf, RatiosAreAveragedGeometrically) {
-    cli::VariantResult result = resultOf(0.5, 0);
+    cli::VariantResult result = variantResult(0.5, 0);
     result.timeRatios.push_back(2.0);
     EXPECT_DOUBLE_EQ(result.timeRatio(), 1.0);
 }

@@ -2,63 +2,39 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "app/measuring/render/study_render.h"
 #include "tests/cli/program.h"
+#include "tests/cli/tables.h"
 
 namespace echolucent {
 namespace {
 
-using Row = std::map<std::string, std::string>;
-
-/// Values with commas stand in quotes.
-std::vector<std::string> cellsOf(const std::string& line) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (const char c : line) {
-        if (c == '"')
-            quoted = !quoted;
-        else if (c == ',' && !quoted)
-            cells.emplace_back();
-        else
-            cells.back() += c;
-    }
-    return cells;
-}
-
 /// The key is made of route, parameter and value, as "kernel step 0.5".
-std::map<std::string, Row> rowsOf(const std::string& csv) {
-    std::istringstream stream(csv);
-    std::string line;
-    std::getline(stream, line);
-    const auto columns = cellsOf(line);
-    std::map<std::string, Row> rows;
-    while (std::getline(stream, line)) {
-        const auto cells = cellsOf(line);
-        EXPECT_EQ(cells.size(), columns.size()) << line;
-        Row row;
-        for (std::size_t i = 0; i < std::min(columns.size(), cells.size()); ++i) row[columns[i]] = cells[i];
-        const std::string name = row["route"] + " " + row["parameter"] + " " + row["value"];
+std::map<std::string, NamedRow> rowsByName(const std::string& csv) {
+    std::map<std::string, NamedRow> rows;
+    for (const NamedRow& row : namedRowsOf(csv)) {
+        const std::string name = row.at("route") + " " + row.at("parameter") + " " + row.at("value");
         EXPECT_TRUE(rows.emplace(name, row).second) << "twice: " << name;
     }
     return rows;
 }
 
-double number(const std::map<std::string, Row>& rows, const std::string& name, const std::string& column) {
+double number(const std::map<std::string, NamedRow>& rows, const std::string& name, const std::string& column) {
     const auto found = rows.find(name);
     EXPECT_NE(found, rows.end()) << name;
     return found == rows.end() ? NAN : std::stod(found->second.at(column));
 }
 
-const std::string tiny = "study render --quick --size 48x40 --phantom-size 40 --repeats 1 -o ";
+const std::string quickStudy = "study render --quick --size 48x40 --phantom-size 40 --repeats 1 -o ";
 
-TEST(StudyRender, ErrorsAreOrderedAsTheyMustBe) {
+TEST(LongStudyRender, ErrorsAreOrderedAsTheyMustBe) {
     const Folder folder;
-    const Outcome outcome = runProgram(tiny + "\"" + folder / "deep/er" + "\" --otf parabolic --opacity-scale 0.5");
+    const Outcome outcome =
+        runProgram(quickStudy + "\"" + folder / "deep/er" + "\" --otf parabolic --opacity-scale 0.5");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
-    const auto rows = rowsOf(contentsOf(folder / "deep/er/render.csv"));
+    const auto rows = rowsByName(contentsOf(folder / "deep/er/render.csv"));
     const auto rmse = [&](const std::string& name) { return number(rows, name, "rmse"); };
     const double reference = rmse("kernel reference step 1");
     EXPECT_EQ(number(rows, "kernel reference step 1", "time_ratio"), 1.0);
@@ -82,9 +58,9 @@ TEST(StudyRender, ErrorsAreOrderedAsTheyMustBe) {
     }
 }
 
-TEST(StudyRender, WritesPagePlotAndSentences) {
+TEST(LongStudyRender, WritesPagePlotAndSentences) {
     const Folder folder;
-    const Outcome outcome = runProgram(tiny + "\"" + folder / "out" + "\" --shade");
+    const Outcome outcome = runProgram(quickStudy + "\"" + folder / "out" + "\" --shade");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_NE(outcome.output.find("The front of the kernel's settings"), std::string::npos);
     const std::string page = contentsOf(folder / "out/render.html");
@@ -101,7 +77,7 @@ TEST(StudyRender, WritesPagePlotAndSentences) {
     EXPECT_LT(std::stod(outcome.output.substr(at + words.size())), 1.0) << "levels between kernel and plain route";
 }
 
-TEST(StudyRender, TakesAVolume) {
+TEST(LongStudyRender, TakesAVolume) {
     const Folder folder;
     const Outcome outcome = runProgram("study render \"" + shapesFile() +
                                        "\" --size 32x32 --repeats 1 --otf linear -o \"" + folder / "out" + "\"");
@@ -122,7 +98,7 @@ TEST(StudyRender, RefusesInOneSentence) {
     EXPECT_EQ(runProgram("study render nowhere.mha -o \"" + folder / "out" + "\"").status, 3);
 }
 
-cli::RenderResult resultOf(double milliseconds, double rmse, double largest = 0.0) {
+cli::RenderResult renderResult(double milliseconds, double rmse, double largest = 0.0) {
     cli::RenderResult result;
     result.milliseconds = milliseconds;
     result.error.rmse = rmse;
@@ -131,8 +107,8 @@ cli::RenderResult resultOf(double milliseconds, double rmse, double largest = 0.
 }
 
 TEST(StudyRender, TheFrontIsWhatNoSettingOfTheKernelBeats) {
-    std::vector<cli::RenderResult> results{resultOf(1, 5), resultOf(2, 1),   resultOf(2, 2),
-                                           resultOf(3, 1), resultOf(9, 0.5), resultOf(0.1, 0.1)};
+    std::vector<cli::RenderResult> results{renderResult(1, 5), renderResult(2, 1),   renderResult(2, 2),
+                                           renderResult(3, 1), renderResult(9, 0.5), renderResult(0.1, 0.1)};
     results.back().variant.plain = PlainCasting{};
     cli::markFront(results);
     const std::vector<bool> expected{true, true, false, false, true, false};
@@ -140,8 +116,8 @@ TEST(StudyRender, TheFrontIsWhatNoSettingOfTheKernelBeats) {
 }
 
 TEST(StudyRender, TheFastestSettingKeepsBothBounds) {
-    std::vector<cli::RenderResult> results{resultOf(1, 3, 3), resultOf(2, 0.5, 20), resultOf(3, 0.9, 7),
-                                           resultOf(4, 0.1, 1), resultOf(0.5, 0.1, 1)};
+    std::vector<cli::RenderResult> results{renderResult(1, 3, 3), renderResult(2, 0.5, 20), renderResult(3, 0.9, 7),
+                                           renderResult(4, 0.1, 1), renderResult(0.5, 0.1, 1)};
     results.back().variant.plain = PlainCasting{};
     EXPECT_EQ(cli::fastestWithin({"", 1.0, 8.0}, results), &results[2]);
     EXPECT_EQ(cli::fastestWithin({"", 1.0}, results), &results[1]);

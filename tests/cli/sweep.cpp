@@ -1,28 +1,19 @@
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
-#include <sstream>
 #include <vector>
 
+#include "otf_of.h"
 #include "program.h"
+#include "tables.h"
 
 namespace echolucent {
 namespace {
 
 using nlohmann::json;
-
-std::vector<std::vector<std::string>> rowsOf(const std::string& table) {
-    std::vector<std::vector<std::string>> rows;
-    std::istringstream lines(table);
-    for (std::string line; std::getline(lines, line);) {
-        rows.emplace_back();
-        std::istringstream cells(line);
-        for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-    }
-    return rows;
-}
 
 std::vector<double> opacitiesOf(const std::vector<std::string>& row) {
     std::vector<double> opacities;
@@ -149,7 +140,7 @@ TEST(SweepJson, PicturesFlickerLessToo) {
     EXPECT_LT(report["picture_change"]["ratio"].get<double>(), 0.7);
 }
 
-TEST(SweepOfRealData, FlickerOfTheHeartFallsToAQuarter) {
+TEST(LongSweepOfRealData, FlickerOfTheHeartFallsToAQuarter) {
     const std::string file = ECHOLUCENT_SOURCE_DIR "/../shared/data/volumes/fetal_heart_4d_128x128x128x20.nrrd";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "the shared volumes are not here";
     for (const std::string options : {"", "--object moving", "--object moving --probe still"}) {
@@ -244,7 +235,7 @@ TEST(SweepMessage, SaysInHowManyFramesThereIsNoSurface) {
     EXPECT_TRUE(json::parse(outcome.output)["otf_flicker"]["ratio"].is_null());
 }
 
-TEST(StudyMotion, WritesAPageAndTables) {
+TEST(LongStudyMotion, WritesAPageAndTables) {
     const Folder folder;
     const Outcome outcome = runProgram("study motion \"" + movingFile() +
                                        "\" --from -4 --to 4 --picture-size 32 -o \"" + folder / "out" + "\"");

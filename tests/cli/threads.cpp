@@ -88,7 +88,7 @@ TEST(Threads, AreTakenByEveryCommandBeforeItsNameAndBehindIt) {
     }
 }
 
-TEST(Threads, EveryCommandRunsWithTheOptionInEachPlace) {
+TEST(LongThreads, EveryCommandRunsWithTheOptionInEachPlace) {
     const auto commands = allCommands();
     const auto runs = quickRuns(phantomFile("tiny.mha", "--scene shapes --size 40 --seed 5"));
     for (const std::string& command : commands)

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -7,7 +8,7 @@
 namespace echolucent {
 namespace {
 
-struct Row {
+struct UsageRow {
     std::string arguments;  ///< VOLUME stands for a file that can be read, FOLDER for an empty folder
     int status;
     std::string says;  ///< part of the message
@@ -19,7 +20,7 @@ std::string replaced(std::string text, const std::string& word, const std::strin
     return text;
 }
 
-class ExitStatus : public testing::TestWithParam<Row> {};
+class ExitStatus : public testing::TestWithParam<UsageRow> {};
 
 TEST_P(ExitStatus, AndOneSentenceForAPerson) {
     const Folder folder;
@@ -33,108 +34,112 @@ TEST_P(ExitStatus, AndOneSentenceForAPerson) {
 
 INSTANTIATE_TEST_SUITE_P(
     Otf, ExitStatus,
-    testing::Values(Row{"", 2, "No command is given: use info, "}, Row{"otf", 2, "VOLUME"},
-                    Row{"otf VOLUME --nonsense", 2, "nonsense"}, Row{"otf VOLUME --tube-grid 0x5", 2, "--tube-grid"},
-                    Row{"otf VOLUME --tube-grid 15", 2, "--tube-grid"},
-                    Row{"otf VOLUME --cell-size 99", 2, "--cell-size must be 2 to 32"},
-                    Row{"otf VOLUME --cell-size five", 2, "cell-size"},
-                    Row{"otf VOLUME --form product --strength -1", 2, "strength"},
-                    Row{"otf VOLUME --form product --strength nan", 2, "strength"},
-                    Row{"otf VOLUME --tube-spacing -3", 2, "--tube-spacing must be 0 to"},
-                    Row{"otf VOLUME --opacity-scale -1", 2, "--opacity-scale"},
-                    Row{"otf VOLUME --reading settled --significance 2", 2, "significance"},
-                    Row{"otf VOLUME --reading settled --finest-scale 9", 2, "scales"},
-                    Row{"otf VOLUME --floor-quantile 1.5", 2, "--floor-quantile must be 0 to 1"},
-                    Row{"otf VOLUME --initial cubic", 2, "is not an opacity curve"},
-                    Row{"otf VOLUME --initial manual:", 2, "is not an opacity curve"},
-                    Row{"otf VOLUME --beam-axis w", 2, "--beam-axis"}, Row{"otf VOLUME --near -1", 2, "--near"},
-                    Row{"otf VOLUME --view-azimuth inf", 2, "--view-azimuth"},
-                    Row{"otf VOLUME --phase 4", 2, "--phase"}, Row{"otf VOLUME --json - --csv -", 2, "standard output"},
-                    Row{"otf VOLUME --threads 0", 2, "threads"}, Row{"otf FOLDER/missing.mha", 3, "missing.mha"},
-                    Row{"otf FOLDER", 3, ""}, Row{"otf VOLUME --initial manual:FOLDER/missing.json", 3, "missing.json"},
-                    Row{"otf VOLUME --json FOLDER/none/otf.json", 4, "otf.json"},
-                    Row{"otf VOLUME --csv FOLDER/none/o.csv", 4, "o.csv"},
-                    Row{"otf VOLUME --json /dev/full/otf.json", 4, "otf.json"},
-                    Row{"nonsense", 2, "\"nonsense\" is not a command"}, Row{"otf VOLUME --phase -1", 2, "--phase"},
-                    Row{"info VOLUME --raw-size 4x4x4 --raw-header-bytes -1", 2, "--raw-header-bytes"},
-                    Row{"otf VOLUME --tube-grid 4000x4000", 2, "262144"},
-                    Row{"otf VOLUME --without-tube 225", 2,
-                        "--without-tube must be 0 to 224 in a grid of 15x15 tube cores, not 225"},
-                    Row{"otf VOLUME --without-tube 1,8,9 --tube-grid 3x3", 2, "must be 0 to 8"},
-                    Row{"otf VOLUME --without-tube -1", 2, "--without-tube"},
-                    Row{"otf VOLUME --without-tube 1,x", 2, "--without-tube"},
-                    Row{"otf VOLUME --without-tube 99999999999999999999", 2, "--without-tube"},
-                    Row{"render VOLUME --without-tube 300 -o FOLDER/x.png", 2, "--without-tube must be 0 to 224"},
-                    Row{"sweep VOLUME --without-tube 300", 2, "--without-tube must be 0 to 224"},
-                    Row{"otf VOLUME --view-azimuth 1e300", 2, "--view-azimuth"},
-                    Row{"otf VOLUME --json FOLDER/x --csv FOLDER/x", 2, "named twice"},
-                    Row{"otf VOLUME --json VOLUME", 2, "would overwrite"},
-                    Row{"render VOLUME -o VOLUME", 2, "would overwrite"},
-                    Row{"render VOLUME --otf cubic -o FOLDER/x.png", 2, "adaptive"},
-                    Row{"phantom FOLDER/p.mha --truth FOLDER/p.mha", 2, "named twice"},
-                    Row{"phantom FOLDER/p.mha --seed -1", 2, "--seed"},
-                    Row{"phantom FOLDER/p.mha --seed 18446744073709551616", 2, "--seed"},
-                    Row{"otf VOLUME --raw-spacing 1x1x1", 2, "--raw-size"}));
+    testing::Values(
+        UsageRow{"", 2, "No command is given: use info, "}, UsageRow{"otf", 2, "VOLUME"},
+        UsageRow{"otf VOLUME --nonsense", 2, "nonsense"}, UsageRow{"otf VOLUME --tube-grid 0x5", 2, "--tube-grid"},
+        UsageRow{"otf VOLUME --tube-grid 15", 2, "--tube-grid"},
+        UsageRow{"otf VOLUME --cell-size 99", 2, "--cell-size must be 2 to 32"},
+        UsageRow{"otf VOLUME --cell-size five", 2, "cell-size"},
+        UsageRow{"otf VOLUME --form product --strength -1", 2, "strength"},
+        UsageRow{"otf VOLUME --form product --strength nan", 2, "strength"},
+        UsageRow{"otf VOLUME --tube-spacing -3", 2, "--tube-spacing must be 0 to"},
+        UsageRow{"otf VOLUME --opacity-scale -1", 2, "--opacity-scale"},
+        UsageRow{"otf VOLUME --reading settled --significance 2", 2, "significance"},
+        UsageRow{"otf VOLUME --reading settled --finest-scale 9", 2, "scales"},
+        UsageRow{"otf VOLUME --floor-quantile 1.5", 2, "--floor-quantile must be 0 to 1"},
+        UsageRow{"otf VOLUME --initial cubic", 2, "is not an opacity curve"},
+        UsageRow{"otf VOLUME --initial manual:", 2, "is not an opacity curve"},
+        UsageRow{"otf VOLUME --beam-axis w", 2, "--beam-axis"}, UsageRow{"otf VOLUME --near -1", 2, "--near"},
+        UsageRow{"otf VOLUME --view-azimuth inf", 2, "--view-azimuth"}, UsageRow{"otf VOLUME --phase 4", 2, "--phase"},
+        UsageRow{"otf VOLUME --json - --csv -", 2, "standard output"}, UsageRow{"otf VOLUME --threads 0", 2, "threads"},
+        UsageRow{"otf FOLDER/missing.mha", 3, "missing.mha"}, UsageRow{"otf FOLDER", 3, ""},
+        UsageRow{"otf VOLUME --initial manual:FOLDER/missing.json", 3, "missing.json"},
+        UsageRow{"otf VOLUME --json FOLDER/none/otf.json", 4, "otf.json"},
+        UsageRow{"otf VOLUME --csv FOLDER/none/o.csv", 4, "o.csv"},
+        UsageRow{"otf VOLUME --json /dev/full/otf.json", 4, "otf.json"},
+        UsageRow{"nonsense", 2, "\"nonsense\" is not a command"}, UsageRow{"otf VOLUME --phase -1", 2, "--phase"},
+        UsageRow{"info VOLUME --raw-size 4x4x4 --raw-header-bytes -1", 2, "--raw-header-bytes"},
+        UsageRow{"otf VOLUME --tube-grid 4000x4000", 2, "262144"},
+        UsageRow{"otf VOLUME --without-tube 225", 2,
+                 "--without-tube must be 0 to 224 in a grid of 15x15 tube cores, not 225"},
+        UsageRow{"otf VOLUME --without-tube 1,8,9 --tube-grid 3x3", 2, "must be 0 to 8"},
+        UsageRow{"otf VOLUME --without-tube -1", 2, "--without-tube"},
+        UsageRow{"otf VOLUME --without-tube 1,x", 2, "--without-tube"},
+        UsageRow{"otf VOLUME --without-tube 99999999999999999999", 2, "--without-tube"},
+        UsageRow{"render VOLUME --without-tube 300 -o FOLDER/x.png", 2, "--without-tube must be 0 to 224"},
+        UsageRow{"sweep VOLUME --without-tube 300", 2, "--without-tube must be 0 to 224"},
+        UsageRow{"otf VOLUME --view-azimuth 1e300", 2, "--view-azimuth"},
+        UsageRow{"otf VOLUME --json FOLDER/x --csv FOLDER/x", 2, "named twice"},
+        UsageRow{"otf VOLUME --json VOLUME", 2, "would overwrite"},
+        UsageRow{"render VOLUME -o VOLUME", 2, "would overwrite"},
+        UsageRow{"render VOLUME --otf cubic -o FOLDER/x.png", 2, "adaptive"},
+        UsageRow{"phantom FOLDER/p.mha --truth FOLDER/p.mha", 2, "named twice"},
+        UsageRow{"phantom FOLDER/p.mha --seed -1", 2, "--seed"},
+        UsageRow{"phantom FOLDER/p.mha --seed 18446744073709551616", 2, "--seed"},
+        UsageRow{"otf VOLUME --raw-spacing 1x1x1", 2, "--raw-size"}));
 
 INSTANTIATE_TEST_SUITE_P(
     ShortForms, ExitStatus,
-    testing::Values(Row{"otf VOLUME --tube-grid 3x3 --tube-rows 5", 2, "--tube-grid"},
-                    Row{"otf VOLUME --tube-columns 5 --tube-grid 3x3", 2, "--tube-columns"},
-                    Row{"otf VOLUME --sigma 1 --sigma-per-kernel-size 1", 2, "--sigma"},
-                    Row{"otf VOLUME --interface-function variance --sigma 9", 2, "--sigma must be 0.01 to 4"},
-                    Row{"otf VOLUME --interface-function variance --sigma-per-kernel-size 9", 2,
-                        "--sigma-per-kernel-size must be 0.01 to 4"},
-                    Row{"render VOLUME --light 40,-20 --light-azimuth 5 -o FOLDER/x.png", 2, "--light-azimuth"},
-                    Row{"render VOLUME --light-elevation 5 --light 40,-20 -o FOLDER/x.png", 2, "--light-elevation"},
-                    Row{"render VOLUME --projection parallel --perspective -o FOLDER/x.png", 2, "--perspective"},
-                    Row{"render VOLUME --light 200,0 -o FOLDER/x.png", 2,
-                        "--light must be an azimuth from -180 to 180 and an elevation from -90 to 90 degrees"}));
+    testing::Values(UsageRow{"otf VOLUME --tube-grid 3x3 --tube-rows 5", 2, "--tube-grid"},
+                    UsageRow{"otf VOLUME --tube-columns 5 --tube-grid 3x3", 2, "--tube-columns"},
+                    UsageRow{"otf VOLUME --sigma 1 --sigma-per-kernel-size 1", 2, "--sigma"},
+                    UsageRow{"otf VOLUME --interface-function variance --sigma 9", 2, "--sigma must be 0.01 to 4"},
+                    UsageRow{"otf VOLUME --interface-function variance --sigma-per-kernel-size 9", 2,
+                             "--sigma-per-kernel-size must be 0.01 to 4"},
+                    UsageRow{"render VOLUME --light 40,-20 --light-azimuth 5 -o FOLDER/x.png", 2, "--light-azimuth"},
+                    UsageRow{"render VOLUME --light-elevation 5 --light 40,-20 -o FOLDER/x.png", 2,
+                             "--light-elevation"},
+                    UsageRow{"render VOLUME --projection parallel --perspective -o FOLDER/x.png", 2, "--perspective"},
+                    UsageRow{"render VOLUME --light 200,0 -o FOLDER/x.png", 2,
+                             "--light must be an azimuth from -180 to 180 and an elevation from -90 to 90 degrees"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Numbers, ExitStatus,
-    testing::Values(Row{"phantom FOLDER/p.mha --size abc", 2, "--size must be like 199x197x199, not \"abc\""},
-                    Row{"phantom FOLDER/p.mha --contrast 1,2", 2, "--contrast must be like 14,85,170"},
-                    Row{"render VOLUME --background 1 -o FOLDER/x.png", 2, "--background must be like 14,85,170"},
-                    Row{"render VOLUME --light 40 -o FOLDER/x.png", 2, "--light must be like 40,-20"}));
+    testing::Values(UsageRow{"phantom FOLDER/p.mha --size abc", 2, "--size must be like 199x197x199, not \"abc\""},
+                    UsageRow{"phantom FOLDER/p.mha --contrast 1,2", 2, "--contrast must be like 14,85,170"},
+                    UsageRow{"render VOLUME --background 1 -o FOLDER/x.png", 2, "--background must be like 14,85,170"},
+                    UsageRow{"render VOLUME --light 40 -o FOLDER/x.png", 2, "--light must be like 40,-20"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Outputs, ExitStatus,
     testing::Values(
-        Row{"render VOLUME -o FOLDER/x.jpg", 2,
-            "x.jpg\", but pictures are written as PNG. Give it a name that ends in .png."},
-        Row{"render VOLUME -o FOLDER/x.TIFF", 2, "pictures are written as PNG"},
-        Row{"render VOLUME -o FOLDER/x.avi", 2, "pictures are written as PNG"},
-        Row{"render --document FOLDER/none.json -o FOLDER/x.jpeg", 2, "pictures are written as PNG"},
-        Row{"sweep VOLUME --movie FOLDER/x.webm", 2,
-            "x.webm: --movie ends in .webm, which is no kind of movie that can be written. Give it a name "
-            "that ends in .avi, .mp4 or .mkv."},
-        Row{"sweep VOLUME --movie FOLDER/x.GIF", 2, "ends in .gif, which is no kind of movie"},
-        Row{"sweep VOLUME --movie FOLDER/x", 2, "does not say by its ending what kind of movie"},
-        Row{"sweep VOLUME --size 33x32 --movie FOLDER/x.mp4", 2,
-            "would have 33 x 32 pixels, but those of movies are counted in twos. Take an even width and height."},
-        Row{"quiet VOLUME -o FOLDER/x.nrrd", 2, "volumes are written as MetaImage. Give it a name that ends in .mha."},
-        Row{"phantom FOLDER/x.nrrd", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
-        Row{"phantom FOLDER/x.mha.gz", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
-        Row{"phantom FOLDER/x.png", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."}));
+        UsageRow{"render VOLUME -o FOLDER/x.jpg", 2,
+                 "x.jpg\", but pictures are written as PNG. Give it a name that ends in .png."},
+        UsageRow{"render VOLUME -o FOLDER/x.TIFF", 2, "pictures are written as PNG"},
+        UsageRow{"render VOLUME -o FOLDER/x.avi", 2, "pictures are written as PNG"},
+        UsageRow{"render --document FOLDER/none.json -o FOLDER/x.jpeg", 2, "pictures are written as PNG"},
+        UsageRow{"sweep VOLUME --movie FOLDER/x.webm", 2,
+                 "x.webm: --movie ends in .webm, which is no kind of movie that can be written. Give it a name "
+                 "that ends in .avi, .mp4 or .mkv."},
+        UsageRow{"sweep VOLUME --movie FOLDER/x.GIF", 2, "ends in .gif, which is no kind of movie"},
+        UsageRow{"sweep VOLUME --movie FOLDER/x", 2, "does not say by its ending what kind of movie"},
+        UsageRow{"sweep VOLUME --size 33x32 --movie FOLDER/x.mp4", 2,
+                 "would have 33 x 32 pixels, but those of movies are counted in twos. Take an even width and height."},
+        UsageRow{"quiet VOLUME -o FOLDER/x.nrrd", 2,
+                 "volumes are written as MetaImage. Give it a name that ends in .mha."},
+        UsageRow{"phantom FOLDER/x.nrrd", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
+        UsageRow{"phantom FOLDER/x.mha.gz", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."},
+        UsageRow{"phantom FOLDER/x.png", 2, "Use .mha, .mhd, .nii, .nii.gz or .dcm."}));
 
 INSTANTIATE_TEST_SUITE_P(
     NearCuts, ExitStatus,
     testing::Values(
-        Row{"render VOLUME --beam-axis +z --near 300 -o FOLDER/x.png", 2,
+        UsageRow{
+            "render VOLUME --beam-axis +z --near 300 -o FOLDER/x.png", 2,
             "--near is 300 mm, but along this view the volume ends 60 mm behind its foremost corner: nothing is left. "
             "Give less than 60."},
-        Row{"otf VOLUME --beam-axis +z --near 60", 2, "nothing is left"},
-        Row{"otf VOLUME --beam-axis +z --near 59.9 --json FOLDER/none/o.json", 4, "o.json"},
-        Row{"otf VOLUME --beam-axis +y --near 50.1", 2, "ends 50 mm behind"},
-        Row{"sweep VOLUME --beam-axis +z --near 1e6", 2, "nothing is left"}));
+        UsageRow{"otf VOLUME --beam-axis +z --near 60", 2, "nothing is left"},
+        UsageRow{"otf VOLUME --beam-axis +z --near 59.9 --json FOLDER/none/o.json", 4, "o.json"},
+        UsageRow{"otf VOLUME --beam-axis +y --near 50.1", 2, "ends 50 mm behind"},
+        UsageRow{"sweep VOLUME --beam-axis +z --near 1e6", 2, "nothing is left"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Commands, ExitStatus,
-    testing::Values(Row{"study", 2, "\"study\" is only the beginning of a command: use otf, contrast, "},
-                    Row{"study nonsense", 2, "\"study nonsense\" is not a command: use otf, contrast, "},
-                    Row{"bench", 2, "\"bench\" is only the beginning of a command: use otf."},
-                    Row{"--threads 2", 2, "No command is given: use info, "},
-                    Row{"--threads 2 otff VOLUME", 2, "\"otff\" is not a command: use info, "}));
+    testing::Values(UsageRow{"study", 2, "\"study\" is only the beginning of a command: use otf, contrast, "},
+                    UsageRow{"study nonsense", 2, "\"study nonsense\" is not a command: use otf, contrast, "},
+                    UsageRow{"bench", 2, "\"bench\" is only the beginning of a command: use otf."},
+                    UsageRow{"--threads 2", 2, "No command is given: use info, "},
+                    UsageRow{"--threads 2 otff VOLUME", 2, "\"otff\" is not a command: use info, "}));
 
 TEST(Usage, ARawSizeThatIsTooLargeIsNoFaultOfAHeader) {
     const Folder folder;

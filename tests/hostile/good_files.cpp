@@ -1,16 +1,14 @@
 #include "good_files.h"
 
-#include <bzlib.h>
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "bzip2_bytes.h"
 #include "dicom_bytes.h"
 #include "dicom_files.h"
 #include "enhanced_us_files.h"
@@ -23,8 +21,8 @@ namespace echolucent {
 
 namespace {
 
-constexpr int columns = 12, rows = 10, slices = 8;
-constexpr int sliceVoxels = columns * rows, voxelCount = sliceVoxels * slices;
+constexpr int goodColumns = 12, goodRows = 10, goodSlices = 8;
+constexpr int sliceVoxels = goodColumns * goodRows, voxelCount = sliceVoxels * goodSlices;
 
 /// Bytes without a pattern that could be found elsewhere, none of them 0.
 std::string speckle(int count) {
@@ -37,32 +35,18 @@ std::string speckle(int count) {
     return bytes;
 }
 
-std::string contentsOf(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::string bzipped(const std::string& bytes) {
-    std::string out(bytes.size() + bytes.size() / 100 + 700, '\0');
-    auto length = static_cast<unsigned>(out.size());
-    BZ2_bzBuffToBuffCompress(out.data(), &length, const_cast<char*>(bytes.data()), static_cast<unsigned>(bytes.size()),
-                             1, 0, 0);
-    out.resize(length);
-    return out;
-}
-
-std::string metaImage(const std::string& type, const std::string& more) {
+std::string goodMetaImage(const std::string& type, const std::string& more) {
     return fmt::format(
         "ObjectType = Image\nNDims = 3\nDimSize = {} {} {}\nElementSpacing = 0.5 0.4 0.3\n"
         "ElementType = {}\n{}",
-        columns, rows, slices, type, more);
+        goodColumns, goodRows, goodSlices, type, more);
 }
 
-std::string nrrd(const std::string& encoding) {
+std::string goodNrrd(const std::string& encoding) {
     return fmt::format(
         "NRRD0004\ntype: uchar\ndimension: 3\nsizes: {} {} {}\nspacings: 0.5 0.4 0.3\n"
         "encoding: {}\n\n",
-        columns, rows, slices, encoding);
+        goodColumns, goodRows, goodSlices, encoding);
 }
 
 GoodFile one(const std::string& name, const std::string& file, const std::string& bytes, VoxelCoding coding,
@@ -80,33 +64,33 @@ std::vector<GoodFile> textHeaders() {
     }
     GoodFile apart{"metaimage-in-two-files",
                    "v.mhd",
-                   {{"v.mhd", metaImage("MET_UCHAR", "ElementDataFile = v.raw\n")}, {"v.raw", voxels}},
+                   {{"v.mhd", goodMetaImage("MET_UCHAR", "ElementDataFile = v.raw\n")}, {"v.raw", voxels}},
                    VoxelCoding::plain,
                    voxels};
     return {
-        one("metaimage", "v.mha", metaImage("MET_UCHAR", local) + voxels, VoxelCoding::plain, voxels),
-        one("metaimage-of-16-bits", "v.mha", metaImage("MET_USHORT", local) + wide, VoxelCoding::plain, wide),
-        one("metaimage-zlib", "v.mha", metaImage("MET_UCHAR", "CompressedData = True\n" + local) + deflated(voxels),
+        one("metaimage", "v.mha", goodMetaImage("MET_UCHAR", local) + voxels, VoxelCoding::plain, voxels),
+        one("metaimage-of-16-bits", "v.mha", goodMetaImage("MET_USHORT", local) + wide, VoxelCoding::plain, wide),
+        one("metaimage-zlib", "v.mha", goodMetaImage("MET_UCHAR", "CompressedData = True\n" + local) + deflated(voxels),
             VoxelCoding::checked, voxels),
         apart,
-        one("nrrd", "v.nrrd", nrrd("raw") + voxels, VoxelCoding::plain, voxels),
+        one("nrrd", "v.nrrd", goodNrrd("raw") + voxels, VoxelCoding::plain, voxels),
         one("nrrd-of-two-phases", "v.nrrd",
             fmt::format("NRRD0004\ntype: uchar\ndimension: 4\nsizes: {} {} {} 2\nspacings: 0.5 0.4 0.3 0.04\n"
                         "kinds: domain domain domain time\nencoding: raw\n\n",
-                        columns, rows, slices / 2) +
+                        goodColumns, goodRows, goodSlices / 2) +
                 voxels,
             VoxelCoding::plain, voxels),
-        one("nrrd-gzip", "v.nrrd", nrrd("gzip") + deflated(voxels, 31), VoxelCoding::checked, voxels),
-        one("nrrd-bzip2", "v.nrrd", nrrd("bzip2") + bzipped(voxels), VoxelCoding::checked, voxels),
-        one("nrrd-text", "v.nrrd", nrrd("ascii") + decimal, VoxelCoding::decimal, voxels),
-        one("nrrd-hexadecimal", "v.nrrd", nrrd("hex") + hexadecimal, VoxelCoding::hexadecimal, voxels),
+        one("nrrd-gzip", "v.nrrd", goodNrrd("gzip") + deflated(voxels, 31), VoxelCoding::checked, voxels),
+        one("nrrd-bzip2", "v.nrrd", goodNrrd("bzip2") + bzipped(voxels), VoxelCoding::checked, voxels),
+        one("nrrd-text", "v.nrrd", goodNrrd("ascii") + decimal, VoxelCoding::decimal, voxels),
+        one("nrrd-hexadecimal", "v.nrrd", goodNrrd("hex") + hexadecimal, VoxelCoding::hexadecimal, voxels),
     };
 }
 
 std::vector<GoodFile> niftiAndKretz() {
     const std::string voxels = speckle(voxelCount);
     NiftiFields fields;
-    fields.dim = {3, columns, rows, slices};
+    fields.dim = {3, goodColumns, goodRows, goodSlices};
     NiftiFields inTwo = fields;
     inTwo.apart = true;
     GoodFile pair{
@@ -127,9 +111,9 @@ std::vector<GoodFile> niftiAndKretz() {
 
 TestImage multiFrame() {
     TestImage image;
-    image.columns = columns;
-    image.rows = rows;
-    image.frames = slices;
+    image.columns = goodColumns;
+    image.rows = goodRows;
+    image.frames = goodSlices;
     image.pixelSpacing = {0.4, 0.5};
     image.spacingBetweenSlices = 0.3;
     for (const char byte : speckle(voxelCount)) image.pixels8.push_back(static_cast<std::uint8_t>(byte));
@@ -158,7 +142,7 @@ GoodFile folderOfSlices() {
     const TemporaryFolder folder;
     GoodFile series{"dicom-folder", ".", {}, VoxelCoding::plain, speckle(voxelCount)};
     const TestImage all = multiFrame();
-    for (int z = 0; z < slices; ++z) {
+    for (int z = 0; z < goodSlices; ++z) {
         TestImage slice = all;
         slice.frames = 0;
         slice.instance = z + 1;
@@ -202,7 +186,7 @@ GoodFile qlab() {
     DicomBytes file;
     file.text(0x0018, 0x1063, "DS", "40").word(0x0018, 0x6024, 3).word(0x0018, 0x6026, 3);
     file.real(0x0018, 0x602c, 0.02).real(0x0018, 0x602e, 0.04);
-    file.picture(columns, rows, 2).put(0x3001, 0x1001, "UL", bytesFrom<std::uint32_t>({slices / 2}));
+    file.picture(goodColumns, goodRows, 2).put(0x3001, 0x1001, "UL", bytesFrom<std::uint32_t>({goodSlices / 2}));
     file.real(0x3001, 0x1003, 0.05);
     return one("dicom-qlab", "v.dcm", file.put(0x7fe0, 0x0010, "OW", voxels).file("1.2.840.113543.6.6.1.3.10002"),
                VoxelCoding::plain, voxels);

@@ -1,12 +1,9 @@
 // Hostile gzip, zlib and bzip2: flipped bits, cut streams, bombs, in every format that may be compressed.
-#include <bzlib.h>
-
-#include <numeric>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bzip2_bytes.h"
 #include "hostile_file.h"
 #include "kretz_files.h"
 #include "nifti_files.h"
@@ -16,22 +13,12 @@ namespace echolucent {
 
 namespace {
 
-using Words = std::vector<std::string>;
-using Outcome = HostileOutcome;
+/// The largest blocks that bzip2 knows.
+constexpr int largestBlock = 9;
 constexpr int zlibFormat = 15, gzipFormat = 31;
 
-std::string bzipped(const std::string& bytes) {
-    auto size = static_cast<unsigned>(bytes.size() + bytes.size() / 100 + 600);
-    std::string out(size, '\0');
-    if (BZ2_bzBuffToBuffCompress(out.data(), &size, const_cast<char*>(bytes.data()),
-                                 static_cast<unsigned>(bytes.size()), 9, 0, 0) != BZ_OK)
-        throw std::runtime_error("bytes could not be compressed");
-    out.resize(size);
-    return out;
-}
-
 /// Voxels that are hard to compress, so that a flipped bit in them leaves a stream of the same length.
-std::string speckle() {
+std::string speckledVoxels() {
     std::string bytes;
     std::uint32_t state = 1;
     for (int i = 0; i < 16 * 16 * 16; ++i) {
@@ -41,12 +28,12 @@ std::string speckle() {
     return bytes;
 }
 
-std::string mha(const std::string& keys, const std::string& size = "16 16 16") {
+std::string packedMha(const std::string& keys, const std::string& size = "16 16 16") {
     return "ObjectType = Image\nNDims = 3\nDimSize = " + size +
            "\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\nCompressedData = True\n" + keys +
            "ElementDataFile = LOCAL\n";
 }
-std::string nrrd(const std::string& encoding, const std::string& size = "16 16 16") {
+std::string packedNrrd(const std::string& encoding, const std::string& size = "16 16 16") {
     return "NRRD0004\ntype: uchar\ndimension: 3\nsizes: " + size + "\nspacings: 1 1 1\nencoding: " + encoding + "\n\n";
 }
 
@@ -55,8 +42,8 @@ std::string flipped(std::string bytes, std::size_t place, int bit = 0) {
     return bytes;
 }
 
-HostileFile row(const std::string& name, const std::string& file, const std::string& bytes, const Words& words,
-                Outcome outcome = Outcome::refused) {
+HostileFile row(const std::string& name, const std::string& file, const std::string& bytes,
+                const std::vector<std::string>& words, HostileOutcome outcome = HostileOutcome::refused) {
     return hostileFile("compression/" + name, file, bytes, words, outcome);
 }
 
@@ -67,10 +54,10 @@ struct Stream {
 };
 
 std::vector<Stream> streams() {
-    return {{"mha-zlib", "v.mha", mha(""), deflated(speckle(), zlibFormat), "Adler-32", 4},
-            {"mha-gzip", "v.mha", mha(""), deflated(speckle(), gzipFormat), "CRC-32", 8},
-            {"nrrd-gzip", "v.nrrd", nrrd("gzip"), deflated(speckle(), gzipFormat), "CRC-32", 8},
-            {"nrrd-bzip2", "v.nrrd", nrrd("bzip2"), bzipped(speckle()), "CRC", 4}};
+    return {{"mha-zlib", "v.mha", packedMha(""), deflated(speckledVoxels(), zlibFormat), "Adler-32", 4},
+            {"mha-gzip", "v.mha", packedMha(""), deflated(speckledVoxels(), gzipFormat), "CRC-32", 8},
+            {"nrrd-gzip", "v.nrrd", packedNrrd("gzip"), deflated(speckledVoxels(), gzipFormat), "CRC-32", 8},
+            {"nrrd-bzip2", "v.nrrd", packedNrrd("bzip2"), bzipped(speckledVoxels(), largestBlock), "CRC", 4}};
 }
 
 /// Each stream with one flipped bit at several places, and cut within its data and its checksum.
@@ -97,7 +84,7 @@ std::vector<HostileFile> damagedStreams() {
                            {"where", "incomplete"}));
         rows.push_back(row(stream.name + "-of-nothing", stream.file, stream.header, {"holds none", "incomplete"}));
         rows.push_back(row(stream.name + "-followed-by-rubbish", stream.file, stream.header + stream.packed + "rubbish",
-                           {"damaged"}, Outcome::opens));
+                           {"damaged"}, HostileOutcome::opens));
     }
     return rows;
 }
@@ -107,11 +94,11 @@ std::vector<HostileFile> packedFiles() {
     const std::string meta =
         "ObjectType = Image\nNDims = 3\nDimSize = 16 16 16\nElementSpacing = 1 1 1\nElementType = MET_UCHAR\n"
         "ElementDataFile = LOCAL\n" +
-        speckle();
+        speckledVoxels();
     NiftiFields fields;
     fields.dim = {3, 16, 16, 16};
     const std::vector<std::pair<std::string, std::string>> files{
-        {"v.mha.gz", meta}, {"v.nii.gz", niftiHeader(fields) + speckle()}, {"v.vol.gz", KretzParts{}.bytes()}};
+        {"v.mha.gz", meta}, {"v.nii.gz", niftiHeader(fields) + speckledVoxels()}, {"v.vol.gz", KretzParts{}.bytes()}};
     std::vector<HostileFile> rows;
     for (const auto& [file, bytes] : files) {
         const std::string packed = deflated(bytes, gzipFormat);
@@ -138,36 +125,37 @@ std::vector<HostileFile> bombs() {
         return all;
     };
     const std::string zeros = deflated(std::string(32 * mebibyte, '\0'), gzipFormat);
-    const std::string bzippedZeros = bzipped(std::string(16 * mebibyte, '\0'));
-    const Words memory{"MiB of memory"}, goesOn{"go on for more than 268435456 bytes"};
+    const std::string bzippedZeros = bzipped(std::string(16 * mebibyte, '\0'), largestBlock);
+    const std::vector<std::string> memory{"MiB of memory"}, goesOn{"go on for more than 268435456 bytes"};
     const std::string phases =
         "ObjectType = Image\nNDims = 4\nDimSize = 1 1 2 10000000\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
     return {
-        row("gzip-of-512-mib-behind-the-voxels", "v.nrrd", nrrd("gzip", "2 3 4") + repeated(zeros, 16), goesOn),
-        row("bzip2-of-512-mib-behind-the-voxels", "v.nrrd", nrrd("bzip2", "2 3 4") + repeated(bzippedZeros, 32),
+        row("gzip-of-512-mib-behind-the-voxels", "v.nrrd", packedNrrd("gzip", "2 3 4") + repeated(zeros, 16), goesOn),
+        row("bzip2-of-512-mib-behind-the-voxels", "v.nrrd", packedNrrd("bzip2", "2 3 4") + repeated(bzippedZeros, 32),
             goesOn),
-        row("gzip-of-512-mib-of-voxels", "v.nrrd", nrrd("gzip", "1024 1024 512") + repeated(zeros, 16), memory),
+        row("gzip-of-512-mib-of-voxels", "v.nrrd", packedNrrd("gzip", "1024 1024 512") + repeated(zeros, 16), memory),
         row("zlib-claiming-1-gib", "v.mha",
-            mha("", "1024 1024 1024") + deflated(std::string(32 * mebibyte, '\0'), zlibFormat),
+            packedMha("", "1024 1024 1024") + deflated(std::string(32 * mebibyte, '\0'), zlibFormat),
             {"declares 1073741824 bytes of voxels"}),
-        row("bzip2-claiming-30-gb", "v.nrrd", nrrd("bzip2", "3000 3000 3000") + bzippedZeros, memory),
-        row("bzip2-claiming-2-to-the-62", "v.nrrd", nrrd("bzip2", "1 1 4611686018427387904") + bzippedZeros, memory),
+        row("bzip2-claiming-30-gb", "v.nrrd", packedNrrd("bzip2", "3000 3000 3000") + bzippedZeros, memory),
+        row("bzip2-claiming-2-to-the-62", "v.nrrd", packedNrrd("bzip2", "1 1 4611686018427387904") + bzippedZeros,
+            memory),
         row("gzip-claiming-64-mib-of-24-bytes", "v.nrrd",
-            nrrd("gzip", "64 1024 1024") + deflated(std::string(24, 'v'), gzipFormat) + std::string(70000, 'x'),
+            packedNrrd("gzip", "64 1024 1024") + deflated(std::string(24, 'v'), gzipFormat) + std::string(70000, 'x'),
             {"the compressed data hold only 24"}),
         row("a-file-of-512-mib", "v.nii.gz", repeated(zeros, 16), {"unpacks to more than 268435456 bytes"}),
         row("20-kb-with-10-million-phases", "v.mha.gz", deflated(phases + std::string(20000000, '\0'), gzipFormat),
             {"makes 10000000 phases"}),
-        row("a-size-beyond-the-file", "v.mha", mha("CompressedDataSize = 90000\n") + deflated(speckle()),
+        row("a-size-beyond-the-file", "v.mha", packedMha("CompressedDataSize = 90000\n") + deflated(speckledVoxels()),
             {"CompressedDataSize declares 90000 bytes", "incomplete"}),
-        row("a-size-within-the-stream", "v.mha", mha("CompressedDataSize = 100\n") + deflated(speckle()),
+        row("a-size-within-the-stream", "v.mha", packedMha("CompressedDataSize = 100\n") + deflated(speckledVoxels()),
             {"the compressed data hold only", "incomplete"}),
-        row("no-compressed-data", "v.mha", mha("") + speckle(), {"they begin like neither zlib nor gzip"}),
-        row("no-bzip2", "v.nrrd", nrrd("bzip2") + speckle(), {"they do not begin like bzip2"}),
-        row("more-voxels-than-declared", "v.nrrd", nrrd("gzip") + deflated(speckle() + "more", gzipFormat),
-            {"holds more than the declared voxels"}, Outcome::opensWithNote),
+        row("no-compressed-data", "v.mha", packedMha("") + speckledVoxels(), {"they begin like neither zlib nor gzip"}),
+        row("no-bzip2", "v.nrrd", packedNrrd("bzip2") + speckledVoxels(), {"they do not begin like bzip2"}),
+        row("more-voxels-than-declared", "v.nrrd", packedNrrd("gzip") + deflated(speckledVoxels() + "more", gzipFormat),
+            {"holds more than the declared voxels"}, HostileOutcome::opensWithNote),
         row("damage-behind-the-voxels", "v.nrrd",
-            nrrd("gzip", "2 3 4") + flipped(deflated(speckle(), gzipFormat), 2000, 2), {"damaged"}),
+            packedNrrd("gzip", "2 3 4") + flipped(deflated(speckledVoxels(), gzipFormat), 2000, 2), {"damaged"}),
     };
 }
 

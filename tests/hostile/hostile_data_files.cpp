@@ -1,11 +1,9 @@
 // Volumes whose voxels lie in several data files that do not fit, are written as text or compressed wrongly.
-#include <bzlib.h>
-
-#include <numeric>
-
 #include <fmt/format.h>
 
+#include "bzip2_bytes.h"
 #include "hostile_file.h"
+#include "split_volume.h"
 #include "temporary_folder.h"
 #include "zlib_bytes.h"
 
@@ -13,48 +11,21 @@ namespace echolucent {
 
 namespace {
 
-std::string bzipped(const std::string& bytes) {
-    std::string out(bytes.size() + bytes.size() / 100 + 700, '\0');
-    auto length = static_cast<unsigned>(out.size());
-    BZ2_bzBuffToBuffCompress(out.data(), &length, const_cast<char*>(bytes.data()), static_cast<unsigned>(bytes.size()),
-                             1, 0, 0);
-    out.resize(length);
-    return out;
-}
-
-std::string nrrd(const std::string& fields) {
-    return "NRRD0004\ntype: ushort\nendian: big\ndimension: 3\nsizes: 2 3 4\nspacings: 1 2 3\n" + fields;
-}
-std::string metaImage(const std::string& more) {
-    return "NDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 2 3\nElementType = MET_USHORT\n"
-           "BinaryDataByteOrderMSB = True\n" +
-           more;
-}
-
-/// The numbers from 1 to 24 as big-endian 16 bits.
-std::string voxels() {
-    std::vector<std::uint16_t> values(24);
-    std::iota(values.begin(), values.end(), std::uint16_t{1});
-    return bytesFrom(values, true);
-}
-
-const std::string numbers = "1 2 3 4 5 6\n7, 8,9 , 10 11 12\r\n13 14 15 16 17 18\n19 20 2.1e1 22.0 +23 24";
-
 /// A header beside four good slices s0.raw to s3.raw of the volume, of which `third` is in place of the third.
 HostileFile header(const std::string& name, const std::string& text, std::vector<std::string> words,
-                   const std::string& third = voxels().substr(24, 12)) {
+                   const std::string& third = splitVoxels().substr(24, 12)) {
     HostileFile row = hostileFile("data-files/" + name, "v.nhdr", text, std::move(words));
     row.write = [text, third](const std::filesystem::path& folder) {
         for (std::size_t z = 0; z < 4; ++z)
-            writeBytes(folder / fmt::format("s{}.raw", z), z == 2 ? third : voxels().substr(z * 12, 12));
-        writeBytes(folder / "sub" / "n.raw", voxels());
+            writeBytes(folder / fmt::format("s{}.raw", z), z == 2 ? third : splitVoxels().substr(z * 12, 12));
+        writeBytes(folder / "sub" / "n.raw", splitVoxels());
         writeBytes(folder / "v.nhdr", text);
     };
     return row;
 }
 
 HostileFile list(const std::string& name, const std::string& data, const std::string& words) {
-    return header(name, nrrd("encoding: raw\ndata file: " + data), {words});
+    return header(name, splitNrrd("encoding: raw\ndata file: " + data), {words});
 }
 
 std::vector<HostileFile> wrongLists() {
@@ -72,17 +43,18 @@ std::vector<HostileFile> wrongLists() {
         list("a-list-with-a-file-anywhere", "LIST\ns0.raw\ns1.raw\ns2.raw\n/etc/passwd\n", "own folder"),
         list("a-list-with-a-file-above-over-a-folder-below", "LIST\ns0.raw\ns1.raw\ns2.raw\nsub/../../s3.raw\n",
              "own folder"),
-        header("a-list-of-metaimage-of-files-of-1-dimension", metaImage("ElementDataFile = LIST 1\ns0.raw\n"),
+        header("a-list-of-metaimage-of-files-of-1-dimension", splitMetaImage("ElementDataFile = LIST 1\ns0.raw\n"),
                {"2 to 3"}),
-        header("a-list-of-metaimage-that-is-too-short", metaImage("ElementDataFile = LIST\ns0.raw\n"),
+        header("a-list-of-metaimage-that-is-too-short", splitMetaImage("ElementDataFile = LIST\ns0.raw\n"),
                {"names 1 data files"}),
         header("a-compressed-size-beside-a-list",
-               metaImage("CompressedData = True\nCompressedDataSize = 9\nElementDataFile = LIST\ns0.raw\n"),
+               splitMetaImage("CompressedData = True\nCompressedDataSize = 9\nElementDataFile = LIST\ns0.raw\n"),
                {"CompressedDataSize is one number beside several data files"}),
-        header("a-list-without-end", nrrd("encoding: raw\ndata file: LIST\n") + std::string(std::size_t{2} << 20, 'x'),
+        header("a-list-without-end",
+               splitNrrd("encoding: raw\ndata file: LIST\n") + std::string(std::size_t{2} << 20, 'x'),
                {"begins a list that is longer than 1048576 bytes"}),
         header("a-list-of-metaimage-without-end",
-               metaImage("ElementDataFile = LIST\n") + std::string(std::size_t{2} << 20, 'x'),
+               splitMetaImage("ElementDataFile = LIST\n") + std::string(std::size_t{2} << 20, 'x'),
                {"begins a list that is longer than 1048576 bytes"}),
     };
 }
@@ -106,14 +78,15 @@ std::vector<HostileFile> wrongPatterns() {
         list("a-pattern-that-is-too-short", "s%d.raw 0 2 1\n", "names 3 data files where the volume has 4 parts"),
         list("a-pattern-with-a-number-in-the-folder", "%d/../../s%d.raw 0 3 1\n", "no pattern with one number"),
         list("a-pattern-above", "../s%d.raw 0 3 1\n", "own folder"),
-        header("a-pattern-with-a-short-file", nrrd("encoding: raw\ndata file: s%d.raw 0 3 1\n"),
+        header("a-pattern-with-a-short-file", splitNrrd("encoding: raw\ndata file: s%d.raw 0 3 1\n"),
                {"sizes declares 48 bytes", "12 in each of 4 files", "s2.raw holds only 5"}, "short"),
-        header("a-pattern-of-metaimage-that-writes", metaImage("ElementDataFile = s%n.raw 0 3 1\n"), {"no pattern"}),
-        header("a-pattern-of-metaimage-of-step-x", metaImage("ElementDataFile = s%d.raw 0 3 x\n"),
+        header("a-pattern-of-metaimage-that-writes", splitMetaImage("ElementDataFile = s%n.raw 0 3 1\n"),
+               {"no pattern"}),
+        header("a-pattern-of-metaimage-of-step-x", splitMetaImage("ElementDataFile = s%d.raw 0 3 x\n"),
                {"whole numbers, not \"x\""}),
-        header("a-name-with-a-percent-sign", nrrd("encoding: raw\ndata file: 50%.raw\n"),
+        header("a-name-with-a-percent-sign", splitNrrd("encoding: raw\ndata file: 50%.raw\n"),
                {"\"50%.raw\", which is no pattern", "rename that file"}),
-        header("a-name-of-metaimage-with-a-percent-sign", metaImage("ElementDataFile = 50%.raw\n"),
+        header("a-name-of-metaimage-with-a-percent-sign", splitMetaImage("ElementDataFile = 50%.raw\n"),
                {"\"50%.raw\", which is no pattern", "rename that file"}),
     };
     const std::vector<std::pair<std::string, std::string>> patterns{
@@ -128,8 +101,8 @@ std::vector<HostileFile> wrongPatterns() {
 HostileFile linkOut(const std::string& name, const std::string& data) {
     HostileFile row = hostileFile("data-files/" + name, "study/v.nhdr", "", {"own folder"});
     row.write = [data](const std::filesystem::path& folder) {
-        writeBytes(folder / "elsewhere" / "secret.raw", voxels());
-        writeBytes(folder / "study" / "v.nhdr", nrrd("encoding: raw\ndata file: " + data + "\n"));
+        writeBytes(folder / "elsewhere" / "secret.raw", splitVoxels());
+        writeBytes(folder / "study" / "v.nhdr", splitNrrd("encoding: raw\ndata file: " + data + "\n"));
         std::filesystem::create_symlink("../elsewhere/secret.raw", folder / "study" / "link.raw");
         std::filesystem::create_directory_symlink("../elsewhere", folder / "study" / "out");
     };
@@ -139,36 +112,37 @@ HostileFile linkOut(const std::string& name, const std::string& data) {
 
 HostileFile attached(const std::string& name, const std::string& encoding, const std::string& bytes,
                      std::vector<std::string> words) {
-    return header(name, nrrd("encoding: " + encoding + "\n\n") + bytes, std::move(words));
+    return header(name, splitNrrd("encoding: " + encoding + "\n\n") + bytes, std::move(words));
 }
 
 std::vector<HostileFile> wrongText() {
     const std::vector<std::string> cut{"ends directly after its last number, which may have been cut"};
-    const std::string allButADigit = numbers.substr(0, numbers.size() - 1);
+    const std::string allButADigit = splitVoxelsAsText.substr(0, splitVoxelsAsText.size() - 1);
     return {
         attached("text-of-three-numbers", "ascii", "1 2 3", {"sizes declares 48 bytes", "only 5 characters"}),
         attached("text-of-three-numbers-and-spaces", "ascii", "1 2 3" + std::string(200, ' '),
                  {"holds only 6 bytes of voxels where 48"}),
         hostileFile("data-files/nrrd-text-cut-within-its-last-number", "v.nrrd",
-                    nrrd("encoding: ascii\n\n") + allButADigit, cut, HostileOutcome::opensWithNote),
+                    splitNrrd("encoding: ascii\n\n") + allButADigit, cut, HostileOutcome::opensWithNote),
         hostileFile("data-files/metaimage-text-cut-within-its-last-number", "v.mha",
-                    metaImage("BinaryData = False\nElementDataFile = LOCAL\n") + allButADigit, cut,
+                    splitMetaImage("BinaryData = False\nElementDataFile = LOCAL\n") + allButADigit, cut,
                     HostileOutcome::opensWithNote),
-        hostileFile("data-files/text-that-ends-with-its-line", "v.nrrd", nrrd("encoding: ascii\n\n") + numbers + "\n",
-                    cut, HostileOutcome::opens),
-        attached("text-with-a-word", "ascii", "1 2 three " + numbers,
+        hostileFile("data-files/text-that-ends-with-its-line", "v.nrrd",
+                    splitNrrd("encoding: ascii\n\n") + splitVoxelsAsText + "\n", cut, HostileOutcome::opens),
+        attached("text-with-a-word", "ascii", "1 2 three " + splitVoxelsAsText,
                  {"has text that is no voxel of its type near byte"}),
-        attached("text-with-a-number-below-its-type", "ascii", "1 2 -3 " + numbers, {"no voxel of its type"}),
-        attached("text-with-a-number-above-its-type", "ascii", "1 2 65536 " + numbers, {"\"65536\""}),
-        attached("text-with-a-fraction", "ascii", "1 2 1.5 " + numbers, {"\"1.5\""}),
-        attached("text-with-three-million-digits", "ascii", "1 2 " + std::string(3 << 20, '7') + " " + numbers,
-                 {"no voxel of its type"}),
+        attached("text-with-a-number-below-its-type", "ascii", "1 2 -3 " + splitVoxelsAsText, {"no voxel of its type"}),
+        attached("text-with-a-number-above-its-type", "ascii", "1 2 65536 " + splitVoxelsAsText, {"\"65536\""}),
+        attached("text-with-a-fraction", "ascii", "1 2 1.5 " + splitVoxelsAsText, {"\"1.5\""}),
+        attached("text-with-three-million-digits", "ascii",
+                 "1 2 " + std::string(3 << 20, '7') + " " + splitVoxelsAsText, {"no voxel of its type"}),
         attached("too-few-hexadecimal-digits", "hex", std::string(40, '0'), {"characters for them"}),
         attached("letters-that-are-no-hexadecimal-digits", "hex", "xy" + std::string(96, '1'),
                  {"no hexadecimal digit"}),
-        header("text-that-is-compressed",
-               metaImage("BinaryData = False\nCompressedData = True\nElementDataFile = LOCAL\n") + numbers,
-               {"CompressedData is True beside BinaryData = False"}),
+        header(
+            "text-that-is-compressed",
+            splitMetaImage("BinaryData = False\nCompressedData = True\nElementDataFile = LOCAL\n") + splitVoxelsAsText,
+            {"CompressedData is True beside BinaryData = False"}),
     };
 }
 
@@ -178,16 +152,17 @@ std::string flippedAt(std::string bytes, std::size_t place) {
 }
 
 std::vector<HostileFile> wrongCompression() {
-    const std::string zlib = deflated(voxels()), gzip = deflated(voxels(), 31), bzip2 = bzipped(voxels());
-    const std::string local = metaImage("CompressedData = True\nElementDataFile = LOCAL\n");
-    const std::string members = deflated(voxels().substr(0, 7), 31) + deflated("", 31) +
-                                deflated(voxels().substr(7, 20), 31) + deflated(voxels().substr(27), 31);
+    const std::string zlib = deflated(splitVoxels()), gzip = deflated(splitVoxels(), 31),
+                      bzip2 = bzipped(splitVoxels());
+    const std::string local = splitMetaImage("CompressedData = True\nElementDataFile = LOCAL\n");
+    const std::string members = deflated(splitVoxels().substr(0, 7), 31) + deflated("", 31) +
+                                deflated(splitVoxels().substr(7, 20), 31) + deflated(splitVoxels().substr(27), 31);
     const std::string whole = deflated(local + zlib, 31);
     std::vector<HostileFile> rows{
         attached("bzip2-that-is-none", "bzip2", "no bzip2 at all, though long enough",
                  {"has damaged compressed data near byte"}),
         attached("bzip2-that-is-cut", "bzip2", bzip2.substr(0, 30), {"where"}),
-        attached("bzip2-one-voxel-too-short", "bzip2", bzipped(voxels().substr(2)), {"only 46"}),
+        attached("bzip2-one-voxel-too-short", "bzip2", bzipped(splitVoxels().substr(2)), {"only 46"}),
         attached("bzip2-with-a-false-sum", "bzip2", flippedAt(bzip2, 12), {"its checksum (CRC) does not match"}),
         header("zlib-with-a-false-sum", local + flippedAt(zlib, zlib.size() - 1),
                {"has damaged compressed data near byte"}),

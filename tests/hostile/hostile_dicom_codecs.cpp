@@ -6,7 +6,7 @@ namespace echolucent {
 namespace {
 
 const std::string endMarker("\xff\xd9", 2);
-const std::string missing = "of which a part is missing or damaged";
+const std::string missingWords = "of which a part is missing or damaged";
 
 std::string padded(std::string bytes) { return bytes.size() % 2 == 1 ? bytes + '\0' : bytes; }
 
@@ -105,7 +105,7 @@ void addJpeg2000(std::vector<HostileFile>& rows) {
     add("whole", {good, good}, {"damaged"}, {}, HostileOutcome::opens);
     for (const std::size_t percent : {5, 20, 50, 90}) {
         const std::string share = std::to_string(percent) + "-percent";
-        add("tile-of-" + share, {good, shortTile(percent)}, {missing, "(frame 2)"});
+        add("tile-of-" + share, {good, shortTile(percent)}, {missingWords, "(frame 2)"});
         add("cut-to-" + share, {good, cutTo(good, percent)}, {"(7fe0,0010)", "JPEG 2000 frame", "(frame 2)"});
     }
     add("of-zeros", {std::string(64, '\0'), good}, {"is not JPEG 2000", "(frame 1)"});

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -12,15 +10,11 @@
 #include "dicom_files.h"
 #include "enhanced_us_files.h"
 #include "hostile_file.h"
+#include "temporary_folder.h"
 
 namespace echolucent {
 
 namespace {
-
-std::string bytesOf(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// A good file, written into `folder`.
 using Sample = std::function<void(const std::filesystem::path& path)>;
@@ -53,12 +47,12 @@ void writeQlab(const std::filesystem::path& path) {
 /// Twenty rows for one good file, cut after n/20 of its bytes.
 void addCuts(std::vector<HostileFile>& rows, const std::string& name, const Sample& sample, int mostTwentieths = 19) {
     for (int part = 1; part <= mostTwentieths; ++part) {
-        HostileFile row = hostileFile("dicom-structure/" + name + "-cut-to-" + std::to_string(5 * part) + "-percent",
+        HostileFile row = hostileFile(dicomStructureTopic + name + "-cut-to-" + std::to_string(5 * part) + "-percent",
                                       "a.dcm", "", {"ncomplete"});
         row.write = [sample, part](const std::filesystem::path& folder) {
             const std::filesystem::path whole = folder / "whole";
             sample(whole);
-            const std::string bytes = bytesOf(whole);
+            const std::string bytes = contentsOf(whole);
             std::filesystem::remove(whole);
             const std::size_t kept = std::max<std::size_t>(140, bytes.size() * static_cast<std::size_t>(part) / 20);
             writeBytes(folder / "a.dcm", bytes.substr(0, kept));

@@ -10,11 +10,10 @@ namespace echolucent {
 
 namespace {
 
-using Outcome = HostileOutcome;
 namespace fs = std::filesystem;
 
 HostileFile atPositions(const std::string& name, const std::vector<std::string>& positions,
-                        std::vector<std::string> words, Outcome outcome = Outcome::refused) {
+                        std::vector<std::string> words, HostileOutcome outcome = HostileOutcome::refused) {
     return hostileSeries(
         "positions-" + name, static_cast<int>(positions.size()),
         [positions](int number, HostileSlice& slice) { slice.position = positions[static_cast<std::size_t>(number)]; },
@@ -35,7 +34,7 @@ std::vector<HostileFile> hostilePositions() {
         atPositions("too-large-for-a-double", {"0\\0\\0", "0\\0\\1e400"}, {no}),
         atPositions("of-400-digits", {"0\\0\\0", "0\\0\\" + std::string(400, '9')}, {no}),
         atPositions("of-400-decimals", {"0\\0\\0", "0\\0\\1." + std::string(400, '0'), "0\\0\\2"}, {"slices are"},
-                    Outcome::opens),
+                    HostileOutcome::opens),
         atPositions("minus-zero-and-zero", {"0\\0\\-0", "0\\0\\0"}, {"is the same for two slices"}),
         atPositions("too-near", {"0\\0\\0", "0\\0\\1e-300"}, {"is the same for two slices"}),
         atPositions("denormal", {"0\\0\\0", "0\\0\\4.9e-324"}, {"is the same for two slices"}),
@@ -50,16 +49,18 @@ std::vector<HostileFile> hostilePositions() {
         atPositions("hexadecimal", {"0\\0\\0", "0\\0\\0x10"}, {no}),
         atPositions("in-words", {"0\\0\\0", "0\\0\\one"}, {no, "\"s01\""}),
         hostileSeries("orientation-of-zeros", 3,
-                      [](int, HostileSlice& slice) { slice.orientation = "0\\0\\0\\0\\0\\0"; }, Outcome::refused, {no}),
+                      [](int, HostileSlice& slice) { slice.orientation = "0\\0\\0\\0\\0\\0"; }, HostileOutcome::refused,
+                      {no}),
         hostileSeries("orientation-nan", 3, [](int, HostileSlice& slice) { slice.orientation = "nan\\0\\0\\0\\1\\0"; },
-                      Outcome::refused, {no}),
+                      HostileOutcome::refused, {no}),
         hostileSeries("orientation-that-overflows", 3,
                       [](int, HostileSlice& slice) { slice.orientation = "1e300\\0\\0\\0\\1e300\\0"; },
-                      Outcome::refused, {no}),
+                      HostileOutcome::refused, {no}),
         hostileSeries("orientation-of-parallel-directions", 3,
-                      [](int, HostileSlice& slice) { slice.orientation = "1\\0\\0\\1\\0\\0"; }, Outcome::refused, {no}),
-        hostileSeries("instances-doubled", 4, [](int, HostileSlice& slice) { slice.instance = "7"; }, Outcome::opens,
-                      {"instance"})};
+                      [](int, HostileSlice& slice) { slice.orientation = "1\\0\\0\\1\\0\\0"; }, HostileOutcome::refused,
+                      {no}),
+        hostileSeries("instances-doubled", 4, [](int, HostileSlice& slice) { slice.instance = "7"; },
+                      HostileOutcome::opens, {"instance"})};
 }
 
 std::vector<HostileFile> withoutPositions() {
@@ -69,26 +70,26 @@ std::vector<HostileFile> withoutPositions() {
                           slice.instance = "7";
                           slice.position.clear();
                       },
-                      Outcome::opensWithNote, {"3 pictures have the instance number of another or none"}),
+                      HostileOutcome::opensWithNote, {"3 pictures have the instance number of another or none"}),
         hostileSeries("an-instance-missing-without-positions", 4,
                       [](int number, HostileSlice& slice) {
                           slice.instance = std::to_string(number < 2 ? number + 1 : number + 3);
                           slice.position.clear();
                       },
-                      Outcome::opensWithNote, {"are not consecutive (1 gaps)"}),
+                      HostileOutcome::opensWithNote, {"are not consecutive (1 gaps)"}),
         hostileSeries("a-damaged-picture-without-positions", 4,
                       [](int number, HostileSlice& slice) {
                           slice.position.clear();
                           slice.cut = number == 2 ? 4 : 0;
                       },
-                      Outcome::opensWithNote, {"1 damaged file(s) were left out: \"s02\""})};
+                      HostileOutcome::opensWithNote, {"1 damaged file(s) were left out: \"s02\""})};
     for (HostileFile& row : rows) row.options.framesAsSlices = true;
     return rows;
 }
 
 std::vector<HostileFile> hostileFolders() {
     const auto folder = [](const char* name, std::function<void(const fs::path&)> spoil, std::vector<std::string> words,
-                           Outcome outcome = Outcome::opensWithNote) {
+                           HostileOutcome outcome = HostileOutcome::opensWithNote) {
         return hostileFolder(
             name,
             [spoil = std::move(spoil)](const fs::path& path) {
@@ -109,10 +110,10 @@ std::vector<HostileFile> hostileFolders() {
                {"1 link(s) lead nowhere"}),
         folder(
             "a-link-to-the-folder-itself", [](const fs::path& path) { fs::create_symlink(".", path / "again"); },
-            {"link", "left out", "series here"}, Outcome::opens),
+            {"link", "left out", "series here"}, HostileOutcome::opens),
         folder(
             "a-link-to-a-slice-beside-it", [](const fs::path& path) { fs::create_symlink("s01", path / "s04"); },
-            {"link", "left out", "series here"}, Outcome::opens),
+            {"link", "left out", "series here"}, HostileOutcome::opens),
         folder("a-pipe", [](const fs::path& path) { (void)mkfifo((path / "s04").c_str(), 0600); },
                {"1 pipe(s), socket(s) or device(s) were left out, \"s04\" among them"}),
         hostileFolder("only-links",
@@ -120,20 +121,21 @@ std::vector<HostileFile> hostileFolders() {
                           fs::create_directories(path / "in");
                           fs::create_symlink("/etc/passwd", path / "s04");
                       },
-                      Outcome::refused,
+                      HostileOutcome::refused,
                       {"is a folder without DICOM images", "1 link(s) lead to files out of the folder"}),
         hostileFolder("only-empty-files",
                       [](const fs::path& path) {
                           writeBytes(path / "s1", "");
                           writeBytes(path / "s2", "");
                       },
-                      Outcome::refused,
+                      HostileOutcome::refused,
                       {"is a folder without DICOM images", "2 file(s) are empty (0 bytes): \"s1\", \"s2\""}),
-        hostileFolder("nothing-at-all", [](const fs::path&) {}, Outcome::refused, {"is a folder without DICOM images"}),
+        hostileFolder("nothing-at-all", [](const fs::path&) {}, HostileOutcome::refused,
+                      {"is a folder without DICOM images"}),
         folder("slices-five-folders-deep", [](const fs::path& path) { writeSeries(path / "1/2/3/4/5", 3, {}); },
                {"1 folder(s) deeper than 4 were not looked into, \"5\" among them"}),
         hostileFolder("only-slices-five-folders-deep",
-                      [](const fs::path& path) { writeSeries(path / "1/2/3/4/5", 3, {}); }, Outcome::refused,
+                      [](const fs::path& path) { writeSeries(path / "1/2/3/4/5", 3, {}); }, HostileOutcome::refused,
                       {"is a folder without DICOM images", "1 folder(s) deeper than 4 were not looked into"}),
         folder("a-slice-packed-with-gzip",
                [](const fs::path& path) { writeBytes(path / "s04.gz", deflated(bytesOf(HostileSlice{}), 31)); },
@@ -169,7 +171,7 @@ std::string directory(const std::vector<std::string>& names, std::uint16_t inUse
     return DicomBytes().sequence(0x0004, 0x1220, records).file("1.2.840.10008.1.3.10");
 }
 
-HostileFile hostileDirectory(const std::string& name, const std::string& bytes, Outcome outcome,
+HostileFile hostileDirectory(const std::string& name, const std::string& bytes, HostileOutcome outcome,
                              std::vector<std::string> words, std::function<void(const fs::path&)> more = {}) {
     HostileFile row = hostileFolder(
         "dicomdir-" + name,
@@ -194,38 +196,43 @@ std::vector<HostileFile> hostileDirectories() {
     std::vector<std::string> many;
     for (int i = 0; i < 3000; ++i) many.push_back("F" + std::to_string(i));
     return {
-        hostileDirectory("in-circles", with({"S00", "S01", "S00"}), Outcome::opens, {"DICOMDIR", "not in its folder"}),
-        hostileDirectory("that-names-itself", with({"DICOMDIR"}), Outcome::opens, {"damaged", "not in its folder"}),
-        hostileDirectory("that-names-only-itself", directory({"DICOMDIR"}), Outcome::refused,
+        hostileDirectory("in-circles", with({"S00", "S01", "S00"}), HostileOutcome::opens,
+                         {"DICOMDIR", "not in its folder"}),
+        hostileDirectory("that-names-itself", with({"DICOMDIR"}), HostileOutcome::opens,
+                         {"damaged", "not in its folder"}),
+        hostileDirectory("that-names-only-itself", directory({"DICOMDIR"}), HostileOutcome::refused,
                          {"names no DICOM images"}),
-        hostileDirectory("that-names-a-folder", with({"SUB"}), Outcome::opensWithNote,
+        hostileDirectory("that-names-a-folder", with({"SUB"}), HostileOutcome::opensWithNote,
                          {"1 of 4 files that the DICOMDIR names are not in its folder or below it, \"SUB\""},
                          [](const fs::path& path) { fs::create_directories(path / "SUB"); }),
-        hostileDirectory("that-names-the-folder-above", with({"..\\OUT00"}), Outcome::opensWithNote,
+        hostileDirectory("that-names-the-folder-above", with({"..\\OUT00"}), HostileOutcome::opensWithNote,
                          {"1 of 4 files that the DICOMDIR names are not in its folder", "\"../OUT00\""}),
-        hostileDirectory("that-names-only-files-above", directory({"..\\OUT00", "..\\OUT01"}), Outcome::refused,
+        hostileDirectory("that-names-only-files-above", directory({"..\\OUT00", "..\\OUT01"}), HostileOutcome::refused,
                          {"none of the 2 " + none}),
-        hostileDirectory("that-names-root", with({"\\etc\\passwd", "/etc/passwd"}), Outcome::opensWithNote,
+        hostileDirectory("that-names-root", with({"\\etc\\passwd", "/etc/passwd"}), HostileOutcome::opensWithNote,
                          {"1 of 4 files that the DICOMDIR names"}),
-        hostileDirectory("that-names-a-detour", with({"SUB\\..\\..\\OUT00"}), Outcome::opensWithNote,
+        hostileDirectory("that-names-a-detour", with({"SUB\\..\\..\\OUT00"}), HostileOutcome::opensWithNote,
                          {"1 of 4 files that the DICOMDIR names"}),
-        hostileDirectory("with-a-missing-file-twice", with({"GONE", "GONE", "S00"}), Outcome::opensWithNote,
+        hostileDirectory("with-a-missing-file-twice", with({"GONE", "GONE", "S00"}), HostileOutcome::opensWithNote,
                          {"1 of 4 files that the DICOMDIR names are not in its folder or below it, \"GONE\""}),
-        hostileDirectory("with-nothing-but-missing-files", directory(many), Outcome::refused,
+        hostileDirectory("with-nothing-but-missing-files", directory(many), HostileOutcome::refused,
                          {"none of the 3000 " + none}),
         hostileDirectory("with-a-record-type-of-40-letters", directory(all, 0xffff, std::string(40, 'I')),
-                         Outcome::refused, {"(0004,1430) Directory Record Type", "is 40 bytes long"}),
-        hostileDirectory("without-records", directory({}), Outcome::refused, {"names no files"}),
-        hostileDirectory("with-records-without-files", directory({"", ""}), Outcome::refused, {"names no files"}),
-        hostileDirectory("with-records-out-of-use", directory(all, 0), Outcome::refused, {"names no files"}),
-        hostileDirectory("with-a-name-of-60000-letters", with({std::string(60000, 'A')}), Outcome::opensWithNote,
+                         HostileOutcome::refused, {"(0004,1430) Directory Record Type", "is 40 bytes long"}),
+        hostileDirectory("without-records", directory({}), HostileOutcome::refused, {"names no files"}),
+        hostileDirectory("with-records-without-files", directory({"", ""}), HostileOutcome::refused,
+                         {"names no files"}),
+        hostileDirectory("with-records-out-of-use", directory(all, 0), HostileOutcome::refused, {"names no files"}),
+        hostileDirectory("with-a-name-of-60000-letters", with({std::string(60000, 'A')}), HostileOutcome::opensWithNote,
                          {"1 of 4 files that the DICOMDIR names", "AAA...\""}),
-        hostileDirectory("with-a-newline-in-a-name", with({"A\nB"}), Outcome::opensWithNote, {"\"A?B\""}),
-        hostileDirectory("with-bytes-that-are-no-utf-8", with({"A\xff\xfe"}), Outcome::opensWithNote, {"\"A??\""}),
+        hostileDirectory("with-a-newline-in-a-name", with({"A\nB"}), HostileOutcome::opensWithNote, {"\"A?B\""}),
+        hostileDirectory("with-bytes-that-are-no-utf-8", with({"A\xff\xfe"}), HostileOutcome::opensWithNote,
+                         {"\"A??\""}),
         hostileDirectory("that-names-twelve-folders-deep", with({"1\\2\\3\\4\\5\\6\\7\\8\\9\\10\\11\\12\\S00"}),
-                         Outcome::opensWithNote, {"1 folder(s) deeper than 8 were not looked into", "1 of 4 files"},
+                         HostileOutcome::opensWithNote,
+                         {"1 folder(s) deeper than 8 were not looked into", "1 of 4 files"},
                          [](const fs::path& path) { writeSeries(path / "1/2/3/4/5/6/7/8/9/10/11/12", 1, {}, "S"); }),
-        hostileDirectory("that-names-a-link-out", with({"LINK"}), Outcome::opensWithNote,
+        hostileDirectory("that-names-a-link-out", with({"LINK"}), HostileOutcome::opensWithNote,
                          {"1 link(s) lead to files out of the folder"},
                          [](const fs::path& path) {
                              HostileSlice slice;
@@ -233,18 +240,19 @@ std::vector<HostileFile> hostileDirectories() {
                              writeBytes(path.parent_path() / "other", bytesOf(slice));
                              fs::create_symlink(path.parent_path() / "other", path / "LINK");
                          }),
-        hostileDirectory("that-names-a-link-to-a-folder-out", with({"LINK\\OUT00"}), Outcome::opensWithNote,
+        hostileDirectory("that-names-a-link-to-a-folder-out", with({"LINK\\OUT00"}), HostileOutcome::opensWithNote,
                          {"1 of 4 files that the DICOMDIR names", "1 link(s) lead to folders out of this one"},
                          [](const fs::path& path) { fs::create_symlink(path.parent_path(), path / "LINK"); }),
-        hostileDirectory("that-names-small-and-capital-letters", directory({"S00", "S01", "s02"}), Outcome::opens,
-                         {"DICOMDIR names"}),
-        hostileDirectory("that-names-one-of-two-spellings", with({}), Outcome::opens, {"damaged", "series here"},
+        hostileDirectory("that-names-small-and-capital-letters", directory({"S00", "S01", "s02"}),
+                         HostileOutcome::opens, {"DICOMDIR names"}),
+        hostileDirectory("that-names-one-of-two-spellings", with({}), HostileOutcome::opens, {"damaged", "series here"},
                          [](const fs::path& path) { writeBytes(path / "s00", "another file"); }),
-        hostileDirectory("cut-in-half", directory(all).substr(0, directory(all).size() / 2), Outcome::refused, {""}),
-        hostileDirectory("that-names-a-cut-slice", with({}), Outcome::opensWithNote,
+        hostileDirectory("cut-in-half", directory(all).substr(0, directory(all).size() / 2), HostileOutcome::refused,
+                         {""}),
+        hostileDirectory("that-names-a-cut-slice", with({}), HostileOutcome::opensWithNote,
                          {"1 of 3 slices could not be read and are shown as no data: \"S02\""},
                          [](const fs::path& path) { fs::resize_file(path / "S02", fs::file_size(path / "S02") - 3); }),
-        hostileDirectory("that-names-an-empty-slice", with({}), Outcome::opensWithNote,
+        hostileDirectory("that-names-an-empty-slice", with({}), HostileOutcome::opensWithNote,
                          {"1 file(s) are empty (0 bytes): \"S02\""},
                          [](const fs::path& path) { fs::resize_file(path / "S02", 0); })};
 }

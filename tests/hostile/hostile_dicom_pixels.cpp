@@ -110,7 +110,7 @@ void addNative(std::vector<HostileFile>& rows) {
         file.text(0x0028, 0x0008, "IS", frames).word(0x0028, 0x0010, 2).word(0x0028, 0x0011, 2);
         file.word(0x0028, 0x0100, 8).word(0x0028, 0x0101, 8).word(0x0028, 0x0102, 7).word(0x0028, 0x0103, 0);
         file.put(0x7fe0, 0x0010, "OB", std::string(64, 'a'));
-        rows.push_back(asSlices(hostileFile("dicom-pixels/native-frames-" + frames, "a.dcm", file.file(cineClassOfRows),
+        rows.push_back(asSlices(hostileFile("dicom-pixels/native-frames-" + frames, "a.dcm", file.file(cineClass),
                                             {"(0028,0008) Number of Frames is not a number above 0"})));
     }
 }
@@ -128,8 +128,7 @@ void addColours(std::vector<HostileFile>& rows) {
                          HostileOutcome outcome = HostileOutcome::refused) {
         // Two frames of four pixels, of three bytes each but for a palette's.
         file.put(0x7fe0, 0x0010, "OB", std::string(name.starts_with("palette") ? 8 : 24, 'a'));
-        rows.push_back(
-            asSlices(hostileFile("dicom-pixels/" + name, "a.dcm", file.file(cineClassOfRows), words, outcome)));
+        rows.push_back(asSlices(hostileFile("dicom-pixels/" + name, "a.dcm", file.file(cineClass), words, outcome)));
     };
     add("planar-9", colour(3, "RGB", 9), {"(0028,0006) Planar Configuration is 9"});
     add("samples-2", colour(2, "RGB", 0), {"(0028,0002) Samples per Pixel is 2"});
@@ -165,8 +164,7 @@ void addRescales(std::vector<HostileFile>& rows) {
         DicomBytes file = describedCine({});
         file.text(0x0028, 0x1052, "DS", intercept).text(0x0028, 0x1053, "DS", slope);
         file.put(0x7fe0, 0x0010, "OB", std::string(2 * framePixels, 'a'));
-        rows.push_back(
-            asSlices(hostileFile("dicom-pixels/rescale-" + name, "a.dcm", file.file(cineClassOfRows), {words})));
+        rows.push_back(asSlices(hostileFile("dicom-pixels/rescale-" + name, "a.dcm", file.file(cineClass), {words})));
     }
 }
 

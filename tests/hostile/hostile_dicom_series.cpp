@@ -6,8 +6,6 @@ namespace echolucent {
 
 namespace {
 
-using Outcome = HostileOutcome;
-
 /// One slice (from 0) that `change` changes; the others are as they are.
 SpoilSlice only(int which, std::function<void(HostileSlice&)> change) {
     return [which, change = std::move(change)](int number, HostileSlice& slice) {
@@ -36,13 +34,13 @@ std::vector<HostileFile> damagedSlices() {
     const auto noSize = [](HostileSlice& slice) { slice.sized = false; };
     const auto cutInHeader = [](HostileSlice& slice) { slice.cut = 48; };
     std::vector<HostileFile> rows{
-        hostileFolder("an-empty-end-slice", empty(5), Outcome::opensWithNote,
+        hostileFolder("an-empty-end-slice", empty(5), HostileOutcome::opensWithNote,
                       {"1 file(s) are empty (0 bytes): \"s05\""}),
-        hostileFolder("an-empty-first-slice", empty(0), Outcome::opensWithNote,
+        hostileFolder("an-empty-first-slice", empty(0), HostileOutcome::opensWithNote,
                       {"1 file(s) are empty (0 bytes): \"s00\""}),
-        hostileFolder("an-empty-slice-in-the-middle", empty(3), Outcome::refused,
+        hostileFolder("an-empty-slice-in-the-middle", empty(3), HostileOutcome::refused,
                       {"slices are missing or uneven", "1 file(s) beside it could not be read: \"s03\""}),
-        hostileFolder("one-of-two-slices-empty", empty(1, 2), Outcome::refused,
+        hostileFolder("one-of-two-slices-empty", empty(1, 2), HostileOutcome::refused,
                       {"is a single 2D picture", "could not be read: \"s01\""})};
     struct Damage {
         const char* name;
@@ -58,13 +56,13 @@ std::vector<HostileFile> damagedSlices() {
         const std::string name = std::string("slice-") + damage.name;
         for (const auto& [place, which] : {std::pair("first", 0), std::pair("middle", 2), std::pair("last", 5)})
             rows.push_back(hostileSeries(std::string("the-") + place + "-" + name, 6, only(which, damage.change),
-                                         Outcome::opensWithNote,
+                                         HostileOutcome::opensWithNote,
                                          {shownAsNoData + ("0" + std::to_string(which) + "\""), damage.words}));
-        rows.push_back(hostileSeries("four-of-six-" + name, 6, from(2, damage.change), Outcome::refused,
+        rows.push_back(hostileSeries("four-of-six-" + name, 6, from(2, damage.change), HostileOutcome::refused,
                                      {"holds a damaged series: 4 of 6 slices could not be read",
                                       "\"s02\", \"s03\", \"s04\" and 1 more", damage.words}));
         rows.push_back(
-            hostileSeries("every-" + name, 6, from(0, damage.change), Outcome::refused,
+            hostileSeries("every-" + name, 6, from(0, damage.change), HostileOutcome::refused,
                           {"holds 6 DICOM files, and all of them are damaged", "\"s00\"", "3 more", damage.words}));
     }
     return rows;
@@ -76,29 +74,29 @@ std::vector<HostileFile> moreDamage() {
     };
     return {
         hostileSeries("a-slice-cut-before-its-series", 6, only(5, [](HostileSlice& slice) { slice.kept = 330; }),
-                      Outcome::opensWithNote, {"1 damaged file(s) were left out: \"s05\"", "in the middle of"}),
+                      HostileOutcome::opensWithNote, {"1 damaged file(s) were left out: \"s05\"", "in the middle of"}),
         hostileSeries("a-slice-cut-in-its-meta-header", 6, only(5, [](HostileSlice& slice) { slice.kept = 150; }),
-                      Outcome::opensWithNote, {"1 damaged file(s) were left out: \"s05\""}),
+                      HostileOutcome::opensWithNote, {"1 damaged file(s) were left out: \"s05\""}),
         hostileSeries("a-slice-cut-in-its-preamble", 6, only(5, [](HostileSlice& slice) { slice.kept = 100; }),
-                      Outcome::opensWithNote, {"1 damaged file(s) were left out: \"s05\"", "is no DICOM"}),
+                      HostileOutcome::opensWithNote, {"1 damaged file(s) were left out: \"s05\"", "is no DICOM"}),
         hostileFolder("a-slice-overwritten-with-zeros",
                       [](const std::filesystem::path& folder) {
                           writeSeries(folder, 5, {});
                           writeBytes(folder / "s05", std::string(600, '\0'));
                       },
-                      Outcome::opensWithNote, {"1 damaged file(s) were left out: \"s05\"", "is no DICOM"}),
+                      HostileOutcome::opensWithNote, {"1 damaged file(s) were left out: \"s05\"", "is no DICOM"}),
         hostileFolder("a-file-of-dicoms-ending-that-is-none",
                       [](const std::filesystem::path& folder) {
                           writeSeries(folder, 5, {});
                           writeBytes(folder / "report.DCM", "no DICOM at all");
                       },
-                      Outcome::opensWithNote, {"1 damaged file(s) were left out: \"report.DCM\""}),
+                      HostileOutcome::opensWithNote, {"1 damaged file(s) were left out: \"report.DCM\""}),
         hostileFolder("notes-beside-slices",
                       [](const std::filesystem::path& folder) {
                           writeSeries(folder, 5, {});
                           writeBytes(folder / "notes.txt", "no DICOM at all");
                       },
-                      Outcome::opens, {"notes", "left out", "could not be read"}),
+                      HostileOutcome::opens, {"notes", "left out", "could not be read"}),
         hostileFolder("a-damaged-copy-beside-its-slice",
                       [second](const std::filesystem::path& folder) {
                           writeSeries(folder, 5, {});
@@ -107,7 +105,7 @@ std::vector<HostileFile> moreDamage() {
                           copy.cut = 3;
                           second(folder, copy);
                       },
-                      Outcome::opensWithNote, {"1 damaged file(s) were left out: \"t99\""}),
+                      HostileOutcome::opensWithNote, {"1 damaged file(s) were left out: \"t99\""}),
         hostileFolder("a-damaged-slice-far-away",
                       [second](const std::filesystem::path& folder) {
                           writeSeries(folder, 5, {});
@@ -116,7 +114,7 @@ std::vector<HostileFile> moreDamage() {
                           far.cut = 3;
                           second(folder, far);
                       },
-                      Outcome::opensWithNote, {"1 damaged file(s) were left out: \"t99\""}),
+                      HostileOutcome::opensWithNote, {"1 damaged file(s) were left out: \"t99\""}),
         hostileFolder("a-damaged-slice-of-another-patient",
                       [second](const std::filesystem::path& folder) {
                           writeSeries(folder, 5, {});
@@ -126,21 +124,22 @@ std::vector<HostileFile> moreDamage() {
                           other.cut = 3;
                           second(folder, other);
                       },
-                      Outcome::opensWithNote, {"1 damaged file(s) were left out: \"t99\""}),
+                      HostileOutcome::opensWithNote, {"1 damaged file(s) were left out: \"t99\""}),
         hostileSeries("a-slice-whose-pixels-do-not-decode", 6,
                       only(2,
                            [](HostileSlice& slice) {
                                slice.syntax = "1.2.840.10008.1.2.5";
                                slice.pixels = std::string(64, '\x7f');
                            }),
-                      Outcome::opensWithNote, {"1 of 6 slices could not be read and are shown as no data: \"s02\""}),
+                      HostileOutcome::opensWithNote,
+                      {"1 of 6 slices could not be read and are shown as no data: \"s02\""}),
         hostileSeries("most-slices-do-not-decode", 6,
                       from(2,
                            [](HostileSlice& slice) {
                                slice.syntax = "1.2.840.10008.1.2.5";
                                slice.pixels = std::string(64, '\x7f');
                            }),
-                      Outcome::refused, {"holds a damaged series: 4 of 6 slices could not be read", "\"s02\""})};
+                      HostileOutcome::refused, {"holds a damaged series: 4 of 6 slices could not be read", "\"s02\""})};
 }
 
 const char* const twoSeries = "There are 2 series here; that of 4 x 2, 4 slices was read.";
@@ -175,53 +174,54 @@ std::vector<HostileFile> mixedSlices() {
     std::vector<HostileFile> rows;
     for (const Mix& mix : mixes) {
         rows.push_back(
-            hostileSeries(std::string("two-") + mix.name, 7, from(4, mix.change), Outcome::opensWithNote,
+            hostileSeries(std::string("two-") + mix.name, 7, from(4, mix.change), HostileOutcome::opensWithNote,
                           {mix.words, "they are listed apart", "There are 2 series here; that of 4 x 2, 4"}));
         rows.push_back(hostileSeries(std::string("two-") + mix.name + "-without-a-series", 7,
                                      [change = mix.change](int number, HostileSlice& slice) {
                                          slice.series.clear();
                                          if (number >= 4) change(slice);
                                      },
-                                     Outcome::opensWithNote, {mix.words, twoSeries}));
+                                     HostileOutcome::opensWithNote, {mix.words, twoSeries}));
         rows.push_back(hostileSeries(std::string("interleaved-") + mix.name, 8,
                                      [change = mix.change](int number, HostileSlice& slice) {
                                          if (number % 2 == 1) change(slice);
                                      },
-                                     Outcome::opensWithNote, {mix.words, "they are listed apart"}));
+                                     HostileOutcome::opensWithNote, {mix.words, "they are listed apart"}));
     }
     return rows;
 }
 
 std::vector<HostileFile> almostMixed() {
-    return {hostileSeries("the-same-patient-spelled-otherwise", 5,
-                          from(2, [](HostileSlice& slice) { slice.patientName = "MUSTER^ANNA^^^"; }), Outcome::opens,
-                          {"patient", "listed apart", "series here"}),
-            hostileSeries("a-patient-without-name-in-some-slices", 5,
-                          from(2, [](HostileSlice& slice) { slice.patientName.clear(); }), Outcome::opens,
-                          {"patient", "listed apart", "series here"}),
-            hostileSeries("spacings-with-more-digits", 5,
-                          from(2, [](HostileSlice& slice) { slice.spacing = "0.50000001\\0.4999999"; }), Outcome::opens,
-                          {"spacings", "listed apart", "series here"}),
-            hostileSeries("each-slice-in-a-frame-of-its-own", 5,
-                          [](int number, HostileSlice& slice) { slice.frame = "1.2.9." + std::to_string(number); },
-                          Outcome::refused, {"(0020,0052) Frame of Reference UID", "in each of 5 pictures"}),
-            hostileSeries("two-rescale-slopes", 4, from(2, [](HostileSlice& slice) { slice.slope = "2"; }),
-                          Outcome::opensWithNote, {"rescaled by different slopes or intercepts; each by its own"}),
-            hostileSeries("two-rescale-intercepts", 4, from(2, [](HostileSlice& slice) { slice.intercept = "7"; }),
-                          Outcome::opensWithNote, {"rescaled by different slopes or intercepts; each by its own"}),
-            hostileSeries("two-rescale-lines-with-one-white", 4,
-                          [](int number, HostileSlice& slice) {
-                              slice.slope = number < 2 ? "1" : "-1";
-                              slice.intercept = number < 2 ? "0" : "255";
-                          },
-                          Outcome::opensWithNote, {"rescaled by different slopes or intercepts; each by its own"}),
-            hostileSeries("two-orientations", 6,
-                          from(3, [](HostileSlice& slice) { slice.orientation = "1\\0\\0\\0\\0\\1"; }),
-                          Outcome::refused, {"slices that are not parallel"}),
-            hostileSeries("two-bit-depths", 6, from(3, [](HostileSlice& slice) { slice.bits = 16; }), Outcome::refused,
-                          {"Bits Allocated", "another type than the first slice's"}),
-            hostileSeries("two-signs", 6, from(3, [](HostileSlice& slice) { slice.representation = 1; }),
-                          Outcome::refused, {"sign", "another type than the first slice's"})};
+    return {
+        hostileSeries("the-same-patient-spelled-otherwise", 5,
+                      from(2, [](HostileSlice& slice) { slice.patientName = "MUSTER^ANNA^^^"; }), HostileOutcome::opens,
+                      {"patient", "listed apart", "series here"}),
+        hostileSeries("a-patient-without-name-in-some-slices", 5,
+                      from(2, [](HostileSlice& slice) { slice.patientName.clear(); }), HostileOutcome::opens,
+                      {"patient", "listed apart", "series here"}),
+        hostileSeries("spacings-with-more-digits", 5,
+                      from(2, [](HostileSlice& slice) { slice.spacing = "0.50000001\\0.4999999"; }),
+                      HostileOutcome::opens, {"spacings", "listed apart", "series here"}),
+        hostileSeries("each-slice-in-a-frame-of-its-own", 5,
+                      [](int number, HostileSlice& slice) { slice.frame = "1.2.9." + std::to_string(number); },
+                      HostileOutcome::refused, {"(0020,0052) Frame of Reference UID", "in each of 5 pictures"}),
+        hostileSeries("two-rescale-slopes", 4, from(2, [](HostileSlice& slice) { slice.slope = "2"; }),
+                      HostileOutcome::opensWithNote, {"rescaled by different slopes or intercepts; each by its own"}),
+        hostileSeries("two-rescale-intercepts", 4, from(2, [](HostileSlice& slice) { slice.intercept = "7"; }),
+                      HostileOutcome::opensWithNote, {"rescaled by different slopes or intercepts; each by its own"}),
+        hostileSeries("two-rescale-lines-with-one-white", 4,
+                      [](int number, HostileSlice& slice) {
+                          slice.slope = number < 2 ? "1" : "-1";
+                          slice.intercept = number < 2 ? "0" : "255";
+                      },
+                      HostileOutcome::opensWithNote, {"rescaled by different slopes or intercepts; each by its own"}),
+        hostileSeries("two-orientations", 6,
+                      from(3, [](HostileSlice& slice) { slice.orientation = "1\\0\\0\\0\\0\\1"; }),
+                      HostileOutcome::refused, {"slices that are not parallel"}),
+        hostileSeries("two-bit-depths", 6, from(3, [](HostileSlice& slice) { slice.bits = 16; }),
+                      HostileOutcome::refused, {"Bits Allocated", "another type than the first slice's"}),
+        hostileSeries("two-signs", 6, from(3, [](HostileSlice& slice) { slice.representation = 1; }),
+                      HostileOutcome::refused, {"sign", "another type than the first slice's"})};
 }
 
 }  // namespace

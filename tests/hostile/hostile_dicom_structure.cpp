@@ -12,8 +12,6 @@ namespace echolucent {
 
 namespace {
 
-const std::string topic = "dicom-structure/";
-const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
 const std::string qlabClass = "1.2.840.113543.6.6.1.3.10002";
 const std::string explicitLittle = "1.2.840.10008.1.2.1";
 const std::string implicitLittle = "1.2.840.10008.1.2";
@@ -37,13 +35,6 @@ std::string nested() { return repeated(openSequence + openItem, 200000); }
 std::string nestedImplicit() { return repeated(openImplicit + openItem, 200000); }
 std::string nestedBig() { return repeated(openBig + openBigItem, 200000); }
 
-/// A picture of two frames of 4 x 2 pixels with a geometry, which opens.
-DicomBytes picture() {
-    DicomBytes file;
-    file.text(0x0018, 0x0088, "DS", "1").picture(4, 2, 2).text(0x0028, 0x0030, "DS", "1\\1");
-    return file.put(0x7fe0, 0x0010, "OW", std::string(16, 'a'));
-}
-
 std::string meta(const std::string& syntax, const std::string& sopClass = cineClass) {
     return DicomBytes().file(sopClass, syntax);
 }
@@ -53,17 +44,17 @@ std::string privateElement(const std::string& letters, const std::string& behind
     return std::string("\x09\0\x01\x10", 4) + letters + behind;
 }
 
-HostileFile refused(const std::string& name, std::string bytes, std::vector<std::string> words) {
-    return hostileFile(topic + name, "a.dcm", std::move(bytes), std::move(words));
+HostileFile refusedBytes(const std::string& name, std::string bytes, std::vector<std::string> words) {
+    return hostileFile(dicomStructureTopic + name, "a.dcm", std::move(bytes), std::move(words));
 }
 
 HostileFile tooDeep(const std::string& name, std::string bytes) {
-    return refused("nested-200000-deep-" + name, std::move(bytes), {"holds sequences nested more than 64 deep"});
+    return refusedBytes("nested-200000-deep-" + name, std::move(bytes), {"holds sequences nested more than 64 deep"});
 }
 
 /// Whatever it takes the bytes for, it says that they are no whole file.
 HostileFile noWhole(const std::string& name, std::string bytes) {
-    return refused("nested-200000-deep-" + name, std::move(bytes), {"a.dcm: ", "opy or export it again."});
+    return refusedBytes("nested-200000-deep-" + name, std::move(bytes), {"a.dcm: ", "opy or export it again."});
 }
 
 void addNested(std::vector<HostileFile>& rows) {
@@ -88,7 +79,7 @@ void addNested(std::vector<HostileFile>& rows) {
     rows.push_back(tooDeep("in-ge-private-syntax", meta("1.2.840.113619.5.2") + nestedImplicit()));
     rows.push_back(tooDeep("in-qlab-of-unknown-syntax", meta("1.2.3.4.5", qlabClass) + nestedImplicit()));
     rows.push_back(tooDeep("in-unknown-syntax", meta("1.2.3.4.5") + nested()));
-    rows.push_back(tooDeep("in-jpeg-syntax", meta("1.2.840.10008.1.2.4.50") + nested()));
+    rows.push_back(tooDeep("in-jpeg-syntax", meta(jpegSyntax) + nested()));
     rows.push_back(tooDeep("in-deflated", meta(deflatedSyntax) + deflated(nested(), -15)));
     rows.push_back(tooDeep("in-deflated-jpip", meta("1.2.840.10008.1.2.4.95") + deflated(nested(), -15)));
     rows.push_back(
@@ -132,11 +123,11 @@ void addNested(std::vector<HostileFile>& rows) {
     // The meta header has no sequences.
     const std::string metaSequence("\2\0\3\1SQ\0\0\xff\xff\xff\xff", 12);
     const std::vector<std::string> words{"(0002,0103)", "in the meta header with a sequence"};
-    rows.push_back(
-        refused("nested-200000-deep-in-the-meta-header", preamble + repeated(metaSequence + openItem, 200000), words));
-    rows.push_back(refused("un-of-undefined-length-in-the-meta-header",
-                           preamble + std::string("\2\0\3\1UN\0\0\xff\xff\xff\xff", 12) + openItem + nestedImplicit(),
-                           words));
+    rows.push_back(refusedBytes("nested-200000-deep-in-the-meta-header",
+                                preamble + repeated(metaSequence + openItem, 200000), words));
+    rows.push_back(refusedBytes(
+        "un-of-undefined-length-in-the-meta-header",
+        preamble + std::string("\2\0\3\1UN\0\0\xff\xff\xff\xff", 12) + openItem + nestedImplicit(), words));
     // What is no sequence to anybody.
     rows.push_back(noWhole("in-bytes-of-undefined-length",
                            meta(explicitLittle) + privateElement("OB", two + undefined) + openItem + nested()));
@@ -198,7 +189,7 @@ std::string deflatedZeros(const std::string& syntax, std::uint16_t group, std::u
 
 /// A row whose bytes take time or memory to make: they are made when they are written.
 HostileFile large(const std::string& name, std::function<std::string()> bytes, std::vector<std::string> words) {
-    HostileFile row = hostileFile(topic + name, "a.dcm", "", std::move(words));
+    HostileFile row = hostileFile(dicomStructureTopic + name, "a.dcm", "", std::move(words));
     row.write = [bytes = std::move(bytes)](const std::filesystem::path& folder) {
         writeBytes(folder / "a.dcm", bytes());
     };
@@ -206,33 +197,32 @@ HostileFile large(const std::string& name, std::function<std::string()> bytes, s
 }
 
 void addCounts(std::vector<HostileFile>& rows) {
-    const std::string after = picture().bytes();
+    const std::string after = twoFrames().bytes();
     const std::string many = "holds more than 20000 elements in one data set or item";
     const std::string order = "holds too many elements that are out of order";
     const std::string total = "holds more than 500000 elements";
     rows.push_back(
-        refused("elements-in-one-data-set", meta(explicitLittle) + ascending(0x0009, 60000) + after, {many}));
-    rows.push_back(refused("elements-in-one-item",
-                           meta(explicitLittle) +
-                               DicomBytes().put(0x0008, 0x1140, "SQ", dicomItem(ascending(0x0009, 60000))).bytes() +
-                               after,
-                           {many}));
+        refusedBytes("elements-in-one-data-set", meta(explicitLittle) + ascending(0x0009, 60000) + after, {many}));
     rows.push_back(
-        refused("elements-in-descending-order", meta(explicitLittle) + descending(0x0009, 19000) + after, {order}));
-    rows.push_back(refused(
+        refusedBytes("elements-in-one-item",
+                     meta(explicitLittle) +
+                         DicomBytes().put(0x0008, 0x1140, "SQ", dicomItem(ascending(0x0009, 60000))).bytes() + after,
+                     {many}));
+    rows.push_back(refusedBytes("elements-in-descending-order",
+                                meta(explicitLittle) + descending(0x0009, 19000) + after, {order}));
+    rows.push_back(refusedBytes(
         "elements-that-are-one-and-the-same",
         meta(explicitLittle) + repeated(DicomBytes().put(0x0009, 0x1000, "LO", "").bytes(), 600000) + after, {total}));
-    rows.push_back(refused(
+    rows.push_back(refusedBytes(
         "elements-in-descending-order-in-items",
         meta(explicitLittle) +
             DicomBytes().put(0x0008, 0x1140, "SQ", repeated(dicomItem(descending(0x0009, 4000)), 4)).bytes() + after,
         {order}));
-    rows.push_back(refused("a-million-empty-items", meta(explicitLittle) + itemsIn(1000000) + after, {total}));
-    rows.push_back(
-        refused("a-million-empty-fragments",
-                meta("1.2.840.10008.1.2.5") +
-                    DicomBytes().put(0x7fe0, 0x0010, "OB", repeated(dicomItem(""), 1000000), 0xffffffff).bytes(),
-                {total}));
+    rows.push_back(refusedBytes("a-million-empty-items", meta(explicitLittle) + itemsIn(1000000) + after, {total}));
+    rows.push_back(refusedBytes(
+        "a-million-empty-fragments",
+        meta(rleSyntax) + DicomBytes().put(0x7fe0, 0x0010, "OB", repeated(dicomItem(""), 1000000), 0xffffffff).bytes(),
+        {total}));
     const std::string tiny = repeated(DicomBytes().put(0x0009, 0x1000, "LO", "").bytes(), 30000);
     const auto makeTiny = [=] { return meta(deflatedSyntax) + deflatedRepeats("", tiny, 100, after); };
     rows.push_back(large("three-million-small-elements-deflated", makeTiny, {total}));
@@ -244,7 +234,7 @@ void addCounts(std::vector<HostileFile>& rows) {
     rows.push_back(large("two-gigabytes-of-zeros-deflated", makePixels, {"unpacks to more than", "no volume does"}));
     const auto makePrivate = [] { return deflatedZeros("1.2.840.10008.1.2.4.95", 0x0029, 0x1001, 300); };
     rows.push_back(large("zeros-deflated-in-the-jpip-syntax", makePrivate, {"unpacks to more than"}));
-    HostileFile good = hostileFile(topic + "elements-in-a-large-but-true-number", "a.dcm",
+    HostileFile good = hostileFile(dicomStructureTopic + "elements-in-a-large-but-true-number", "a.dcm",
                                    meta(explicitLittle) + itemsIn(100000) + ascending(0x0009, 10000) + after,
                                    {"elements"}, HostileOutcome::opens);
     rows.push_back(std::move(good));
@@ -259,18 +249,20 @@ void addTwice(std::vector<HostileFile>& rows) {
     };
     const std::string words = "stands twice, with different values";
     const DicomBytes spacing = DicomBytes().text(0x0028, 0x0030, "DS", "1\\1");
-    rows.push_back(
-        refused("rows-twice", twice({}, DicomBytes(spacing).word(0x0028, 0x0010, 3)), {"(0028,0010) Rows", words}));
-    rows.push_back(refused("spacing-twice", twice({}, DicomBytes(spacing).text(0x0028, 0x0030, "DS", "2\\2")),
-                           {"(0028,0030) Pixel Spacing", words}));
-    rows.push_back(refused("frames-twice", twice(DicomBytes(spacing), DicomBytes().text(0x0028, 0x0008, "IS", "1")),
-                           {"(0028,0008)", words}));
-    rows.push_back(refused("rows-twice-in-other-kinds",
-                           twice({}, DicomBytes(spacing).put(0x0028, 0x0010, "UL", std::string("\2\0\0\0", 4))),
-                           {"(0028,0010) Rows", words}));
-    rows.push_back(refused("pixels-twice", picture().put(0x7fe0, 0x0010, "OW", std::string(16, 'b')).file(cineClass),
-                           {"(7fe0,0010) Pixel Data", words}));
-    rows.push_back(hostileFile(topic + "rows-twice-the-same", "a.dcm",
+    rows.push_back(refusedBytes("rows-twice", twice({}, DicomBytes(spacing).word(0x0028, 0x0010, 3)),
+                                {"(0028,0010) Rows", words}));
+    rows.push_back(refusedBytes("spacing-twice", twice({}, DicomBytes(spacing).text(0x0028, 0x0030, "DS", "2\\2")),
+                                {"(0028,0030) Pixel Spacing", words}));
+    rows.push_back(refusedBytes("frames-twice",
+                                twice(DicomBytes(spacing), DicomBytes().text(0x0028, 0x0008, "IS", "1")),
+                                {"(0028,0008)", words}));
+    rows.push_back(refusedBytes("rows-twice-in-other-kinds",
+                                twice({}, DicomBytes(spacing).put(0x0028, 0x0010, "UL", std::string("\2\0\0\0", 4))),
+                                {"(0028,0010) Rows", words}));
+    rows.push_back(refusedBytes("pixels-twice",
+                                twoFrames().put(0x7fe0, 0x0010, "OW", std::string(16, 'b')).file(cineClass),
+                                {"(7fe0,0010) Pixel Data", words}));
+    rows.push_back(hostileFile(dicomStructureTopic + "rows-twice-the-same", "a.dcm",
                                twice({}, DicomBytes(spacing).word(0x0028, 0x0010, 2)),
                                {"(0028,0010) Rows stands twice, with the same value"}, HostileOutcome::opensWithNote));
 }

@@ -12,9 +12,6 @@ namespace echolucent {
 
 namespace {
 
-const std::string topic = "dicom-structure/";
-const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
-
 std::string little(std::uint64_t value, int bytes) {
     std::string text;
     for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> 8 * i & 0xff);
@@ -61,16 +58,18 @@ std::string plain(const std::string& text) {
     return words;
 }
 
-HostileFile refused(const std::string& name, const Described& file, std::vector<std::string> words) {
-    return hostileFile(topic + name, "a.dcm", file.file(), std::move(words));
+HostileFile refusedValues(const std::string& name, const Described& file, std::vector<std::string> words) {
+    return hostileFile(dicomStructureTopic + name, "a.dcm", file.file(), std::move(words));
 }
 
-HostileFile noted(const std::string& name, const Described& file, std::vector<std::string> words) {
-    return hostileFile(topic + name, "a.dcm", file.file(), std::move(words), HostileOutcome::opensWithNote);
+HostileFile notedValues(const std::string& name, const Described& file, std::vector<std::string> words) {
+    return hostileFile(dicomStructureTopic + name, "a.dcm", file.file(), std::move(words),
+                       HostileOutcome::opensWithNote);
 }
 
 HostileFile good(const std::string& name, const Described& file) {
-    return hostileFile(topic + name, "a.dcm", file.file(), {"not stated", "left out"}, HostileOutcome::opens);
+    return hostileFile(dicomStructureTopic + name, "a.dcm", file.file(), {"not stated", "left out"},
+                       HostileOutcome::opens);
 }
 
 /// Numbers and texts kept as bytes are what the dictionary says; what is no such thing is named.
@@ -94,17 +93,17 @@ void addKinds(std::vector<HostileFile>& rows) {
         rows.push_back(good("everything" + kind, all));
         Described odd;
         odd.rows = DicomBytes().put(0x0028, 0x0010, vr, little(0x18, 2) + little(0x18, 2));
-        rows.push_back(refused("two-rows" + kind, odd, {"(0028,0010) Rows", "several values"}));
+        rows.push_back(refusedValues("two-rows" + kind, odd, {"(0028,0010) Rows", "several values"}));
         Described spacing;
         spacing.spacing = DicomBytes().put(0x0028, 0x0030, vr, std::string(4, '\1'));
-        rows.push_back(refused("nonsense-spacing" + kind, spacing, {"(0028,0030) Pixel Spacing"}));
+        rows.push_back(refusedValues("nonsense-spacing" + kind, spacing, {"(0028,0030) Pixel Spacing"}));
         Described frames;
         frames.frames = DicomBytes().put(0x0028, 0x0008, vr, "two ");
-        rows.push_back(
-            refused("nonsense-frames" + kind, frames, {"(0028,0008) Number of Frames", "is not a number above 0"}));
+        rows.push_back(refusedValues("nonsense-frames" + kind, frames,
+                                     {"(0028,0008) Number of Frames", "is not a number above 0"}));
         Described bits;
         bits.stored = DicomBytes().put(0x0028, 0x0101, vr, little(0x080808, 4));
-        rows.push_back(refused("nonsense-bits-stored" + kind, bits, {"(0028,0101) Bits Stored"}));
+        rows.push_back(refusedValues("nonsense-bits-stored" + kind, bits, {"(0028,0101) Bits Stored"}));
     }
 }
 
@@ -112,12 +111,12 @@ void addDescriptions(std::vector<HostileFile>& rows) {
     const auto row = [&](const std::string& name, const auto& change, std::vector<std::string> words) {
         Described file;
         change(file);
-        rows.push_back(refused(name, file, std::move(words)));
+        rows.push_back(refusedValues(name, file, std::move(words)));
     };
     const auto note = [&](const std::string& name, const auto& change, std::vector<std::string> words) {
         Described file;
         change(file);
-        rows.push_back(noted(name, file, std::move(words)));
+        rows.push_back(notedValues(name, file, std::move(words)));
     };
     row("pixel-representation-7", [](Described& f) { f.sign = DicomBytes().word(0x0028, 0x0103, 7); },
         {"(0028,0103) Pixel Representation is 7"});
@@ -207,7 +206,7 @@ void addPlaces(std::vector<HostileFile>& rows) {
     const auto row = [&](const std::string& name, const auto& change, std::vector<std::string> words) {
         Described file;
         change(file);
-        rows.push_back(refused(name, file, std::move(words)));
+        rows.push_back(refusedValues(name, file, std::move(words)));
     };
     for (const std::string spacing :
          {"0\\0", "-1\\1", "nan\\nan", "inf\\inf", "1e999\\1", "1\\1\\1", "1", "half", "1\\"})

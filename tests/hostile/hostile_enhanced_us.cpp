@@ -4,33 +4,31 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 
+#include "dcmtk_conditions.h"
 #include "enhanced_us_files.h"
 #include "hostile_file.h"
+#include "hostile_numbers.h"
 
 namespace echolucent {
 
 namespace {
 
-constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
-
-void must(const OFCondition& condition) {
-    if (condition.bad()) throw std::runtime_error(std::string("a row cannot be written: ") + condition.text());
-}
-
 void putDoubles(DcmItem& item, const DcmTagKey& tag, const std::vector<double>& values) {
-    must(item.putAndInsertFloat64Array(tag, values.data(), values.size()));
+    require(item.putAndInsertFloat64Array(tag, values.data(), values.size()), "a row cannot be written");
 }
 
-void putText(DcmItem& item, const DcmTagKey& tag, const char* text) { must(item.putAndInsertString(tag, text)); }
+void putText(DcmItem& item, const DcmTagKey& tag, const char* text) {
+    require(item.putAndInsertString(tag, text), "a row cannot be written");
+}
 
 /// Points a dimension (counted from 0) at another attribute.
 void pointDimension(const EnhancedUsFile& file, long dimension, const DcmTagKey& attribute) {
     DcmItem* item = nullptr;
-    must(file.dataset().findOrCreateSequenceItem(DCM_DimensionIndexSequence, item, dimension));
-    must(item->putAndInsertTagKey(DCM_DimensionIndexPointer, attribute));
+    require(file.dataset().findOrCreateSequenceItem(DCM_DimensionIndexSequence, item, dimension),
+            "a row cannot be written");
+    require(item->putAndInsertTagKey(DCM_DimensionIndexPointer, attribute), "a row cannot be written");
 }
 
 void putMatrix(const EnhancedUsFile& file, const std::vector<double>& matrix) {
@@ -127,8 +125,9 @@ std::vector<HostileFile> refusals() {
         refused("dimension-without-pointer",
                 [](const EnhancedUsFile& file) {
                     DcmItem* item = nullptr;
-                    must(file.dataset().findAndGetSequenceItem(DCM_DimensionIndexSequence, item, 0));
-                    must(item->findAndDeleteElement(DCM_DimensionIndexPointer));
+                    require(file.dataset().findAndGetSequenceItem(DCM_DimensionIndexSequence, item, 0),
+                            "a row cannot be written");
+                    require(item->findAndDeleteElement(DCM_DimensionIndexPointer), "a row cannot be written");
                 },
                 {"(0020,9165)", "not known"}),
         refused("times-against-the-indices",
@@ -202,8 +201,9 @@ std::vector<HostileFile> refusals() {
                 [](const EnhancedUsFile& file) {
                     for (const DcmTagKey& group : {DCM_PlanePositionSequence, DCM_PlanePositionVolumeSequence}) {
                         DcmItem* groups = nullptr;
-                        must(file.dataset().findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, groups, 9));
-                        must(groups->findAndDeleteElement(group));
+                        require(file.dataset().findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, groups, 9),
+                                "a row cannot be written");
+                        require(groups->findAndDeleteElement(group), "a row cannot be written");
                     }
                 },
                 {"(0020,9301)", "is missing for frame 10"}),
@@ -236,7 +236,9 @@ std::vector<HostileFile> notes() {
                   },
                   {"(0020,9308) Apex Position is no position"}),
             noted("apex-missing",
-                  [](const EnhancedUsFile& file) { must(file.dataset().findAndDeleteElement(DCM_ApexPosition)); },
+                  [](const EnhancedUsFile& file) {
+                      require(file.dataset().findAndDeleteElement(DCM_ApexPosition), "a row cannot be written");
+                  },
                   {"(0020,9308) Apex Position is missing"}),
             noted("apex-in-the-middle",
                   [](const EnhancedUsFile& file) {
@@ -274,15 +276,17 @@ std::vector<HostileFile> notes() {
                   [](const EnhancedUsFile& file) {
                       putText(file.dataset(), DCM_UltrasoundAcquisitionGeometry, "PATIENT");
                       DcmItem* shared = nullptr;
-                      must(file.dataset().findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared));
-                      must(shared->findAndDeleteElement(DCM_PlaneOrientationSequence));
+                      require(file.dataset().findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared),
+                              "a row cannot be written");
+                      require(shared->findAndDeleteElement(DCM_PlaneOrientationSequence), "a row cannot be written");
                   },
                   {"(0020,9307) is PATIENT"}),
             noted("place-in-the-patient-for-some-frames",
                   [](const EnhancedUsFile& file) {
                       DcmItem* groups = nullptr;
-                      must(file.dataset().findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, groups, 9));
-                      must(groups->findAndDeleteElement(DCM_PlanePositionSequence));
+                      require(file.dataset().findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, groups, 9),
+                              "a row cannot be written");
+                      require(groups->findAndDeleteElement(DCM_PlanePositionSequence), "a row cannot be written");
                   },
                   {"Only 15 of 16 frames have a place in the patient"})};
 }

@@ -41,4 +41,10 @@ std::vector<HostileFile> hostileFiles() {
     return all;
 }
 
+std::vector<HostileFile> sampleOf(const std::vector<HostileFile>& rows) {
+    std::vector<HostileFile> sample;
+    for (std::size_t i = 0; i < rows.size(); i += 16) sample.push_back(rows[i]);
+    return sample;
+}
+
 }  // namespace echolucent

@@ -41,6 +41,9 @@ struct HostileFile {
 /// Writes bytes into a new file, and the folders above it. Throws where that fails.
 void writeBytes(const std::filesystem::path& path, std::string_view bytes);
 
+/// What the names of rows about DICOM elements, values and lengths begin with.
+inline const std::string dicomStructureTopic = "dicom-structure/";
+
 // The rows by topic; each stands in a source file of its own name.
 [[nodiscard]] std::vector<HostileFile> hostileTextHeaders();     ///< MetaImage, NRRD, raw layouts
 [[nodiscard]] std::vector<HostileFile> hostileNifti();           ///< NIfTI and Analyze
@@ -67,5 +70,7 @@ void writeBytes(const std::filesystem::path& path, std::string_view bytes);
 
 /// All rows.
 [[nodiscard]] std::vector<HostileFile> hostileFiles();
+/// Every sixteenth of these rows, in the order of the table, so that most topics have some.
+[[nodiscard]] std::vector<HostileFile> sampleOf(const std::vector<HostileFile>& rows);
 
 }  // namespace echolucent

@@ -6,18 +6,16 @@ namespace echolucent {
 
 namespace {
 
-const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
-const std::string sliceClass = "1.2.840.10008.5.1.4.1.1.6.1";
-const std::string pixels = "ABCDEFGHIJKLMNOP";
+const std::string sixteenPixels = "ABCDEFGHIJKLMNOP";
 
-HostileFile metaImage(const std::string& name, const std::string& lastKeys, std::vector<std::string> words) {
+HostileFile foundMetaImage(const std::string& name, const std::string& lastKeys, std::vector<std::string> words) {
     return hostileFile("found-by-fuzzing/" + name, "v.mha",
                        "NDims = 3\nDimSize = 4 2 2\nElementType = MET_UCHAR\n" + lastKeys, std::move(words));
 }
 
 /// What is wrong with these shows in the report, which tests/fuzz looks at; the words are in no warning.
-HostileFile cine(const std::string& name, DicomBytes file, std::vector<std::string> words) {
-    file.text(0x0018, 0x0088, "DS", "1").text(0x0028, 0x0030, "DS", "1\\1").put(0x7fe0, 0x0010, "OW", pixels);
+HostileFile foundCine(const std::string& name, DicomBytes file, std::vector<std::string> words) {
+    file.text(0x0018, 0x0088, "DS", "1").text(0x0028, 0x0030, "DS", "1\\1").put(0x7fe0, 0x0010, "OW", sixteenPixels);
     return hostileFile("found-by-fuzzing/" + name, "v.dcm", file.file(cineClass), std::move(words),
                        HostileOutcome::opens);
 }
@@ -35,13 +33,13 @@ std::string longSweepKeys() {
     for (const char* frame : {"0000", "0001"})
         keys +=
             "Seq_Frame" + std::string(frame) + "_" + std::string(2000, 'k') + "Transform = 1 0 0 0 1 0 0 0 1 0 0 0\n";
-    return keys + "ElementDataFile = LOCAL\n" + pixels;
+    return keys + "ElementDataFile = LOCAL\n" + sixteenPixels;
 }
 
 /// Behind whole pixels, an element that declares 4 GB: the library takes memory for it before it looks.
 HostileFile hugeLastElement() {
     DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").picture(4, 2, 2);
-    file.put(0x7fe0, 0x0010, "OW", pixels).put(0xfffc, 0xfffc, "OB", "rest", 0xf0000000);
+    file.put(0x7fe0, 0x0010, "OW", sixteenPixels).put(0xfffc, 0xfffc, "OB", "rest", 0xf0000000);
     return hostileFile("found-by-fuzzing/4-gigabytes-declared-behind-the-pixels", "v.dcm", file.file(cineClass),
                        {"(fffc,fffc)", "declares 4026531840 bytes where the file holds only 4"});
 }
@@ -49,7 +47,7 @@ HostileFile hugeLastElement() {
 /// Two slices, each of the raw elements as a deflated data set, in a folder, which is opened: so their headers are
 /// listed.
 HostileFile deflatedSlices(const std::string& name, const std::string& elements, const std::string& words) {
-    const std::string bytes = DicomBytes().file(sliceClass, deflatedSyntax) + deflated(elements, -15);
+    const std::string bytes = DicomBytes().file(pictureClass, deflatedSyntax) + deflated(elements, -15);
     return {"found-by-fuzzing/" + name,
             ".",
             [bytes](const std::filesystem::path& folder) {
@@ -98,7 +96,7 @@ HostileFile deflatedLetters(const std::string& name, const std::string& sopClass
 
 DicomBytes wholePixels() {
     DicomBytes cine = DicomBytes().text(0x0018, 0x0088, "DS", "1").picture(4, 2, 2);
-    return cine.put(0x7fe0, 0x0010, "OW", pixels);
+    return cine.put(0x7fe0, 0x0010, "OW", sixteenPixels);
 }
 
 /// Rows that are a sequence of undefined length: as its text the library takes 4 GiB.
@@ -108,7 +106,7 @@ HostileFile rowsThatAreASequence() {
         .put(0xfffe, 0xe0dd, "", std::string(2, '\0'), 0)
         .word(0x0028, 0x0011, 4);
     file.word(0x0028, 0x0100, 8).word(0x0028, 0x0101, 8).word(0x0028, 0x0102, 7).word(0x0028, 0x0103, 0);
-    file.put(0x7fe0, 0x0010, "OW", pixels);
+    file.put(0x7fe0, 0x0010, "OW", sixteenPixels);
     return hostileFile("found-by-fuzzing/rows-that-are-a-sequence", "v.dcm", file.file(cineClass), {"Rows", "missing"});
 }
 
@@ -117,11 +115,11 @@ HostileFile rowsThatAreASequence() {
 std::vector<HostileFile> hostileFoundByFuzzing() {
     const std::string longName(2000, 'v');
     return {
-        metaImage("a-data-file-with-a-name-of-2000-letters", "ElementDataFile = " + longName + "\n",
-                  {"2000 letters long"}),
-        metaImage("a-key-of-2000-letters", longSweepKeys(), {"tracked 2D sweep"}),
-        metaImage("a-pattern-that-counts-from-the-largest-number", "ElementDataFile = v%d.raw 9223372036854775807\n",
-                  {"counts with 9223372036854775807"}),
+        foundMetaImage("a-data-file-with-a-name-of-2000-letters", "ElementDataFile = " + longName + "\n",
+                       {"2000 letters long"}),
+        foundMetaImage("a-key-of-2000-letters", longSweepKeys(), {"tracked 2D sweep"}),
+        foundMetaImage("a-pattern-that-counts-from-the-largest-number",
+                       "ElementDataFile = v%d.raw 9223372036854775807\n", {"counts with 9223372036854775807"}),
         hugeLastElement(),
         hugePatient(),
         hugeText(),
@@ -129,10 +127,11 @@ std::vector<HostileFile> hostileFoundByFuzzing() {
         deflatedLetters("letters-as-a-deflated-dicomdir", "1.2.840.10008.1.3.10", DicomBytes()),
         deflatedLetters("letters-behind-deflated-pixels", cineClass, wholePixels()),
         rowsThatAreASequence(),
-        cine("a-manufacturer-of-two-lines", DicomBytes().text(0x0008, 0x0070, "LO", "a\nb").picture(4, 2, 2), {"a\nb"}),
-        cine("a-manufacturer-of-20000-letters",
-             DicomBytes().text(0x0008, 0x0070, "LO", std::string(20000, 'm')).picture(4, 2, 2), {"mmmm"}),
-        cine("no-photometric-interpretation", withoutPhotometric(), {"Photometric"}),
+        foundCine("a-manufacturer-of-two-lines", DicomBytes().text(0x0008, 0x0070, "LO", "a\nb").picture(4, 2, 2),
+                  {"a\nb"}),
+        foundCine("a-manufacturer-of-20000-letters",
+                  DicomBytes().text(0x0008, 0x0070, "LO", std::string(20000, 'm')).picture(4, 2, 2), {"mmmm"}),
+        foundCine("no-photometric-interpretation", withoutPhotometric(), {"Photometric"}),
     };
 }
 

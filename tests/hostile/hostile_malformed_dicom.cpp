@@ -5,33 +5,13 @@
 #include <fmt/format.h>
 
 #include "dicom_bytes.h"
-#include "dicom_files.h"
+#include "dicom_images.h"
 #include "hostile_file.h"
 #include "zlib_bytes.h"
 
 namespace echolucent {
 
 namespace {
-
-const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
-const std::string jpegLs = "1.2.840.10008.1.2.4.80";
-
-TestImage slice(const Vec3& position) {
-    TestImage image;
-    image.pixels8.assign(12, 7);
-    image.position = position;
-    image.orientation = {1, 0, 0, 0, 1, 0};
-    image.pixelSpacing = {0.5, 0.25};
-    return image;
-}
-
-TestImage cine(int frames) {
-    TestImage image;
-    image.frames = frames;
-    image.pixels8.assign(12 * static_cast<std::size_t>(frames), 7);
-    image.pixelSpacing = {0.5, 0.25};
-    return image;
-}
 
 /// A folder of images.
 HostileFile folderOf(const std::string& name, std::vector<TestImage> images, std::vector<std::string> words) {
@@ -66,28 +46,28 @@ std::vector<HostileFile> overflowingPlaces() {
     std::vector<HostileFile> rows;
     for (const auto& [name, pair] : pairs)
         for (const double tilt : {0.0, 0.6}) {
-            std::vector<TestImage> images{slice(pair[0]), slice(pair[1])};
+            std::vector<TestImage> images{sliceAt(pair[0]), sliceAt(pair[1])};
             for (TestImage& image : images) image.orientation = {std::sqrt(1 - tilt * tilt), 0, tilt, 0, 1, 0};
             rows.push_back(folderOf("slices-" + name + (tilt > 0 ? "-tilted" : ""), images,
                                     {"/s", ": (0020,0032) Image Position", "no scanner"}));
         }
     for (const double huge : {1e200, 1e308, -1e308}) {
-        std::vector<TestImage> images{slice({0, 0, 0}), slice({0, 0, 1})};
+        std::vector<TestImage> images{sliceAt({0, 0, 0}), sliceAt({0, 0, 1})};
         for (TestImage& image : images) image.orientation = {huge, 0, huge, 0, huge, 0};
         rows.push_back(
             folderOf(fmt::format("an-orientation-of-{}", huge), images, {"without position and orientation"}));
     }
-    TestImage offsets = cine(3);
+    TestImage offsets = cineOf(3);
     offsets.gridOffsets = {0, 1e308, -1e308};
     rows.push_back(fileOf("frame-offsets-that-overflow", "offsets", offsets, {"offsets: (3004,000c)", "no scanner"}));
-    TestImage between = cine(3);
+    TestImage between = cineOf(3);
     between.spacingBetweenSlices = 1.5e308;  // twice that is infinite
     rows.push_back(
         fileOf("a-distance-of-slices-that-overflows", "between", between, {"between: (0018,0088)", "no scanner"}));
-    TestImage groups = cine(2);
+    TestImage groups = cineOf(2);
     groups.functionalGroups = {{.position = {0, 0, -1.5e308}}, {.position = {0, 0, 1.5e308}}};
     rows.push_back(fileOf("frames-whose-distance-overflows", "groups", groups, {"groups: (0020,9301)", "no scanner"}));
-    TestImage many = cine(2);
+    TestImage many = cineOf(2);
     many.spacingBetweenSlices = 1;
     many.pixelSpacing.reset();
     many.pixelSpacingText = "0.5";
@@ -105,16 +85,10 @@ HostileFile bytesRow(const std::string& name, const std::string& bytes, std::vec
     return row;
 }
 
-DicomBytes pixels() {
-    DicomBytes file;
-    file.text(0x0018, 0x0088, "DS", "1").picture(4, 2, 2).text(0x0028, 0x0030, "DS", "1\\1");
-    return file.put(0x7fe0, 0x0010, "OW", std::string(16, 'a'));
-}
-
 HostileFile itemsOutsideSequences(int count, const std::string& words, HostileOutcome outcome) {
     std::string bytes = DicomBytes().text(0x0008, 0x0060, "CS", "US").file(cineClass);
     for (int i = 0; i < count; ++i) bytes += dicomItem("");
-    return bytesRow(fmt::format("{}-items-outside-sequences", count), bytes + pixels().bytes(), {words}, outcome);
+    return bytesRow(fmt::format("{}-items-outside-sequences", count), bytes + twoFrames().bytes(), {words}, outcome);
 }
 
 std::vector<HostileFile> wrongElements() {
@@ -130,7 +104,7 @@ std::vector<HostileFile> wrongElements() {
         itemsOutsideSequences(500, "no sequence", HostileOutcome::opensWithNote),
         itemsOutsideSequences(400000, "holds more than 1000 items outside sequences", HostileOutcome::refused),
         bytesRow("deflated-pixels-that-end-early",
-                 DicomBytes().file(cineClass, "1.2.840.10008.1.2.1.99") + deflated(more.bytes(), -15),
+                 DicomBytes().file(cineClass, deflatedSyntax) + deflated(more.bytes(), -15),
                  {"declares 16 bytes where the file holds only 10"}),
         bytesRow("rows-that-dicom-cannot-count", rows.file(cineClass),
                  {"(0028,0010) Rows is 99999999999, more than DICOM has"}),
@@ -144,7 +118,7 @@ HostileFile frames(const std::string& name, const std::string& bytes, std::vecto
     return row;
 }
 
-DicomBytes picture() { return DicomBytes().picture(16, 8, 2); }
+DicomBytes framesOf16x8() { return DicomBytes().picture(16, 8, 2); }
 
 std::vector<HostileFile> noPictures() {
     DicomBytes text;
@@ -155,12 +129,12 @@ std::vector<HostileFile> noPictures() {
         frames("a-pdf", text.file("1.2.840.10008.5.1.4.1.1.104.1"), {"is an encapsulated PDF document"}),
         frames("a-presentation-state", text.file("1.2.840.10008.5.1.4.1.1.11.1"), {"is a presentation state"}),
         frames("an-unknown-object", text.file("1.2.3.4"), {"is an object of a kind that is not known here"}),
-        frames("empty-pixel-data", picture().put(0x7fe0, 0x0010, "OW", "").file(cineClass),
+        frames("empty-pixel-data", framesOf16x8().put(0x7fe0, 0x0010, "OW", "").file(cineClass),
                {"(7fe0,0010) Pixel Data is there but empty"}),
-        frames("floating-point-pixels", picture().put(0x7fe0, 0x0008, "OF", std::string(512, 'a')).file(cineClass),
+        frames("floating-point-pixels", framesOf16x8().put(0x7fe0, 0x0008, "OF", std::string(512, 'a')).file(cineClass),
                {"floating-point numbers"}),
         frames("a-compressed-syntax-of-plain-pixels",
-               picture().put(0x7fe0, 0x0010, "OW", std::string(256, 'a')).file(cineClass, jpegLs),
+               framesOf16x8().put(0x7fe0, 0x0010, "OW", std::string(256, 'a')).file(cineClass, jpegLsSyntax),
                {"is not split into fragments, as the transfer syntax (JPEG-LS, lossless) needs"}),
     };
 }
@@ -176,7 +150,8 @@ std::vector<HostileFile> unknownCodings() {
              {"high-throughput-jpeg-2000", "1.2.840.10008.1.2.4.201", "is High-Throughput JPEG 2000, lossless, which"},
              {"frames-deflated-one-by-one", "1.2.840.10008.1.2.8.1", "is deflated frame by frame, which"},
              {"an-unknown-coding", "1.2.3.4.5", "is a coding that is not known here, which"}})
-        rows.push_back(frames("coded-as-" + name, picture().fragments("", {"abcd", "efgh"}).file(cineClass, syntax),
+        rows.push_back(frames("coded-as-" + name,
+                              framesOf16x8().fragments("", {"abcd", "efgh"}).file(cineClass, syntax),
                               {"(0002,0010) Transfer Syntax " + words}));
     return rows;
 }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "hostile_file.h"
+#include "hostile_numbers.h"
 #include "nifti_files.h"
 #include "zlib_bytes.h"
 
@@ -17,13 +18,10 @@ namespace echolucent {
 
 namespace {
 
-using Words = std::vector<std::string>;
-using Outcome = HostileOutcome;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-
 /// A NIfTI with some of its fields changed.
-HostileFile nifti(const std::string& name, const std::function<void(NiftiFields&)>& change, const Words& words,
-                  Outcome outcome = Outcome::refused, const std::string& voxels = countedVoxels) {
+HostileFile nifti(const std::string& name, const std::function<void(NiftiFields&)>& change,
+                  const std::vector<std::string>& words, HostileOutcome outcome = HostileOutcome::refused,
+                  const std::string& voxels = countedVoxels) {
     NiftiFields fields;
     change(fields);
     return hostileFile("nifti/" + name, "v.nii", niftiHeader(fields) + voxels, words, outcome);
@@ -36,7 +34,7 @@ std::string doubles(double factor) {
     return bytesFrom(values);
 }
 
-std::vector<HostileFile> sizes() {
+std::vector<HostileFile> niftiSizes() {
     const auto two = [](const std::vector<std::int64_t>& dim) {
         return [dim](NiftiFields& fields) {
             fields.version = 2;
@@ -59,25 +57,26 @@ std::vector<HostileFile> sizes() {
             [](NiftiFields& f) {
                 f.dim = {4, 1, 1, 2, 4097};
             },
-            {"makes 4097 phases"}, Outcome::refused, std::string(8194, 'v')),
+            {"makes 4097 phases"}, HostileOutcome::refused, std::string(8194, 'v')),
         nifti(
             "4096-phases-of-two-voxels",
             [](NiftiFields& f) {
                 f.dim = {4, 1, 1, 2, 4096};
             },
-            {"phases"}, Outcome::opens, std::string(8192, 'v')),
+            {"phases"}, HostileOutcome::opens, std::string(8192, 'v')),
         nifti("eight-dimensions", [](NiftiFields& f) { f.dim = {8, 2, 3, 4, 1, 1, 1, 1}; }, {"dim[0] must be 1 to 7"}),
         nifti("five-dimensions", [](NiftiFields& f) { f.dim = {5, 2, 3, 2, 1, 2}; }, {"dim[5]", "several values"}),
         nifti("a-type-that-is-not-known", [](NiftiFields& f) { f.datatype = 77; }, {"datatype is 77"}),
         nifti("complex-numbers", [](NiftiFields& f) { f.datatype = 32; }, {"complex numbers"}),
         nifti(
-            "wrong-bits", [](NiftiFields& f) { f.bitpix = 16; }, {"bitpix says 16 bits"}, Outcome::opensWithNote),
+            "wrong-bits", [](NiftiFields& f) { f.bitpix = 16; }, {"bitpix says 16 bits"},
+            HostileOutcome::opensWithNote),
     };
 }
 
 std::vector<HostileFile> places() {
     std::vector<HostileFile> rows;
-    for (const double offset : {0.0, 348.0, 351.0, 352.5, -352.0, nan, inf, 1e30})
+    for (const double offset : {0.0, 348.0, 351.0, 352.5, -352.0, noNumber, infinite, 1e30})
         rows.push_back(nifti(fmt::format("voxels-at-{}", offset), [&](NiftiFields& f) { f.voxOffset = offset; },
                              {"vox_offset must be a whole number of 352 or more"}));
     rows.push_back(nifti("voxels-behind-the-file", [](NiftiFields& f) { f.voxOffset = 4e9; }, {"holds only 0"}));
@@ -94,39 +93,45 @@ std::vector<HostileFile> scales() {
             f.version = 2;
         };
     };
-    const Words tooLarge{"larger than float32 can hold"};
+    const std::vector<std::string> tooLarge{"larger than float32 can hold"};
     return {
-        nifti("floats-times-1e37", scaled(16, 32, 1e37), {"float32 can"}, Outcome::opens, floats()),
-        nifti("floats-beyond-float32", scaled(16, 32, 3e37), tooLarge, Outcome::refused, floats()),
-        nifti("floats-far-beyond-float32", scaled(16, 32, 1e300), {"scl_slope is 1e+300"}, Outcome::refused, floats()),
-        nifti("floats-shifted-beyond-float32", scaled(16, 32, 1, 1e39), {"scl_slope is 1"}, Outcome::refused, floats()),
-        nifti("floats-made-one-value", scaled(16, 32, 1, 1e30), {"scl_slope"}, Outcome::refused, floats()),
-        nifti("small-floats-made-one-value", scaled(16, 32, 1e-20), {"makes one value of all voxels"}, Outcome::refused,
-              bytesFrom([] {
+        nifti("floats-times-1e37", scaled(16, 32, 1e37), {"float32 can"}, HostileOutcome::opens, floats()),
+        nifti("floats-beyond-float32", scaled(16, 32, 3e37), tooLarge, HostileOutcome::refused, floats()),
+        nifti("floats-far-beyond-float32", scaled(16, 32, 1e300), {"scl_slope is 1e+300"}, HostileOutcome::refused,
+              floats()),
+        nifti("floats-shifted-beyond-float32", scaled(16, 32, 1, 1e39), {"scl_slope is 1"}, HostileOutcome::refused,
+              floats()),
+        nifti("floats-made-one-value", scaled(16, 32, 1, 1e30), {"scl_slope"}, HostileOutcome::refused, floats()),
+        nifti("small-floats-made-one-value", scaled(16, 32, 1e-20), {"makes one value of all voxels"},
+              HostileOutcome::refused, bytesFrom([] {
                   std::vector<float> values = twentyFour<float>();
                   for (float& value : values) value *= 1e-25F;
                   return values;
               }())),
         nifti("doubles-beyond-float32", scaled(64, 64, 0), {"datatype makes values from", "larger than float32"},
-              Outcome::refused, doubles(1e38)),
-        nifti("doubles-of-1e308", scaled(64, 64, 0), {"datatype", "larger than float32"}, Outcome::refused,
+              HostileOutcome::refused, doubles(1e38)),
+        nifti("doubles-of-1e308", scaled(64, 64, 0), {"datatype", "larger than float32"}, HostileOutcome::refused,
               doubles(7e306)),
-        nifti("doubles-times-1e37", scaled(64, 64, 2e37), {"scl_slope", "larger than float32"}, Outcome::refused,
+        nifti("doubles-times-1e37", scaled(64, 64, 2e37), {"scl_slope", "larger than float32"}, HostileOutcome::refused,
               doubles(1)),
-        nifti("doubles-that-the-scale-brings-back", scaled(64, 64, 1e-30), {"larger"}, Outcome::opens, doubles(1e38)),
+        nifti("doubles-that-the-scale-brings-back", scaled(64, 64, 1e-30), {"larger"}, HostileOutcome::opens,
+              doubles(1e38)),
         nifti("bytes-beyond-float32", scaled(2, 8, 1e37), {"scl_slope is 1e+37"}),
-        nifti("bytes-times-inf", scaled(2, 8, inf), {"scl_slope is no number"}, Outcome::opensWithNote),
-        nifti("bytes-plus-nan", scaled(2, 8, 2, nan), {"scl_inter is no number"}),
+        nifti("bytes-times-inf", scaled(2, 8, infinite), {"scl_slope is no number"}, HostileOutcome::opensWithNote),
+        nifti("bytes-plus-nan", scaled(2, 8, 2, noNumber), {"scl_inter is no number"}),
         nifti("bytes-times-1e-300", scaled(2, 8, 1e-300), {"scl_slope is 1e-300"}),
     };
 }
 
-std::vector<HostileFile> spacings() {
+std::vector<HostileFile> niftiSpacings() {
     std::vector<HostileFile> rows;
-    const std::vector<std::pair<double, Words>> values{
-        {nan, {"pixdim must be finite and not 0"}}, {inf, {"pixdim must be finite and not 0"}},
-        {0.0, {"pixdim must be finite and not 0"}}, {1e300, {"which no scanner makes"}},
-        {1e-310, {"which no scanner makes"}},       {5000.0, {"more than 1000 times as long as wide"}}};
+    const std::vector<std::pair<double, std::vector<std::string>>> values{
+        {noNumber, {"pixdim must be finite and not 0"}},
+        {infinite, {"pixdim must be finite and not 0"}},
+        {0.0, {"pixdim must be finite and not 0"}},
+        {1e300, {"which no scanner makes"}},
+        {1e-310, {"which no scanner makes"}},
+        {5000.0, {"more than 1000 times as long as wide"}}};
     for (const auto& [value, words] : values) {
         rows.push_back(nifti(
             fmt::format("spacing-of-{}", value),
@@ -151,11 +156,11 @@ std::vector<HostileFile> spacings() {
         [](NiftiFields& f) {
             f.pixdim = {1, 0.5, -0.25, 2};
         },
-        {"pixdim is negative"}, Outcome::opensWithNote));
+        {"pixdim is negative"}, HostileOutcome::opensWithNote));
     rows.push_back(nifti("quaternion-of-nan",
                          [](NiftiFields& f) {
                              f.qformCode = 1;
-                             f.quatern = {nan, 0, 0};
+                             f.quatern = {noNumber, 0, 0};
                          },
                          {"are no rotation"}));
     rows.push_back(nifti("quaternion-of-1e300",
@@ -168,7 +173,7 @@ std::vector<HostileFile> spacings() {
     rows.push_back(nifti("position-of-inf",
                          [](NiftiFields& f) {
                              f.qformCode = 1;
-                             f.qoffset = {inf, 0, 0};
+                             f.qoffset = {infinite, 0, 0};
                          },
                          {"are no position"}));
     return rows;
@@ -181,7 +186,7 @@ std::vector<HostileFile> pairs() {
     const std::string header = niftiHeader(apart);
     const auto linked = [&](const std::string& name, const std::string& opened, const std::string& file,
                             const std::string& bytes, const std::string& link, const std::string& secret,
-                            const Words& words) {
+                            const std::vector<std::string>& words) {
         HostileFile row = hostileFile("nifti/" + name, "study/" + opened, "", words);
         row.write = [=](const std::filesystem::path& folder) {
             writeBytes(folder / "study" / file, bytes);
@@ -196,7 +201,7 @@ std::vector<HostileFile> pairs() {
         std::filesystem::create_symlink(folder / "a.hdr", folder / "a.img");
     };
     const auto pair = [](const std::string& name, const std::string& opened, const std::string& hdr,
-                         const std::string& img, const Words& words) {
+                         const std::string& img, const std::vector<std::string>& words) {
         HostileFile row = hostileFile("nifti/" + name, opened, "", words);
         row.write = [=](const std::filesystem::path& folder) {
             writeBytes(folder / "a.hdr", hdr);
@@ -222,7 +227,7 @@ std::vector<HostileFile> pairs() {
     };
 }
 
-std::vector<HostileFile> cuts() {
+std::vector<HostileFile> niftiCuts() {
     std::vector<HostileFile> rows;
     const std::string whole = niftiHeader({}) + countedVoxels;
     for (const std::size_t kept : {0U, 3U, 4U, 100U, 347U})
@@ -240,7 +245,7 @@ std::vector<HostileFile> cuts() {
 
 std::vector<HostileFile> hostileNifti() {
     std::vector<HostileFile> rows;
-    for (const auto part : {sizes, places, scales, spacings, pairs, cuts})
+    for (const auto part : {niftiSizes, places, scales, niftiSpacings, pairs, niftiCuts})
         for (HostileFile& one : part()) rows.push_back(std::move(one));
     return rows;
 }

@@ -13,7 +13,7 @@ std::string bytesOf(const HostileSlice& slice) {
     const auto text = [&](std::uint16_t group, std::uint16_t element, const char* vr, const std::string& value) {
         if (!value.empty()) file.text(group, element, vr, value);
     };
-    text(0x0008, 0x0016, "UI", "1.2.840.10008.5.1.4.1.1.6.1");
+    text(0x0008, 0x0016, "UI", pictureClass);
     text(0x0008, 0x0018, "UI", slice.series + "." + slice.instance);
     text(0x0008, 0x0060, "CS", slice.modality);
     text(0x0008, 0x103e, "LO", slice.description);
@@ -37,11 +37,11 @@ std::string bytesOf(const HostileSlice& slice) {
     text(0x0028, 0x1053, "DS", slice.slope);
     const std::size_t held =
         static_cast<std::size_t>(slice.columns) * slice.rows * slice.bits / 8 * static_cast<std::size_t>(samples);
-    if (slice.hasPixels && slice.syntax == "1.2.840.10008.1.2.5")
+    if (slice.hasPixels && slice.syntax == rleSyntax)
         file.fragments("", {slice.pixels});
     else if (slice.hasPixels)
         file.put(0x7fe0, 0x0010, "OW", slice.pixels.empty() ? std::string(held, '\x20') : slice.pixels);
-    std::string bytes = file.file("1.2.840.10008.5.1.4.1.1.6.1", slice.syntax);
+    std::string bytes = file.file(pictureClass, slice.syntax);
     if (slice.kept > 0) bytes.resize(slice.kept);
     bytes.resize(bytes.size() - slice.cut);
     return bytes;

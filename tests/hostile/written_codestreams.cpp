@@ -76,15 +76,14 @@ HostileFile hostileCine(const std::string& name, const std::string& syntax, cons
     DicomBytes file = describedCine(shape);
     file.fragments(offsetTable, fragments);
     return asSlices(
-        hostileFile("dicom-pixels/" + name, "a.dcm", file.file(cineClassOfRows, syntax), std::move(words), outcome));
+        hostileFile("dicom-pixels/" + name, "a.dcm", file.file(cineClass, syntax), std::move(words), outcome));
 }
 
 HostileFile hostileNativeCine(const std::string& name, const std::string& pixels, std::vector<std::string> words,
                               CineShape shape, HostileOutcome outcome) {
     DicomBytes file = describedCine(shape);
     file.put(0x7fe0, 0x0010, shape.bitsAllocated > 8 ? "OW" : "OB", pixels);
-    return asSlices(
-        hostileFile("dicom-pixels/" + name, "a.dcm", file.file(cineClassOfRows), std::move(words), outcome));
+    return asSlices(hostileFile("dicom-pixels/" + name, "a.dcm", file.file(cineClass), std::move(words), outcome));
 }
 
 }  // namespace echolucent

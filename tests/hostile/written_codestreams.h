@@ -11,12 +11,6 @@
 
 namespace echolucent {
 
-inline const std::string rleSyntax = "1.2.840.10008.1.2.5";
-inline const std::string jpegSyntax = "1.2.840.10008.1.2.4.50";
-inline const std::string jpegLosslessSyntax = "1.2.840.10008.1.2.4.70";
-inline const std::string jpegLsSyntax = "1.2.840.10008.1.2.4.80";
-inline const std::string jpeg2000Syntax = "1.2.840.10008.1.2.4.90";
-
 /// The edge of the square pictures below, in pixels.
 constexpr int pictureEdge = 64;
 
@@ -50,7 +44,5 @@ struct CineShape {
 
 /// Elements that describe grey pixels of this shape.
 [[nodiscard]] DicomBytes describedCine(const CineShape& shape);
-
-inline const std::string cineClassOfRows = "1.2.840.10008.5.1.4.1.1.3.1";
 
 }  // namespace echolucent

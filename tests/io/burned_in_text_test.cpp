@@ -2,14 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "dicom_bytes.h"
-#include "dicom_files.h"
+#include "dicom_images.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
 namespace {
 
 /// A study of two frames of this SOP class, grey or in a palette, with this Burned In Annotation.
-Result<Study> readFrames(const std::string& stated, const std::string& sopClass, bool palette = false) {
+Result<Study> readAnnotated(const std::string& stated, const std::string& sopClass, bool palette = false) {
     const TemporaryFolder folder;
     DicomBytes file;
     file.word(0x0028, 0x0002, 1).text(0x0028, 0x0004, "CS", palette ? "PALETTE COLOR" : "MONOCHROME2");
@@ -20,36 +20,25 @@ Result<Study> readFrames(const std::string& stated, const std::string& sopClass,
         file.put(0x0028, 0x1100 + colour, "US", bytesFrom<std::uint16_t>({2, 0, 8}));
     for (const std::uint16_t colour : {1, 2, 3}) file.put(0x0028, 0x1200 + colour, "OW", std::string(2, '\x20'));
     file.put(0x7fe0, 0x0010, "OW", std::string(16, 'a'));
-    ReadOptions options = withoutGuess();
-    options.framesAsSlices = true;
-    return readStudy(folder.write("a.dcm", file.file(sopClass)), options);
+    return readStudy(folder.write("a.dcm", file.file(sopClass)), framesAsSlices());
 }
-
-const std::string cine = "1.2.840.10008.5.1.4.1.1.3.1";
 
 TEST(BurnedInText, IsWhatACineDeclaresAndUnknownWhereItIsSilent) {
     for (const bool palette : {false, true}) {
-        EXPECT_EQ(readFrames("YES", cine, palette)->burnedInText, BurnedInText::yes);
-        EXPECT_EQ(readFrames("NO", cine, palette)->burnedInText, BurnedInText::no);
-        EXPECT_EQ(readFrames("", cine, palette)->burnedInText, BurnedInText::unknown);
-        EXPECT_EQ(readFrames("PERHAPS", cine, palette)->burnedInText, BurnedInText::unknown);
+        EXPECT_EQ(readAnnotated("YES", cineClass, palette)->burnedInText, BurnedInText::yes);
+        EXPECT_EQ(readAnnotated("NO", cineClass, palette)->burnedInText, BurnedInText::no);
+        EXPECT_EQ(readAnnotated("", cineClass, palette)->burnedInText, BurnedInText::unknown);
+        EXPECT_EQ(readAnnotated("PERHAPS", cineClass, palette)->burnedInText, BurnedInText::unknown);
     }
-    const auto silent = readFrames("", cine);
+    const auto silent = readAnnotated("", cineClass);
     EXPECT_EQ(factOf(*silent, "burnt-in text"), "unknown");
     EXPECT_EQ(sourceOf(*silent, "burnt-in text"), "(0028,0301) Burned In Annotation is absent");
-    EXPECT_EQ(sourceOf(*readFrames("NO", cine), "burnt-in text"), "(0028,0301) Burned In Annotation");
+    EXPECT_EQ(sourceOf(*readAnnotated("NO", cineClass), "burnt-in text"), "(0028,0301) Burned In Annotation");
 }
 
 TEST(BurnedInText, InOneSliceIsInTheStudy) {
     const TemporaryFolder folder;
-    TestImage slice;
-    slice.orientation = {1, 0, 0, 0, 1, 0};
-    slice.pixels8.assign(12, 7);
-    for (int i = 0; i < 3; ++i) {
-        slice.instance = i + 1;
-        slice.position = Vec3{0, 0, 1.5 * i};
-        writeDicom(folder.file(std::to_string(i) + ".dcm"), slice);
-    }
+    TestImage slice = writeThreeSlices(folder);
     auto study = readStudy(folder.path(), withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->burnedInText, BurnedInText::no) << "grey slices in space are no pictures of a screen";

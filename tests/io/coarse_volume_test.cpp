@@ -22,13 +22,13 @@ namespace echolucent {
 namespace {
 
 // No multiples of the coarse grid's stride, and a little more than the least that has one.
-constexpr std::int64_t width = 331, height = 322, depth = 316;
-constexpr std::int64_t voxels = width * height * depth;
+constexpr std::int64_t wholeWidth = 331, wholeHeight = 322, wholeDepth = 316;
+constexpr std::int64_t wholeVoxels = wholeWidth * wholeHeight * wholeDepth;
 
 /// Values that neighbours do not share, and none of them 0.
 template <typename Value>
 std::string voxelBytes(std::int64_t phases = 1) {
-    std::vector<Value> values(static_cast<std::size_t>(voxels * phases));
+    std::vector<Value> values(static_cast<std::size_t>(wholeVoxels * phases));
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Value>(1 + ((i * 2654435761U) >> 9) % 250);
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
 }
@@ -37,7 +37,7 @@ std::string metaImageHeader(const std::string& type, const std::string& data = "
     return fmt::format(
         "ObjectType = Image\nNDims = 3\nDimSize = {} {} {}\nElementSpacing = 0.3 0.3 0.3\n{}ElementType "
         "= {}\nElementDataFile = {}\n",
-        width, height, depth, more, type, data);
+        wholeWidth, wholeHeight, wholeDepth, more, type, data);
 }
 
 /// Bytes that this process has read from files so far.
@@ -97,7 +97,7 @@ TEST(CoarseReading, HandsOverEveryThirdVoxelOfAMetaImageAndReadsAThirdOfItBefore
     const auto read = readWithCoarse(folder.write("a.mha", metaImageHeader("MET_UCHAR") + voxelBytes<std::uint8_t>()));
     expectVoxelsOfTheFile(read);
     ASSERT_GT(read.bytesBefore, 0U);
-    EXPECT_LT(read.bytesBefore, static_cast<std::uint64_t>(voxels) * 2 / 5)
+    EXPECT_LT(read.bytesBefore, static_cast<std::uint64_t>(wholeVoxels) * 2 / 5)
         << "the header is read with what follows it";
 }
 
@@ -114,11 +114,11 @@ TEST(CoarseReading, KnowsWhatIsStoredInTwoBytesOfEitherOrder) {
 TEST(CoarseReading, FindsSlicesInFilesOfTheirOwn) {
     const TemporaryFolder folder;
     const std::string bytes = voxelBytes<std::uint8_t>();
-    for (std::int64_t z = 0; z < depth; ++z)
-        folder.write(fmt::format("s{:03}.raw", z), bytes.substr(static_cast<std::size_t>(z * width * height),
-                                                                static_cast<std::size_t>(width * height)));
+    for (std::int64_t z = 0; z < wholeDepth; ++z)
+        folder.write(fmt::format("s{:03}.raw", z), bytes.substr(static_cast<std::size_t>(z * wholeWidth * wholeHeight),
+                                                                static_cast<std::size_t>(wholeWidth * wholeHeight)));
     expectVoxelsOfTheFile(readWithCoarse(
-        folder.write("a.mhd", metaImageHeader("MET_UCHAR", fmt::format("s%03d.raw 0 {} 1", depth - 1)))));
+        folder.write("a.mhd", metaImageHeader("MET_UCHAR", fmt::format("s%03d.raw 0 {} 1", wholeDepth - 1)))));
 }
 
 TEST(CoarseReading, IsThatOfNrrdAndOfARawLayoutToo) {
@@ -127,11 +127,11 @@ TEST(CoarseReading, IsThatOfNrrdAndOfARawLayoutToo) {
     expectVoxelsOfTheFile(readWithCoarse(folder.write(
         "a.nrrd", fmt::format("NRRD0004\ntype: uint8\ndimension: 3\nsizes: {} {} {}\nspacings: 0.3 0.3 0.4\nencoding: "
                               "raw\n\n",
-                              width, height, depth) +
+                              wholeWidth, wholeHeight, wholeDepth) +
                       bytes)));
     ReadOptions options;
     options.raw = RawLayout{};
-    options.raw->size = {width, height, depth};
+    options.raw->size = {wholeWidth, wholeHeight, wholeDepth};
     options.raw->headerBytes = 17;
     options.raw->spacing = Vec3(0.2, 0.3, 0.3);
     expectVoxelsOfTheFile(readWithCoarse(folder.write("a.raw", std::string(17, '\0') + bytes), options));
@@ -144,7 +144,8 @@ TEST(CoarseReading, ShowsTheFirstPhase) {
         header.replace(header.find(before), before.size(), after);
     };
     replace("NDims = 3", "NDims = 4");
-    replace(fmt::format("{} {} {}", width, height, depth), fmt::format("{} {} {} 2", width, height, depth));
+    replace(fmt::format("{} {} {}", wholeWidth, wholeHeight, wholeDepth),
+            fmt::format("{} {} {} 2", wholeWidth, wholeHeight, wholeDepth));
     replace("0.3 0.3 0.3", "0.3 0.3 0.3 1");
     const auto read = readWithCoarse(folder.write("a.mha", header + voxelBytes<std::uint8_t>(2)));
     expectVoxelsOfTheFile(read);
@@ -155,8 +156,8 @@ TEST(CoarseReading, GuessesWhereThereAreNoDataAsReadingDoes) {
     const TemporaryFolder folder;
     std::string bytes = voxelBytes<std::uint8_t>();
     // A wedge without data, thick enough for both grids.
-    for (std::int64_t i = 0; i < voxels; ++i)
-        if (i % width < 60) bytes[static_cast<std::size_t>(i)] = '\0';
+    for (std::int64_t i = 0; i < wholeVoxels; ++i)
+        if (i % wholeWidth < 60) bytes[static_cast<std::size_t>(i)] = '\0';
     const auto read = readWithCoarse(folder.write("a.mha", metaImageHeader("MET_UCHAR") + bytes));
     ASSERT_TRUE(read.study && read.coarse.size() == 1U);
     const Volume& full = *read.study->phases.front();

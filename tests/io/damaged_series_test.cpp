@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 /// A slice of 8 x 8 pixels at this depth: 0 in the corners of the picture, which no sector reaches, and `inside`
 /// within.
-std::string slice(int depth, char inside, const std::string& patient = "P-1") {
+std::string sectorSlice(int depth, char inside, const std::string& patient = "P-1") {
     DicomBytes file;
     file.text(0x0008, 0x0018, "UI", "1.2.3." + std::to_string(depth)).text(0x0008, 0x0060, "CS", "US");
     file.text(0x0010, 0x0010, "PN", "Muster^Anna").text(0x0010, 0x0020, "LO", patient);
@@ -28,7 +28,7 @@ std::string slice(int depth, char inside, const std::string& patient = "P-1") {
     file.text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(depth)).text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0");
     std::string grey(64, inside);
     for (const std::size_t corner : {0, 7, 56, 63}) grey[corner] = '\0';
-    return file.picture(8, 8, 0).put(0x7fe0, 0x0010, "OW", grey).file("1.2.840.10008.5.1.4.1.1.6.1");
+    return file.picture(8, 8, 0).put(0x7fe0, 0x0010, "OW", grey).file(pictureClass);
 }
 
 std::string name(int depth) { return "s" + std::to_string(depth); }
@@ -43,7 +43,7 @@ std::string dataIn(const Volume& volume, std::int64_t z) {
 TEST(DamagedSeries, ACutSliceIsNoDataInItsPlaceAndTheOthersStay) {
     const TemporaryFolder folder;
     for (int depth = 0; depth < 7; ++depth) {
-        const std::string whole = slice(depth, static_cast<char>(10 + depth));
+        const std::string whole = sectorSlice(depth, static_cast<char>(10 + depth));
         folder.write(name(depth), depth == 3 ? whole.substr(0, whole.size() - 9) : whole);
     }
     for (const bool guess : {false, true}) {
@@ -64,7 +64,7 @@ TEST(DamagedSeries, TheOutsideIsNotGuessedThroughAMissingSlice) {
     const TemporaryFolder folder;
     // Black fluid in the middle of the slices touches the outside nowhere but through the missing slice.
     for (int depth = 0; depth < 9; ++depth) {
-        std::string whole = slice(depth, 'a');
+        std::string whole = sectorSlice(depth, 'a');
         for (int y = 2; y < 6; ++y)
             for (int x = 2; x < 6; ++x)
                 if (depth > 1 && depth < 7) whole[whole.size() - 64 + static_cast<std::size_t>(8 * y + x)] = '\0';
@@ -79,7 +79,7 @@ TEST(DamagedSeries, TheOutsideIsNotGuessedThroughAMissingSlice) {
 TEST(DamagedSeries, SlicesOfTwoPatientsAreListedApartAndNeitherIsNamed) {
     const TemporaryFolder folder;
     for (int depth = 0; depth < 7; ++depth)
-        folder.write(name(depth), slice(depth, static_cast<char>(10 + depth), depth < 4 ? "P-1" : "P-2"));
+        folder.write(name(depth), sectorSlice(depth, static_cast<char>(10 + depth), depth < 4 ? "P-1" : "P-2"));
     const auto list = listSeries(folder.path());
     ASSERT_TRUE(list) << list.error().sentence();
     ASSERT_EQ(list->series.size(), 2u);
@@ -111,7 +111,7 @@ TEST(DamagedSeries, MissingPermissionIsCalledThat) {
     namespace fs = std::filesystem;
     const TemporaryFolder folder;
     fs::permissions(folder.path(), fs::perms::all);
-    for (int depth = 0; depth < 4; ++depth) folder.write(name(depth), slice(depth, 'a'));
+    for (int depth = 0; depth < 4; ++depth) folder.write(name(depth), sectorSlice(depth, 'a'));
     fs::permissions(folder.file(name(3)), fs::perms::none);
     fs::create_directories(folder.file("closed"));
     fs::permissions(folder.file("closed"), fs::perms::none);
@@ -135,7 +135,7 @@ TEST(DamagedSeries, ManyFilesThatShareTheirNamesAreListedInTimeThatGrowsWithThei
     const TemporaryFolder folder;
     DicomBytes file;
     file.text(0x0020, 0x000e, "UI", "1.2.5");
-    const std::string cine = file.picture(1, 1, 2).put(0x7fe0, 0x0010, "OW", "ab").file("1.2.840.10008.5.1.4.1.1.3.1");
+    const std::string cine = file.picture(1, 1, 2).put(0x7fe0, 0x0010, "OW", "ab").file(cineClass);
     const auto secondsOf = [&](int from, int to) {
         for (int i = from; i < to; ++i) folder.write(std::to_string(i), cine);
         const auto begun = std::chrono::steady_clock::now();

@@ -1,41 +1,19 @@
 // Volumes whose voxels lie in several data files or are written as text.
-#include <bzlib.h>
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "bzip2_bytes.h"
+#include "split_volume.h"
 #include "temporary_folder.h"
 #include "zlib_bytes.h"
 
 namespace echolucent {
 namespace {
 
-std::string bzipped(const std::string& bytes) {
-    std::string out(bytes.size() + bytes.size() / 100 + 700, '\0');
-    auto length = static_cast<unsigned>(out.size());
-    BZ2_bzBuffToBuffCompress(out.data(), &length, const_cast<char*>(bytes.data()), static_cast<unsigned>(bytes.size()),
-                             1, 0, 0);
-    out.resize(length);
-    return out;
-}
-
-std::string nrrd(const std::string& fields) {
-    return "NRRD0004\ntype: ushort\nendian: big\ndimension: 3\nsizes: 2 3 4\nspacings: 1 2 3\n" + fields;
-}
-std::string metaImage(const std::string& more) {
-    return "NDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 2 3\nElementType = MET_USHORT\n"
-           "BinaryDataByteOrderMSB = True\n" +
-           more;
-}
-
-/// The numbers from 1 to 24 as big-endian 16 bits.
-std::string voxels() {
-    std::vector<std::uint16_t> values(24);
-    std::iota(values.begin(), values.end(), std::uint16_t{1});
-    return bytesFrom(values, true);
-}
 constexpr std::size_t sliceBytes = 12;
 
 class DataFiles : public testing::Test {
@@ -43,14 +21,14 @@ protected:
     void SetUp() override {
         std::filesystem::create_directory(m_folder.file("sub"));
         for (std::size_t z = 0; z < 4; ++z) {
-            const std::string slice = voxels().substr(z * sliceBytes, sliceBytes);
+            const std::string slice = splitVoxels().substr(z * sliceBytes, sliceBytes);
             m_folder.write("s" + std::to_string(z) + ".raw", slice);
             m_folder.write("p" + std::to_string(z) + ".raw", "head\n" + slice);
             m_folder.write("z" + std::to_string(z) + ".raw.gz", deflated(slice, 31));
             m_folder.write(fmt::format("sub/n{:03}.raw", 10 + 5 * z), slice);
         }
-        m_folder.write("low.raw", voxels().substr(0, 2 * sliceBytes));
-        m_folder.write("high.raw", voxels().substr(2 * sliceBytes));
+        m_folder.write("low.raw", splitVoxels().substr(0, 2 * sliceBytes));
+        m_folder.write("high.raw", splitVoxels().substr(2 * sliceBytes));
     }
     void expectVoxels(const std::string& header, std::size_t files) const {
         const auto study = readStudy(m_folder.write("v.nhdr", header), withoutGuess());
@@ -69,31 +47,31 @@ protected:
 };
 
 TEST_F(DataFiles, OfNrrdAreAListOrAPattern) {
-    expectVoxels(nrrd("encoding: raw\ndata file: LIST\ns0.raw\ns1.raw\n./s2.raw\ns3.raw\n"), 4);
-    expectVoxels(nrrd("encoding: raw\ndata file: LIST 2\ns0.raw\ns1.raw\ns2.raw\ns3.raw"), 4);
-    expectVoxels(nrrd("encoding: raw\ndata file: LIST 3\nlow.raw\nhigh.raw\n"), 2);
-    expectVoxels(nrrd("encoding: raw\nline skip: 1\ndata file: LIST\np0.raw\np1.raw\np2.raw\np3.raw\n"), 4);
-    expectVoxels(nrrd("encoding: raw\nbyte skip: 5\ndata file: p%d.raw 0 3 1\n"), 4);
-    expectVoxels(nrrd("encoding: raw\nbyte skip: -1\ndata file: p%d.raw 0 3 1\n"), 4);
-    expectVoxels(nrrd("encoding: gzip\ndata file: z%d.raw.gz 0 3 1 2\n"), 4);
-    expectVoxels(nrrd("encoding: raw\ndata file: sub/n%03d.raw 10 25 5\n"), 4);
+    expectVoxels(splitNrrd("encoding: raw\ndata file: LIST\ns0.raw\ns1.raw\n./s2.raw\ns3.raw\n"), 4);
+    expectVoxels(splitNrrd("encoding: raw\ndata file: LIST 2\ns0.raw\ns1.raw\ns2.raw\ns3.raw"), 4);
+    expectVoxels(splitNrrd("encoding: raw\ndata file: LIST 3\nlow.raw\nhigh.raw\n"), 2);
+    expectVoxels(splitNrrd("encoding: raw\nline skip: 1\ndata file: LIST\np0.raw\np1.raw\np2.raw\np3.raw\n"), 4);
+    expectVoxels(splitNrrd("encoding: raw\nbyte skip: 5\ndata file: p%d.raw 0 3 1\n"), 4);
+    expectVoxels(splitNrrd("encoding: raw\nbyte skip: -1\ndata file: p%d.raw 0 3 1\n"), 4);
+    expectVoxels(splitNrrd("encoding: gzip\ndata file: z%d.raw.gz 0 3 1 2\n"), 4);
+    expectVoxels(splitNrrd("encoding: raw\ndata file: sub/n%03d.raw 10 25 5\n"), 4);
 }
 
 TEST_F(DataFiles, OfNrrdMayCountDown) {
-    const auto study = readStudy(m_folder.write("v.nhdr", nrrd("encoding: raw\ndata file: s%d.raw 3 0 -1\n")));
+    const auto study = readStudy(m_folder.write("v.nhdr", splitNrrd("encoding: raw\ndata file: s%d.raw 3 0 -1\n")));
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->phases[0]->storedValue(0), 19);
 }
 
 TEST_F(DataFiles, OfMetaImageAreAListOrAPattern) {
-    expectVoxels(metaImage("ElementDataFile = LIST\ns0.raw\ns1.raw\ns2.raw\ns3.raw\n"), 4);
-    expectVoxels(metaImage("ElementDataFile = LIST 2\ns0.raw\ns1.raw\ns2.raw\ns3.raw\n"), 4);
-    expectVoxels(metaImage("HeaderSize = 5\nElementDataFile = p%d.raw 0 3 1\n"), 4);
-    expectVoxels(metaImage("HeaderSize = -1\nElementDataFile = p%d.raw 0 3\n"), 4);
-    expectVoxels(metaImage("CompressedData = True\nElementDataFile = z%d.raw.gz 0\n"), 4);
-    expectVoxels(metaImage("ElementDataFile = sub/n%03d.raw 10 25 5\n"), 4);
-    m_folder.write("whole.raw", voxels());
-    expectVoxels(metaImage("ElementDataFile = LIST 3\nwhole.raw\n"), 1);
+    expectVoxels(splitMetaImage("ElementDataFile = LIST\ns0.raw\ns1.raw\ns2.raw\ns3.raw\n"), 4);
+    expectVoxels(splitMetaImage("ElementDataFile = LIST 2\ns0.raw\ns1.raw\ns2.raw\ns3.raw\n"), 4);
+    expectVoxels(splitMetaImage("HeaderSize = 5\nElementDataFile = p%d.raw 0 3 1\n"), 4);
+    expectVoxels(splitMetaImage("HeaderSize = -1\nElementDataFile = p%d.raw 0 3\n"), 4);
+    expectVoxels(splitMetaImage("CompressedData = True\nElementDataFile = z%d.raw.gz 0\n"), 4);
+    expectVoxels(splitMetaImage("ElementDataFile = sub/n%03d.raw 10 25 5\n"), 4);
+    m_folder.write("whole.raw", splitVoxels());
+    expectVoxels(splitMetaImage("ElementDataFile = LIST 3\nwhole.raw\n"), 1);
 }
 
 TEST_F(DataFiles, OfAMovingVolumeMayHoldAPhaseOrASlice) {
@@ -109,10 +87,8 @@ TEST_F(DataFiles, OfAMovingVolumeMayHoldAPhaseOrASlice) {
 
 TEST_F(DataFiles, MayBeLinksWithinTheFolder) {
     std::filesystem::create_symlink(m_folder.file("low.raw"), m_folder.file("sub/inside.raw"));
-    EXPECT_EQ(sentenceOf(nrrd("encoding: raw\ndata file: LIST 3\nsub/inside.raw\nhigh.raw\n")), "was read");
+    EXPECT_EQ(sentenceOf(splitNrrd("encoding: raw\ndata file: LIST 3\nsub/inside.raw\nhigh.raw\n")), "was read");
 }
-
-const std::string numbers = "1 2 3 4 5 6\n7, 8,9 , 10 11 12\r\n13 14 15 16 17 18\n19 20 2.1e1 22.0 +23 24";
 
 std::string hexOf(const std::string& bytes) {
     std::string text;
@@ -124,19 +100,20 @@ std::string hexOf(const std::string& bytes) {
 TEST_F(DataFiles, MayBeTextHexadecimalOrBzip2) {
     const auto attached = [&](const std::string& encoding, const std::string& bytes) {
         const auto study =
-            readStudy(m_folder.write("v.nrrd", nrrd("encoding: " + encoding + "\n\n") + bytes), withoutGuess());
+            readStudy(m_folder.write("v.nrrd", splitNrrd("encoding: " + encoding + "\n\n") + bytes), withoutGuess());
         ASSERT_TRUE(study) << study.error().sentence();
         for (int i = 0; i < 24; ++i) EXPECT_EQ(study->phases[0]->storedValue(i), i + 1) << encoding;
     };
-    for (const char* name : {"ascii", "ASCII", "text", "txt"}) attached(name, numbers);
-    attached("hex", hexOf(voxels()));
-    std::string capitals = hexOf(voxels());
+    for (const char* name : {"ascii", "ASCII", "text", "txt"}) attached(name, splitVoxelsAsText);
+    attached("hex", hexOf(splitVoxels()));
+    std::string capitals = hexOf(splitVoxels());
     std::transform(capitals.begin(), capitals.end(), capitals.begin(),
                    [](char c) { return c >= 'a' ? c - 'a' + 'A' : c; });
     attached("hex", capitals);
-    for (const char* name : {"bzip2", "bz2"}) attached(name, bzipped(voxels()));
+    for (const char* name : {"bzip2", "bz2"}) attached(name, bzipped(splitVoxels()));
     const auto study = readStudy(
-        m_folder.write("v.mha", metaImage("BinaryData = False\nElementDataFile = LOCAL\n") + numbers), withoutGuess());
+        m_folder.write("v.mha", splitMetaImage("BinaryData = False\nElementDataFile = LOCAL\n") + splitVoxelsAsText),
+        withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     for (int i = 0; i < 24; ++i) EXPECT_EQ(study->phases[0]->storedValue(i), i + 1);
     EXPECT_EQ(factOf(*study, "compression"), "none, written as decimal text");
@@ -157,7 +134,8 @@ TEST_F(DataFiles, AsTextKeepEveryType) {
 // As pigz, pbzip2 and "cat a.gz b.gz" write them.
 TEST_F(DataFiles, MayBeCompressedInSeveralMembers) {
     const auto gzipped = [](const std::string& bytes) { return deflated(bytes, 31); };
-    const std::string all = voxels();
+    const auto bzip2 = [](const std::string& bytes) { return bzipped(bytes); };
+    const std::string all = splitVoxels();
     const auto members = [&](const auto& packed) {
         return packed(all.substr(0, 7)) + packed("") + packed(all.substr(7, 20)) + packed(all.substr(27));
     };
@@ -167,18 +145,19 @@ TEST_F(DataFiles, MayBeCompressedInSeveralMembers) {
         for (int i = 0; i < 24; ++i) EXPECT_EQ(study->phases[0]->storedValue(i), i + 1) << name;
         EXPECT_FALSE(warnsOf(*study, "more than the declared voxels"));
     };
-    expectAll("g.nrrd", nrrd("encoding: gzip\n\n") + members(gzipped));
-    expectAll("b.nrrd", nrrd("encoding: bzip2\n\n") + members(bzipped));
-    expectAll("z.mha", metaImage("CompressedData = True\nElementDataFile = LOCAL\n") + members(gzipped));
+    expectAll("g.nrrd", splitNrrd("encoding: gzip\n\n") + members(gzipped));
+    expectAll("b.nrrd", splitNrrd("encoding: bzip2\n\n") + members(bzip2));
+    expectAll("z.mha", splitMetaImage("CompressedData = True\nElementDataFile = LOCAL\n") + members(gzipped));
     // Padding is no member, and neither is what follows zlib's own format.
-    expectAll("p.nrrd", nrrd("encoding: gzip\n\n") + members(gzipped) + std::string(9, '\0'));
-    expectAll("q.nrrd", nrrd("encoding: bzip2\n\n") + members(bzipped) + "BZ");
-    expectAll("o.mha", metaImage("CompressedData = True\nElementDataFile = LOCAL\n") + deflated(all) + gzipped("more"));
+    expectAll("p.nrrd", splitNrrd("encoding: gzip\n\n") + members(gzipped) + std::string(9, '\0'));
+    expectAll("q.nrrd", splitNrrd("encoding: bzip2\n\n") + members(bzip2) + "BZ");
+    expectAll("o.mha",
+              splitMetaImage("CompressedData = True\nElementDataFile = LOCAL\n") + deflated(all) + gzipped("more"));
 }
 
 TEST_F(DataFiles, OfAListMayFollowATab) {
-    expectVoxels(nrrd("encoding: raw\ndata file: LIST\t2\n") + "s0.raw\ns1.raw\ns2.raw\ns3.raw\n", 4);
-    expectVoxels(metaImage("ElementDataFile = LIST\t2\n") + "s0.raw\ns1.raw\ns2.raw\ns3.raw\n", 4);
+    expectVoxels(splitNrrd("encoding: raw\ndata file: LIST\t2\n") + "s0.raw\ns1.raw\ns2.raw\ns3.raw\n", 4);
+    expectVoxels(splitMetaImage("ElementDataFile = LIST\t2\n") + "s0.raw\ns1.raw\ns2.raw\ns3.raw\n", 4);
 }
 
 TEST_F(DataFiles, WithMoreThanTheVoxelsSaySo) {
@@ -187,11 +166,11 @@ TEST_F(DataFiles, WithMoreThanTheVoxelsSaySo) {
         EXPECT_TRUE(study) << study.error().sentence();
         return study && warnsOf(*study, "more than the declared voxels");
     };
-    EXPECT_FALSE(saysSo(nrrd("encoding: ascii\n\n") + numbers + " \n"));
-    EXPECT_TRUE(saysSo(nrrd("encoding: ascii\n\n") + numbers + " 25"));
-    EXPECT_TRUE(saysSo(nrrd("encoding: ascii\n\n") + numbers + " end"));
-    EXPECT_TRUE(saysSo(nrrd("encoding: gzip\n\n") + deflated(voxels() + "xx", 31)));
-    EXPECT_FALSE(saysSo(nrrd("encoding: gzip\n\n") + deflated(voxels(), 31)));
+    EXPECT_FALSE(saysSo(splitNrrd("encoding: ascii\n\n") + splitVoxelsAsText + " \n"));
+    EXPECT_TRUE(saysSo(splitNrrd("encoding: ascii\n\n") + splitVoxelsAsText + " 25"));
+    EXPECT_TRUE(saysSo(splitNrrd("encoding: ascii\n\n") + splitVoxelsAsText + " end"));
+    EXPECT_TRUE(saysSo(splitNrrd("encoding: gzip\n\n") + deflated(splitVoxels() + "xx", 31)));
+    EXPECT_FALSE(saysSo(splitNrrd("encoding: gzip\n\n") + deflated(splitVoxels(), 31)));
 }
 
 }  // namespace

@@ -9,6 +9,15 @@ namespace echolucent {
 
 /// The transfer syntax of data sets that are deflated as a whole.
 inline const std::string deflatedSyntax = "1.2.840.10008.1.2.1.99";
+inline const std::string rleSyntax = "1.2.840.10008.1.2.5";
+inline const std::string jpegSyntax = "1.2.840.10008.1.2.4.50";
+inline const std::string jpegLosslessSyntax = "1.2.840.10008.1.2.4.70";
+inline const std::string jpegLsSyntax = "1.2.840.10008.1.2.4.80";
+inline const std::string jpeg2000Syntax = "1.2.840.10008.1.2.4.90";
+
+/// The SOP classes of ultrasound: many frames, and one picture.
+inline const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
+inline const std::string pictureClass = "1.2.840.10008.5.1.4.1.1.6.1";
 
 /// Elements in explicit VR, little endian, in the order in which they are put.
 class DicomBytes {
@@ -36,6 +45,12 @@ public:
 private:
     std::string m_bytes;
 };
+
+/// A picture of two frames of 4 x 2 pixels with a geometry, which opens.
+[[nodiscard]] DicomBytes twoFrames();
+
+/// A DICOMDIR whose records name these files; each record links to itself.
+[[nodiscard]] std::string dicomDirectory(const std::vector<std::string>& names);
 
 /// An item's tag and length in front of these bytes, as fragments are stored.
 [[nodiscard]] std::string dicomItem(const std::string& bytes);

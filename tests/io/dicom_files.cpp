@@ -24,13 +24,11 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "dcmtk_conditions.h"
+
 namespace echolucent {
 
 namespace {
-
-void require(const OFCondition& done, const char* what) {
-    if (done.bad()) throw std::runtime_error(std::string(what) + ": " + done.text());
-}
 
 void put(DcmItem& item, const DcmTagKey& tag, const std::string& text) {
     require(item.putAndInsertString(tag, text.c_str()), "attribute");

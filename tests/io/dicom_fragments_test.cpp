@@ -19,17 +19,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
-const std::string jpegLossless = "1.2.840.10008.1.2.4.70";
-const std::string jpegLs = "1.2.840.10008.1.2.4.80";
-const std::string jpeg2000 = "1.2.840.10008.1.2.4.90";
-
-ReadOptions asSlices() {
-    ReadOptions options = withoutGuess();
-    options.framesAsSlices = true;
-    return options;
-}
-
 constexpr int frameCount = 2;
 
 std::vector<std::uint8_t> ramp() {
@@ -42,7 +31,7 @@ std::vector<std::uint8_t> ramp() {
 std::vector<std::string> codestreams(const std::string& syntax) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a");
-    if (syntax == jpeg2000) {
+    if (syntax == jpeg2000Syntax) {
         writeJpeg2000Dicom(path, 16, 8, ramp());
     } else {
         TestImage image;
@@ -51,7 +40,7 @@ std::vector<std::string> codestreams(const std::string& syntax) {
         image.frames = frameCount;
         for (int frame = 0; frame < frameCount; ++frame)
             for (const std::uint8_t pixel : ramp()) image.pixels8.push_back(pixel);
-        writeDicom(path, image, syntax == jpegLs ? TestSyntax::jpegLs : TestSyntax::jpegLossless);
+        writeDicom(path, image, syntax == jpegLsSyntax ? TestSyntax::jpegLs : TestSyntax::jpegLossless);
     }
     DcmFileFormat file;
     file.loadFile(path.c_str());
@@ -86,7 +75,7 @@ DicomBytes picture(int frames = frameCount) { return DicomBytes().picture(16, 8,
 
 Result<Study> readBytes(const std::string& bytes) {
     const TemporaryFolder folder;
-    return readStudy(folder.write("a.dcm", bytes), asSlices());
+    return readStudy(folder.write("a.dcm", bytes), framesAsSlices());
 }
 
 void expectTheRampTwice(const Result<Study>& study) {
@@ -98,7 +87,7 @@ void expectTheRampTwice(const Result<Study>& study) {
 }
 
 class FragmentSyntaxes : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(All, FragmentSyntaxes, testing::Values(jpegLossless, jpegLs, jpeg2000),
+INSTANTIATE_TEST_SUITE_P(All, FragmentSyntaxes, testing::Values(jpegLosslessSyntax, jpegLsSyntax, jpeg2000Syntax),
                          [](const auto& row) { return "Syntax" + std::to_string(row.index); });
 
 TEST_P(FragmentSyntaxes, AreToldApartByTheirCodestreams) {

@@ -18,21 +18,13 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
-
-DicomBytes pixels() {
-    DicomBytes file;
-    file.text(0x0018, 0x0088, "DS", "1").picture(4, 2, 2).text(0x0028, 0x0030, "DS", "1\\1");
-    return file.put(0x7fe0, 0x0010, "OW", std::string(16, 'a'));
-}
-
 /// Pictures of 4 x 2 pixels, all equally far apart, of which only the first is there.
 std::string framesThatAreNotThere(const std::string& count, bool encapsulated) {
     DicomBytes file;
     file.text(0x0018, 0x0088, "DS", "1").picture(4, 2, 0).text(0x0028, 0x0008, "IS", count);
     file.text(0x0028, 0x0030, "DS", "1\\1");
     if (!encapsulated) return file.put(0x7fe0, 0x0010, "OW", std::string(8, 'a')).file(cineClass);
-    return file.fragments("", {"abcd"}).file(cineClass, "1.2.840.10008.1.2.5");
+    return file.fragments("", {"abcd"}).file(cineClass, rleSyntax);
 }
 
 TEST(HostileDicom, FramesThatTheFileCannotHoldAreNotLaidOutForTheList) {
@@ -40,7 +32,7 @@ TEST(HostileDicom, FramesThatTheFileCannotHoldAreNotLaidOutForTheList) {
         for (const bool encapsulated : {false, true}) {
             const TemporaryFolder folder;
             folder.write("many", framesThatAreNotThere(count, encapsulated));
-            folder.write("two", pixels().file(cineClass));
+            folder.write("two", twoFrames().file(cineClass));
             const auto begun = std::chrono::steady_clock::now();
             const auto list = listSeries(folder.path());
             EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(1)) << count;
@@ -59,7 +51,7 @@ TEST(HostileDicom, ItemsOutsideSequencesAreSaidOnce) {
     const auto withItems = [&](int count) {
         std::string bytes = DicomBytes().text(0x0008, 0x0060, "CS", "US").file(cineClass);
         for (int i = 0; i < count; ++i) bytes += item;
-        return folder.write("a.dcm", bytes + pixels().bytes());
+        return folder.write("a.dcm", bytes + twoFrames().bytes());
     };
     const auto few = readStudy(withItems(500), withoutGuess());
     ASSERT_TRUE(few) << few.error().sentence();
@@ -80,7 +72,7 @@ TEST(HostileDicom, ASequenceDeclaredEmptyMayHaveItemsAndItsDelimiter) {
     for (const bool delimiter : {false, true}) {
         const TemporaryFolder folder;
         const std::string bytes =
-            DicomBytes().file(cineClass) + falselyEmpty(item + item, delimiter) + pixels().bytes();
+            DicomBytes().file(cineClass) + falselyEmpty(item + item, delimiter) + twoFrames().bytes();
         const auto study = readStudy(folder.write("a.dcm", bytes), withoutGuess());
         ASSERT_TRUE(study) << study.error().sentence() << delimiter;
         EXPECT_EQ(study->phases[0]->storedValue(15), 'a');
@@ -92,7 +84,7 @@ TEST(HostileDicom, EachKindOfRepairIsSaid) {
     const TemporaryFolder folder;
     const std::string item = dicomItem(DicomBytes().text(0x0008, 0x0100, "SH", "CODE").bytes());
     const std::string bytes = DicomBytes().text(0x0008, 0x0060, "CS", "US").file(cineClass) + item +
-                              falselyEmpty(item, false) + pixels().bytes();
+                              falselyEmpty(item, false) + twoFrames().bytes();
     const auto study = readStudy(folder.write("a.dcm", bytes), withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_TRUE(warnsOf(*study, "An item that belongs to no sequence is left out"));
@@ -103,7 +95,7 @@ TEST(HostileDicom, EachKindOfRepairIsSaid) {
 std::string bomb() {
     DicomBytes file;
     file.text(0x0008, 0x0060, "CS", "US").put(0x0009, 0x1001, "OB", std::string(300 << 20, '\0'));
-    return DicomBytes().file(cineClass, deflatedSyntax) + deflated(file.bytes() + pixels().bytes(), -15);
+    return DicomBytes().file(cineClass, deflatedSyntax) + deflated(file.bytes() + twoFrames().bytes(), -15);
 }
 
 TEST(HostileDicom, DeflatedDataThatUnpackTooFarAreRefusedBeforeTheLibrarySeesThem) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dicom_files.h"
+#include "dicom_images.h"
 #include "io/dicom/dicom_file.h"
 #include "io/slice_stack.h"
 #include "io/study_assembly.h"
@@ -21,28 +21,11 @@ using testing::HasSubstr;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
 
-TestImage slice(const Vec3& position) {
-    TestImage image;
-    image.pixels8.assign(12, 7);
-    image.position = position;
-    image.orientation = {1, 0, 0, 0, 1, 0};
-    image.pixelSpacing = {0.5, 0.25};
-    return image;
-}
-
-TestImage cine(int frames) {
-    TestImage image;
-    image.frames = frames;
-    image.pixels8.assign(12 * static_cast<std::size_t>(frames), 7);
-    image.pixelSpacing = {0.5, 0.25};
-    return image;
-}
-
 TEST(DicomLimits, ValuesThatAreNoNumbersOrHugeNeverBecomeAVolume) {
     for (const char* text : {"nan\\0.5", "inf\\inf", "1e308\\1e308", "1e-320\\1e-320"}) {
         const TemporaryFolder folder;
         for (int i = 0; i < 2; ++i) {
-            TestImage image = slice({0, 0, 1.0 * i});
+            TestImage image = sliceAt({0, 0, 1.0 * i});
             image.pixelSpacingText = text;
             writeDicom(folder.file("s" + std::to_string(i)), image);
         }
@@ -56,7 +39,7 @@ TEST(DicomLimits, ValuesThatAreNoNumbersOrHugeNeverBecomeAVolume) {
 
 TEST(DicomLimits, TimesThatAreTooFarApartAreUnknown) {
     const TemporaryFolder folder;
-    TestImage image = cine(4);
+    TestImage image = cineOf(4);
     for (const double seconds : {-1.5e308, 1.5e308})
         for (const double depth : {0.0, 1.0}) image.functionalGroups.push_back({{0, 0, depth}, seconds, ""});
     writeDicom(folder.file("v"), image);
@@ -108,7 +91,7 @@ constexpr double inTime = 5.0;
 TEST(DicomLimits, AsManyFrameOffsetsAsFramesAreReadInTime) {
     constexpr int frames = 100000;  // as long for its pixels of 0.25 mm as a volume may be
     const TemporaryFolder folder;
-    TestImage image = cine(frames);
+    TestImage image = cineOf(frames);
     image.columns = image.rows = 1;
     image.pixels8.assign(frames, 7);
     for (int i = 0; i < frames; ++i) image.gridOffsets.push_back(0.25 * i);
@@ -124,7 +107,7 @@ TEST(DicomLimits, AsManyFrameOffsetsAsFramesAreReadInTime) {
 
 TEST(DicomLimits, CancelEndsScanAndParsing) {
     const TemporaryFolder folder;
-    writeDicom(folder.file("v"), cine(2));
+    writeDicom(folder.file("v"), cineOf(2));
     std::atomic<bool> cancel{true};
     const Progress progress{{}, &cancel};
     const auto scan = scanDicom(*InputFile::open(folder.file("v")), progress);

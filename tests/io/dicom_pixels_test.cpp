@@ -4,19 +4,13 @@
 
 #include <cmath>
 
-#include "dicom_files.h"
+#include "dicom_images.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
 namespace {
 
 using testing::HasSubstr;
-
-ReadOptions asSlices() {
-    ReadOptions options = withoutGuess();
-    options.framesAsSlices = true;
-    return options;
-}
 
 /// Two frames of 16 x 8 with a smooth ramp, so that lossy coding stays close.
 TestImage ramp8() {
@@ -30,12 +24,6 @@ TestImage ramp8() {
 
 std::vector<double> asDoubles(const std::vector<std::uint8_t>& values) { return {values.begin(), values.end()}; }
 
-Result<Study> writtenAndRead(const TestImage& image, TestSyntax syntax) {
-    const TemporaryFolder folder;
-    writeDicom(folder.file("a.dcm"), image, syntax);
-    return readStudy(folder.file("a.dcm"), asSlices());
-}
-
 class LosslessSyntaxes : public testing::TestWithParam<TestSyntax> {};
 INSTANTIATE_TEST_SUITE_P(All, LosslessSyntaxes,
                          testing::Values(TestSyntax::implicitLittle, TestSyntax::explicitLittle,
@@ -44,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(All, LosslessSyntaxes,
 
 TEST_P(LosslessSyntaxes, KeepEightBitGrey) {
     const TestImage image = ramp8();
-    const auto study = writtenAndRead(image, GetParam());
+    const auto study = writtenAndRead(image, framesAsSlices(), GetParam());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), asDoubles(image.pixels8));
     EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{16, 8, 2}));
@@ -58,7 +46,7 @@ TEST_P(LosslessSyntaxes, KeepTwelveBitGrey) {
     image.bitsAllocated = 16;
     image.bitsStored = 12;
     for (int i = 0; i < 256; ++i) image.pixels16.push_back(static_cast<std::uint16_t>(i * 16 + 5));
-    const auto study = writtenAndRead(image, GetParam());
+    const auto study = writtenAndRead(image, framesAsSlices(), GetParam());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), std::vector<double>(image.pixels16.begin(), image.pixels16.end()));
     EXPECT_EQ(study->phases[0]->typeName(), "uint16");
@@ -78,7 +66,7 @@ TEST_P(LosslessSyntaxes, ReduceColourToLuma) {
         for (const int value : {red, green, blue}) image.pixels8.push_back(static_cast<std::uint8_t>(value));
         luma.push_back(std::lround(0.299 * red + 0.587 * green + 0.114 * blue));
     }
-    const auto study = writtenAndRead(image, GetParam());
+    const auto study = writtenAndRead(image, framesAsSlices(), GetParam());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), luma);
     EXPECT_TRUE(warnsOf(*study, "luma"));
@@ -95,7 +83,7 @@ TEST(DicomPixels, OddFrameSizesAreReadInEveryNativeSyntax) {
         for (int i = 0; i < 27; ++i) image.pixels8.push_back(static_cast<std::uint8_t>(9 * i));
         const std::vector<double> written = asDoubles(image.pixels8);
         image.pixels8.push_back(0);
-        const auto study = writtenAndRead(image, syntax);
+        const auto study = writtenAndRead(image, framesAsSlices(), syntax);
         ASSERT_TRUE(study) << study.error().sentence();
         EXPECT_EQ(storedValues(*study->phases[0]), written) << static_cast<int>(syntax);
     }
@@ -111,7 +99,7 @@ TEST(DicomPixels, PlanarColourGivesTheSameLuma) {
     image.planar = 1;
     image.pixels8 = {200, 10, 100, 20, 50, 30, 0, 255, 0, 255, 0, 255};
     for (const TestSyntax syntax : {TestSyntax::explicitLittle, TestSyntax::explicitBig, TestSyntax::rle}) {
-        const auto study = writtenAndRead(image, syntax);
+        const auto study = writtenAndRead(image, framesAsSlices(), syntax);
         ASSERT_TRUE(study) << study.error().sentence();
         EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{124, 18, 0, 255}));
     }
@@ -125,13 +113,13 @@ TEST(DicomPixels, YbrGivesItsFirstSample) {
     image.samples = 3;
     image.photometric = "YBR_FULL";
     image.pixels8 = {11, 128, 140, 22, 128, 140, 33, 99, 99, 44, 99, 99};
-    auto study = writtenAndRead(image, TestSyntax::explicitLittle);
+    auto study = writtenAndRead(image, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{11, 22, 33, 44}));
 
     image.photometric = "YBR_FULL_422";
     image.pixels8 = {11, 22, 128, 140, 33, 44, 99, 99};
-    study = writtenAndRead(image, TestSyntax::explicitLittle);
+    study = writtenAndRead(image, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{11, 22, 33, 44}));
 }
@@ -151,7 +139,7 @@ TEST(DicomPixels, PaletteIsReducedToLumaIn8And16Bits) {
     image.palette = palette;
     // The table holds 124, 0, 150, 255; values outside the table take its first or last entry.
     const std::vector<double> luma{124, 124, 0, 150, 255, 255, 255, 124};
-    auto study = writtenAndRead(image, TestSyntax::explicitLittle);
+    auto study = writtenAndRead(image, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), luma);
     EXPECT_EQ(study->phases[0]->whiteLevel(), 255);
@@ -160,7 +148,7 @@ TEST(DicomPixels, PaletteIsReducedToLumaIn8And16Bits) {
     image.palette->red = {200, 255 << 8};
     image.palette->green = {100, 255 | 255 << 8};
     image.palette->blue = {50, 255 << 8};
-    study = writtenAndRead(image, TestSyntax::rle);
+    study = writtenAndRead(image, framesAsSlices(), TestSyntax::rle);
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), luma);
 }
@@ -168,7 +156,7 @@ TEST(DicomPixels, PaletteIsReducedToLumaIn8And16Bits) {
 TEST(DicomPixels, Monochrome1IsInverted) {
     TestImage image = ramp8();
     image.photometric = "MONOCHROME1";
-    const auto study = writtenAndRead(image, TestSyntax::explicitLittle);
+    const auto study = writtenAndRead(image, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     const auto values = storedValues(*study->phases[0]);
     for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], 255 - image.pixels8[i]);
@@ -185,7 +173,7 @@ TEST(DicomPixels, SignedValuesKeepTheirSign) {
     image.isSigned = true;
     image.pixels16 = {5, static_cast<std::uint16_t>(-5), 2047, static_cast<std::uint16_t>(-2048)};
     for (const TestSyntax syntax : {TestSyntax::explicitLittle, TestSyntax::explicitBig, TestSyntax::rle}) {
-        const auto study = writtenAndRead(image, syntax);
+        const auto study = writtenAndRead(image, framesAsSlices(), syntax);
         ASSERT_TRUE(study) << study.error().sentence();
         EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{5, -5, 2047, -2048}));
         EXPECT_EQ(study->phases[0]->whiteLevel(), 2047);
@@ -195,29 +183,22 @@ TEST(DicomPixels, SignedValuesKeepTheirSign) {
 TEST(DicomPixels, LossIsSaidAsFarAsTheFileTells) {
     TestImage image = ramp8();
     image.lossyImageCompression = "00";
-    auto study = writtenAndRead(image, TestSyntax::explicitLittle);
+    auto study = writtenAndRead(image, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->lossyCompression, LossyCompression::no);
     EXPECT_EQ(sourceOf(*study, "lossy compression"), "(0028,2110) Lossy Image Compression");
     image.lossyImageCompression = "01";  // compressed once, whatever it is stored as now
-    study = writtenAndRead(image, TestSyntax::explicitLittle);
+    study = writtenAndRead(image, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->lossyCompression, LossyCompression::yes);
     image.lossyImageCompression = "";
-    study = writtenAndRead(image, TestSyntax::explicitLittle);
+    study = writtenAndRead(image, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(factOf(*study, "lossy compression"), "unknown");
 
     // The single images of a series of ultrasound must state loss, and one that does counts for all.
     const TemporaryFolder folder;
-    TestImage slice;
-    slice.orientation = {1, 0, 0, 0, 1, 0};
-    slice.pixels8.assign(12, 7);
-    for (int i = 0; i < 3; ++i) {
-        slice.instance = i + 1;
-        slice.position = Vec3{0, 0, 1.5 * i};
-        writeDicom(folder.file(std::to_string(i) + ".dcm"), slice);
-    }
+    TestImage slice = writeThreeSlices(folder);
     study = readStudy(folder.path());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->lossyCompression, LossyCompression::no);
@@ -232,7 +213,7 @@ TEST(DicomPixels, LossyJpegIsCloseAndSaid) {
     TestImage image = ramp8();
     // The pixels have the full range, because the encoder stretches a narrower one.
     for (int i = 0; i < 256; ++i) image.pixels8[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(i);
-    auto study = writtenAndRead(image, TestSyntax::jpegBaseline);
+    auto study = writtenAndRead(image, framesAsSlices(), TestSyntax::jpegBaseline);
     ASSERT_TRUE(study) << study.error().sentence();
     const auto values = storedValues(*study->phases[0]);
     for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], image.pixels8[i], 6) << i;
@@ -246,7 +227,7 @@ TEST(DicomPixels, LossyJpegIsCloseAndSaid) {
     colour.pixels8.clear();
     for (const std::uint8_t value : image.pixels8)
         for (const double share : {1.0, 0.5, 0.2}) colour.pixels8.push_back(static_cast<std::uint8_t>(value * share));
-    study = writtenAndRead(colour, TestSyntax::jpegBaseline);
+    study = writtenAndRead(colour, framesAsSlices(), TestSyntax::jpegBaseline);
     ASSERT_TRUE(study) << study.error().sentence();
     const auto lumas = storedValues(*study->phases[0]);
     for (std::size_t i = 0; i < lumas.size(); ++i) EXPECT_NEAR(lumas[i], image.pixels8[i] * 0.6153, 8) << i;
@@ -257,7 +238,7 @@ TEST(DicomPixels, Jpeg2000IsRead) {
     std::vector<std::uint8_t> pixels;
     for (int i = 0; i < 64; ++i) pixels.push_back(static_cast<std::uint8_t>(4 * i));
     writeJpeg2000Dicom(folder.file("a.dcm"), 8, 8, pixels);
-    const auto study = readStudy(folder.file("a.dcm"), asSlices());
+    const auto study = readStudy(folder.file("a.dcm"), framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     const auto values = storedValues(*study->phases[0]);
     ASSERT_EQ(values.size(), 128U);
@@ -265,7 +246,7 @@ TEST(DicomPixels, Jpeg2000IsRead) {
 }
 
 TEST(DicomPixels, NothingAboutThePatientIsSaid) {
-    const auto study = writtenAndRead(ramp8(), TestSyntax::explicitLittle);
+    const auto study = writtenAndRead(ramp8(), framesAsSlices());
     ASSERT_TRUE(study);
     EXPECT_EQ(factOf(*study, "manufacturer"), "Test Maker");
     for (const ImportFact& fact : study->facts) {
@@ -279,7 +260,7 @@ TEST(DicomPixels, WhatCannotBeTrueIsRefusedBeforeMemoryIsTaken) {
                                  TestSyntax syntax = TestSyntax::explicitLittle) {
         TestImage image = ramp8();
         change(image);
-        const auto study = writtenAndRead(image, syntax);
+        const auto study = writtenAndRead(image, framesAsSlices(), syntax);
         return study ? std::string("was read") : study.error().sentence();
     };
     EXPECT_THAT(sentenceWith([](TestImage& i) { i.rows = 9; }),
@@ -315,7 +296,7 @@ TEST(DicomPixels, TruncatedFilesAreRefusedAtEveryLength) {
         std::ifstream stream(folder.file("a.dcm"), std::ios::binary);
         const std::string whole((std::istreambuf_iterator<char>(stream)), {});
         for (std::size_t length = 0; length + 8 < whole.size(); length += 7) {
-            const auto study = readStudy(folder.write("cut.dcm", whole.substr(0, length)), asSlices());
+            const auto study = readStudy(folder.write("cut.dcm", whole.substr(0, length)), framesAsSlices());
             ASSERT_FALSE(study) << "cut to " << length << " of " << whole.size();
             EXPECT_FALSE(study.error().problem.empty());
         }
@@ -335,7 +316,7 @@ TEST(DicomPixels, FalseSizesInCompressedFramesAreFoundOut) {
         ASSERT_NE(place, std::string::npos);
         bytes[place + 8] = '\xff';
         bytes[place + 9] = '\x7f';
-        const auto study = readStudy(folder.write("b.dcm", bytes), asSlices());
+        const auto study = readStudy(folder.write("b.dcm", bytes), framesAsSlices());
         ASSERT_FALSE(study);
         EXPECT_THAT(study.error().sentence(), HasSubstr(words));
     }

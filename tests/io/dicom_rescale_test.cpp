@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "dicom_bytes.h"
-#include "dicom_files.h"
+#include "dicom_images.h"
 #include "io/dicom/pixels/dicom_palette.h"
 #include "temporary_folder.h"
 
@@ -11,14 +11,6 @@ namespace echolucent {
 namespace {
 
 using testing::HasSubstr;
-
-const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
-
-ReadOptions asSlices() {
-    ReadOptions options = withoutGuess();
-    options.framesAsSlices = true;
-    return options;
-}
 
 TestImage grey(const std::vector<std::uint8_t>& pixels, const std::string& slope, const std::string& intercept) {
     TestImage image;
@@ -33,14 +25,8 @@ TestImage grey(const std::vector<std::uint8_t>& pixels, const std::string& slope
     return image;
 }
 
-Result<Study> writtenAndRead(const TestImage& image) {
-    const TemporaryFolder folder;
-    writeDicom(folder.file("a.dcm"), image);
-    return readStudy(folder.file("a.dcm"), asSlices());
-}
-
 TEST(Rescale, ChangesValuesAndWhiteAlike) {
-    const auto study = writtenAndRead(grey({0, 1, 100, 255}, "0.5", "10"));
+    const auto study = writtenAndRead(grey({0, 1, 100, 255}, "0.5", "10"), framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{10, 10.5, 60, 137.5}));
     EXPECT_EQ(study->phases[0]->typeName(), "float32");
@@ -49,7 +35,7 @@ TEST(Rescale, ChangesValuesAndWhiteAlike) {
 }
 
 TEST(Rescale, OneAndZeroChangeNothing) {
-    const auto study = writtenAndRead(grey({0, 1, 100, 255}, "1", "0"));
+    const auto study = writtenAndRead(grey({0, 1, 100, 255}, "1", "0"), framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->phases[0]->typeName(), "uint8");
     EXPECT_EQ(factOf(*study, "rescaling"), "none");
@@ -58,13 +44,13 @@ TEST(Rescale, OneAndZeroChangeNothing) {
 TEST(Rescale, OfInvertedPixelsTurnsThemRoundBetweenItsEnds) {
     TestImage image = grey({0, 1, 100, 255}, "2", "100");
     image.photometric = "MONOCHROME1";
-    const auto study = writtenAndRead(image);
+    const auto study = writtenAndRead(image, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{610, 608, 410, 100}));
 }
 
 TEST(Rescale, ValuesBelow0AreSaid) {
-    const auto study = writtenAndRead(grey({0, 1, 100, 255}, "1", "-50"));
+    const auto study = writtenAndRead(grey({0, 1, 100, 255}, "1", "-50"), framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{-50, -49, 50, 205}));
     EXPECT_EQ(study->phases[0]->whiteLevel(), 205);
@@ -81,7 +67,7 @@ TEST(Rescale, NonsenseIsRefusedWithItsTag) {
                                                  {"1e300", "0", "(0028,1053) Rescale Slope is 1e+300"},
                                                  {"1", "1e300", "(0028,1053) Rescale Slope is 1 with intercept 1e+300"},
                                                  {"1", "1e30", "which makes values from"}}) {
-        const auto study = writtenAndRead(grey({0, 1, 100, 255}, slope, intercept));
+        const auto study = writtenAndRead(grey({0, 1, 100, 255}, slope, intercept), framesAsSlices());
         ASSERT_FALSE(study) << slope << " " << intercept;
         EXPECT_THAT(study.error().sentence(), HasSubstr(words));
     }
@@ -98,7 +84,7 @@ TEST(Rescale, OfEachFrameIsItsOwn) {
     file.sequence(0x5200, 0x9230, {groups("2"), DicomBytes(), groups("3")});
     file.put(0x7fe0, 0x0010, "OW", std::string("\1\2\3\4\5\6", 6));
     const TemporaryFolder folder;
-    const auto study = readStudy(folder.write("a.dcm", file.file(cineClass)), asSlices());
+    const auto study = readStudy(folder.write("a.dcm", file.file(cineClass)), framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{3, 5, 31, 41, 16, 19}));
     EXPECT_EQ(study->phases[0]->whiteLevel(), 2551) << "of the frame that reaches farthest";
@@ -169,11 +155,11 @@ TEST(SegmentedPalette, OfAFileIsDecoded) {
     };
     const TemporaryFolder folder;
     const auto good = folder.write("good", file(bytesFrom<std::uint16_t>({0, 1, 0, 1, 3, 0xff00})));
-    const auto study = readStudy(good, asSlices());
+    const auto study = readStudy(good, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{0, 85, 170, 255}));
     EXPECT_EQ(factOf(*study, "palette"), "stored in segments");
-    const auto bad = readStudy(folder.write("bad", file(bytesFrom<std::uint16_t>({0, 100, 0, 1}))), asSlices());
+    const auto bad = readStudy(folder.write("bad", file(bytesFrom<std::uint16_t>({0, 100, 0, 1}))), framesAsSlices());
     ASSERT_FALSE(bad);
     EXPECT_THAT(
         bad.error().sentence(),

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "dicom_files.h"
+#include "dicom_images.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -14,12 +14,9 @@ namespace {
 using testing::HasSubstr;
 
 /// A slice of 4 x 3 whose pixels all hold `value`.
-TestImage slice(int value, const Vec3& position) {
-    TestImage image;
+TestImage valuedSlice(int value, const Vec3& position) {
+    TestImage image = sliceAt(position);
     image.pixels8.assign(12, static_cast<std::uint8_t>(value));
-    image.position = position;
-    image.orientation = {1, 0, 0, 0, 1, 0};
-    image.pixelSpacing = {0.5, 0.25};  // between rows, between columns
     image.instance = 100 - value;
     return image;
 }
@@ -35,7 +32,7 @@ void writeShuffled(const TemporaryFolder& folder, const std::vector<TestImage>& 
 TEST(DicomFolder, SlicesAreSortedByPosition) {
     const TemporaryFolder folder;
     std::vector<TestImage> slices;
-    for (int i = 0; i < 7; ++i) slices.push_back(slice(10 + i, {-5, 6, 2.0 * i - 3}));
+    for (int i = 0; i < 7; ++i) slices.push_back(valuedSlice(10 + i, {-5, 6, 2.0 * i - 3}));
     writeShuffled(folder, slices);
     const auto study = readStudy(folder.path(), withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
@@ -57,7 +54,7 @@ TEST(DicomFolder, ObliqueOrientationIsKept) {
     const Vec3 normal = turn * Vec3(0, 0, 1);
     std::vector<TestImage> slices;
     for (int i = 0; i < 5; ++i) {
-        slices.push_back(slice(50 + i, Vec3(10, 20, 30) + normal * (1.5 * i)));
+        slices.push_back(valuedSlice(50 + i, Vec3(10, 20, 30) + normal * (1.5 * i)));
         slices.back().orientation = {row[0], row[1], row[2], column[0], column[1], column[2]};
     }
     writeShuffled(folder, slices);
@@ -74,9 +71,10 @@ TEST(DicomFolder, ObliqueOrientationIsKept) {
 TEST(DicomFolder, TheSeriesWithMostSlicesIsRead) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.file("below"));
-    for (int i = 0; i < 3; ++i) writeDicom(folder.file("below/a" + std::to_string(i)), slice(1 + i, {0, 0, 1.0 * i}));
+    for (int i = 0; i < 3; ++i)
+        writeDicom(folder.file("below/a" + std::to_string(i)), valuedSlice(1 + i, {0, 0, 1.0 * i}));
     for (int i = 0; i < 2; ++i) {
-        TestImage other = slice(9, {0, 0, 1.0 * i});
+        TestImage other = valuedSlice(9, {0, 0, 1.0 * i});
         other.series = "1.2.9";
         writeDicom(folder.file("b" + std::to_string(i)), other);
     }
@@ -100,7 +98,7 @@ TEST(DicomFolder, UnevenAndDoubleSlicesAreRefused) {
     for (const FolderRow& row : rows) {
         const TemporaryFolder folder;
         std::vector<TestImage> slices;
-        for (const double depth : row.depths) slices.push_back(slice(1, {0, 0, depth}));
+        for (const double depth : row.depths) slices.push_back(valuedSlice(1, {0, 0, depth}));
         writeShuffled(folder, slices);
         const auto study = readStudy(folder.path());
         ASSERT_FALSE(study);
@@ -115,7 +113,7 @@ TEST(DicomFolder, ARefusalNamesTheFileConcerned) {
         for (std::size_t i = 0; i < slices.size(); ++i) writeDicom(folder.file("IM" + std::to_string(i)), slices[i]);
         return std::filesystem::path(readStudy(folder.path()).error().file).filename().string();
     };
-    const auto at = [](double depth) { return slice(1, {0, 0, depth}); };
+    const auto at = [](double depth) { return valuedSlice(1, {0, 0, depth}); };
     EXPECT_EQ(refusalOf({at(0), at(1), at(2), at(4), at(5)}), "IM3");  // the slice behind the gap
     EXPECT_EQ(refusalOf({at(0), at(1), at(2), at(2), at(3)}), "IM3");
     TestImage turned = at(2);
@@ -126,7 +124,7 @@ TEST(DicomFolder, ARefusalNamesTheFileConcerned) {
 
 TEST(DicomFolder, SlightlyUnevenSlicesAreReadWithAWarning) {
     const TemporaryFolder folder;
-    writeShuffled(folder, {slice(1, {0, 0, 0}), slice(2, {0, 0, 1.04}), slice(3, {0, 0, 2})});
+    writeShuffled(folder, {valuedSlice(1, {0, 0, 0}), valuedSlice(2, {0, 0, 1.04}), valuedSlice(3, {0, 0, 2})});
     const auto study = readStudy(folder.path());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->phases[0]->geometry().spacing[2], 1);
@@ -135,16 +133,16 @@ TEST(DicomFolder, SlightlyUnevenSlicesAreReadWithAWarning) {
 
 TEST(DicomFolder, SlicesThatAreNotParallelAreRefused) {
     const TemporaryFolder folder;
-    TestImage turned = slice(2, {0, 0, 1});
+    TestImage turned = valuedSlice(2, {0, 0, 1});
     turned.orientation = {0, 1, 0, -1, 0, 0};
-    writeShuffled(folder, {slice(1, {0, 0, 0}), turned});
+    writeShuffled(folder, {valuedSlice(1, {0, 0, 0}), turned});
     EXPECT_THAT(readStudy(folder.path()).error().sentence(), HasSubstr("not parallel"));
 }
 
 TEST(DicomFolder, PicturesWithoutPositionAreSlicesOnlyWhenAsked) {
     const TemporaryFolder folder;
     for (int i = 0; i < 4; ++i) {
-        TestImage image = slice(i + 1, {0, 0, 0});
+        TestImage image = valuedSlice(i + 1, {0, 0, 0});
         image.position.reset();
         image.orientation.reset();
         image.instance = i;
@@ -164,7 +162,7 @@ TEST(DicomFolder, PicturesWithoutPositionAreSlicesOnlyWhenAsked) {
 
 TEST(DicomFolder, WithoutPixelSpacingItIsUnknown) {
     const TemporaryFolder folder;
-    std::vector<TestImage> slices{slice(1, {0, 0, 0}), slice(2, {0, 0, 3})};
+    std::vector<TestImage> slices{valuedSlice(1, {0, 0, 0}), valuedSlice(2, {0, 0, 3})};
     for (TestImage& image : slices) image.pixelSpacing.reset();
     writeShuffled(folder, slices);
     const auto study = readStudy(folder.path());
@@ -175,7 +173,7 @@ TEST(DicomFolder, WithoutPixelSpacingItIsUnknown) {
 
 TEST(DicomFolder, UnreadableSlicesAreMentioned) {
     const TemporaryFolder folder;
-    writeShuffled(folder, {slice(1, {0, 0, 0}), slice(2, {0, 0, 1}), slice(3, {0, 0, 2})});
+    writeShuffled(folder, {valuedSlice(1, {0, 0, 0}), valuedSlice(2, {0, 0, 1}), valuedSlice(3, {0, 0, 2})});
     std::ifstream stream(folder.file("IM0"), std::ios::binary);
     const std::string whole((std::istreambuf_iterator<char>(stream)), {});
     folder.write("cut.dcm", whole.substr(0, whole.size() - 5));
@@ -196,17 +194,11 @@ TestImage enhanced(const std::vector<TestFrame>& frames) {
     return image;
 }
 
-Result<Study> readBack(const TestImage& image, const ReadOptions& options = withoutGuess()) {
-    const TemporaryFolder folder;
-    writeDicom(folder.file("a.dcm"), image);
-    return readStudy(folder.file("a.dcm"), options);
-}
-
 TEST(DicomMultiframe, FunctionalGroupsPlaceTheFrames) {
     for (const bool patient : {false, true}) {
         TestImage image = enhanced({{{1, 2, 7}, {}, ""}, {{1, 2, 3}, {}, ""}, {{1, 2, 5}, {}, ""}});
         image.patientFrame = patient;
-        const auto study = readBack(image);
+        const auto study = writtenAndRead(image);
         ASSERT_TRUE(study) << study.error().sentence();
         const Volume& volume = *study->phases[0];
         EXPECT_EQ(volume.geometry().size, (std::array<std::int64_t, 3>{4, 3, 3}));
@@ -221,12 +213,12 @@ TEST(DicomMultiframe, FunctionalGroupsPlaceTheFrames) {
 }
 
 TEST(DicomMultiframe, TemporalPositionsSplitPhasesWhateverTheFileOrder) {
-    const auto study = readBack(enhanced({{{0, 0, 1}, 0.08, ""},
-                                          {{0, 0, 0}, 0.00, ""},
-                                          {{0, 0, 0}, 0.08, ""},
-                                          {{0, 0, 1}, 0.00, ""},
-                                          {{0, 0, 1}, 0.04, ""},
-                                          {{0, 0, 0}, 0.04, ""}}));
+    const auto study = writtenAndRead(enhanced({{{0, 0, 1}, 0.08, ""},
+                                                {{0, 0, 0}, 0.00, ""},
+                                                {{0, 0, 0}, 0.08, ""},
+                                                {{0, 0, 1}, 0.00, ""},
+                                                {{0, 0, 1}, 0.04, ""},
+                                                {{0, 0, 0}, 0.04, ""}}));
     ASSERT_TRUE(study) << study.error().sentence();
     ASSERT_EQ(study->phases.size(), 3U);
     EXPECT_NEAR(study->phaseSeconds.value_or(0), 0.04, 1e-12);
@@ -238,10 +230,10 @@ TEST(DicomMultiframe, TemporalPositionsSplitPhasesWhateverTheFileOrder) {
 }
 
 TEST(DicomMultiframe, OnlyTissueIsReadWhereFlowIsThereToo) {
-    const auto study = readBack(enhanced({{{0, 0, 0}, {}, "FLOW_VELOCITY"},
-                                          {{0, 0, 0}, {}, "TISSUE_INTENSITY"},
-                                          {{0, 0, 1}, {}, "FLOW_VELOCITY"},
-                                          {{0, 0, 1}, {}, "TISSUE_INTENSITY"}}));
+    const auto study = writtenAndRead(enhanced({{{0, 0, 0}, {}, "FLOW_VELOCITY"},
+                                                {{0, 0, 0}, {}, "TISSUE_INTENSITY"},
+                                                {{0, 0, 1}, {}, "FLOW_VELOCITY"},
+                                                {{0, 0, 1}, {}, "TISSUE_INTENSITY"}}));
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->phases[0]->geometry().size[2], 2);
     EXPECT_EQ(study->phases[0]->storedValue(0), 11);
@@ -250,7 +242,7 @@ TEST(DicomMultiframe, OnlyTissueIsReadWhereFlowIsThereToo) {
 }
 
 TEST(DicomMultiframe, IncompletePhasesAreRefused) {
-    const auto study = readBack(enhanced({{{0, 0, 0}, 0.0, ""}, {{0, 0, 1}, 0.0, ""}, {{0, 0, 0}, 1.0, ""}}));
+    const auto study = writtenAndRead(enhanced({{{0, 0, 0}, 0.0, ""}, {{0, 0, 1}, 0.0, ""}, {{0, 0, 0}, 1.0, ""}}));
     ASSERT_FALSE(study);
     EXPECT_THAT(study.error().sentence(), HasSubstr("2 slices at one time and 1 at another"));
 }
@@ -259,7 +251,7 @@ TEST(DicomMultiframe, ClassicSpacingPlacesTheFrames) {
     TestImage image = enhanced({{}, {}, {}});
     image.functionalGroups.clear();
     image.spacingBetweenSlices = 1.5;
-    auto study = readBack(image);
+    auto study = writtenAndRead(image);
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(0.25, 0.5, 1.5));
 
@@ -267,7 +259,7 @@ TEST(DicomMultiframe, ClassicSpacingPlacesTheFrames) {
     image.gridOffsets = {0, -2, -4};
     image.position = Vec3(1, 1, 10);
     image.orientation = {1, 0, 0, 0, 1, 0};
-    study = readBack(image);
+    study = writtenAndRead(image);
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->phases[0]->geometry().origin, Vec3(1, 1, 6));
     EXPECT_EQ(study->phases[0]->storedValue(0), 12);
@@ -278,14 +270,14 @@ TEST(DicomMultiframe, ACineIsRefusedUnlessItsFramesAreTakenAsSlices) {
     image.functionalGroups.clear();
     image.spacingBetweenSlices = 1.5;
     image.frameTime = true;  // frames follow each other in time, whatever else is said
-    const auto refused = readBack(image);
+    const auto refused = writtenAndRead(image);
     ASSERT_FALSE(refused);
     EXPECT_TRUE(refused.error().framesCouldBeSlices);
     EXPECT_THAT(refused.error().sentence(), HasSubstr("2D cine of 3 frames without volume geometry"));
     EXPECT_THAT(refused.error().sentence(), HasSubstr("--frames-as-slices"));
     ReadOptions options = withoutGuess();
     options.framesAsSlices = true;
-    const auto study = readBack(image, options);
+    const auto study = writtenAndRead(image, options);
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{4, 3, 3}));
     EXPECT_FALSE(study->phases[0]->geometry().spacingKnown);
@@ -293,13 +285,13 @@ TEST(DicomMultiframe, ACineIsRefusedUnlessItsFramesAreTakenAsSlices) {
 }
 
 TEST(DicomMultiframe, OnePlaneOverTimeIsACine) {
-    const auto study = readBack(enhanced({{{0, 0, 0}, 0.0, ""}, {{0, 0, 0}, 1.0, ""}}));
+    const auto study = writtenAndRead(enhanced({{{0, 0, 0}, 0.0, ""}, {{0, 0, 0}, 1.0, ""}}));
     ASSERT_FALSE(study);
     EXPECT_TRUE(study.error().framesCouldBeSlices);
 }
 
 TEST(DicomMultiframe, ASinglePictureIsNoVolume) {
-    const auto study = readBack(slice(7, {0, 0, 0}));
+    const auto study = writtenAndRead(valuedSlice(7, {0, 0, 0}));
     ASSERT_FALSE(study);
     EXPECT_FALSE(study.error().framesCouldBeSlices);
     EXPECT_THAT(study.error().sentence(), HasSubstr("single 2D picture"));

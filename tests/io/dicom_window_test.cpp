@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "dicom_files.h"
+#include "dicom_images.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -23,13 +23,8 @@ TestImage small(const std::string& centre, const std::string& width) {
     return image;
 }
 
-Study readBack(const TestImage& image) {
-    const TemporaryFolder folder;
-    const std::string path = folder.file("image.dcm");
-    writeDicom(path, image);
-    ReadOptions options = withoutGuess();
-    options.framesAsSlices = true;
-    auto study = readStudy(path, options);
+Study windowedStudy(const TestImage& image) {
+    auto study = writtenAndRead(image, framesAsSlices());
     EXPECT_TRUE(study) << study.error().sentence();
     return study ? *study : Study{};
 }
@@ -43,47 +38,47 @@ std::string sourceOfWhite(const Study& study) {
 }
 
 TEST(DicomWindow, WhiteIsCentrePlusHalfTheWidth) {
-    const Study study = readBack(small("75", "120"));
+    const Study study = windowedStudy(small("75", "120"));
     EXPECT_EQ(whiteOf(study), 135);
     EXPECT_EQ(sourceOfWhite(study), "(0028,1050) Window Center, (0028,1051) Width: centre 75, width 120");
-    EXPECT_EQ(whiteOf(readBack(small("75\\400", "120\\800"))), 135) << "of several windows the first";
+    EXPECT_EQ(whiteOf(windowedStudy(small("75\\400", "120\\800"))), 135) << "of several windows the first";
 }
 
 TEST(DicomWindow, WithoutOneTheDataSay) {
-    const Study study = readBack(small("", ""));
+    const Study study = windowedStudy(small("", ""));
     EXPECT_EQ(whiteOf(study), 158) << "not 32767: the picture would be black";
     EXPECT_EQ(sourceOfWhite(study), "largest value in the data");
     TestImage hot = small("", "");
     hot.pixels16[100] = 32767;
-    EXPECT_EQ(whiteOf(readBack(hot)), 158);
-    EXPECT_EQ(sourceOfWhite(readBack(hot)), "largest value in the data but for hot voxels");
-    EXPECT_TRUE(warnsOf(readBack(hot), "1 voxels hold values up to 32767"));
+    EXPECT_EQ(whiteOf(windowedStudy(hot)), 158);
+    EXPECT_EQ(sourceOfWhite(windowedStudy(hot)), "largest value in the data but for hot voxels");
+    EXPECT_TRUE(warnsOf(windowedStudy(hot), "1 voxels hold values up to 32767"));
 }
 
 TEST(DicomWindow, CountsInRescaledValues) {
     TestImage image = small("1000", "600");  // 10 x + 100 reaches 1680
     image.rescaleSlope = "10";
     image.rescaleIntercept = "100";
-    EXPECT_EQ(whiteOf(readBack(image)), 1300);
-    EXPECT_EQ(readBack(image).phases[0]->storedValue(158), 1680);
+    EXPECT_EQ(whiteOf(windowedStudy(image)), 1300);
+    EXPECT_EQ(windowedStudy(image).phases[0]->storedValue(158), 1680);
 }
 
 TEST(DicomWindow, OfMonochrome1IsWhiteAtItsDarkEnd) {
     TestImage image = small("32667", "60");  // white below 32637
     for (std::uint16_t& pixel : image.pixels16) pixel = static_cast<std::uint16_t>(32767 - pixel);
     image.photometric = "MONOCHROME1";
-    EXPECT_EQ(whiteOf(readBack(image)), 130);
+    EXPECT_EQ(whiteOf(windowedStudy(image)), 130);
 }
 
 TEST(DicomWindow, StandsInFunctionalGroupsToo) {
     TestImage image = small("75", "120");
     image.windowInGroups = true;
-    EXPECT_EQ(whiteOf(readBack(image)), 135);
-    EXPECT_THAT(sourceOfWhite(readBack(image)), testing::HasSubstr(", all frames"));
+    EXPECT_EQ(whiteOf(windowedStudy(image)), 135);
+    EXPECT_THAT(sourceOfWhite(windowedStudy(image)), testing::HasSubstr(", all frames"));
     image.rescaleSlope = "0.5";
     image.rescaleIntercept = "60";  // 60 to 139
-    EXPECT_EQ(whiteOf(readBack(image)), 135);
-    EXPECT_EQ(readBack(image).phases[0]->storedValue(158), 139);
+    EXPECT_EQ(whiteOf(windowedStudy(image)), 135);
+    EXPECT_EQ(windowedStudy(image).phases[0]->storedValue(158), 139);
 }
 
 TEST(DicomWindow, NonsenseIsNotTakenAndSaid) {
@@ -102,7 +97,7 @@ TEST(DicomWindow, NonsenseIsNotTakenAndSaid) {
         {"\\75", "120", "are no window"},
     };
     for (const auto& [centre, width, words] : rows) {
-        const Study study = readBack(small(centre, width));
+        const Study study = windowedStudy(small(centre, width));
         EXPECT_EQ(whiteOf(study), 158) << centre << " " << width;
         EXPECT_TRUE(warnsOf(study, words)) << centre << " " << width;
         EXPECT_TRUE(warnsOf(study, "not taken")) << centre << " " << width;
@@ -112,10 +107,10 @@ TEST(DicomWindow, NonsenseIsNotTakenAndSaid) {
 TEST(DicomWindow, ALutIsNotAppliedAndSaid) {
     TestImage image = small("75", "120");
     image.lutFunction = "SIGMOID";
-    EXPECT_EQ(whiteOf(readBack(image)), 135);
-    EXPECT_TRUE(warnsOf(readBack(image), "VOI LUT of the file is not applied"));
+    EXPECT_EQ(whiteOf(windowedStudy(image)), 135);
+    EXPECT_TRUE(warnsOf(windowedStudy(image), "VOI LUT of the file is not applied"));
     image.lutFunction = "LINEAR";
-    EXPECT_FALSE(warnsOf(readBack(image), "VOI LUT"));
+    EXPECT_FALSE(warnsOf(windowedStudy(image), "VOI LUT"));
 }
 
 TEST(DicomWindow, EightBitsNeedNone) {
@@ -123,12 +118,12 @@ TEST(DicomWindow, EightBitsNeedNone) {
     image.pixels8.assign(image.pixels16.begin(), image.pixels16.end());
     image.pixels16.clear();
     image.bitsAllocated = image.bitsStored = 8;
-    EXPECT_EQ(whiteOf(readBack(image)), 255);
+    EXPECT_EQ(whiteOf(windowedStudy(image)), 255);
     image.pixels16.assign(image.pixels8.begin(), image.pixels8.end());
     image.pixels8.clear();
     image.bitsAllocated = 16;
-    EXPECT_EQ(whiteOf(readBack(image)), 255);
-    EXPECT_EQ(sourceOfWhite(readBack(image)), "(0028,0101) Bits Stored");
+    EXPECT_EQ(whiteOf(windowedStudy(image)), 255);
+    EXPECT_EQ(sourceOfWhite(windowedStudy(image)), "(0028,0101) Bits Stored");
 }
 
 TEST(DicomWindow, SlicesShareTheOneInTheMiddle) {

@@ -4,21 +4,17 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "dcmtk_conditions.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent {
 
 namespace {
 
-void require(const OFCondition& done) {
-    if (done.bad()) throw std::runtime_error(done.text());
-}
-
 DcmItem& itemOf(DcmItem& parent, const DcmTagKey& sequence, long index) {
     DcmItem* item = nullptr;
-    require(parent.findOrCreateSequenceItem(sequence, item, index));
+    require(parent.findOrCreateSequenceItem(sequence, item, index), "sequence");
     return *item;
 }
 
@@ -54,7 +50,7 @@ struct EnhancedUsFile::Parts {
 
 EnhancedUsFile::EnhancedUsFile(std::string path) : m_parts(std::make_unique<Parts>()) {
     m_parts->path = std::move(path);
-    require(m_parts->file.loadFile(m_parts->path.c_str()));
+    require(m_parts->file.loadFile(m_parts->path.c_str()), "reading");
     m_parts->file.loadAllDataIntoMemory();
 }
 
@@ -73,25 +69,25 @@ DcmItem& EnhancedUsFile::groupOfAll(const DcmTagKey& group) const {
 void EnhancedUsFile::setIndexValues(std::size_t frame, const std::vector<unsigned>& values) const {
     auto element = std::make_unique<DcmUnsignedLong>(DCM_DimensionIndexValues);
     const std::vector<Uint32> words(values.begin(), values.end());
-    require(element->putUint32Array(words.data(), static_cast<unsigned long>(words.size())));
-    require(groupOfFrame(frame, DCM_FrameContentSequence).insert(element.release(), OFTrue));
+    require(element->putUint32Array(words.data(), static_cast<unsigned long>(words.size())), "index values");
+    require(groupOfFrame(frame, DCM_FrameContentSequence).insert(element.release(), OFTrue), "index values");
 }
 
 std::size_t EnhancedUsFile::frames() const {
     Sint32 frames = 0;
-    require(dataset().findAndGetSint32(DCM_NumberOfFrames, frames));
+    require(dataset().findAndGetSint32(DCM_NumberOfFrames, frames), "number of frames");
     return static_cast<std::size_t>(frames);
 }
 
 void EnhancedUsFile::reorderFrames(const std::vector<std::size_t>& order) const {
     DcmSequenceOfItems* sequence = nullptr;
-    require(dataset().findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, sequence));
+    require(dataset().findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, sequence), "frames");
     std::vector<DcmItem*> items;
     while (sequence->card() > 0) items.push_back(sequence->remove(0UL));
-    for (const std::size_t from : order) require(sequence->append(items[from]));
+    for (const std::size_t from : order) require(sequence->append(items[from]), "frames");
 
     Uint16 bits = 0;
-    require(dataset().findAndGetUint16(DCM_BitsAllocated, bits));
+    require(dataset().findAndGetUint16(DCM_BitsAllocated, bits), "bits");
     const auto permuted = [&]<typename Word>(const Word* pixels, unsigned long count) {
         const std::size_t frame = count / order.size();
         std::vector<Word> result;
@@ -102,17 +98,19 @@ void EnhancedUsFile::reorderFrames(const std::vector<std::size_t>& order) const 
     unsigned long count = 0;
     if (bits == 8) {
         const Uint8* pixels = nullptr;
-        require(dataset().findAndGetUint8Array(DCM_PixelData, pixels, &count));
+        require(dataset().findAndGetUint8Array(DCM_PixelData, pixels, &count), "pixels");
         const auto result = permuted(pixels, count);
-        require(dataset().putAndInsertUint8Array(DCM_PixelData, result.data(), result.size()));
+        require(dataset().putAndInsertUint8Array(DCM_PixelData, result.data(), result.size()), "pixels");
     } else {
         const Uint16* pixels = nullptr;
-        require(dataset().findAndGetUint16Array(DCM_PixelData, pixels, &count));
+        require(dataset().findAndGetUint16Array(DCM_PixelData, pixels, &count), "pixels");
         const auto result = permuted(pixels, count);
-        require(dataset().putAndInsertUint16Array(DCM_PixelData, result.data(), result.size()));
+        require(dataset().putAndInsertUint16Array(DCM_PixelData, result.data(), result.size()), "pixels");
     }
 }
 
-void EnhancedUsFile::save() const { require(m_parts->file.saveFile(m_parts->path.c_str(), EXS_LittleEndianExplicit)); }
+void EnhancedUsFile::save() const {
+    require(m_parts->file.saveFile(m_parts->path.c_str(), EXS_LittleEndianExplicit), "saving");
+}
 
 }  // namespace echolucent

@@ -30,7 +30,7 @@ Mat3 turnOf(const Angles& angles) {
 
 Vec3 column(const Mat3& matrix, int index) { return {matrix(0, index), matrix(1, index), matrix(2, index)}; }
 
-EnhancedUsDetails detailsOf(const Angles& angles, const VolumeGeometry& geometry, double distanceMm) {
+EnhancedUsDetails probeDetails(const Angles& angles, const VolumeGeometry& geometry, double distanceMm) {
     EnhancedUsDetails details;
     const Mat3 turn = turnOf(angles);
     details.transducer.alongSound = column(turn, 2);
@@ -77,7 +77,7 @@ TEST_F(EnhancedUsProbe, ApexAndTransducerGiveTheViewFromTheProbe) {
         for (const Angles& angles : someAngles) {
             VolumeGeometry geometry = obliqueGeometry();
             geometry.patientFrameKnown = inPatient;
-            const EnhancedUsDetails details = detailsOf(angles, geometry, 60);
+            const EnhancedUsDetails details = probeDetails(angles, geometry, 60);
             const Study study = read(geometry, details);
             expectView(study, angles);
             const StatedProbe& probe = *study.phases[0]->geometry().probe;
@@ -90,7 +90,7 @@ TEST_F(EnhancedUsProbe, ApexAndTransducerGiveTheViewFromTheProbe) {
 
 TEST_F(EnhancedUsProbe, TheTransducerAloneGivesIt) {
     for (const Angles& angles : someAngles) {
-        EnhancedUsDetails details = detailsOf(angles, obliqueGeometry(), 60);
+        EnhancedUsDetails details = probeDetails(angles, obliqueGeometry(), 60);
         details.apexMm.reset();
         const Study study = read(obliqueGeometry(), details);
         expectView(study, angles);
@@ -102,7 +102,7 @@ TEST_F(EnhancedUsProbe, TheTransducerAloneGivesIt) {
 TEST_F(EnhancedUsProbe, AnApexAloneTurnsThePictureLeast) {
     for (const Angles& angles : someAngles) {
         const Study study =
-            read(obliqueGeometry(), detailsOf(angles, obliqueGeometry(), 60), [](const EnhancedUsFile& file) {
+            read(obliqueGeometry(), probeDetails(angles, obliqueGeometry(), 60), [](const EnhancedUsFile& file) {
                 file.dataset().findAndDeleteElement(DCM_VolumeToTransducerMappingMatrix);
             });
         const auto& probe = study.phases[0]->geometry().probe;
@@ -115,7 +115,7 @@ TEST_F(EnhancedUsProbe, AnApexAloneTurnsThePictureLeast) {
 }
 
 TEST_F(EnhancedUsProbe, AFaceThatLooksAwayIsTurnedAndSaid) {
-    EnhancedUsDetails details = detailsOf({20, -13, 0}, obliqueGeometry(), 60);
+    EnhancedUsDetails details = probeDetails({20, -13, 0}, obliqueGeometry(), 60);
     details.apexMm.reset();
     details.transducer.alongSound *= -1.0;
     const Study study = read(obliqueGeometry(), details);
@@ -125,7 +125,7 @@ TEST_F(EnhancedUsProbe, AFaceThatLooksAwayIsTurnedAndSaid) {
 
 TEST_F(EnhancedUsProbe, ANominalPlaceOfTheTransducerIsUsedAndCalledSo) {
     const Study study =
-        read(obliqueGeometry(), detailsOf({20, -13, 0}, obliqueGeometry(), 60), [](const EnhancedUsFile& file) {
+        read(obliqueGeometry(), probeDetails({20, -13, 0}, obliqueGeometry(), 60), [](const EnhancedUsFile& file) {
             file.dataset().putAndInsertString(DCM_VolumeToTransducerRelationship, "ORIENTATION_VAR");
         });
     expectView(study, {20, -13, 0});
@@ -142,7 +142,7 @@ TEST_F(EnhancedUsProbe, NothingIsStatedWhereTheFileStatesNothing) {
 }
 
 TEST_F(EnhancedUsProbe, OpeningTakesTheBeamFromTheFile) {
-    const Study study = read(obliqueGeometry(), detailsOf({20, -13, 35}, obliqueGeometry(), 60));
+    const Study study = read(obliqueGeometry(), probeDetails({20, -13, 35}, obliqueGeometry(), 60));
     const auto finds = findOnOpening(*study.phases[0]);
     ASSERT_TRUE(finds);
     const Document document = withFinds(Document{}, *finds);
@@ -170,7 +170,7 @@ TEST_F(EnhancedUsProbe, PlacesInThePatientGiveTheGeometryAndThoseInTheVolumeTheP
                 .putAndInsertString(DCM_ImagePositionPatient, text(position).c_str());
         }
     };
-    const Study study = read(geometry, detailsOf(angles, geometry, 60), movePatient);
+    const Study study = read(geometry, probeDetails(angles, geometry, 60), movePatient);
     const VolumeGeometry& found = study.phases[0]->geometry();
     EXPECT_TRUE(found.patientFrameKnown);
     EXPECT_LT(cv::norm(found.origin - (turn * geometry.origin + shift)), 1e-6);
@@ -181,7 +181,7 @@ TEST_F(EnhancedUsProbe, PlacesInThePatientGiveTheGeometryAndThoseInTheVolumeTheP
 TEST_F(EnhancedUsProbe, WithoutPlacesInTheVolumeTheProbeIsLeftOutAndSaid) {
     VolumeGeometry geometry = obliqueGeometry();
     geometry.patientFrameKnown = true;
-    const Study study = read(geometry, detailsOf({}, geometry, 60), [](const EnhancedUsFile& file) {
+    const Study study = read(geometry, probeDetails({}, geometry, 60), [](const EnhancedUsFile& file) {
         DcmItem* shared = nullptr;
         ASSERT_TRUE(file.dataset().findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared).good());
         ASSERT_TRUE(shared->findAndDeleteElement(DCM_PlaneOrientationVolumeSequence).good());

@@ -152,7 +152,7 @@ TEST(EnhancedUsDimensions, AnyAttributeThatNamesATimeSplitsThePhases) {
 TEST_P(EnhancedUsRoundTrip, DciodvfyFindsNoError) {
     if (runTool("command -v dciodvfy 2>&1").status != 0) GTEST_SKIP() << "dciodvfy (package dicom3tools) is not there";
     writeKind(m_path, GetParam());
-    const Outcome outcome = runTool("dciodvfy '" + m_path + "' 2>&1");
+    const ToolOutcome outcome = runTool("dciodvfy '" + m_path + "' 2>&1");
     EXPECT_THAT(outcome.output, HasSubstr("EnhancedUltrasoundVolume"));
     EXPECT_THAT(outcome.output, Not(HasSubstr("Error"))) << outcome.output;
 }
@@ -172,7 +172,7 @@ std::uint32_t checksumOfSlice(const Volume& volume, std::int64_t slice) {
 
 TEST_P(EnhancedUsRoundTrip, PydicomAgreesOnPixelsAndGeometry) {
     const auto written = writeKind(m_path, GetParam());
-    const Outcome outcome = runScript("pydicom_files.py", "'" + m_path + "'");
+    const ToolOutcome outcome = runScript("pydicom_files.py", "'" + m_path + "'");
     if (outcome.missing) GTEST_SKIP() << "python3 cannot import pydicom";
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     std::istringstream lines(outcome.output);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 
+#include "shared_data.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -16,8 +17,6 @@ namespace {
 using cli::fileRow;
 using cli::fileTable;
 using testing::HasSubstr;
-
-const std::string data = ECHOLUCENT_SOURCE_DIR "/../shared/data";
 
 TEST(FileTable, SaysOfEveryFileHowItOpensOrWhyItDoesNot) {
     const TemporaryFolder folder;
@@ -57,7 +56,7 @@ class SharedFiles : public testing::TestWithParam<const char*> {};
 
 /// docs/formats-read.md says with which command a row is made anew.
 TEST_P(SharedFiles, OpenOrAreRefusedAsTheTableSays) {
-    const std::string folder = data + "/" + GetParam();
+    const std::string folder = sharedData + "/" + GetParam();
     if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "the shared data are not here: " << folder;
     const auto rows = documentedRows();
     int files = 0;

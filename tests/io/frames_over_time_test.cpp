@@ -25,14 +25,14 @@ std::string frameKeys(int count, const std::string& assignment, bool tracked) {
     return text;
 }
 
-std::string metaImage(const std::string& size, const std::string& more) {
+std::string framesMetaImage(const std::string& size, const std::string& more) {
     return fmt::format(
         "ObjectType = Image\nNDims = {}\nDimSize = {}\nElementSpacing = 0.2 0.25 1{}\n"
         "ElementType = MET_UCHAR\nTransformMatrix = {}\n{}ElementDataFile = LOCAL\n{}",
         size.size() > 6 ? 4 : 3, size, size.size() > 6 ? " 1" : "",
         size.size() > 6 ? "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1" : "1 0 0 0 1 0 0 0 1", more, std::string(24, 'v'));
 }
-std::string nrrd(const std::string& sizes, const std::string& kinds, const std::string& more) {
+std::string framesNrrd(const std::string& sizes, const std::string& kinds, const std::string& more) {
     return fmt::format("NRRD0004\ntype: uchar\ndimension: {}\nsizes: {}\nkinds: {}\nencoding: raw\n{}\n{}",
                        std::count(sizes.begin(), sizes.end(), ' ') + 1, sizes, kinds, more, std::string(72, 'v'));
 }
@@ -56,9 +56,7 @@ TEST_P(FramesOverTime, AreRefusedWithTheWayOutAndTakenAsSlicesWhenAsked) {
     EXPECT_TRUE(refused.error().framesCouldBeSlices);
     EXPECT_THAT(refused.error().sentence(), HasSubstr(row.words));
     EXPECT_THAT(refused.error().sentence(), HasSubstr("--frames-as-slices"));
-    ReadOptions options = withoutGuess();
-    options.framesAsSlices = true;
-    const auto study = readStudy(file, options);
+    const auto study = readStudy(file, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
     ASSERT_EQ(study->phases.size(), 1U);
     const VolumeGeometry& geometry = study->phases[0]->geometry();
@@ -77,60 +75,65 @@ TEST_P(FramesOverTime, AreRefusedWithTheWayOutAndTakenAsSlicesWhenAsked) {
     EXPECT_EQ(sourceOf(*study, "spacing").ends_with("; distance of slices assumed"), row.scaled);
 }
 
-const std::string sweep = "this is a tracked 2D sweep of 4 frames, not a volume";
-const std::string cine = "these are 2D frames over time, not a volume";
+const std::string sweepWords = "this is a tracked 2D sweep of 4 frames, not a volume";
+const std::string cineWords = "these are 2D frames over time, not a volume";
 
 INSTANTIATE_TEST_SUITE_P(
     All, FramesOverTime,
     testing::Values(
         FramesRow{"plus.mha",
-                  metaImage("2 3 4", "Kinds = domain domain list\n" + frameKeys(4, " = ", true)),
-                  sweep,
+                  framesMetaImage("2 3 4", "Kinds = domain domain list\n" + frameKeys(4, " = ", true)),
+                  sweepWords,
                   {0.2, 0.25, 0.2}},
-        FramesRow{"old.igs.mha", metaImage("2 3 4", frameKeys(4, " = ", true)), sweep, {0.2, 0.25, 0.2}},
-        FramesRow{"four.seq.mha", metaImage("2 3 1 4", frameKeys(4, " = ", true)), sweep, {0.2, 0.25, 0.2}},
-        FramesRow{"times.mha", metaImage("2 3 4", frameKeys(4, " = ", false)), cine, {0.2, 0.25, 0.2}},
-        FramesRow{"kind.mha", metaImage("2 3 4", "Kinds = domain domain time\n"), cine, {0.2, 0.25, 0.2}},
+        FramesRow{"old.igs.mha", framesMetaImage("2 3 4", frameKeys(4, " = ", true)), sweepWords, {0.2, 0.25, 0.2}},
+        FramesRow{"four.seq.mha", framesMetaImage("2 3 1 4", frameKeys(4, " = ", true)), sweepWords, {0.2, 0.25, 0.2}},
+        FramesRow{"times.mha", framesMetaImage("2 3 4", frameKeys(4, " = ", false)), cineWords, {0.2, 0.25, 0.2}},
+        FramesRow{"kind.mha", framesMetaImage("2 3 4", "Kinds = domain domain time\n"), cineWords, {0.2, 0.25, 0.2}},
         FramesRow{"plus.nrrd",
-                  nrrd("2 3 4", "domain domain list", "spacings: 0.2 0.25 NaN\n" + frameKeys(4, ":=", true)),
-                  sweep,
+                  framesNrrd("2 3 4", "domain domain list", "spacings: 0.2 0.25 NaN\n" + frameKeys(4, ":=", true)),
+                  sweepWords,
                   {0.2, 0.25, 0.2}},
-        FramesRow{"slicer.seq.nrrd",
-                  nrrd("4 2 3 1", "list domain domain domain",
-                       "space: LPS\nspace directions: none (0.2,0,0) (0,0.25,0) (0,0,1)\n" + frameKeys(4, ":=", true)),
-                  sweep,
-                  {0.2, 0.2, 0.25},
-                  {4, 2, 3},
-                  0},
         FramesRow{
-            "colour.nrrd",
-            nrrd("3 2 3 4", "RGB-color domain domain list", "spacings: NaN 0.2 0.25 NaN\n" + frameKeys(4, ":=", true)),
-            sweep,
-            {0.2, 0.25, 0.2}},
-        FramesRow{"time.nrrd", nrrd("2 3 4", "domain domain time", "spacings: 0.2 0.25 NaN\n"), cine, {0.2, 0.25, 0.2}},
+            "slicer.seq.nrrd",
+            framesNrrd("4 2 3 1", "list domain domain domain",
+                       "space: LPS\nspace directions: none (0.2,0,0) (0,0.25,0) (0,0,1)\n" + frameKeys(4, ":=", true)),
+            sweepWords,
+            {0.2, 0.2, 0.25},
+            {4, 2, 3},
+            0},
+        FramesRow{"colour.nrrd",
+                  framesNrrd("3 2 3 4", "RGB-color domain domain list",
+                             "spacings: NaN 0.2 0.25 NaN\n" + frameKeys(4, ":=", true)),
+                  sweepWords,
+                  {0.2, 0.25, 0.2}},
+        FramesRow{"time.nrrd",
+                  framesNrrd("2 3 4", "domain domain time", "spacings: 0.2 0.25 NaN\n"),
+                  cineWords,
+                  {0.2, 0.25, 0.2}},
         FramesRow{"first.nrrd",
-                  nrrd("2 3 4", "time domain domain", "spacings: NaN 0.25 0.5\n"),
-                  cine,
+                  framesNrrd("2 3 4", "time domain domain", "spacings: NaN 0.25 0.5\n"),
+                  cineWords,
                   {0.25, 0.25, 0.5},
                   {2, 3, 4},
                   0},
         FramesRow{"slice.nrrd",
-                  nrrd("2 3 1 4", "domain domain domain time", "spacings: 0.2 0.25 1 0.04\n"),
-                  "sizes has one slice and 4 time points: " + cine,
+                  framesNrrd("2 3 1 4", "domain domain domain time", "spacings: 0.2 0.25 1 0.04\n"),
+                  "sizes has one slice and 4 time points: " + cineWords,
                   {0.2, 0.25, 0.2}},
         FramesRow{"slice.mha",
-                  metaImage("2 3 1 4", ""),
-                  "DimSize has one slice and 4 time points: " + cine,
+                  framesMetaImage("2 3 1 4", ""),
+                  "DimSize has one slice and 4 time points: " + cineWords,
                   {0.2, 0.25, 0.2}},
-        FramesRow{"unscaled.nrrd", nrrd("2 3 4", "domain domain time", ""), cine, {1, 1, 1}, {2, 3, 4}, 2, false},
+        FramesRow{
+            "unscaled.nrrd", framesNrrd("2 3 4", "domain domain time", ""), cineWords, {1, 1, 1}, {2, 3, 4}, 2, false},
         FramesRow{"colourtime.nrrd",
-                  nrrd("3 2 3 4", "RGB-color domain domain time", "spacings: NaN 0.2 0.25 0.04\n"),
-                  cine,
+                  framesNrrd("3 2 3 4", "RGB-color domain domain time", "spacings: NaN 0.2 0.25 0.04\n"),
+                  cineWords,
                   {0.2, 0.25, 0.2}},
         FramesRow{"directions.nrrd",
-                  nrrd("2 3 4", "domain domain time",
-                       "space: RAS\nspace directions: (0.2,0,0) (0,0.25,0) none\nspace origin: (1,2,3)\n"),
-                  cine,
+                  framesNrrd("2 3 4", "domain domain time",
+                             "space: RAS\nspace directions: (0.2,0,0) (0,0.25,0) none\nspace origin: (1,2,3)\n"),
+                  cineWords,
                   {0.2, 0.25, 0.2}}),
     [](const auto& row) {
         std::string name = row.param.file;
@@ -141,8 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(FramesOfAList, AloneMakeTheSpacingUnknownAndAreSaid) {
     const TemporaryFolder folder;
     for (const std::string& file :
-         {folder.write("v.mha", metaImage("2 3 4", "Kinds = domain domain list\n")),
-          folder.write("v.nrrd", nrrd("2 3 4", "domain domain list", "spacings: 0.2 0.25 1\n"))}) {
+         {folder.write("v.mha", framesMetaImage("2 3 4", "Kinds = domain domain list\n")),
+          folder.write("v.nrrd", framesNrrd("2 3 4", "domain domain list", "spacings: 0.2 0.25 1\n"))}) {
         const auto study = readStudy(file, withoutGuess());
         ASSERT_TRUE(study) << study.error().sentence();
         EXPECT_FALSE(study->phases[0]->geometry().spacingKnown);
@@ -155,12 +158,12 @@ TEST(TrueVolumes, MayCarryKeysOfOneFrameOrOfAMovingProbe) {
     const TemporaryFolder folder;
     // A reconstructed volume keeps the state of the one frame that it is; in a moving one each phase is a volume.
     const auto reconstructed = readStudy(
-        folder.write("v.mha", metaImage("2 3 4", "Kinds = domain domain domain\n" + frameKeys(1, " = ", true))),
+        folder.write("v.mha", framesMetaImage("2 3 4", "Kinds = domain domain domain\n" + frameKeys(1, " = ", true))),
         withoutGuess());
     ASSERT_TRUE(reconstructed) << reconstructed.error().sentence();
     EXPECT_TRUE(reconstructed->phases[0]->geometry().spacingKnown);
     const auto moving =
-        readStudy(folder.write("m.mha", metaImage("2 3 2 2", frameKeys(2, " = ", true))), withoutGuess());
+        readStudy(folder.write("m.mha", framesMetaImage("2 3 2 2", frameKeys(2, " = ", true))), withoutGuess());
     ASSERT_TRUE(moving) << moving.error().sentence();
     EXPECT_EQ(moving->phases.size(), 2U);
     EXPECT_TRUE(moving->phases[0]->geometry().spacingKnown);

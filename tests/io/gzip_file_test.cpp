@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <numeric>
 
 #include "dicom_files.h"
@@ -20,18 +18,13 @@ using testing::HasSubstr;
 
 std::string packed(const std::string& bytes) { return deflated(bytes, 31); }
 
-/// 2 x 3 x 4 voxels that hold 1 to 24.
-std::string voxels() {
-    std::vector<std::uint8_t> values(24);
-    std::iota(values.begin(), values.end(), std::uint8_t{1});
-    return bytesFrom(values);
-}
-std::string metaImage(const std::string& data = "LOCAL") {
+/// Headers of 2 x 3 x 4 bytes, which are countedVoxels.
+std::string byteMetaImage(const std::string& data = "LOCAL") {
     return "ObjectType = Image\nNDims = 3\nDimSize = 2 3 4\nElementSpacing = 1 2 3\nElementType = MET_UCHAR\n"
            "ElementDataFile = " +
            data + "\n";
 }
-std::string nrrd(const std::string& encoding) {
+std::string byteNrrd(const std::string& encoding) {
     return "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 3 4\nspacings: 1 2 3\nencoding: " + encoding + "\n\n";
 }
 
@@ -47,15 +40,15 @@ void expectVoxels(const std::string& file, const ReadOptions& options = withoutG
 
 TEST(GzipFile, OfEveryFormatOpensAsIfItWereNotPacked) {
     const TemporaryFolder folder;
-    expectVoxels(folder.write("v.mha.gz", packed(metaImage() + voxels())));
-    folder.write("v.raw", voxels());
-    expectVoxels(folder.write("v.mhd.gz", packed(metaImage("v.raw"))));
-    expectVoxels(folder.write("v.nrrd.gz", packed(nrrd("raw") + voxels())));
-    expectVoxels(folder.write("w.nrrd.gz", packed(nrrd("gzip") + packed(voxels()))));
+    expectVoxels(folder.write("v.mha.gz", packed(byteMetaImage() + countedVoxels)));
+    folder.write("v.raw", countedVoxels);
+    expectVoxels(folder.write("v.mhd.gz", packed(byteMetaImage("v.raw"))));
+    expectVoxels(folder.write("v.nrrd.gz", packed(byteNrrd("raw") + countedVoxels)));
+    expectVoxels(folder.write("w.nrrd.gz", packed(byteNrrd("gzip") + packed(countedVoxels))));
     NiftiFields fields;
-    expectVoxels(folder.write("v.nii.gz", packed(niftiHeader(fields) + voxels())));
-    expectVoxels(folder.write("content-decides.dat", packed(niftiHeader(fields) + voxels())));
-    expectVoxels(folder.write("V.MHA.GZ", packed(metaImage() + voxels())));
+    expectVoxels(folder.write("v.nii.gz", packed(niftiHeader(fields) + countedVoxels)));
+    expectVoxels(folder.write("content-decides.dat", packed(niftiHeader(fields) + countedVoxels)));
+    expectVoxels(folder.write("V.MHA.GZ", packed(byteMetaImage() + countedVoxels)));
 }
 
 TEST(GzipFile, OfRawVoxelsIsUnpackedWhereItsNameSaysSo) {
@@ -63,7 +56,7 @@ TEST(GzipFile, OfRawVoxelsIsUnpackedWhereItsNameSaysSo) {
     ReadOptions options = withoutGuess();
     options.raw = RawLayout{};
     options.raw->size = {2, 3, 4};
-    const std::string file = folder.write("v.raw.gz", packed(voxels()));
+    const std::string file = folder.write("v.raw.gz", packed(countedVoxels));
     expectVoxels(file, options);
     // Layouts kept beside the packed file, and beside what it was packed from.
     ASSERT_TRUE(rememberRawLayout(file, *options.raw));
@@ -87,8 +80,7 @@ TEST(GzipFile, OfDicomIsReadThroughMemory) {
     image.pixelSpacing = {0.25, 0.25};
     image.spacingBetweenSlices = 0.5;
     writeDicom(folder.file("v.dcm"), image);
-    std::ifstream stream(folder.file("v.dcm"), std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    const std::string bytes = contentsOf(folder.file("v.dcm"));
     const auto plain = readStudy(folder.file("v.dcm"), withoutGuess());
     const auto unpacked = readStudy(folder.write("p.dcm.gz", packed(bytes)), withoutGuess());
     ASSERT_TRUE(plain) << plain.error().sentence();
@@ -99,7 +91,7 @@ TEST(GzipFile, OfDicomIsReadThroughMemory) {
 
 TEST(GzipFile, MayHaveSeveralMembersAndPadding) {
     const TemporaryFolder folder;
-    const std::string whole = metaImage() + voxels();
+    const std::string whole = byteMetaImage() + countedVoxels;
     const std::string parts = packed(whole.substr(0, 10)) + packed("") + packed(whole.substr(10));
     expectVoxels(folder.write("v.mha.gz", parts));
     expectVoxels(folder.write("padded.mha.gz", parts + std::string(512, '\0')));
@@ -107,7 +99,7 @@ TEST(GzipFile, MayHaveSeveralMembersAndPadding) {
 
 TEST(GzipFile, ThatIsCutAnywhereSaysSo) {
     const TemporaryFolder folder;
-    const std::string whole = packed(metaImage() + voxels());
+    const std::string whole = packed(byteMetaImage() + countedVoxels);
     const auto sentenceOf = [&](const std::string& bytes) {
         const auto study = readStudy(folder.write("v.mha.gz", bytes));
         return study ? std::string("was read") : study.error().sentence();

@@ -10,12 +10,11 @@
 #include "io/output/meta_image_writer.h"
 #include "io/output/nifti_writer.h"
 #include "processing/scan_conversion/polar_geometry.h"
+#include "shared_data.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
 namespace {
-
-const std::string data = ECHOLUCENT_SOURCE_DIR "/../shared/data";
 
 /// A volume of words, so that byte order and white level are to be told too.
 std::shared_ptr<const Volume> words() {
@@ -66,10 +65,10 @@ TEST(ImportReport, EveryNumberOfWrittenFilesSaysItsSource) {
 }
 
 TEST(ImportReport, EveryNumberOfRealFilesSaysItsSource) {
-    if (!std::filesystem::is_directory(data)) GTEST_SKIP() << "the shared data are not here: " << data;
+    SKIP_WITHOUT_SHARED_DATA();
     int opened = 0;
     for (const char* folder : {"/volumes", "/dicom"})
-        for (const auto& entry : std::filesystem::directory_iterator(data + folder)) {
+        for (const auto& entry : std::filesystem::directory_iterator(sharedData + folder)) {
             ReadOptions options;
             options.framesAsSlices = true;
             options.guessNoData = false;  // the guess takes the time of this test

@@ -15,20 +15,20 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-struct Outcome {
+struct InfoOutcome {
     int status = 0;
     std::string text;
     std::string sentence;
 };
 
-Outcome runInfo(std::vector<std::string> arguments) {
+InfoOutcome runInfo(std::vector<std::string> arguments) {
     CLI::App program{"test"};
     program.require_subcommand(1);
     cli::Action action;
     cli::addInfoCommand(program, action);
     arguments.insert(arguments.begin(), "info");
     std::reverse(arguments.begin(), arguments.end());
-    Outcome outcome;
+    InfoOutcome outcome;
     testing::internal::CaptureStdout();
     try {
         program.parse(arguments);

@@ -21,6 +21,11 @@ inline std::string kretzWhole(std::uint16_t group, std::uint16_t element, std::u
     return kretzItem(group, element, bytesFrom<std::uint16_t>({value}));
 }
 
+/// The items of a volume's size.
+inline std::string kretzSize(std::uint16_t samples, std::uint16_t lines, std::uint16_t planes) {
+    return kretzWhole(0xC000, 1, samples) + kretzWhole(0xC000, 2, lines) + kretzWhole(0xC000, 3, planes);
+}
+
 inline std::string kretzNumbers(std::uint16_t group, std::uint16_t element, const std::vector<double>& values) {
     return kretzItem(group, element, bytesFrom<double>(values));
 }
@@ -28,7 +33,7 @@ inline std::string kretzNumbers(std::uint16_t group, std::uint16_t element, cons
 /// The parts of a small toroidal volume, to be changed one by one. Unset texts are left out.
 struct KretzParts {
     std::string signature = "KRETZFILE 1.0   ";
-    std::string size = kretzWhole(0xC000, 1, 20) + kretzWhole(0xC000, 2, 5) + kretzWhole(0xC000, 3, 4);
+    std::string size = kretzSize(20, 5, 4);
     std::string resolution = kretzNumbers(0xC100, 1, {0.0005});
     std::string firstSample = kretzNumbers(0xC200, 1, {80});
     std::string planesAxis = kretzNumbers(0xC200, 2, {-30});

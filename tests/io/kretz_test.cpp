@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string sentenceOf(const std::string& bytes, const ReadOptions& options = {}) {
+std::string kretzSentence(const std::string& bytes, const ReadOptions& options = {}) {
     const TemporaryFolder folder;
     const auto study = readStudy(folder.write("v.vol", bytes), options);
     return study ? "was read" : study.error().sentence();
@@ -162,7 +162,7 @@ TEST(Kretz, AnyCutEndsInASentence) {
     const std::string whole = KretzParts().bytes();
     int refused = 0;
     for (std::size_t length = 16; length < whole.size(); ++length) {
-        const std::string sentence = sentenceOf(whole.substr(0, length));
+        const std::string sentence = kretzSentence(whole.substr(0, length));
         EXPECT_THAT(sentence, HasSubstr(sentence == "was read" ? "was read" : "v.vol: ")) << length;
         refused += sentence == "was read" ? 0 : 1;
     }

@@ -27,7 +27,7 @@ using Size = std::array<std::int64_t, 3>;
 constexpr std::int64_t mebi = std::int64_t{1} << 20;
 
 /// The least that may be asked for: a study may take 1 MiB.
-ReadOptions little() {
+ReadOptions leastMemory() {
     ReadOptions options = withoutGuess();
     options.studyMebibytes = 1;
     return options;
@@ -91,7 +91,7 @@ TEST(LargeVolumes, WhatCannotBeReducedIsRefused) {
 }
 
 /// A grid whose voxels take more than 1 MiB, and whose size no factor divides.
-constexpr Size grid{151, 101, 101};
+constexpr Size largeGrid{151, 101, 101};
 constexpr std::size_t gridVoxels = 151 * 101 * 101;
 
 template <typename T>
@@ -114,7 +114,7 @@ std::vector<double> meansOf(const std::vector<T>& values, const Reduction& reduc
     return {means.begin(), means.end()};
 }
 
-std::string metaImage(const std::string& type, const std::string& more, const std::string& voxels) {
+std::string largeMetaImage(const std::string& type, const std::string& more, const std::string& voxels) {
     return fmt::format(
         "ObjectType = Image\nNDims = 3\nDimSize = 151 101 101\nElementSpacing = 0.5 0.25 2\nOffset = 10 20 30\n"
         "ElementType = {}\n{}ElementDataFile = LOCAL\n{}",
@@ -125,15 +125,15 @@ std::string metaImage(const std::string& type, const std::string& more, const st
 template <typename T>
 void expectMeans(const char* type, std::int64_t factor, const char* kept, int least, int most) {
     const auto voxels = randomVoxels<T>(least, most);
-    const Reduction reduction{{factor, factor, factor}, grid};
+    const Reduction reduction{{factor, factor, factor}, largeGrid};
     for (const bool big : {false, true}) {
         const TemporaryFolder folder;
         const std::string bytes = bytesFrom(voxels, big);
         const std::string order = std::string("BinaryDataByteOrderMSB = ") + (big ? "True\n" : "False\n");
         const std::string path =
-            big ? folder.write("v.mha", metaImage(type, order + "CompressedData = True\n", deflated(bytes)))
-                : folder.write("v.mha", metaImage(type, order, bytes));
-        const auto study = readStudy(path, little());
+            big ? folder.write("v.mha", largeMetaImage(type, order + "CompressedData = True\n", deflated(bytes)))
+                : folder.write("v.mha", largeMetaImage(type, order, bytes));
+        const auto study = readStudy(path, leastMemory());
         ASSERT_TRUE(study) << study.error().sentence();
         const Volume& volume = *study->phases.at(0);
         EXPECT_EQ(volume.geometry().reduction, reduction) << type;
@@ -156,9 +156,9 @@ TEST(LargeVolumes, MeansAreReadOfEveryTypeInBothByteOrdersPlainAndCompressed) {
 TEST(LargeVolumes, AReducedVolumeSaysSoAndStandsWhereItStood) {
     const TemporaryFolder folder;
     const std::string path =
-        folder.write("v.mha", metaImage("MET_UCHAR", "", bytesFrom(randomVoxels<std::uint8_t>(0, 9))));
+        folder.write("v.mha", largeMetaImage("MET_UCHAR", "", bytesFrom(randomVoxels<std::uint8_t>(0, 9))));
     const auto whole = readStudy(path, withoutGuess());
-    const auto study = readStudy(path, little());
+    const auto study = readStudy(path, leastMemory());
     ASSERT_TRUE(whole && study);
     EXPECT_FALSE(whole->phases[0]->geometry().reduction);
     EXPECT_EQ(factOf(*whole, "reduced"), "none");
@@ -178,7 +178,8 @@ TEST(LargeVolumes, ValuesThatAreNotFiniteDoNotCount) {
     for (std::size_t index = 0; index < voxels.size(); index += 3) voxels[index] = std::nanf("");
     for (const std::size_t index : {0, 1, 151, 152}) voxels[index] = voxels[index + 151 * 101] = std::nanf("");
     const TemporaryFolder folder;
-    const auto study = readStudy(folder.write("v.mha", metaImage("MET_FLOAT", "", bytesFrom(voxels))), little());
+    const auto study =
+        readStudy(folder.write("v.mha", largeMetaImage("MET_FLOAT", "", bytesFrom(voxels))), leastMemory());
     ASSERT_TRUE(study) << study.error().sentence();
     const auto means = meansOf(voxels, *study->phases[0]->geometry().reduction);
     ASSERT_TRUE(std::isnan(means[0]));
@@ -191,8 +192,8 @@ TEST(LargeVolumes, ValuesThatAreNotFiniteDoNotCount) {
     }
 }
 
-std::string nrrd(const std::string& sizes, const std::string& kinds, const std::string& encoding,
-                 const std::string& voxels) {
+std::string largeNrrd(const std::string& sizes, const std::string& kinds, const std::string& encoding,
+                      const std::string& voxels) {
     return fmt::format("NRRD0004\ntype: uchar\ndimension: 4\nsizes: {}\nkinds: {}\nencoding: {}\n\n{}", sizes, kinds,
                        encoding, voxels);
 }
@@ -200,16 +201,16 @@ std::string nrrd(const std::string& sizes, const std::string& kinds, const std::
 TEST(LargeVolumes, PhasesAreReducedAlikeInWhateverOrderTheyLie) {
     const std::vector<std::vector<std::uint8_t>> phases{randomVoxels<std::uint8_t>(0, 255, 1),
                                                         randomVoxels<std::uint8_t>(0, 200, 2)};
-    const Reduction reduction{{2, 2, 2}, grid};
+    const Reduction reduction{{2, 2, 2}, largeGrid};
     std::string slowest = bytesFrom(phases[0]) + bytesFrom(phases[1]), fastest;
     for (std::size_t voxel = 0; voxel < gridVoxels; ++voxel)
         for (const auto& phase : phases) fastest.push_back(static_cast<char>(phase[voxel]));
     const TemporaryFolder folder;
     for (const std::string& path :
          {folder.write("slowest.nrrd",
-                       nrrd("151 101 101 2", "domain domain domain time", "gzip", deflated(slowest, 31))),
-          folder.write("fastest.nrrd", nrrd("2 151 101 101", "time domain domain domain", "raw", fastest))}) {
-        const auto study = readStudy(path, little());
+                       largeNrrd("151 101 101 2", "domain domain domain time", "gzip", deflated(slowest, 31))),
+          folder.write("fastest.nrrd", largeNrrd("2 151 101 101", "time domain domain domain", "raw", fastest))}) {
+        const auto study = readStudy(path, leastMemory());
         ASSERT_TRUE(study) << study.error().sentence();
         ASSERT_EQ(study->phases.size(), 2);
         for (std::size_t phase = 0; phase < 2; ++phase) {
@@ -225,30 +226,31 @@ TEST(LargeVolumes, ColourIsReducedToLumaFirst) {
     for (const std::uint8_t value : grey) colours.insert(colours.end(), 3, value);
     const TemporaryFolder folder;
     const auto study = readStudy(
-        folder.write("v.mha", metaImage("MET_UCHAR", "ElementNumberOfChannels = 3\n", bytesFrom(colours))), little());
+        folder.write("v.mha", largeMetaImage("MET_UCHAR", "ElementNumberOfChannels = 3\n", bytesFrom(colours))),
+        leastMemory());
     ASSERT_TRUE(study) << study.error().sentence();
-    EXPECT_EQ(storedValues(*study->phases[0]), meansOf(grey, {{2, 2, 2}, grid}));
+    EXPECT_EQ(storedValues(*study->phases[0]), meansOf(grey, {{2, 2, 2}, largeGrid}));
 }
 
 TEST(LargeVolumes, AFileThatHoldsLessIsRefusedAsEver) {
     const TemporaryFolder folder;
-    const std::string path = folder.write("v.mha", metaImage("MET_UCHAR", "", std::string(gridVoxels - 1, 'v')));
-    const auto study = readStudy(path, little()), whole = readStudy(path);
+    const std::string path = folder.write("v.mha", largeMetaImage("MET_UCHAR", "", std::string(gridVoxels - 1, 'v')));
+    const auto study = readStudy(path, leastMemory()), whole = readStudy(path);
     ASSERT_FALSE(study || whole);
     EXPECT_EQ(study.error().sentence(), whole.error().sentence());
     const std::string cut = deflated(bytesFrom(randomVoxels<std::uint8_t>(0, 255)));
     const auto damaged = readStudy(
-        folder.write("c.mha", metaImage("MET_UCHAR", "CompressedData = True\n", cut.substr(0, cut.size() - 40))),
-        little());
+        folder.write("c.mha", largeMetaImage("MET_UCHAR", "CompressedData = True\n", cut.substr(0, cut.size() - 40))),
+        leastMemory());
     ASSERT_FALSE(damaged);
 }
 
 TEST(LargeVolumes, ReadingEndsWhereThePersonEndsIt) {
     const TemporaryFolder folder;
-    const std::string path = folder.write("v.mha", metaImage("MET_UCHAR", "", std::string(gridVoxels, 'v')));
+    const std::string path = folder.write("v.mha", largeMetaImage("MET_UCHAR", "", std::string(gridVoxels, 'v')));
     std::atomic<bool> cancel = false;
     const Progress progress{.report = [&](double share) { cancel = share > 0.3; }, .cancel = &cancel};
-    const auto study = readStudy(path, little(), progress);
+    const auto study = readStudy(path, leastMemory(), progress);
     ASSERT_FALSE(study);
     EXPECT_EQ(study.error().kind, FailureKind::cancelled);
 }
@@ -271,9 +273,9 @@ TEST(LargeVolumes, SlicesOfASeriesAreAveragedOneByOne) {
     const TemporaryFolder folder;
     const auto voxels = randomVoxels<std::uint8_t>(0, 255);
     for (int z = 0; z < 101; ++z) writeDicom(folder.file(fmt::format("{:03}", z)), sliceOf(voxels, z));
-    const auto study = readStudy(folder.path(), little());
+    const auto study = readStudy(folder.path(), leastMemory());
     ASSERT_TRUE(study) << study.error().sentence();
-    const Reduction reduction{{2, 2, 2}, grid};
+    const Reduction reduction{{2, 2, 2}, largeGrid};
     EXPECT_EQ(study->phases[0]->geometry().reduction, reduction);
     EXPECT_EQ(storedValues(*study->phases[0]), meansOf(voxels, reduction));
     EXPECT_LT(length(study->phases[0]->geometry().origin - Vec3(1.125, 2.125, 0.25)), 1e-9);
@@ -288,10 +290,10 @@ TEST(LargeVolumes, SlicesThatCannotBeReadDoNotCount) {
         if (z == 0 || z == 21 || z == 30 || z == 31)
             std::filesystem::resize_file(path, std::filesystem::file_size(path) - 200);
     }
-    const auto study = readStudy(folder.path(), little());
+    const auto study = readStudy(folder.path(), leastMemory());
     ASSERT_TRUE(study) << study.error().sentence();
     const Volume& volume = *study->phases[0];
-    const auto means = meansOf(voxels, {{2, 2, 2}, grid});
+    const auto means = meansOf(voxels, {{2, 2, 2}, largeGrid});
     const std::size_t slice = 76 * 51;
     for (std::size_t z = 0; z < 51; ++z) {
         EXPECT_EQ(volume.hasData(static_cast<std::int64_t>(z * slice)), z != 15) << z;
@@ -317,10 +319,10 @@ TEST(LargeVolumes, FramesOfOneFileAreAveragedOneByOne) {
     writeDicom(folder.file("v.dcm"), image);
     const auto whole = readStudy(folder.file("v.dcm"), withoutGuess());
     ASSERT_TRUE(whole) << whole.error().sentence();
-    ASSERT_EQ(whole->phases[0]->geometry().size, grid);
-    const auto study = readStudy(folder.file("v.dcm"), little());
+    ASSERT_EQ(whole->phases[0]->geometry().size, largeGrid);
+    const auto study = readStudy(folder.file("v.dcm"), leastMemory());
     ASSERT_TRUE(study) << study.error().sentence();
-    const Reduction reduction{{2, 2, 2}, grid};
+    const Reduction reduction{{2, 2, 2}, largeGrid};
     EXPECT_EQ(study->phases[0]->geometry().reduction, reduction);
     EXPECT_EQ(storedValues(*study->phases[0]), meansOf(voxels, reduction));
 }

@@ -27,13 +27,13 @@ std::string header(const std::string& type, const std::string& more, const std::
            more + "ElementDataFile = " + dataFile + "\n";
 }
 
-struct TypeRow {
+struct MetaImageTypeRow {
     const char* name;
     std::function<std::string(bool)> bytes;
     const char* kept;
 };
 
-class MetaImageTypes : public testing::TestWithParam<std::tuple<TypeRow, bool>> {};
+class MetaImageTypes : public testing::TestWithParam<std::tuple<MetaImageTypeRow, bool>> {};
 
 TEST_P(MetaImageTypes, KeepTheirValuesInBothByteOrders) {
     const auto& [row, big] = GetParam();
@@ -51,24 +51,28 @@ TEST_P(MetaImageTypes, KeepTheirValuesInBothByteOrders) {
 }
 
 template <typename T>
-TypeRow typeRow(const char* name, const char* kept) {
+MetaImageTypeRow metaImageType(const char* name, const char* kept) {
     return {name, [](bool big) { return bytesFrom(twelve<T>(), big); }, kept};
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, MetaImageTypes,
-    testing::Combine(
-        testing::Values(typeRow<std::uint8_t>("MET_UCHAR", "uint8"), typeRow<std::int8_t>("MET_CHAR", "uint8"),
-                        typeRow<std::uint16_t>("MET_USHORT", "uint16"), typeRow<std::int16_t>("MET_SHORT", "uint16"),
-                        typeRow<std::uint32_t>("MET_UINT", "uint16"), typeRow<std::int32_t>("MET_INT", "uint16"),
-                        typeRow<std::uint32_t>("MET_ULONG", "uint16"), typeRow<std::int32_t>("MET_LONG", "uint16"),
-                        typeRow<std::uint64_t>("MET_ULONG_LONG", "uint16"),
-                        typeRow<std::int64_t>("MET_LONG_LONG", "uint16"), typeRow<float>("MET_FLOAT", "float32"),
-                        typeRow<double>("MET_DOUBLE", "float32")),
-        testing::Bool()),
-    [](const auto& row) {
-        return std::get<0>(row.param).name + std::string(std::get<1>(row.param) ? "Big" : "Little");
-    });
+INSTANTIATE_TEST_SUITE_P(All, MetaImageTypes,
+                         testing::Combine(testing::Values(metaImageType<std::uint8_t>("MET_UCHAR", "uint8"),
+                                                          metaImageType<std::int8_t>("MET_CHAR", "uint8"),
+                                                          metaImageType<std::uint16_t>("MET_USHORT", "uint16"),
+                                                          metaImageType<std::int16_t>("MET_SHORT", "uint16"),
+                                                          metaImageType<std::uint32_t>("MET_UINT", "uint16"),
+                                                          metaImageType<std::int32_t>("MET_INT", "uint16"),
+                                                          metaImageType<std::uint32_t>("MET_ULONG", "uint16"),
+                                                          metaImageType<std::int32_t>("MET_LONG", "uint16"),
+                                                          metaImageType<std::uint64_t>("MET_ULONG_LONG", "uint16"),
+                                                          metaImageType<std::int64_t>("MET_LONG_LONG", "uint16"),
+                                                          metaImageType<float>("MET_FLOAT", "float32"),
+                                                          metaImageType<double>("MET_DOUBLE", "float32")),
+                                          testing::Bool()),
+                         [](const auto& row) {
+                             return std::get<0>(row.param).name +
+                                    std::string(std::get<1>(row.param) ? "Big" : "Little");
+                         });
 
 TEST(MetaImage, NegativeValuesBecomeFloatAndAreMentioned) {
     const TemporaryFolder folder;

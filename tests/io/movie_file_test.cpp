@@ -20,7 +20,7 @@
 namespace echolucent {
 namespace {
 
-constexpr int width = 96, height = 64, frames = 7;
+constexpr int movieWidth = 96, movieHeight = 64, movieFrames = 7;
 
 std::vector<std::string> endings() {
     std::vector<std::string> all;
@@ -33,8 +33,8 @@ std::vector<std::uint8_t> frame(int index) {
     std::mt19937 random(static_cast<unsigned>(index + 1));
     std::uniform_int_distribution<int> speckle(-12, 12);
     std::vector<std::uint8_t> rgb;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < movieHeight; ++y)
+        for (int x = 0; x < movieWidth; ++x) {
             const double inside = 24.0 - std::hypot(x - 30.0 - 4 * index, y - 32.0);
             const double share = std::clamp(inside / 12.0, 0.0, 1.0);
             const int noise = inside > 0 ? speckle(random) : 0;
@@ -45,9 +45,9 @@ std::vector<std::uint8_t> frame(int index) {
 }
 
 Result<void> writeMovie(const std::string& path, double rate = 12.5) {
-    auto movie = MovieFile::begin(path, width, height, rate);
+    auto movie = MovieFile::begin(path, movieWidth, movieHeight, rate);
     if (!movie) return tl::unexpected<Failure>(movie.error());
-    for (int i = 0; i < frames; ++i)
+    for (int i = 0; i < movieFrames; ++i)
         if (auto added = movie->add(frame(i)); !added) return added;
     return movie->finish();
 }
@@ -61,7 +61,7 @@ struct CodecError {
     double rmse = 0, largest = 0;
 };
 
-CodecError readBack(const std::string& path) {
+CodecError codecErrorOf(const std::string& path) {
     cv::VideoCapture movie(path, cv::CAP_FFMPEG);
     EXPECT_TRUE(movie.isOpened());
     EXPECT_NEAR(movie.get(cv::CAP_PROP_FPS), 12.5, 1e-3);
@@ -69,18 +69,18 @@ CodecError readBack(const std::string& path) {
     cv::Mat read;
     int count = 0;
     for (; movie.read(read); ++count) {
-        EXPECT_EQ(read.size(), cv::Size(width, height));
-        if (count >= frames) continue;
+        EXPECT_EQ(read.size(), cv::Size(movieWidth, movieHeight));
+        if (count >= movieFrames) continue;
         std::vector<std::uint8_t> rgb = frame(count);
-        cv::Mat expected(height, width, CV_8UC3, rgb.data()), apart;
+        cv::Mat expected(movieHeight, movieWidth, CV_8UC3, rgb.data()), apart;
         cv::cvtColor(expected, expected, cv::COLOR_RGB2BGR);
         cv::absdiff(expected, read, apart);
         double largest = 0;
         cv::minMaxLoc(apart.reshape(1), nullptr, &largest);
         error.largest = std::max(error.largest, largest);
-        error.rmse += cv::norm(apart, cv::NORM_L2SQR) / (width * height * 3.0 * frames);
+        error.rmse += cv::norm(apart, cv::NORM_L2SQR) / (movieWidth * movieHeight * 3.0 * movieFrames);
     }
-    EXPECT_EQ(count, frames);
+    EXPECT_EQ(count, movieFrames);
     error.rmse = std::sqrt(error.rmse);
     return error;
 }
@@ -91,7 +91,7 @@ TEST(MovieFile, IsReadBackWithinTheCodecsError) {
         const std::string path = folder.file("movie" + ending);
         const auto written = writeMovie(path);
         ASSERT_TRUE(written) << written.error().sentence();
-        const CodecError error = readBack(path);
+        const CodecError error = codecErrorOf(path);
         std::printf("%s: RMSE %.2f, largest %.0f levels\n", ending.c_str(), error.rmse, error.largest);
         const bool lossless = ending == ".mkv";
         // The bounds of docs/cli-sweep.md.
@@ -180,13 +180,13 @@ TEST(MovieFile, LeavesNothingWhereItIsNotFinished) {
     const TemporaryFolder folder;
     for (const std::string& ending : endings()) {
         {
-            auto movie = MovieFile::begin(folder.file("ended" + ending), width, height, 25);
+            auto movie = MovieFile::begin(folder.file("ended" + ending), movieWidth, movieHeight, 25);
             ASSERT_TRUE(movie);
             ASSERT_TRUE(movie->add(frame(0)));
             EXPECT_EQ(filesIn(folder), 1) << "it is written beside its place";
         }
         EXPECT_EQ(filesIn(folder), 0) << ending;
-        auto empty = MovieFile::begin(folder.file("empty" + ending), width, height, 25);
+        auto empty = MovieFile::begin(folder.file("empty" + ending), movieWidth, movieHeight, 25);
         ASSERT_TRUE(empty);
         EXPECT_FALSE(empty->finish());
     }
@@ -200,7 +200,7 @@ TEST(MovieFile, AMovieThatIsThereStaysUntilTheNewOneIsWhole) {
     ASSERT_TRUE(writeMovie(path));
     const auto before = readWholeFile(path, 1 << 24);
     {
-        auto movie = MovieFile::begin(path, width, height, 25);
+        auto movie = MovieFile::begin(path, movieWidth, movieHeight, 25);
         ASSERT_TRUE(movie);
         ASSERT_TRUE(movie->add(frame(0)));
         EXPECT_EQ(readWholeFile(path, 1 << 24).value(), before.value());

@@ -7,11 +7,12 @@
 
 #include "io/study.h"
 #include "processing/near_cut.h"
+#include "shared_data.h"
 
 namespace echolucent {
 namespace {
 
-std::string pathOf(const std::string& name) { return ECHOLUCENT_SOURCE_DIR "/../shared/data/volumes/" + name; }
+std::string pathOf(const std::string& name) { return sharedData + "/volumes/" + name; }
 
 #define SKIP_WITHOUT_VOLUMES() \
     if (!std::filesystem::is_directory(pathOf(""))) GTEST_SKIP() << "the shared volumes are not here"
@@ -22,7 +23,7 @@ NearCutFinding cutOf(const Volume& volume, BeamAxis axis, double azimuth = 0.0) 
     return *findNearCut(volume, {.beamAxis = axis, .azimuthDegrees = azimuth});
 }
 
-TEST(NearCutOfScans, OneChestAtTwoResolutionsIsCutAtOneDepth) {
+TEST(LongNearCutOfScans, OneChestAtTwoResolutionsIsCutAtOneDepth) {
     SKIP_WITHOUT_VOLUMES();
     const Study fine = studyOf("fetal_chest_600x614x66.nrrd"), coarse = studyOf("fetal_chest_iso0.3mm.mha");
     for (const BeamAxis axis :

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-Outcome nibabel(const std::string& arguments) { return runScript("nibabel_files.py", arguments); }
+ToolOutcome nibabel(const std::string& arguments) { return runScript("nibabel_files.py", arguments); }
 
 void expectAgreement(const std::string& name, const Study& study, const json& facts) {
     const VolumeGeometry& geometry = study.phases[0]->geometry();
@@ -43,7 +43,7 @@ void expectAgreement(const std::string& name, const Study& study, const json& fa
 
 TEST(Nibabel, ItsFilesAreReadAsItReadsThem) {
     const TemporaryFolder folder;
-    const Outcome written = nibabel("write " + folder.path());
+    const ToolOutcome written = nibabel("write " + folder.path());
     if (written.missing) GTEST_SKIP() << "python3 cannot import nibabel";
     ASSERT_EQ(written.status, 0);
     std::ifstream stream(folder.file("expected.json"));
@@ -77,7 +77,7 @@ TEST(Nibabel, ReadsOurFilesAsWeReadThem) {
                 ASSERT_TRUE(writeNifti(file, studies.back().phases));
                 files += " " + file;
             }
-    const Outcome read = nibabel("read" + files);
+    const ToolOutcome read = nibabel("read" + files);
     if (read.missing) GTEST_SKIP() << "python3 cannot import nibabel";
     ASSERT_EQ(read.status, 0);
     const json facts = json::parse(read.output);

@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-struct TypeRow {
+struct NiftiTypeRow {
     const char* name;
     int code, bits;
     std::function<std::string(bool)> bytes;
@@ -21,12 +21,12 @@ struct TypeRow {
 };
 
 template <typename T>
-TypeRow typeRow(const char* name, int code, const char* kept) {
+NiftiTypeRow niftiType(const char* name, int code, const char* kept) {
     return {name, code, static_cast<int>(8 * sizeof(T)), [](bool big) { return bytesFrom(twentyFour<T>(), big); },
             kept};
 }
 
-class NiftiTypes : public testing::TestWithParam<std::tuple<TypeRow, bool, int>> {};
+class NiftiTypes : public testing::TestWithParam<std::tuple<NiftiTypeRow, bool, int>> {};
 
 TEST_P(NiftiTypes, KeepTheirValuesInBothByteOrdersAndVersions) {
     const auto& [row, big, version] = GetParam();
@@ -50,20 +50,23 @@ TEST_P(NiftiTypes, KeepTheirValuesInBothByteOrdersAndVersions) {
     EXPECT_TRUE(study->warnings.empty()) << study->warnings.front();
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, NiftiTypes,
-    testing::Combine(
-        testing::Values(typeRow<std::uint8_t>("uint8", 2, "uint8"), typeRow<std::int8_t>("int8", 256, "uint8"),
-                        typeRow<std::uint16_t>("uint16", 512, "uint16"), typeRow<std::int16_t>("int16", 4, "uint16"),
-                        typeRow<std::uint32_t>("uint32", 768, "uint16"), typeRow<std::int32_t>("int32", 8, "uint16"),
-                        typeRow<std::uint64_t>("uint64", 1280, "uint16"),
-                        typeRow<std::int64_t>("int64", 1024, "uint16"), typeRow<float>("float32", 16, "float32"),
-                        typeRow<double>("float64", 64, "float32")),
-        testing::Bool(), testing::Values(1, 2)),
-    [](const auto& row) {
-        return std::get<0>(row.param).name + std::string(std::get<1>(row.param) ? "Big" : "Little") +
-               std::to_string(std::get<2>(row.param));
-    });
+INSTANTIATE_TEST_SUITE_P(All, NiftiTypes,
+                         testing::Combine(testing::Values(niftiType<std::uint8_t>("uint8", 2, "uint8"),
+                                                          niftiType<std::int8_t>("int8", 256, "uint8"),
+                                                          niftiType<std::uint16_t>("uint16", 512, "uint16"),
+                                                          niftiType<std::int16_t>("int16", 4, "uint16"),
+                                                          niftiType<std::uint32_t>("uint32", 768, "uint16"),
+                                                          niftiType<std::int32_t>("int32", 8, "uint16"),
+                                                          niftiType<std::uint64_t>("uint64", 1280, "uint16"),
+                                                          niftiType<std::int64_t>("int64", 1024, "uint16"),
+                                                          niftiType<float>("float32", 16, "float32"),
+                                                          niftiType<double>("float64", 64, "float32")),
+                                          testing::Bool(), testing::Values(1, 2)),
+                         [](const auto& row) {
+                             return std::get<0>(row.param).name +
+                                    std::string(std::get<1>(row.param) ? "Big" : "Little") +
+                                    std::to_string(std::get<2>(row.param));
+                         });
 
 TEST(Nifti, ColoursAreReducedToLuma) {
     NiftiFields fields;

@@ -11,34 +11,34 @@ namespace {
 
 using testing::ElementsAre;
 
-std::string nrrd(const std::string& fields) { return "NRRD0004\n# comment\n" + fields + "\n"; }
+std::string commentedNrrd(const std::string& fields) { return "NRRD0004\n# comment\n" + fields + "\n"; }
 std::string cube(const std::string& type, const std::string& more) {
-    return nrrd("type: " + type + "\ndimension: 3\nsizes: 2 1 2\n" + more);
+    return commentedNrrd("type: " + type + "\ndimension: 3\nsizes: 2 1 2\n" + more);
 }
 
-struct TypeRow {
+struct NrrdTypeRow {
     std::vector<std::string> names;
     std::function<std::string(bool)> bytes;
 };
 template <typename T>
-TypeRow typeRow(std::vector<std::string> names) {
+NrrdTypeRow nrrdType(std::vector<std::string> names) {
     return {std::move(names), [](bool big) { return bytesFrom<T>({1, 2, 3, 100}, big); }};
 }
 
 TEST(Nrrd, EveryTypeNameByteOrderAndEncodingGivesTheSameValues) {
     const TemporaryFolder folder;
-    const std::vector<TypeRow> rows{
-        typeRow<std::uint8_t>({"uchar", "unsigned char", "uint8", "uint8_t"}),
-        typeRow<std::int8_t>({"signed char", "int8", "int8_t"}),
-        typeRow<std::uint16_t>({"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}),
-        typeRow<std::int16_t>({"short", "short int", "signed short", "signed short int", "int16", "int16_t"}),
-        typeRow<std::uint32_t>({"uint", "unsigned int", "uint32", "uint32_t"}),
-        typeRow<std::int32_t>({"int", "signed int", "int32", "int32_t"}),
-        typeRow<std::uint64_t>({"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}),
-        typeRow<std::int64_t>({"longlong", "long long", "long long int", "int64", "int64_t"}),
-        typeRow<float>({"float"}),
-        typeRow<double>({"double"})};
-    for (const TypeRow& row : rows)
+    const std::vector<NrrdTypeRow> rows{
+        nrrdType<std::uint8_t>({"uchar", "unsigned char", "uint8", "uint8_t"}),
+        nrrdType<std::int8_t>({"signed char", "int8", "int8_t"}),
+        nrrdType<std::uint16_t>({"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}),
+        nrrdType<std::int16_t>({"short", "short int", "signed short", "signed short int", "int16", "int16_t"}),
+        nrrdType<std::uint32_t>({"uint", "unsigned int", "uint32", "uint32_t"}),
+        nrrdType<std::int32_t>({"int", "signed int", "int32", "int32_t"}),
+        nrrdType<std::uint64_t>({"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}),
+        nrrdType<std::int64_t>({"longlong", "long long", "long long int", "int64", "int64_t"}),
+        nrrdType<float>({"float"}),
+        nrrdType<double>({"double"})};
+    for (const NrrdTypeRow& row : rows)
         for (const std::string& name : row.names)
             for (const bool big : {false, true})
                 for (const std::string encoding : {"raw", "gzip", "gz"}) {
@@ -135,10 +135,10 @@ TEST(Nrrd, WithoutSpacingItIsMarkedUnknown) { EXPECT_FALSE(geometryOf("").spacin
 /// The file is 4D: two phases of 1 x 1 x 2, with the values 10, 11 and 20, 21.
 Result<Study> readMoving(const std::string& sizes, const std::string& more, const std::vector<std::uint8_t>& values) {
     const TemporaryFolder folder;
-    return readStudy(
-        folder.write("v.nrrd", nrrd("type: uint8\ndimension: 4\nsizes: " + sizes + "\n" + more + "encoding: raw\n") +
-                                   bytesFrom(values)),
-        withoutGuess());
+    return readStudy(folder.write("v.nrrd", commentedNrrd("type: uint8\ndimension: 4\nsizes: " + sizes + "\n" + more +
+                                                          "encoding: raw\n") +
+                                                bytesFrom(values)),
+                     withoutGuess());
 }
 
 TEST(Nrrd, TimeAxisMayBeLastOrFirst) {

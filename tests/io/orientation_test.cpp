@@ -15,7 +15,7 @@
 namespace echolucent {
 namespace {
 
-constexpr std::array<std::int64_t, 3> size{3, 4, 5};
+constexpr std::array<std::int64_t, 3> markedSize{3, 4, 5};
 
 /// Corner i holds i + 1, all other voxels 0.
 std::vector<std::uint8_t> markedCorners() {
@@ -93,7 +93,7 @@ TEST(Orientation, IsTheSameInEveryContainer) {
     const TemporaryFolder folder;
     for (const Mat3& direction : orientations()) {
         VolumeGeometry geometry;
-        geometry.size = size;
+        geometry.size = markedSize;
         geometry.spacing = {0.5, 0.75, 1.25};
         geometry.origin = {-12, 34, 5.5};
         geometry.direction = direction;
@@ -120,7 +120,7 @@ TEST(Orientation, IsTheSameInEveryContainer) {
 TEST(Orientation, OfTwoNiftiFormsTheSformCountsAndTheOtherIsSaid) {
     const TemporaryFolder folder;
     VolumeGeometry geometry;
-    geometry.size = size;
+    geometry.size = markedSize;
     geometry.direction = rotationZ(30);
     const auto truth = std::make_shared<const Volume>(geometry, markedCorners());
     ASSERT_TRUE(writeNifti(folder.file("v.nii"), {truth}));
@@ -143,7 +143,7 @@ TEST(Orientation, ThePatientsFrameIsKnownAsForOtherContainers) {
     const TemporaryFolder folder;
     const auto isKnown = [&](const Mat3& direction) {
         VolumeGeometry geometry;
-        geometry.size = size;
+        geometry.size = markedSize;
         geometry.direction = direction;
         EXPECT_TRUE(writeNifti(folder.file("v.nii"), {std::make_shared<const Volume>(geometry, markedCorners())}));
         return readStudy(folder.file("v.nii"))->phases[0]->geometry().patientFrameKnown;

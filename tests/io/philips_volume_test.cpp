@@ -17,7 +17,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string qlab = "1.2.840.113543.6.6.1.3.10002";
-const std::string cine = "1.2.840.10008.5.1.4.1.1.3.1";
 
 /// What a QLAB file may say falsely.
 struct Qlab {
@@ -46,7 +45,7 @@ Result<Study> readQlab(const Qlab& said, const ReadOptions& options = withoutGue
     return readStudy(folder.write("q.dcm", qlabFile(said)), options);
 }
 
-std::string refusalOf(const Qlab& said) {
+std::string qlabRefusal(const Qlab& said) {
     const auto study = readQlab(said);
     return study ? "was read" : study.error().sentence();
 }
@@ -102,10 +101,11 @@ TEST(QlabCartesian, ASpacingThatUltrasoundCannotHaveIsAGuessInMm) {
 }
 
 TEST(QlabCartesian, NumbersThatMakeNoSenseAreRefusedOrUnknown) {
-    EXPECT_THAT(refusalOf({.slices = 0}), HasSubstr("(3001,1001) Number of Slices is missing or not above 0"));
-    EXPECT_THAT(refusalOf({.slices = 0xffffffff}), HasSubstr("(7fe0,0010) Pixel Data holds 48 bytes where one volume"));
-    EXPECT_THAT(refusalOf({.held = 20}), HasSubstr("holds 20 bytes where one volume of 3 x 2 x 4 voxels needs 24"));
-    EXPECT_THAT(refusalOf({.frames = -1}), HasSubstr("was read")) << "without the attribute it is one volume";
+    EXPECT_THAT(qlabRefusal({.slices = 0}), HasSubstr("(3001,1001) Number of Slices is missing or not above 0"));
+    EXPECT_THAT(qlabRefusal({.slices = 0xffffffff}),
+                HasSubstr("(7fe0,0010) Pixel Data holds 48 bytes where one volume"));
+    EXPECT_THAT(qlabRefusal({.held = 20}), HasSubstr("holds 20 bytes where one volume of 3 x 2 x 4 voxels needs 24"));
+    EXPECT_THAT(qlabRefusal({.frames = -1}), HasSubstr("was read")) << "without the attribute it is one volume";
     for (const double bad : {0.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         const auto study = readQlab({.sliceSpacing = bad});
         ASSERT_TRUE(study) << study.error().sentence();
@@ -117,8 +117,8 @@ TEST(QlabCartesian, IsRefusedWhereItsPixelsAreNotPlain) {
     const TemporaryFolder folder;
     const std::string plain = qlabFile({});
     const std::string header = DicomBytes().file(qlab), body = plain.substr(header.size());
-    const std::string deflatedFile = DicomBytes().file(qlab, "1.2.840.10008.1.2.1.99") + deflated(body, -15);
-    const std::string encapsulated = DicomBytes().file(qlab, "1.2.840.10008.1.2.4.70") + body;
+    const std::string deflatedFile = DicomBytes().file(qlab, deflatedSyntax) + deflated(body, -15);
+    const std::string encapsulated = DicomBytes().file(qlab, jpegLosslessSyntax) + body;
     ASSERT_TRUE(readStudy(folder.write("plain", header + body), withoutGuess()));
     for (const std::string& bytes : {deflatedFile, encapsulated}) {
         const auto study = readStudy(folder.write("q.dcm", bytes), withoutGuess());
@@ -162,7 +162,7 @@ std::string scannerFile(const std::string& size, int frames, const std::string& 
     file.text(0x200d, 0x3101, vr, size).text(0x200d, 0x3103, vr, "0.15\\0.12\\0.33");
     std::string pixels;
     for (int i = 0; i < 6 * frames; ++i) pixels += static_cast<char>(i + 1);
-    return file.put(0x7fe0, 0x0010, "OW", pixels).file(cine);
+    return file.put(0x7fe0, 0x0010, "OW", pixels).file(cineClass);
 }
 
 Result<Study> readScanner(const std::string& bytes) {

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-RawLayout layoutOf(PolarKind kind, const std::string& type = "uint8") {
+RawLayout polarLayout(PolarKind kind, const std::string& type = "uint8") {
     RawLayout layout;
     layout.size = {12, 7, 5};
     layout.type = type;
@@ -35,7 +35,7 @@ void expectConverted(const std::string& type) {
     const TemporaryFolder folder;
     for (const PolarKind kind : {PolarKind::linear, PolarKind::convex, PolarKind::linearWobbler, PolarKind::wobbler}) {
         ReadOptions options;
-        options.raw = layoutOf(kind, type);
+        options.raw = polarLayout(kind, type);
         options.raw->bigEndian = sizeof(Value) > 1;
         options.raw->headerBytes = 3;
         const auto values = countedValues<Value>();
@@ -63,7 +63,7 @@ TEST(PolarRaw, EveryKindAndTypeIsConverted) {
 TEST(PolarRaw, SilenceWithinTheSweepIsData) {
     const TemporaryFolder folder;
     ReadOptions options;
-    options.raw = layoutOf(PolarKind::wobbler);
+    options.raw = polarLayout(PolarKind::wobbler);
     const auto study = readStudy(folder.write("v.raw", std::string(12 * 7 * 5, '\0')), options);
     ASSERT_TRUE(study);
     const auto& mask = study->phases.front()->dataMask();
@@ -75,7 +75,7 @@ TEST(PolarRaw, SideCarKeepsEveryBit) {
     const TemporaryFolder folder;
     const std::string file = folder.write("v.raw", std::string(12 * 7 * 5, 'v'));
     for (const PolarKind kind : {PolarKind::linear, PolarKind::convex, PolarKind::linearWobbler, PolarKind::wobbler}) {
-        RawLayout layout = layoutOf(kind);
+        RawLayout layout = polarLayout(kind);
         layout.polar->lines.values[2] += 1.0 / 300;  // lines need not be evenly spaced
         ASSERT_TRUE(rememberRawLayout(file, layout));
         const auto recalled = recalledRawLayout(file);
@@ -107,7 +107,7 @@ TEST(PolarRaw, WrongGeometriesAreRefusedInWords) {
     const std::string file = folder.write("v.raw", std::string(12 * 7 * 5, 'v'));
     const auto sentenceWith = [&](const std::function<void(RawLayout&)>& change) {
         ReadOptions options;
-        options.raw = layoutOf(PolarKind::wobbler);
+        options.raw = polarLayout(PolarKind::wobbler);
         change(*options.raw);
         const auto study = readStudy(file, options);
         return study ? "was read" : study.error().sentence();

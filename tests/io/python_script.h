@@ -9,15 +9,15 @@
 namespace echolucent {
 
 /// How a program ended, and what it printed.
-struct Outcome {
+struct ToolOutcome {
     int status = -1;
     std::string output;
     bool missing = false;  ///< whether the program or its modules are not there, so that the test is to be skipped
 };
 
 /// Runs a command of the shell and keeps its standard output; the standard error goes where the command sends it.
-inline Outcome runTool(const std::string& command) {
-    Outcome outcome;
+inline ToolOutcome runTool(const std::string& command) {
+    ToolOutcome outcome;
     std::FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return outcome;
     char buffer[65536];
@@ -29,8 +29,8 @@ inline Outcome runTool(const std::string& command) {
 
 /// How `python3 tests/io/SCRIPT ARGUMENTS` ends; Debian's own python3, whose packages hold the modules, is tried where
 /// another one lacks them. The standard error goes to the test's.
-inline Outcome runScript(const std::string& script, const std::string& arguments) {
-    Outcome outcome;
+inline ToolOutcome runScript(const std::string& script, const std::string& arguments) {
+    ToolOutcome outcome;
     for (const std::string python : {"python3", "/usr/bin/python3"}) {
         outcome = runTool(python + " " ECHOLUCENT_SOURCE_DIR "/tests/io/" + script + " " + arguments);
         constexpr int moduleMissing = 77, programMissing = 127;  // the scripts' own, and the shell's

@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-RawLayout layoutOf(const std::string& type) {
+RawLayout plainLayout(const std::string& type) {
     RawLayout layout;
     layout.size = {2, 1, 2};
     layout.type = type;
@@ -21,7 +21,7 @@ void expectRead(const std::string& type) {
     const TemporaryFolder folder;
     for (const bool big : {false, true}) {
         ReadOptions options = withoutGuess();
-        options.raw = layoutOf(type);
+        options.raw = plainLayout(type);
         options.raw->bigEndian = big;
         options.raw->headerBytes = 5;
         const auto study = readStudy(folder.write("v.raw", "12345" + bytesFrom<T>({1, 2, 3, 100}, big)), options);
@@ -45,7 +45,7 @@ TEST(RawVolume, EveryTypeIsReadInBothByteOrders) {
 TEST(RawVolume, RememberedLayoutIsUsedNextTime) {
     const TemporaryFolder folder;
     const std::string file = folder.write("v.raw", "HH" + bytesFrom<std::uint16_t>({7, 8, 9, 10}, true));
-    RawLayout layout = layoutOf("uint16");
+    RawLayout layout = plainLayout("uint16");
     layout.bigEndian = true;
     layout.headerBytes = 2;
     layout.spacing = {0.1, 0.2, 0.3};
@@ -72,7 +72,7 @@ TEST(RawVolume, WrongLayoutsAreRefusedWithTheNumbers) {
     const std::string file = folder.write("v.raw", "abcd");
     const auto sentenceWith = [&](const std::function<void(RawLayout&)>& change) {
         ReadOptions options;
-        options.raw = layoutOf("uint8");
+        options.raw = plainLayout("uint8");
         change(*options.raw);
         const auto study = readStudy(file, options);
         return study ? std::string("was read") : study.error().sentence();
@@ -93,7 +93,7 @@ TEST(RawVolume, WrongLayoutsAreRefusedWithTheNumbers) {
 
 TEST(RawVolume, ALayoutOfAnyEdgeIsRecalledAsItWasRemembered) {
     const TemporaryFolder folder;
-    RawLayout layout = layoutOf("int16");
+    RawLayout layout = plainLayout("int16");
     layout.size = {2'000'000, 3, 1};
     layout.bigEndian = true;
     layout.headerBytes = 12;
@@ -109,7 +109,7 @@ TEST(Reading, IsEndedByCancelAndReportsItsShare) {
     const TemporaryFolder folder;
     const std::string file = folder.write("v.raw", std::string(16 << 20, 'x'));
     ReadOptions options = withoutGuess();
-    options.raw = layoutOf("uint8");
+    options.raw = plainLayout("uint8");
     options.raw->size = {256, 256, 256};
     std::atomic<bool> cancel{false};
     std::vector<double> shares;

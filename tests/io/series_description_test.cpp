@@ -8,8 +8,6 @@
 namespace echolucent {
 namespace {
 
-const std::string pictureClass = "1.2.840.10008.5.1.4.1.1.6.1";
-
 /// The description that is listed of one picture of a patient of this name.
 std::string descriptionBeside(const std::string& name, const std::string& description, const std::string& id = "") {
     const TemporaryFolder folder;

@@ -20,10 +20,8 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string pictureClass = "1.2.840.10008.5.1.4.1.1.6.1";
-
 /// A slice of 4 x 2 pixels at this depth.
-std::string slice(const std::string& series, int depth, const std::string& description = "", int columns = 4) {
+std::string listedSlice(const std::string& series, int depth, const std::string& description = "", int columns = 4) {
     DicomBytes file;
     file.text(0x0008, 0x0018, "UI", series + "." + std::to_string(depth)).text(0x0008, 0x0060, "CS", "US");
     if (!description.empty()) file.text(0x0008, 0x103e, "LO", description);
@@ -38,17 +36,18 @@ std::string slice(const std::string& series, int depth, const std::string& descr
     return file.file(pictureClass) + pixels.bytes();
 }
 
-std::string cine(const std::string& series) {
+std::string listedCine(const std::string& series) {
     DicomBytes file;
     file.text(0x0008, 0x0018, "UI", series + ".77").text(0x0008, 0x0060, "CS", "US").text(0x0020, 0x000e, "UI", series);
-    return file.picture(4, 2, 9).put(0x7fe0, 0x0010, "OW", std::string(72, 'a')).file("1.2.840.10008.5.1.4.1.1.3.1");
+    return file.picture(4, 2, 9).put(0x7fe0, 0x0010, "OW", std::string(72, 'a')).file(cineClass);
 }
 
 /// Three slices of one series, two of another, and a cine of nine frames.
 void writeThreeSeries(const TemporaryFolder& folder) {
-    for (const int depth : {2, 1, 3}) folder.write("a" + std::to_string(depth), slice("1.2.3", depth, "long axis"));
-    for (const int depth : {1, 2}) folder.write("b" + std::to_string(depth), slice("1.2.4", depth, "", 6));
-    folder.write("c", cine("1.2.5"));
+    for (const int depth : {2, 1, 3})
+        folder.write("a" + std::to_string(depth), listedSlice("1.2.3", depth, "long axis"));
+    for (const int depth : {1, 2}) folder.write("b" + std::to_string(depth), listedSlice("1.2.4", depth, "", 6));
+    folder.write("c", listedCine("1.2.5"));
     folder.write("notes.txt", "no DICOM at all");
 }
 
@@ -80,10 +79,10 @@ TEST(SeriesList, HoldsWhatAPersonChoosesFrom) {
 TEST(SeriesList, ADescriptionThatNamesThePatientIsLeftOut) {
     const TemporaryFolder folder;
     for (const char* text : {"Scan of MUSTER", "anna, fetus 2", "id p-4711"}) {
-        folder.write("a", slice("1.2.3", 1, text));
+        folder.write("a", listedSlice("1.2.3", 1, text));
         EXPECT_EQ(listSeries(folder.path())->series[0].description, "") << text;
     }
-    folder.write("a", slice("1.2.3", 1, "fetal heart"));
+    folder.write("a", listedSlice("1.2.3", 1, "fetal heart"));
     EXPECT_EQ(listSeries(folder.path())->series[0].description, "fetal heart");
 }
 
@@ -113,7 +112,7 @@ TEST(SeriesList, AListedSeriesIsReadWithoutLookingAtTheFolderAgain) {
     const TemporaryFolder folder;
     writeThreeSeries(folder);
     const auto list = listSeries(folder.path());
-    folder.write("a4", slice("1.2.3", 4));
+    folder.write("a4", listedSlice("1.2.3", 4));
     std::filesystem::remove(folder.file("b1"));
     const auto study = readSeries(*list, list->series[0], withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
@@ -126,9 +125,9 @@ TEST(SeriesList, AListedSeriesIsReadWithoutLookingAtTheFolderAgain) {
 
 TEST(SeriesList, EntriesThatShareASeriesHaveNamesOfTheirOwn) {
     const TemporaryFolder folder;
-    for (const int depth : {1, 2, 3}) folder.write("a" + std::to_string(depth), slice("1.2.3", depth));
-    for (const int depth : {1, 2}) folder.write("b" + std::to_string(depth), slice("1.2.3", depth, "", 6));
-    folder.write("c", cine("1.2.3"));
+    for (const int depth : {1, 2, 3}) folder.write("a" + std::to_string(depth), listedSlice("1.2.3", depth));
+    for (const int depth : {1, 2}) folder.write("b" + std::to_string(depth), listedSlice("1.2.3", depth, "", 6));
+    folder.write("c", listedCine("1.2.3"));
     const auto list = listSeries(folder.path());
     ASSERT_TRUE(list);
     std::vector<std::string> uids;
@@ -141,11 +140,11 @@ TEST(SeriesList, AVolumeBehindThePixelsIsNoSinglePicture) {
     const TemporaryFolder folder;
     DicomBytes volume;
     volume.text(0x7fe1, 0x0010, "LO", "KRETZ_US").put(0x7fe1, 0x1001, "OB", "KRETZFILE 1.0   ");
-    folder.write("a", slice("1.2.3", 1) + volume.bytes());
-    folder.write("b", slice("1.2.3", 2));
+    folder.write("a", listedSlice("1.2.3", 1) + volume.bytes());
+    folder.write("b", listedSlice("1.2.3", 2));
     DicomBytes settings;
     settings.text(0x7fe1, 0x0010, "LO", "KRETZ_US").put(0x7fe1, 0x1001, "OB", "settings, no volume ");
-    folder.write("c", slice("1.2.5", 3) + settings.bytes());
+    folder.write("c", listedSlice("1.2.5", 3) + settings.bytes());
     const auto list = listSeries(folder.path());
     ASSERT_TRUE(list) << list.error().sentence();
     ASSERT_EQ(list->series.size(), 3u);
@@ -159,7 +158,7 @@ TEST(SeriesList, AVolumeBehindThePixelsIsNoSinglePicture) {
 TEST(SeriesList, TheMiddlePictureIsSmall) {
     const TemporaryFolder folder;
     for (const int depth : {1, 2, 3}) {
-        std::string bytes = slice("1.2.3", depth, "", 40);
+        std::string bytes = listedSlice("1.2.3", depth, "", 40);
         // Slice n is dark but for its n-th four columns of ten.
         for (int pixel = 0; pixel < 80; ++pixel)
             if (pixel % 40 / 4 != depth) bytes[bytes.size() - 80 + static_cast<std::size_t>(pixel)] = '\0';
@@ -191,8 +190,8 @@ TEST(SeriesList, APictureOfHundredsOfMillionsOfPixelsIsNotMadeSmall) {
 TEST(SeriesList, SaysWhatItDidNotLookAt) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.file("1/2/3/4/deep"));
-    for (const char* name : {"a", "1/2/3/4/b", "1/2/3/4/deep/c"}) folder.write(name, slice("1.2.3", name[0] % 7));
-    folder.write("d.dcm.gz", deflated(slice("1.2.3", 9), 31));
+    for (const char* name : {"a", "1/2/3/4/b", "1/2/3/4/deep/c"}) folder.write(name, listedSlice("1.2.3", name[0] % 7));
+    folder.write("d.dcm.gz", deflated(listedSlice("1.2.3", 9), 31));
     const auto list = listSeries(folder.path());
     ASSERT_TRUE(list) << list.error().sentence();
     EXPECT_EQ(list->files.size(), 2u);
@@ -219,7 +218,8 @@ TEST(SeriesList, SaysWhichSeriesWasRead) {
 TEST(SeriesList, NotesOfAllSlicesAreKept) {
     const TemporaryFolder folder;
     for (const int depth : {1, 2, 3})
-        folder.write("a" + std::to_string(depth), slice("1.2.3", depth) + (depth > 1 ? std::string(40, 'x') : ""));
+        folder.write("a" + std::to_string(depth),
+                     listedSlice("1.2.3", depth) + (depth > 1 ? std::string(40, 'x') : ""));
     const auto study = readStudy(folder.path(), withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_TRUE(warnsOf(*study, "What stands behind the pixels is no DICOM; it is left out. (Said of 2 of 3 slices.)"));
@@ -243,7 +243,7 @@ TEST(SeriesList, RescalingInTheGroupsOfSingleFramesIsSeen) {
 
 TEST(SeriesList, SlicesOfUnknownPixelSizeKeepTheirDistance) {
     const TemporaryFolder folder;
-    for (const int depth : {0, 3}) folder.write("a" + std::to_string(depth), slice("1.2.3", depth));
+    for (const int depth : {0, 3}) folder.write("a" + std::to_string(depth), listedSlice("1.2.3", depth));
     const auto study = readStudy(folder.path(), withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_FALSE(study->phases[0]->geometry().spacingKnown);
@@ -291,13 +291,13 @@ TEST(LargeStack, RunsOnNoMoreThreadsThanItIsGiven) {
 TEST(SeriesList, SaysWhyItIsEmpty) {
     const TemporaryFolder folder;
     EXPECT_THAT(listSeries(folder.path()).error().sentence(), HasSubstr("is a folder without DICOM images"));
-    folder.write("a", slice("1.2.3", 1).substr(0, 400));
+    folder.write("a", listedSlice("1.2.3", 1).substr(0, 400));
     EXPECT_THAT(listSeries(folder.path()).error().sentence(), HasSubstr("/a: "));
 }
 
 TEST(SeriesList, CancelEndsItWithinAFileAThread) {
     const TemporaryFolder folder;
-    for (int i = 0; i < 200; ++i) folder.write(std::to_string(i), slice("1.2.3", i));
+    for (int i = 0; i < 200; ++i) folder.write(std::to_string(i), listedSlice("1.2.3", i));
     std::atomic<bool> cancel{false};
     int reports = 0;
     const Progress progress{[&](double) {
@@ -315,26 +315,14 @@ TEST(SeriesList, CancelEndsItWithinAFileAThread) {
     EXPECT_EQ(reports, 0) << "no file is begun once it is cancelled";
 }
 
-/// A DICOMDIR whose records name these files; each record links to itself.
-std::string directory(const std::vector<std::string>& names) {
-    std::vector<DicomBytes> records;
-    for (const std::string& name : names) {
-        DicomBytes record;
-        record.put(0x0004, 0x1400, "UL", bytesFrom<std::uint32_t>({400}));
-        record.word(0x0004, 0x1410, 0xffff).put(0x0004, 0x1420, "UL", bytesFrom<std::uint32_t>({400}));
-        record.text(0x0004, 0x1430, "CS", "IMAGE").text(0x0004, 0x1500, "CS", name);
-        records.push_back(record);
-    }
-    return DicomBytes().sequence(0x0004, 0x1220, records).file("1.2.840.10008.1.3.10");
-}
-
 TEST(DicomDirectory, OpensAsTheFilesThatItNames) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.file("images/series"));
-    for (const int depth : {1, 2, 3}) folder.write("images/series/im" + std::to_string(depth), slice("1.2.3", depth));
-    for (const int depth : {1, 2, 3, 4}) folder.write("other" + std::to_string(depth), slice("1.2.4", depth));
-    const std::string path = folder.write(
-        "DICOMDIR", directory({"IMAGES\\SERIES\\IM1", "IMAGES\\SERIES\\IM2", "IMAGES\\SERIES\\IM3", "IMAGES\\GONE"}));
+    for (const int depth : {1, 2, 3})
+        folder.write("images/series/im" + std::to_string(depth), listedSlice("1.2.3", depth));
+    for (const int depth : {1, 2, 3, 4}) folder.write("other" + std::to_string(depth), listedSlice("1.2.4", depth));
+    const std::string path = folder.write("DICOMDIR", dicomDirectory({"IMAGES\\SERIES\\IM1", "IMAGES\\SERIES\\IM2",
+                                                                      "IMAGES\\SERIES\\IM3", "IMAGES\\GONE"}));
     EXPECT_TRUE(holdsSeries(path));
     EXPECT_TRUE(holdsSeries(folder.path()));
     EXPECT_FALSE(holdsSeries(folder.file("other1")));
@@ -353,10 +341,10 @@ TEST(DicomDirectory, OpensAsTheFilesThatItNames) {
 TEST(DicomDirectory, NamesThatLeadOutOfItsFolderAreMissing) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.file("in"));
-    folder.write("secret", slice("1.2.3", 1));
+    folder.write("secret", listedSlice("1.2.3", 1));
     const std::string path =
-        folder.write("in/DICOMDIR", directory({"..\\SECRET", folder.file("secret"), "/etc/passwd", "IN\\..\\..\\SECRET",
-                                               "", "A\\\\B", std::string(200, 'X')}));
+        folder.write("in/DICOMDIR", dicomDirectory({"..\\SECRET", folder.file("secret"), "/etc/passwd",
+                                                    "IN\\..\\..\\SECRET", "", "A\\\\B", std::string(200, 'X')}));
     const auto list = listSeries(path);
     ASSERT_FALSE(list);
     EXPECT_THAT(list.error().sentence(),
@@ -366,8 +354,8 @@ TEST(DicomDirectory, NamesThatLeadOutOfItsFolderAreMissing) {
 
 TEST(DicomDirectory, WithAnyByteChangedEndsInAListOrASentence) {
     const TemporaryFolder folder;
-    folder.write("im1", slice("1.2.3", 1));
-    const std::string whole = directory({"IM1"});
+    folder.write("im1", listedSlice("1.2.3", 1));
+    const std::string whole = dicomDirectory({"IM1"});
     int listed = 0;
     for (std::size_t at = 132; at < whole.size(); ++at)
         for (const char byte : {'\0', '\2', '\xff'}) {
@@ -384,12 +372,12 @@ TEST(DicomDirectory, WithAnyByteChangedEndsInAListOrASentence) {
 
 TEST(DicomDirectory, RecordsInACircleAreReadOnce) {
     const TemporaryFolder folder;
-    for (const int depth : {1, 2}) folder.write("im" + std::to_string(depth), slice("1.2.3", depth));
-    const std::string path = folder.write("DICOMDIR", directory({"IM1", "IM2", "IM1", "IM2"}));
+    for (const int depth : {1, 2}) folder.write("im" + std::to_string(depth), listedSlice("1.2.3", depth));
+    const std::string path = folder.write("DICOMDIR", dicomDirectory({"IM1", "IM2", "IM1", "IM2"}));
     const auto list = listSeries(path);
     ASSERT_TRUE(list) << list.error().sentence();
     EXPECT_EQ(list->series[0].files.size(), 2u);
-    const std::string none = folder.write("none", directory({}));
+    const std::string none = folder.write("none", dicomDirectory({}));
     EXPECT_THAT(listSeries(none).error().sentence(), HasSubstr("of this DICOMDIR names no files"));
 }
 

@@ -8,15 +8,11 @@
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/beam/beam_guess.h"
+#include "shared_data.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
 namespace {
-
-const std::string data = ECHOLUCENT_SOURCE_DIR "/../shared/data";
-
-#define SKIP_WITHOUT_DATA() \
-    if (!std::filesystem::is_directory(data)) GTEST_SKIP() << "the shared data are not here: " << data
 
 struct VolumeRow {
     const char* name;
@@ -30,9 +26,9 @@ struct VolumeRow {
 class SharedVolumes : public testing::TestWithParam<VolumeRow> {};
 
 TEST_P(SharedVolumes, LoadWithTheirSizeAndSpacing) {
-    SKIP_WITHOUT_DATA();
+    SKIP_WITHOUT_SHARED_DATA();
     const VolumeRow& row = GetParam();
-    const auto study = readStudy(data + "/volumes/" + row.name, withoutGuess());
+    const auto study = readStudy(sharedData + "/volumes/" + row.name, withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     ASSERT_EQ(study->phases.size(), row.phases);
     EXPECT_FALSE(study->phaseSeconds);
@@ -51,7 +47,7 @@ struct BeamRow {
 
 /// docs/beam.md says how the truth is known.
 TEST(SharedVolumesBeam, IsFoundWhereItCanBeKnown) {
-    SKIP_WITHOUT_DATA();
+    SKIP_WITHOUT_SHARED_DATA();
     for (const BeamRow& row :
          {BeamRow{"fetal_chest_600x614x66.nrrd", BeamAxis::plusY}, BeamRow{"fetal_chest_iso0.3mm.mha", BeamAxis::plusY},
           BeamRow{"fetal_heart_4d_128x128x128x20.nrrd", BeamAxis::plusZ},
@@ -59,7 +55,7 @@ TEST(SharedVolumesBeam, IsFoundWhereItCanBeKnown) {
           BeamRow{"adult_heart_4d_56x52x56x3_float.nrrd", BeamAxis::plusZ},
           BeamRow{"spine_phantom_freehand.mha", BeamAxis::plusZ}, BeamRow{"reconstruction_lnmax.mha", BeamAxis::plusZ},
           BeamRow{"prostate_trus.nrrd", std::nullopt}, BeamRow{"odd_nan.mha", std::nullopt}}) {
-        const auto study = readStudy(data + "/volumes/" + row.name);
+        const auto study = readStudy(sharedData + "/volumes/" + row.name);
         ASSERT_TRUE(study) << study.error().sentence();
         const auto guess = guessBeamAxis(*study->phases.front());
         EXPECT_EQ(guess->sure, row.beam.has_value()) << row.name << " " << guess->confidence;
@@ -90,14 +86,14 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(SharedVolumesAll, NoFileIsLeftOut) {
-    SKIP_WITHOUT_DATA();
-    for (const auto& entry : std::filesystem::directory_iterator(data + "/volumes"))
+    SKIP_WITHOUT_SHARED_DATA();
+    for (const auto& entry : std::filesystem::directory_iterator(sharedData + "/volumes"))
         EXPECT_TRUE(readStudy(entry.path().string(), withoutGuess())) << entry.path();
 }
 
 TEST(SharedVolumesAll, OutsideTheScanConeIsNoDataUnlessTheGuessIsOff) {
-    SKIP_WITHOUT_DATA();
-    const auto guessed = readStudy(data + "/volumes/adult_heart_256.nrrd");
+    SKIP_WITHOUT_SHARED_DATA();
+    const auto guessed = readStudy(sharedData + "/volumes/adult_heart_256.nrrd");
     ASSERT_TRUE(guessed);
     const Volume& volume = *guessed->phases[0];
     EXPECT_FALSE(volume.hasData(0));
@@ -105,7 +101,7 @@ TEST(SharedVolumesAll, OutsideTheScanConeIsNoDataUnlessTheGuessIsOff) {
     for (std::int64_t i = 0; i < volume.geometry().voxelCount(); ++i)
         zerosWithData += volume.hasData(i) && volume.storedValue(i) == 0 ? 1 : 0;
     EXPECT_GT(zerosWithData, 0) << "fluid inside the cone must stay data";
-    EXPECT_TRUE(readStudy(data + "/volumes/adult_heart_256.nrrd", withoutGuess())->phases[0]->dataMask().empty());
+    EXPECT_TRUE(readStudy(sharedData + "/volumes/adult_heart_256.nrrd", withoutGuess())->phases[0]->dataMask().empty());
 }
 
 /// Voxels of all phases that hold a finite value other than 0 and are marked as no data.
@@ -123,10 +119,11 @@ std::int64_t echoesLost(const Study& study) {
 }
 
 TEST(SharedVolumesAll, NoEchoIsLostToTheGuess) {
-    SKIP_WITHOUT_DATA();
-    std::vector<std::string> paths{data + "/dicom/dcm4che_US-PAL-8-10x-echo.dcm", data + "/dicom/godicom_I_000016.dcm",
-                                   data + "/dicom/orthanc_Issue16.dcm"};
-    for (const auto& entry : std::filesystem::directory_iterator(data + "/volumes"))
+    SKIP_WITHOUT_SHARED_DATA();
+    std::vector<std::string> paths{sharedData + "/dicom/dcm4che_US-PAL-8-10x-echo.dcm",
+                                   sharedData + "/dicom/godicom_I_000016.dcm",
+                                   sharedData + "/dicom/orthanc_Issue16.dcm"};
+    for (const auto& entry : std::filesystem::directory_iterator(sharedData + "/volumes"))
         paths.push_back(entry.path().string());
     ReadOptions options;
     options.framesAsSlices = true;
@@ -139,11 +136,11 @@ TEST(SharedVolumesAll, NoEchoIsLostToTheGuess) {
 
 /// Of these nothing but the outside is dark before tissue along +z: without the guess the outside is their fluid.
 TEST(SharedVolumesAll, TheGuessTakesNoSurfacesAway) {
-    SKIP_WITHOUT_DATA();
+    SKIP_WITHOUT_SHARED_DATA();
     for (const char* name :
          {"adult_heart_4d_56x52x56x3_float.nrrd", "spine_phantom_freehand.mha", "reconstruction_lnmax.mha"}) {
-        const auto guessed = readStudy(data + "/volumes/" + name);
-        const auto whole = readStudy(data + "/volumes/" + name, withoutGuess());
+        const auto guessed = readStudy(sharedData + "/volumes/" + name);
+        const auto whole = readStudy(sharedData + "/volumes/" + name, withoutGuess());
         ASSERT_TRUE(guessed && whole) << name;
         const auto found = adaptOpacity(*guessed->phases[0], {}, {});
         EXPECT_GT(found->tubesWithWeight, 10) << name;
@@ -152,8 +149,8 @@ TEST(SharedVolumesAll, TheGuessTakesNoSurfacesAway) {
 }
 
 TEST(SharedVolumesAll, NaNVoxelsAreNoData) {
-    SKIP_WITHOUT_DATA();
-    const auto study = readStudy(data + "/volumes/odd_nan.mha", withoutGuess());
+    SKIP_WITHOUT_SHARED_DATA();
+    const auto study = readStudy(sharedData + "/volumes/odd_nan.mha", withoutGuess());
     ASSERT_TRUE(study);
     const Volume& volume = *study->phases[0];
     std::int64_t notFinite = 0;
@@ -168,10 +165,10 @@ TEST(SharedVolumesAll, NaNVoxelsAreNoData) {
 /// Every DICOM file is read, alone and as the only two pictures of a folder, with frames taken as slices: each gives a
 /// study or a sentence.
 TEST(SharedDicom, EveryFileEndsInAStudyOrASentence) {
-    SKIP_WITHOUT_DATA();
+    SKIP_WITHOUT_SHARED_DATA();
     int studies = 0;
     for (const char* folder : {"/dicom", "/bad"})
-        for (const auto& entry : std::filesystem::directory_iterator(data + folder)) {
+        for (const auto& entry : std::filesystem::directory_iterator(sharedData + folder)) {
             const TemporaryFolder pair;
             std::filesystem::create_symlink(std::filesystem::absolute(entry.path()), pair.file("a.dcm"));
             std::filesystem::create_symlink(std::filesystem::absolute(entry.path()), pair.file("b.dcm"));
@@ -191,10 +188,10 @@ TEST(SharedDicom, EveryFileEndsInAStudyOrASentence) {
 }
 
 TEST(SharedDicom, PublicCinesAreRefusedAsCines) {
-    SKIP_WITHOUT_DATA();
+    SKIP_WITHOUT_SHARED_DATA();
     for (const char* name : {"dcm4che_US-PAL-8-10x-echo.dcm", "godicom_I_000016.dcm", "orthanc_Issue16.dcm",
                              "pydicom_examples_ybr_color.dcm", "dicomParser_IM00001.implicit_little_endian.dcm"}) {
-        const auto study = readStudy(data + "/dicom/" + name);
+        const auto study = readStudy(sharedData + "/dicom/" + name);
         ASSERT_FALSE(study) << name;
         EXPECT_TRUE(study.error().framesCouldBeSlices) << name;
         EXPECT_THAT(study.error().sentence(), testing::HasSubstr("2D cine")) << name;
@@ -203,14 +200,14 @@ TEST(SharedDicom, PublicCinesAreRefusedAsCines) {
 
 /// The same pictures, stored by different makers' encoders, must give the same grey values.
 TEST(SharedDicom, TransferSyntaxesOfTheSamePicturesAgree) {
-    SKIP_WITHOUT_DATA();
+    SKIP_WITHOUT_SHARED_DATA();
     ReadOptions options = withoutGuess();
     options.framesAsSlices = true;
     for (const auto& [one, other] :
          {std::pair{"dcm4che_US-PAL-8-10x-echo.dcm", "dcm4che_jpeg-ls-Palette.dcm"},
           std::pair{"pydicomdata_OBXXXX1A_expb_2frame.dcm", "pydicomdata_OBXXXX1A_rle_2frame.dcm"}}) {
-        const auto a = readStudy(data + "/dicom/" + one, options);
-        const auto b = readStudy(data + "/dicom/" + other, options);
+        const auto a = readStudy(sharedData + "/dicom/" + one, options);
+        const auto b = readStudy(sharedData + "/dicom/" + other, options);
         ASSERT_TRUE(a && b);
         EXPECT_EQ(a->phases[0]->voxels(), b->phases[0]->voxels()) << one;
     }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "shared_data.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
@@ -14,20 +15,15 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string data = ECHOLUCENT_SOURCE_DIR "/../shared/data";
-
-#define SKIP_WITHOUT_DATA() \
-    if (!std::filesystem::is_directory(data)) GTEST_SKIP() << "the shared data are not here: " << data
-
-std::string sentenceOf(const std::string& name) {
-    const auto study = readStudy(data + name);
+std::string sentenceOfShared(const std::string& name) {
+    const auto study = readStudy(sharedData + name);
     return study ? "was read" : study.error().sentence();
 }
 
 TEST(SharedDicomSentences, NameNoIdentifierAndQuoteNoLibrary) {
-    SKIP_WITHOUT_DATA();
+    SKIP_WITHOUT_SHARED_DATA();
     for (const char* folder : {"/dicom", "/bad"})
-        for (const auto& entry : std::filesystem::directory_iterator(data + folder)) {
+        for (const auto& entry : std::filesystem::directory_iterator(sharedData + folder)) {
             const auto study = readStudy(entry.path().string(), withoutGuess());
             if (study) continue;
             const std::string problem = study.error().element + study.error().problem + study.error().remedy;
@@ -40,15 +36,15 @@ TEST(SharedDicomSentences, NameNoIdentifierAndQuoteNoLibrary) {
 }
 
 TEST(SharedDicomSentences, SinglePicturesAreCalledThat) {
-    SKIP_WITHOUT_DATA();
+    SKIP_WITHOUT_SHARED_DATA();
     for (const char* name :
          {"/dicom/fodicom_GH364.dcm", "/dicom/pydicomdata_gdcm-US-ALOKA-16.dcm", "/bad/fodicom_FreezePattern.dcm",
           "/bad/fodicom_GH1339.dcm", "/bad/pydicomdata_explicit_VR-UN.dcm", "/dicom/alizams_001US_TESTXX02.dcm"})
-        EXPECT_THAT(sentenceOf(name), HasSubstr("is a single 2D picture")) << name;
+        EXPECT_THAT(sentenceOfShared(name), HasSubstr("is a single 2D picture")) << name;
 }
 
 TEST(SharedDicomSentences, OthersSayWhatTheyAre) {
-    SKIP_WITHOUT_DATA();
+    SKIP_WITHOUT_SHARED_DATA();
     for (const auto& [name, words] : std::vector<std::pair<std::string, std::string>>{
              {"/bad/orthanc_MarekLatin2.dcm", "is a structured report"},
              {"/bad/orthanc_Issue137.dcm", "is an encapsulated STL model"},
@@ -60,12 +56,12 @@ TEST(SharedDicomSentences, OthersSayWhatTheyAre) {
              {"/bad/pydicom_DICOMDIR-bigEnd", "is a DICOMDIR, and none of the 31 files that it names is in its folder"},
              {"/bad/pydicom_DICOMDIR-nooffset", "is a DICOMDIR, and none of the 31 files"},
              {"/bad/pydicomdata_liver_nonbyte_aligned_deflate.dcm", "is deflated frame by frame"}})
-        EXPECT_THAT(sentenceOf(name), HasSubstr(words)) << name;
+        EXPECT_THAT(sentenceOfShared(name), HasSubstr(words)) << name;
 }
 
 TEST(SharedDicomVolumes, TheQlabSampleOpensWithWhatItHolds) {
-    SKIP_WITHOUT_DATA();
-    const auto study = readStudy(data + "/dicom/itksnap_echo_cartesian_dummy.dcm", withoutGuess());
+    SKIP_WITHOUT_SHARED_DATA();
+    const auto study = readStudy(sharedData + "/dicom/itksnap_echo_cartesian_dummy.dcm", withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     ASSERT_EQ(study->phases.size(), 3u);
     EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{56, 52, 56}));

@@ -25,7 +25,7 @@ TEST(SimpleItk, ReadsOurFilesAsWeReadThem) {
     const auto volume = std::make_shared<const Volume>(geometry, made.voxels());
     ASSERT_TRUE(writeMetaImage(folder.file("a.mha"), {volume}));
     ASSERT_TRUE(writeNifti(folder.file("a.nii.gz"), {volume}));
-    const Outcome outcome = runScript("simpleitk_files.py", folder.file("a.mha") + " " + folder.file("a.nii.gz"));
+    const ToolOutcome outcome = runScript("simpleitk_files.py", folder.file("a.mha") + " " + folder.file("a.nii.gz"));
     if (outcome.missing) GTEST_SKIP() << "python3 cannot import SimpleITK";
     ASSERT_EQ(outcome.status, 0);
     const auto read = nlohmann::json::parse(outcome.output);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -35,6 +36,12 @@ private:
     std::filesystem::path m_path;
 };
 
+/// The bytes of a file; none where it cannot be read.
+inline std::string contentsOf(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 /// Bytes of values in the given order.
 template <typename T>
 std::string bytesFrom(const std::vector<T>& values, bool bigEndian = false) {
@@ -51,6 +58,13 @@ std::string bytesFrom(const std::vector<T>& values, bool bigEndian = false) {
 inline ReadOptions withoutGuess() {
     ReadOptions options;
     options.guessNoData = false;
+    return options;
+}
+
+/// The same, with frames over time taken as slices.
+inline ReadOptions framesAsSlices() {
+    ReadOptions options = withoutGuess();
+    options.framesAsSlices = true;
     return options;
 }
 

@@ -29,11 +29,12 @@ CutSurface surfaceOf(const Viewpoint& view, const Depth& depth) {
 
 double bowl(double right, double down) { return 14.0 + 3.0 * std::sin(right / 4.0) - 2.0 * std::cos(down / 5.0); }
 
-const Viewpoint oblique{.beamAxis = BeamAxis::minusY, .azimuthDegrees = 20, .elevationDegrees = -35, .rollDegrees = 10};
+const Viewpoint obliqueView{
+    .beamAxis = BeamAxis::minusY, .azimuthDegrees = 20, .elevationDegrees = -35, .rollDegrees = 10};
 
 TEST(CutSurface, IsExactForWhatIsBilinear) {
     const auto depth = [](double right, double down) { return 5.0 + 0.5 * right - 0.25 * down + 0.125 * right * down; };
-    const CutSurface surface = surfaceOf(oblique, depth);
+    const CutSurface surface = surfaceOf(obliqueView, depth);
     const ViewFrame& frame = surface.frame;
     for (double right = -3.0; right <= 37.0; right += 1.3)
         for (double down = -7.0; down <= 43.0; down += 1.7) {
@@ -67,7 +68,7 @@ std::optional<CutSurface::Stretch> marched(const CutSurface& surface, const Vec3
 }
 
 TEST(CutSurface, LinesFromAnywhereBeginWhereMarchingFindsIt) {
-    const CutSurface surface = surfaceOf(oblique, bowl);
+    const CutSurface surface = surfaceOf(obliqueView, bowl);
     const Vec3 middle =
         surface.frame.right * 17.0 + surface.frame.down * 18.0 + surface.frame.forward * bowl(17.0, 18.0);
     constexpr double step = 0.02;
@@ -152,7 +153,7 @@ TEST(CutSurface, OfTwoCutsTheDeeperCounts) {
 }
 
 TEST(CutSurface, SaysWhatIsWrongWithIt) {
-    const CutSurface right = surfaceOf(oblique, bowl);
+    const CutSurface right = surfaceOf(obliqueView, bowl);
     EXPECT_EQ(problemOf(right), "");
     const auto wrong = [&](const auto& change) {
         CutSurface surface = right;

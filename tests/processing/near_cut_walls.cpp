@@ -50,13 +50,13 @@ Volume painted(const VolumeGeometry& geometry, const Material& material, unsigne
     return {geometry, std::move(voxels)};
 }
 
-constexpr double fluid = 14, tissue = 85, edge = 48;  // mm, of the cube
+constexpr double fluid = 14, tissue = 85, cubeEdge = 48;  // mm, of the cube
 
 /// Where a wall ends that ends at 15 mm in the middle of the cube.
 double flatWall(double, double) { return 15; }
-double slantedWall(double x, double) { return 20 + (x - edge / 2) * std::tan(30 * std::numbers::pi / 180); }
+double slantedWall(double x, double) { return 20 + (x - cubeEdge / 2) * std::tan(30 * std::numbers::pi / 180); }
 double bulgingWall(double x, double y) {
-    const double aside = std::hypot(x - edge / 2, y - edge / 2);
+    const double aside = std::hypot(x - cubeEdge / 2, y - cubeEdge / 2);
     return 6 + 14 * std::exp(-aside * aside / (2 * 13 * 13));
 }
 
@@ -73,8 +73,8 @@ const VolumeGeometry cube = cubeGeometry({96, 96, 96}, {0.5, 0.5, 0.5});
 /// The share of lines along z, away from the cube's sides, that are in fluid where a depth says.
 double shareInFluid(const Material& material, const std::function<double(const Vec3&)>& depthOf) {
     int lines = 0, inFluid = 0;
-    for (double x = 2; x < edge - 2; x += 1)
-        for (double y = 2; y < edge - 2; y += 1) {
+    for (double x = 2; x < cubeEdge - 2; x += 1)
+        for (double y = 2; y < cubeEdge - 2; y += 1) {
             const double depth = depthOf({x, y, 0});
             ++lines;
             inFluid += material({x, y, depth}) == fluid;

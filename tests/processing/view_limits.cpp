@@ -25,7 +25,7 @@ Volume plainVolume(std::array<std::int64_t, 3> size = {40, 50, 44}, Vec3 spacing
     return Volume(geometry, std::vector<std::uint8_t>(static_cast<std::size_t>(geometry.voxelCount()), 128));
 }
 
-OrientedBox oblique(const Volume& volume, const Vec3& size) {
+OrientedBox obliqueBox(const Volume& volume, const Vec3& size) {
     return {volume.geometry().centreMm() + Vec3(1.3, -0.7, 2.1),
             frameOf(Viewpoint{.azimuthDegrees = 27, .elevationDegrees = -18, .rollDegrees = 40}), size};
 }
@@ -43,7 +43,7 @@ TEST(ViewLimits, AnObliqueBoxHoldsWhatARaySamplesAndNothingElse) {
     const Volume volume = plainVolume();
     for (const Projection projection : {Projection::parallel, Projection::perspective}) {
         Viewpoint view{.azimuthDegrees = -12, .elevationDegrees = 33};
-        view.box = oblique(volume, {14, 11, 9});
+        view.box = obliqueBox(volume, {14, 11, 9});
         const RayCastSettings settings = settingsOf(volume, view, 41, projection);
         EXPECT_FALSE(settings.box);
         EXPECT_EQ(settings.clippingPlanes.size(), 6U);
@@ -82,7 +82,7 @@ double renderedVolume(const Volume& volume, const RayCastSettings& settings) {
 TEST(ViewLimits, AsMuchIsRenderedAsTheBoxHolds) {
     const Volume volume = plainVolume();
     Viewpoint view{.azimuthDegrees = -12, .elevationDegrees = 33};
-    view.box = oblique(volume, {14, 11, 9});
+    view.box = obliqueBox(volume, {14, 11, 9});
     const double found = renderedVolume(volume, settingsOf(volume, view, 160));
     std::printf("an oblique box of %g mm^3 renders %.1f mm^3\n", 14.0 * 11 * 9, found);
     EXPECT_NEAR(found, 14.0 * 11 * 9, 0.01 * 14 * 11 * 9);
@@ -208,7 +208,7 @@ TEST(ViewLimits, TheNearCutIsSoughtInTheBoxAndCountedFromTheVolumesFront) {
 TEST(ViewLimits, ABoxFitsIntoThePictureWithAllItsCorners) {
     const Volume volume = plainVolume();
     Viewpoint view{.azimuthDegrees = 25, .elevationDegrees = 10, .rollDegrees = 5};
-    view.box = oblique(volume, {14, 6, 9});
+    view.box = obliqueBox(volume, {14, 6, 9});
     for (const double aspect : {0.6, 1.0, 1.8})
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
             const CameraPose fitted = fittedPose(volume.dataBox(), view, projection, aspect);

@@ -28,14 +28,13 @@
 #include "io/restricted/request.h"
 #include "io/restricted/restricted_reader.h"
 #include "processing/volume/coarse_grid.h"
+#include "shared_data.h"
 #include "temporary_folder.h"
 
 namespace echolucent {
 namespace {
 
 using testing::HasSubstr;
-
-const std::string data = ECHOLUCENT_SOURCE_DIR "/../shared/data";
 
 /// Everything that a study says, but for its voxels.
 std::string wordsOf(const Result<Study>& study) {
@@ -79,7 +78,7 @@ void expectSame(const Result<Study>& here, const Result<Study>& apart, const std
 class SharedFolders : public testing::TestWithParam<const char*> {};
 
 TEST_P(SharedFolders, AreReadAlikeHereAndInTheReaderProcess) {
-    const std::string folder = data + "/" + GetParam();
+    const std::string folder = sharedData + "/" + GetParam();
     if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "the shared data are not here: " << folder;
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -95,9 +94,10 @@ INSTANTIATE_TEST_SUITE_P(All, SharedFolders, testing::Values("volumes", "dicom",
 
 /// All rows run through the command line, which reads by the reader process (test_hostile_cli). Here every tenth is
 /// compared word by word; a link out of the folder is read by this process only.
-TEST(RestrictedReader, SaysOfHostileFilesWhatReadingHereSays) {
+/// What a reader process says of every step-th hostile file is what reading here says.
+void expectSameOfHostileFiles(std::size_t step) {
     const std::vector<HostileFile> rows = hostileFiles();
-    for (std::size_t index = 0; index < rows.size(); index += 10) {
+    for (std::size_t index = 0; index < rows.size(); index += step) {
         const HostileFile& row = rows[index];
         if (row.name.find("link") != std::string::npos) continue;
         const TemporaryFolder folder;
@@ -106,6 +106,9 @@ TEST(RestrictedReader, SaysOfHostileFilesWhatReadingHereSays) {
         expectSame(readStudy(path, row.options), restricted::readStudy(path, row.options), row.name);
     }
 }
+
+TEST(RestrictedReader, SaysOfHostileFilesWhatReadingHereSays) { expectSameOfHostileFiles(40); }
+TEST(LongRestrictedReader, SaysOfHostileFilesWhatReadingHereSays) { expectSameOfHostileFiles(10); }
 
 std::string volumeOf(const TemporaryFolder& folder, int edge) {
     const auto voxels =
@@ -195,11 +198,10 @@ TEST(RestrictedReader, HandsOverTheCoarseVolumeThatReadingHereHandsOver) {
     expectSame(asStudy(here.coarse.front()), asStudy(apart.coarse.front()), "coarse");
 }
 
-TEST(RestrictedReader, MayBeKilledAtAnyMoment) {
+/// Kills a reader process at a random moment, so many times.
+void expectSentencesOfKilledReaders(int kills) {
     const TemporaryFolder folder;
     const std::string path = volumeOf(folder, 128);
-    const char* const asked = std::getenv("ECHOLUCENT_READER_KILLS");
-    const int kills = asked != nullptr ? std::atoi(asked) : 200;
     std::mt19937 random(20261123);
     int died = 0, answered = 0;
     for (int kill = 0; kill < kills; ++kill) {
@@ -224,6 +226,12 @@ TEST(RestrictedReader, MayBeKilledAtAnyMoment) {
     std::printf("%d reader processes killed at random moments: %d had answered before, %d sentences\n", kills, answered,
                 died);
     EXPECT_GT(died, kills / 10);
+}
+
+TEST(RestrictedReader, MayBeKilledAtAnyMoment) { expectSentencesOfKilledReaders(30); }
+TEST(LongRestrictedReader, MayBeKilledAtAnyMoment) {
+    const char* const asked = std::getenv("ECHOLUCENT_READER_KILLS");
+    expectSentencesOfKilledReaders(asked != nullptr ? std::atoi(asked) : 200);
 }
 
 TEST(RestrictedReader, ThatDiedWhileItWaitedIsReplaced) {

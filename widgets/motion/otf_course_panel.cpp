@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QVBoxLayout>
+#include <cstddef>
 
 #include "widgets/motion/otf_curves_canvas.h"
 #include "widgets/motion/otf_map_canvas.h"

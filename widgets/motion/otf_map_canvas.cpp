@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "processing/adaptive/adaptive_otf_result.h"
 #include "widgets/motion/course_drawing.h"
 
 namespace echolucent {

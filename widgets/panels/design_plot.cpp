@@ -15,7 +15,7 @@ namespace echolucent {
 
 namespace {
 
-QString numberText(double value) { return QLocale::c().toString(value, 'g', 3); }
+QString tickText(double value) { return QLocale::c().toString(value, 'g', 3); }
 
 }  // namespace
 
@@ -70,8 +70,8 @@ void DesignPlotCanvas::setMarked(std::optional<double> intensity) {
 
 QRectF DesignPlotCanvas::area() const {
     const int line = fontMetrics().height();
-    const double numbers = std::max(fontMetrics().horizontalAdvance(numberText(m_largest)),
-                                    fontMetrics().horizontalAdvance(numberText(m_least)));
+    const double numbers = std::max(fontMetrics().horizontalAdvance(tickText(m_largest)),
+                                    fontMetrics().horizontalAdvance(tickText(m_least)));
     return QRectF(rect()).adjusted(std::max(numbers, 36.0) + 8, 6, -10, -2.0 * line - 6);
 }
 
@@ -109,7 +109,7 @@ void DesignPlotCanvas::paintEvent(QPaintEvent*) {
         painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
         painter.setPen(colours.text);
         const double centre = std::min(x, width() - 18.0);
-        painter.drawText(QRectF(centre - 20, plot.bottom() + 2, 40, line), Qt::AlignCenter, numberText(tick));
+        painter.drawText(QRectF(centre - 20, plot.bottom() + 2, 40, line), Qt::AlignCenter, tickText(tick));
     }
     painter.setPen(colours.secondary);
     painter.drawText(QRectF(plot.left(), plot.bottom() + 2 + line, plot.width(), line), Qt::AlignCenter,
@@ -120,7 +120,7 @@ void DesignPlotCanvas::paintEvent(QPaintEvent*) {
         painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
         painter.setPen(colours.text);
         painter.drawText(QRectF(0, std::max(0.0, y - line / 2.0), plot.left() - 5, line),
-                         Qt::AlignRight | Qt::AlignVCenter, numberText(tick));
+                         Qt::AlignRight | Qt::AlignVCenter, tickText(tick));
     }
     if (m_marked) {
         const double x = plot.left() + plot.width() * std::clamp(*m_marked, 0.0, 1.0);

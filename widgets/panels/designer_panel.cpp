@@ -10,9 +10,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "processing/designers/designer.h"
 #include "widgets/panels/design_plot.h"
 #include "widgets/panels/designer_parameters.h"
 #include "widgets/panels/emphasis_canvas.h"
@@ -23,7 +23,6 @@ namespace echolucent {
 namespace {
 
 constexpr int curveEntry = -1;  // of the choice: a curve, and no designer
-constexpr int progressSteps = 1000;
 
 QLabel* wordsLabel(const QString& name, const QString& accessibleName) {
     auto* label = named(new QLabel, name, accessibleName);
@@ -34,7 +33,7 @@ QLabel* wordsLabel(const QString& name, const QString& accessibleName) {
     return label;
 }
 
-QString numberText(double value) { return QLocale::c().toString(value, 'g', 4); }
+QString factText(double value) { return QLocale::c().toString(value, 'g', 4); }
 
 QString withUnit(const QString& text, const std::string& unit) {
     return unit.empty() ? text : text + QLatin1Char(' ') + QString::fromStdString(unit);
@@ -211,7 +210,7 @@ void DesignerPanel::showFacts(const Design& design, double milliseconds) {
                     .arg(label.toHtmlEscaped(), value.toHtmlEscaped());
     };
     for (const DesignFact& fact : design.facts)
-        add(QString::fromStdString(fact.label), withUnit(numberText(fact.value), fact.unit));
+        add(QString::fromStdString(fact.label), withUnit(factText(fact.value), fact.unit));
     add(tr("Time"), tr("%1 ms").arg(QLocale::c().toString(milliseconds, 'f', milliseconds < 10 ? 1 : 0)));
     m_facts->setText(QStringLiteral("<table cellspacing='0' cellpadding='1'>%1</table>").arg(rows));
 }
@@ -237,11 +236,7 @@ void DesignerPanel::setComputing(bool computing, bool refused) {
     m_compute->setVisible(!computing && refused);
 }
 
-void DesignerPanel::setProgress(double share) {
-    if (std::isnan(share)) return;
-    m_progress->setRange(0, progressSteps);
-    m_progress->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * progressSteps)));
-}
+void DesignerPanel::setProgress(double share) { showShare(m_progress, share); }
 
 void DesignerPanel::resetParameters() {
     if (!m_config) return;

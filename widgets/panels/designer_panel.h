@@ -5,7 +5,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "processing/designers/designer.h"
+#include "processing/designers/design.h"
+#include "processing/designers/designer_config.h"
 
 class QComboBox;
 class QLabel;

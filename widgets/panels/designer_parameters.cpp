@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "processing/designers/designer.h"
 #include "processing/picture/look.h"
 #include "widgets/panels/panel_controls.h"
 #include "widgets/panels/short_spin_box.h"
@@ -27,7 +28,7 @@ struct DesignerParameters::Row {
 
 namespace {
 
-QString objectNameOf(const std::string& name) { return "designer." + QString::fromStdString(camelCase(name)); }
+QString designerObjectName(const std::string& name) { return "designer." + QString::fromStdString(camelCase(name)); }
 
 /// The column of panels is narrow: units are short.
 QString suffixOf(std::string_view unit) {
@@ -124,7 +125,7 @@ void DesignerParameters::makeControls() {
 }
 
 DesignerParameters::Control DesignerParameters::createFlag(const Row& row) {
-    auto* box = named(new QCheckBox(row.label), objectNameOf(row.name), row.label, row.toolTip);
+    auto* box = named(new QCheckBox(row.label), designerObjectName(row.name), row.label, row.toolTip);
     connect(box, &QCheckBox::toggled, this,
             [this, name = row.name, label = row.label](bool on) { take(name, label, on); });
     return {row.name, nullptr, box, [box](const ParameterValue& value) {
@@ -134,7 +135,7 @@ DesignerParameters::Control DesignerParameters::createFlag(const Row& row) {
 }
 
 DesignerParameters::Control DesignerParameters::createChoice(const Row& row) {
-    auto* box = named(new QComboBox, objectNameOf(row.name), row.label, row.toolTip);
+    auto* box = named(new QComboBox, designerObjectName(row.name), row.label, row.toolTip);
     for (const std::string_view choice : row.choices)
         box->addItem(QString::fromStdString(labelOfChoice(choice)).replace('_', ' '), textOf(choice));
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -178,7 +179,7 @@ DesignerParameters::Control DesignerParameters::createNumber(const Row& row, con
         };
         widget = box;
     }
-    named(widget, objectNameOf(row.name), row.label, row.toolTip);
+    named(widget, designerObjectName(row.name), row.label, row.toolTip);
     widget->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     wheelNeedsFocus(widget);
     return {row.name, labelFor(widget, row.label), widget, std::move(show)};

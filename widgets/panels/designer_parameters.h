@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "processing/designers/designer.h"
+#include "processing/designers/designer_config.h"
+#include "processing/parameter.h"
 
 namespace echolucent {
 

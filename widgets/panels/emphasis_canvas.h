@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "processing/designers/kindlmann.h"
+#include "processing/designers/designer_config.h"
 
 namespace echolucent {
 

@@ -11,9 +11,9 @@ namespace echolucent {
 
 namespace {
 
-QString objectNameOf(const Parameter<Look>& row) { return "view." + textOf(camelCase(row.name)); }
+QString lookObjectName(const Parameter<Look>& row) { return "view." + textOf(camelCase(row.name)); }
 
-QString toolTipOf(const Parameter<Look>& row) {
+QString lookToolTip(const Parameter<Look>& row) {
     const QString meaning = textOf(row.meaning);
     return row.name == "lighting" ? meaning + LookControls::tr(". Ctrl + left drag in the picture moves the light")
                                   : meaning;
@@ -35,7 +35,7 @@ LookControls::LookControls(QObject* parent) : QObject(parent) {
 QString LookControls::label(const Parameter<Look>& row) { return textOf(row.label); }
 
 LookControls::Control LookControls::createFlag(const Parameter<Look>& row) {
-    auto* box = named(new QCheckBox(label(row)), objectNameOf(row), label(row), toolTipOf(row));
+    auto* box = named(new QCheckBox(label(row)), lookObjectName(row), label(row), lookToolTip(row));
     connect(box, &QCheckBox::toggled, this, [this, &row](bool checked) { take(row, checked); });
     return {box, [box](const ParameterValue& value) {
                 const QSignalBlocker blocker(box);
@@ -44,7 +44,7 @@ LookControls::Control LookControls::createFlag(const Parameter<Look>& row) {
 }
 
 LookControls::Control LookControls::createChoice(const Parameter<Look>& row) {
-    auto* box = named(new QComboBox, objectNameOf(row), label(row), toolTipOf(row));
+    auto* box = named(new QComboBox, lookObjectName(row), label(row), lookToolTip(row));
     for (const std::string_view choice : row.choices)
         box->addItem(QString::fromStdString(labelOfChoice(choice)), textOf(choice));
     wheelNeedsFocus(box);
@@ -59,9 +59,9 @@ LookControls::Control LookControls::createChoice(const Parameter<Look>& row) {
 LookControls::Control LookControls::createNumber(const Parameter<Look>& row) {
     const bool degrees = row.unit == "degrees";
     auto* slider =
-        degrees ? new ValueSlider(objectNameOf(row), label(row), 1, 0)
-                : new ValueSlider(objectNameOf(row), label(row), (row.range.largest - row.range.least) / 100.0, 2);
-    slider->setToolTip(toolTipOf(row));
+        degrees ? new ValueSlider(lookObjectName(row), label(row), 1, 0)
+                : new ValueSlider(lookObjectName(row), label(row), (row.range.largest - row.range.least) / 100.0, 2);
+    slider->setToolTip(lookToolTip(row));
     slider->setRange(row.range.least, row.range.largest);
     // The column of panels is narrow: units are signs.
     slider->setSuffix(degrees               ? QStringLiteral("°")

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<MeasurementKind, 2> allKinds{MeasurementKind::distance, MeasurementKind::angle};
 
-QString toolText(MeasurementKind kind) {
+QString measureToolText(MeasurementKind kind) {
     QString text = textOf(nameOf(kind));
     text[0] = text[0].toUpper();
     return text;
@@ -40,8 +40,8 @@ MeasurementsPanel::MeasurementsPanel(QWidget* parent) : QWidget(parent) {
     auto* tools = new QHBoxLayout;
     for (const MeasurementKind kind : allKinds) {
         auto* button = named(new QToolButton, "measurements." + textOf(nameOf(kind)),
-                             tr("Measure: %1").arg(toolText(kind)), tipOf(kind));
-        button->setText(toolText(kind));
+                             tr("Measure: %1").arg(measureToolText(kind)), tipOf(kind));
+        button->setText(measureToolText(kind));
         button->setCheckable(true);
         button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         connect(button, &QToolButton::clicked, this,

@@ -25,11 +25,11 @@ namespace {
 /// The parameter's row; it must be there.
 const Parameter<AdaptiveOtfConfig>& rowOf(std::string_view name) { return *parameterNamed(methodParameters(), name); }
 
-QString objectNameOf(std::string_view name) {
+QString methodObjectName(std::string_view name) {
     return QStringLiteral("adaptive.") + QString::fromStdString(camelCase(name));
 }
 
-QString toolTipOf(const Parameter<AdaptiveOtfConfig>& row) {
+QString methodToolTip(const Parameter<AdaptiveOtfConfig>& row) {
     return row.unit == "units" ? MethodPanel::tr("%1. A unit is the smallest voxel spacing").arg(textOf(row.meaning))
                                : textOf(row.meaning);
 }
@@ -56,7 +56,7 @@ void clampInto(const Parameter<AdaptiveOtfConfig>& row, AdaptiveOtfConfig& confi
 
 template <typename Control>
 void MethodPanel::bind(const Row& row, Control* control) {
-    control->setToolTip(toolTipOf(row));
+    control->setToolTip(methodToolTip(row));
     const ParameterRange offered = row.offeredRange();
     using Value = decltype(control->value());
     control->setRange(static_cast<Value>(offered.least), static_cast<Value>(offered.largest));
@@ -69,7 +69,7 @@ void MethodPanel::bind(const Row& row, Control* control) {
 
 QSpinBox* MethodPanel::createSpinBox(const char* parameter) {
     const Row& row = rowOf(parameter);
-    auto* spinBox = named(new QSpinBox, objectNameOf(row.name), textOf(row.label));
+    auto* spinBox = named(new QSpinBox, methodObjectName(row.name), textOf(row.label));
     if (row.unit == "units") spinBox->setSuffix(tr(" units"));
     spinBox->setKeyboardTracking(false);
     wheelNeedsFocus(spinBox);
@@ -79,7 +79,7 @@ QSpinBox* MethodPanel::createSpinBox(const char* parameter) {
 
 QDoubleSpinBox* MethodPanel::createDoubleSpinBox(const char* parameter, int decimals, double step) {
     const Row& row = rowOf(parameter);
-    auto* spinBox = named(new QDoubleSpinBox, objectNameOf(row.name), textOf(row.label));
+    auto* spinBox = named(new QDoubleSpinBox, methodObjectName(row.name), textOf(row.label));
     spinBox->setDecimals(decimals);
     spinBox->setSingleStep(step);
     if (row.unit == "units") spinBox->setSuffix(tr(" units"));
@@ -91,7 +91,7 @@ QDoubleSpinBox* MethodPanel::createDoubleSpinBox(const char* parameter, int deci
 
 ValueSlider* MethodPanel::createSlider(const char* parameter, double step) {
     const Row& row = rowOf(parameter);
-    auto* slider = new ValueSlider(objectNameOf(row.name), textOf(row.label), step, 2);
+    auto* slider = new ValueSlider(methodObjectName(row.name), textOf(row.label), step, 2);
     bind(row, slider);
     return slider;
 }

@@ -73,7 +73,7 @@ QString speedText(double speed) {
     return QStringLiteral("%1×").arg(QLocale().toString(speed, 'g', 3));
 }
 
-QString sizeText(std::size_t bytes) {
+QString bytesText(std::size_t bytes) {
     return QLocale().formattedDataSize(static_cast<qint64>(bytes), 0, QLocale::DataSizeTraditionalFormat);
 }
 
@@ -113,7 +113,7 @@ void MotionPanel::createControls() {
     m_frameRate = named(new QLabel, "motion.frameRate", tr("Frame rate"));
     // Room from the start: what stands beside it must not move, nor the picture above, when playing begins.
     m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(
-        tr("%1 frames/s, %2 frames kept, %3").arg(88).arg(88).arg(sizeText(std::size_t{888} << 20))));
+        tr("%1 frames/s, %2 frames kept, %3").arg(88).arg(88).arg(bytesText(std::size_t{888} << 20))));
     m_frameRate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 }
 
@@ -356,15 +356,15 @@ void MotionPanel::setFrameRate(std::optional<double> framesPerSecond, const Kept
     if (!framesPerSecond) return m_frameRate->clear();
     const QString rate = tr("%1 frames/s").arg(QLocale().toString(*framesPerSecond, 'f', 0));
     m_frameRate->setText(kept.frames > 0
-                             ? tr("%1, %2 frames kept, %3").arg(rate).arg(kept.frames).arg(sizeText(kept.frameBytes))
+                             ? tr("%1, %2 frames kept, %3").arg(rate).arg(kept.frames).arg(bytesText(kept.frameBytes))
                              : rate);
     m_frameRate->setToolTip(tr("Kept in memory: %1 pictures (%2), quiet voxels of %3 phases (%4), %5 OTFs (%6)")
                                 .arg(kept.frames)
-                                .arg(sizeText(kept.frameBytes))
+                                .arg(bytesText(kept.frameBytes))
                                 .arg(kept.quietPhases)
-                                .arg(sizeText(kept.quietBytes))
+                                .arg(bytesText(kept.quietBytes))
                                 .arg(kept.otfs)
-                                .arg(sizeText(kept.otfBytes)));
+                                .arg(bytesText(kept.otfBytes)));
 }
 
 }  // namespace echolucent

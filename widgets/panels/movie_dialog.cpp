@@ -22,11 +22,11 @@ namespace echolucent {
 namespace {
 
 constexpr int leastEdge = 16, largestEdge = 4096;
-constexpr QSize presets[] = {{512, 512}, {1280, 720}, {1920, 1080}};
+constexpr QSize moviePresets[] = {{512, 512}, {1280, 720}, {1920, 1080}};
 
 int even(int edge) { return edge - edge % 2; }
 
-QString sizeText(const QSize& size) { return QObject::tr("%1 × %2").arg(size.width()).arg(size.height()); }
+QString pictureSizeText(const QSize& size) { return QObject::tr("%1 × %2").arg(size.width()).arg(size.height()); }
 
 }  // namespace
 
@@ -43,9 +43,9 @@ MovieDialog::MovieDialog(FrameOutput output, Facts facts, QWidget* parent)
 
 void MovieDialog::createControls() {
     m_preset = named(new QComboBox, "movieDialog.preset", tr("Size"));
-    for (const QSize& size : presets) m_preset->addItem(sizeText(size), size);
+    for (const QSize& size : moviePresets) m_preset->addItem(pictureSizeText(size), size);
     const QSize ofView = m_facts.ofView.boundedTo({largestEdge, largestEdge});
-    if (!ofView.isEmpty()) m_preset->addItem(tr("as the view, %1").arg(sizeText(ofView)), ofView);
+    if (!ofView.isEmpty()) m_preset->addItem(tr("as the view, %1").arg(pictureSizeText(ofView)), ofView);
     m_preset->addItem(tr("other"), QSize());
     connect(m_preset, &QComboBox::activated, this, &MovieDialog::takePreset);
     const auto edge = [this](const QString& name, const QString& words) {

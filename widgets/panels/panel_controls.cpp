@@ -3,8 +3,11 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QLabel>
+#include <QProgressBar>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace echolucent {
@@ -62,6 +65,13 @@ QLabel* noteLabel(const QString& sentence, const QString& objectName) {
 QString angleText(int degrees) {
     const QString sign = degrees > 0 ? QStringLiteral("+") : degrees < 0 ? QStringLiteral("−") : QString();
     return QStringLiteral("%1%2°").arg(sign).arg(std::abs(degrees));
+}
+
+void showShare(QProgressBar* progress, double share) {
+    if (std::isnan(share)) return;
+    constexpr int steps = 1000;
+    progress->setRange(0, steps);
+    progress->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * steps)));
 }
 
 void selectData(QComboBox* comboBox, int data) {

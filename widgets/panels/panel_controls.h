@@ -7,6 +7,7 @@
 
 class QComboBox;
 class QLabel;
+class QProgressBar;
 class QToolButton;
 
 namespace echolucent {
@@ -41,6 +42,10 @@ void wheelNeedsFocus(QWidget* control);
 
 /// "+3°", "−3°", "0°".
 [[nodiscard]] QString angleText(int degrees);
+
+/// Shows how much of a run is done, as a share that is clamped to [0,1]; NaN, a share that nobody knows, changes
+/// nothing.
+void showShare(QProgressBar* progress, double share);
 
 /// Selects the entry with that data; emits nothing. The data must be there.
 void selectData(QComboBox* comboBox, int data);

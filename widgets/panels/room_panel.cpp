@@ -50,7 +50,7 @@ QString sideText(BoxSide side) {
     return {};
 }
 
-QString toolText(ScalpelTool tool) {
+QString scalpelToolText(ScalpelTool tool) {
     switch (tool) {
         case ScalpelTool::freehand: return RoomPanel::tr("Freehand");
         case ScalpelTool::polygon: return RoomPanel::tr("Polygon");
@@ -207,9 +207,9 @@ void RoomPanel::addTools(QVBoxLayout& column) {
     auto* tools = new QGridLayout;
     for (const ScalpelTool tool : allTools) {
         const auto index = static_cast<std::size_t>(tool);
-        auto* button =
-            createSwitch(toolText(tool), "room.scalpel." + textOf(nameOf(tool)), tr("Scalpel: %1").arg(toolText(tool)),
-                         tr("Draw over the 3D picture with the left button; press again to put it away (S)"));
+        auto* button = createSwitch(
+            scalpelToolText(tool), "room.scalpel." + textOf(nameOf(tool)), tr("Scalpel: %1").arg(scalpelToolText(tool)),
+            tr("Draw over the 3D picture with the left button; press again to put it away (S)"));
         connect(button, &QToolButton::clicked, this,
                 [this, tool](bool on) { emit toolChosen(on ? std::optional(tool) : std::nullopt); });
         m_tools[index] = button;
@@ -295,7 +295,7 @@ void RoomPanel::setStrokes(const std::vector<ScalpelStroke>& strokes) {
     m_strokes->clear();
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         const ScalpelStroke& stroke = strokes[i];
-        QStringList words{tr("%1. %2").arg(i + 1).arg(toolText(stroke.tool))};
+        QStringList words{tr("%1. %2").arg(i + 1).arg(scalpelToolText(stroke.tool))};
         words << (stroke.side == ScalpelSide::inside ? tr("inside") : tr("outside"));
         words << (stroke.depthMm ? tr("down to a depth") : tr("through everything"));
         m_strokes->addItem(words.join(QStringLiteral(", ")));

@@ -5,15 +5,11 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QToolButton>
-#include <algorithm>
-#include <cmath>
 
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 namespace {
-
-constexpr int progressSteps = 1000;
 
 /// "1.6 ms", "24 ms": two figures are enough for a time.
 QString millisecondsText(double milliseconds) {
@@ -115,9 +111,7 @@ void RunStatus::beginProgress(const QString& activity) {
 }
 
 void RunStatus::setProgress(double share) {
-    if (!m_running || std::isnan(share)) return;
-    m_progress->setRange(0, progressSteps);
-    m_progress->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * progressSteps)));
+    if (m_running) showShare(m_progress, share);
 }
 
 void RunStatus::endProgress() {

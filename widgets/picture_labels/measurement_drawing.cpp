@@ -12,7 +12,7 @@ namespace echolucent {
 
 namespace {
 
-const QColor rimColour(0, 0, 0, 150);
+const QColor measurementRimColour(0, 0, 0, 150);
 
 QPointF pixelOf(const PicturePlace& place, const QSizeF& picture) {
     return {picture.width() / 2.0 + place[0] * picture.height(), picture.height() / 2.0 + place[1] * picture.height()};
@@ -26,7 +26,7 @@ QPolygonF lineThrough(const std::vector<PicturePlace>& places, const QSizeF& pic
 
 void paintLine(QPainter& painter, const QPolygonF& line, double scale) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(rimColour, (measurementLineWidth + 2.0) * scale));
+    painter.setPen(QPen(measurementRimColour, (measurementLineWidth + 2.0) * scale));
     painter.drawPolyline(line);
     painter.setPen(QPen(measurementColour, measurementLineWidth * scale));
     painter.drawPolyline(line);
@@ -34,7 +34,7 @@ void paintLine(QPainter& painter, const QPolygonF& line, double scale) {
 
 void paintMark(QPainter& painter, const QPointF& at, double scale) {
     const double radius = measurementMarkRadius * scale;
-    painter.setPen(QPen(rimColour, scale));
+    painter.setPen(QPen(measurementRimColour, scale));
     painter.setBrush(measurementColour);
     painter.drawEllipse(at, radius + scale / 2.0, radius + scale / 2.0);
 }

@@ -15,9 +15,9 @@ namespace echolucent {
 
 namespace {
 
-constexpr double rim = 1.0;                // pixels of a plain screen around a shape
-constexpr QColor rimColour{0, 0, 0, 140};  // as the 3D view's
-constexpr QColor shadowColour{0, 0, 0};    // of words, one pixel to the right and down
+constexpr double annotationRim = 1.0;                // pixels of a plain screen around a shape
+constexpr QColor annotationRimColour{0, 0, 0, 140};  // as the 3D view's
+constexpr QColor shadowColour{0, 0, 0};              // of words, one pixel to the right and down
 
 QColor colourOf(const Colour& colour) { return {colour[0], colour[1], colour[2]}; }
 
@@ -67,14 +67,14 @@ private:
             m_painter.setPen(QPen(colour, width, Qt::SolidLine, cap));
             m_painter.drawLine(placeOf(line.from), placeOf(line.to));
         };
-        stroke(rimColour, line.width + 2 * rim, Qt::SquareCap);
+        stroke(annotationRimColour, line.width + 2 * annotationRim, Qt::SquareCap);
         stroke(colourOf(line.colour), line.width, Qt::FlatCap);
     }
 
     void paint(const AnnotationDisc& disc) {
         m_painter.setPen(Qt::NoPen);
-        for (const auto& [colour, radius] :
-             {std::pair(rimColour, disc.radius + rim), std::pair(colourOf(disc.colour), disc.radius)}) {
+        for (const auto& [colour, radius] : {std::pair(annotationRimColour, disc.radius + annotationRim),
+                                             std::pair(colourOf(disc.colour), disc.radius)}) {
             m_painter.setBrush(colour);
             m_painter.drawEllipse(placeOf(disc.centre), radius, radius);
         }

@@ -17,7 +17,7 @@ namespace {
 constexpr double gapAtReference = 9.0, referenceRadius = 5.0;
 constexpr int rimShade = 40;  // of 255
 
-QString textOf(PlaneName plane) { return QString(QLatin1Char(nameOf(plane).front())); }
+QString letterOf(PlaneName plane) { return QString(QLatin1Char(nameOf(plane).front())); }
 
 /// Faces and corners are squares, the centre a cross in a square, the turning grip a ring, the bow a diamond.
 void paintGrip(QPainter& painter, const BoxGrip& grip) {
@@ -123,7 +123,7 @@ void PlanePane::paintWords(QPainter& painter) const {
     font.setBold(true);
     font.setPixelSize(18);
     painter.setFont(font);
-    paintRimmedText(painter, {10, 23}, textOf(m_plane), colourOf(m_plane));
+    paintRimmedText(painter, {10, 23}, letterOf(m_plane), colourOf(m_plane));
     font.setPixelSize(12);
     painter.setFont(font);
     const QFontMetricsF metrics(font);

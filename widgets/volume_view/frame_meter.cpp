@@ -8,8 +8,8 @@ namespace echolucent {
 
 namespace {
 constexpr double nanosecondsPerMillisecond = 1e6;
-constexpr double longestInterval = 250.0;  // ms; beyond, the hand had rested
-constexpr double newestShare = 0.2;        // so that a person can read the number
+constexpr double longestInterval = 250.0;    // ms; beyond, the hand had rested
+constexpr double newestIntervalShare = 0.2;  // so that a person can read the number
 
 double millisecondsSince(const QElapsedTimer& timer) {
     return static_cast<double>(timer.nsecsElapsed()) / nanosecondsPerMillisecond;
@@ -48,7 +48,7 @@ void FrameMeter::learnInterval() {
         m_intervals = 0;
     } else {
         ++m_intervals;
-        m_interval = m_intervals > 1 ? m_interval + newestShare * (interval - m_interval) : interval;
+        m_interval = m_intervals > 1 ? m_interval + newestIntervalShare * (interval - m_interval) : interval;
     }
 }
 

@@ -6,7 +6,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr double newestShare = 0.5;         // of the newest measure in a learnt cost
+constexpr double newestMeasureShare = 0.5;  // of the newest measure in a learnt cost
 constexpr double smallestBudget = 1.0 / 3;  // of a frame, however slowly pictures reach the screen
 constexpr double reclassifyShare = 0.25;    // of the cost of sampling, until it is measured
 constexpr double shadedRatio = 4.0;         // of the cost of sampling, until it is measured
@@ -17,7 +17,9 @@ double samplesOf(const RayCastSettings& settings) {
 
 double samplesAt(std::size_t quality, const RayCastSettings& asked) { return samplesOf(settingsAt(quality, asked)); }
 
-void learn(double& cost, double measured) { cost = cost > 0.0 ? cost + newestShare * (measured - cost) : measured; }
+void learn(double& cost, double measured) {
+    cost = cost > 0.0 ? cost + newestMeasureShare * (measured - cost) : measured;
+}
 
 /// How far from the budget costs must be for another quality to be taken.
 struct Reluctance {

@@ -4,6 +4,7 @@
 #include "app/measuring/designers/study_designers.h"
 #include "app/measuring/otf/study_phantoms.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/designers/designer.h"
 #include "processing/median.h"
 #include "processing/ray_caster.h"
 #include "processing/ray_caster/plain/plain_caster.h"

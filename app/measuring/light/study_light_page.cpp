@@ -9,7 +9,7 @@ namespace echolucent::cli {
 
 namespace {
 
-std::string nameOf(const LightVariant& variant) {
+std::string variantName(const LightVariant& variant) {
     return variant.value.empty() ? variant.parameter : variant.parameter + " " + variant.value;
 }
 
@@ -24,14 +24,14 @@ Plot errorPlot(const LightStudy& study) {
     for (const LightResult& result : study.results) {
         series.x.push_back(result.milliseconds);
         series.y.push_back(result.error.rmse);
-        series.labels.push_back(nameOf(result.variant));
+        series.labels.push_back(variantName(result.variant));
     }
     plot.series.push_back(series);
     return plot;
 }
 
 std::vector<std::string> cellsOf(const LightResult& result) {
-    return {nameOf(result.variant),
+    return {variantName(result.variant),
             fmt::format("{:.2f}", result.error.rmse),
             fmt::format("{:.1f}", result.error.largest),
             fmt::format("{:.4f}", result.error.ssim),
@@ -77,8 +77,8 @@ std::string lightSummary(const std::vector<LightStudy>& studies) {
     for (const LightStudy& study : studies)
         for (const LightResult& result : study.results)
             text += fmt::format("{:<24}{:<24}{:>8.2f}{:>9.1f}{:>9.1f}{:>10.1f}{:>8.1f}\n", study.name,
-                                nameOf(result.variant), result.error.rmse, result.error.largest, result.milliseconds,
-                                result.turnedMilliseconds, result.keyMilliseconds);
+                                variantName(result.variant), result.error.rmse, result.error.largest,
+                                result.milliseconds, result.turnedMilliseconds, result.keyMilliseconds);
     return text;
 }
 

@@ -47,7 +47,7 @@ std::pair<double, double> unclampedRange(const std::vector<SweptOtf>& frames, Ot
     return {lowest, highest};
 }
 
-ModeFigures figuresOf(const MotionMode& mode, const MotionFigures& figures, const FrameRenderer& render) {
+ModeFigures measureMode(const MotionMode& mode, const MotionFigures& figures, const FrameRenderer& render) {
     ModeFigures result{.mode = mode, .shown = {}, .otfFlicker = 0.0, .pictures = {}};
     if (!mode) {
         result.shown.assign(figures.frames.size(), figures.oneOtf);
@@ -182,7 +182,7 @@ MotionFigures measureMotion(const MotionCase& motionCase, const AdaptiveOtfConfi
     const auto& first = *motionCase.phases[static_cast<std::size_t>(motionCase.motion.firstPhase)];
     figures.oneOtf = adaptOpacity(first, motionCase.start, config)->curve;
     const FrameRenderer render = frameRenderer(motionCase.phases, frames, pictureSettings(edge));
-    for (const MotionMode& mode : motionModes()) figures.modes.push_back(figuresOf(mode, figures, render));
+    for (const MotionMode& mode : motionModes()) figures.modes.push_back(measureMode(mode, figures, render));
     compareCurves(figures, render);
     compareWithStatic(figures, render);
     figures.domains = domainsOf(figures.frames);

@@ -8,6 +8,7 @@
 
 #include "app/measuring/study.h"
 #include "app/pages/html_page.h"
+#include "processing/adaptive/adaptive_otf_result.h"
 
 namespace echolucent::cli {
 
@@ -196,7 +197,7 @@ void addCourse(HtmlPage& page, const MotionFigures& figures) {
     const std::size_t count = std::min(framesOfFigure, figures.frames.size());
     const std::size_t first = (figures.frames.size() - count) / 2;
     Plot plot{.title = fmt::format("Opacity at intensity {:.2f}, where it varies most (Fig. 11)",
-                                   static_cast<double>(spread.intensity) / (AdaptiveOtf::sampleCount - 1)),
+                                   AdaptiveOtf::intensityOf(spread.intensity)),
               .xLabel = frameLabel(figures),
               .yLabel = "opacity per unit",
               .series = {}};

@@ -25,7 +25,7 @@ struct MotionStudyOptions {
     std::string output;
 };
 
-constexpr int stillEdge = 64;  // pixels; larger ones would fill the page (HtmlPage::mostBytes)
+constexpr int largestStillEdge = 64;  // pixels; larger ones would fill the page (HtmlPage::mostBytes)
 /// The paper's volume is 99.5 mm wide.
 constexpr double phantomExtentMm = 99.5;
 
@@ -113,7 +113,7 @@ Result<void> studyMotion(const MotionStudyOptions& options) {
     std::vector<MotionFigures> figures;
     for (const MotionCase& motionCase : *cases) {
         figures.push_back(
-            measureMotion(motionCase, *config, options.pictureSize, std::min(stillEdge, options.pictureSize)));
+            measureMotion(motionCase, *config, options.pictureSize, std::min(largestStillEdge, options.pictureSize)));
         for (const ModeFigures& mode : figures.back().modes) {
             if (mode.mode != OtfSmoothing::none && mode.mode != OtfSmoothing::leastFlicker) continue;
             std::vector<SweptOtf> course = figures.back().frames;

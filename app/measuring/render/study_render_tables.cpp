@@ -28,8 +28,8 @@ std::vector<std::string> rowOf(const RenderResult& result) {
             result.onFront ? "●" : ""};
 }
 
-const std::vector<std::string> columns{"",     "parameter", "value", "time, ms", "time ratio",
-                                       "RMSE", "maximum",   "SSIM",  "front"};
+const std::vector<std::string> variantColumns{"",     "parameter", "value", "time, ms", "time ratio",
+                                              "RMSE", "maximum",   "SSIM",  "front"};
 
 std::int64_t flag(bool value) { return value ? 1 : 0; }
 
@@ -71,7 +71,7 @@ std::string renderCsv(const RenderStudy& study) {
 }
 
 TextTable settingsTable(const RenderStudy& study) {
-    TextTable table{columns, {}};
+    TextTable table{variantColumns, {}};
     for (const RenderResult& result : study.results)
         if (!result.variant.plain) table.rows.push_back(rowOf(result));
     return table;
@@ -83,7 +83,7 @@ TextTable frontTable(const RenderStudy& study) {
         if (result.onFront) front.push_back(&result);
     std::sort(front.begin(), front.end(),
               [](const auto* a, const auto* b) { return a->milliseconds < b->milliseconds; });
-    TextTable table{columns, {}};
+    TextTable table{variantColumns, {}};
     table.columns.pop_back();
     for (const RenderResult* result : front) {
         table.rows.push_back(rowOf(*result));

@@ -20,7 +20,7 @@ namespace echolucent::cli {
 namespace {
 
 constexpr char ours[] = "as here";
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infiniteError = std::numeric_limits<double>::infinity();
 
 /// More digits than a double's are needed to see a double's error.
 long double numberFrom(const std::string& digits) { return std::strtold(digits.c_str(), nullptr); }
@@ -34,7 +34,7 @@ public:
     /// The error is counted in `scale`.
     void add(double value, long double exact, const std::string& digits, long double scale = 1.0L) {
         const long double error = std::abs(static_cast<long double>(value) - exact) / scale;
-        const double counted = std::isfinite(value) ? static_cast<double>(error) : infinity;
+        const double counted = std::isfinite(value) ? static_cast<double>(error) : infiniteError;
         if (counted <= m_check.error) return;
         m_check.error = counted;
         m_check.value = value;

@@ -32,7 +32,7 @@ std::optional<FragmentMap> mapByOffsets(const std::vector<DcmPixelItem*>& items,
     return map;
 }
 
-std::span<const std::uint8_t> bytesOf(DcmPixelItem& item) {
+std::span<const std::uint8_t> bytesOfItem(DcmPixelItem& item) {
     Uint8* data = nullptr;
     if (item.getLength() == 0 || item.getUint8Array(data).bad() || data == nullptr) return {};
     return {data, item.getLength()};
@@ -62,7 +62,7 @@ FragmentMap mapByCodestreams(const std::vector<DcmPixelItem*>& items, Codestream
     FragmentMap map;
     bool ended = true;
     for (std::size_t fragment = 0; fragment < items.size(); ++fragment) {
-        const auto bytes = bytesOf(*items[fragment]);
+        const auto bytes = bytesOfItem(*items[fragment]);
         if (ended && beginsPicture(bytes, kind))
             map.push_back({fragment, 1});
         else if (!map.empty())
@@ -74,7 +74,7 @@ FragmentMap mapByCodestreams(const std::vector<DcmPixelItem*>& items, Codestream
 
 /// The numbers of a basic offset table: 32 bits each, little endian.
 std::vector<std::uint64_t> basicOffsets(DcmPixelItem& item) {
-    const auto bytes = bytesOf(item);
+    const auto bytes = bytesOfItem(item);
     std::vector<std::uint64_t> offsets(bytes.size() / 4);
     for (std::size_t i = 0; i < offsets.size(); ++i)
         for (std::size_t byte = 0; byte < 4; ++byte)
@@ -130,7 +130,7 @@ std::optional<std::vector<std::uint8_t>> fragmentBytes(const FrameFragments& fra
     const FragmentRange& range = fragments.frames[frame];
     for (std::size_t index = range.first; index < range.first + range.count; ++index) {
         DcmPixelItem& item = *fragments.items[index];
-        const auto piece = bytesOf(item);
+        const auto piece = bytesOfItem(item);
         if (piece.empty() && item.getLength() > 0) return std::nullopt;
         bytes.insert(bytes.end(), piece.begin(), piece.end());
     }

@@ -1,6 +1,7 @@
 // DICOMDIR: a list of the files on a medium.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -13,6 +13,7 @@
 #include "io/files_below.h"
 #include "io/headers/header_text.h"
 #include "io/input_file.h"
+#include "io/input_problems.h"
 #include "io/series_list.h"
 #include "io/study_assembly.h"
 
@@ -86,7 +87,7 @@ void findMeantSlices(const std::vector<std::string>& files, std::vector<LookedAt
     }
     const auto damaged = [&](std::size_t i, const char* problem) {
         found.damaged.push_back(
-            {files[i], fail(FailureKind::unreadable, files[i], "", problem, "Copy or export it again.").value(), {}});
+            {files[i], fail(FailureKind::unreadable, files[i], "", problem, copyAgain).value(), {}});
     };
     for (std::size_t i = 0; i < files.size(); ++i) {
         const LookedAt& one = looked[i];

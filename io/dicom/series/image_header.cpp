@@ -17,6 +17,7 @@
 #include "io/dicom/series/series_description.h"
 #include "io/gzip_file.h"
 #include "io/headers/header_text.h"
+#include "io/input_problems.h"
 
 namespace echolucent {
 
@@ -140,7 +141,7 @@ LookedAt lookAtDicom(const InputFile& input, const Progress& progress) {
     const bool kretz = file->scan().holdsKretz;
     if (const std::string lack = kretz ? "" : lackOf(*file); !lack.empty()) {
         looked.kind = LookedAt::Kind::damaged;
-        looked.damage = fail(FailureKind::unreadable, input.path(), "", lack, "Copy or export it again.").value();
+        looked.damage = fail(FailureKind::unreadable, input.path(), "", lack, copyAgain).value();
         looked.header = std::make_unique<ImageHeader>(headerOf(*file));
         return looked;
     }

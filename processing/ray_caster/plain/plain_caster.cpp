@@ -9,6 +9,7 @@
 
 #include "processing/parallel.h"
 #include "processing/picture/reaching_light.h"
+#include "processing/progress_count.h"
 #include "processing/volume/gradient_magnitude.h"
 
 namespace echolucent {

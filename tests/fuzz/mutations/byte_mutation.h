@@ -1,8 +1,11 @@
 // Changes of bytes of which nothing is known, and the extremes that all mutations use.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
+#include <string_view>
 
 #include "tests/fuzz/mutations/dice.h"
 
@@ -29,6 +32,13 @@ template <typename Value>
     const auto* first = reinterpret_cast<const char*>(&value);
     const std::string bytes(first, first + sizeof value);
     return reversed ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+}
+/// The value whose bytes stand at `offset`; they must be there.
+template <typename Value>
+[[nodiscard]] Value valueAt(std::string_view bytes, std::size_t offset) {
+    Value value{};
+    std::memcpy(&value, bytes.data() + offset, sizeof value);
+    return value;
 }
 /// `width` bytes (1, 2, 4 or 8) that hold an extreme whole number or, of 4 and 8, float.
 [[nodiscard]] std::string extremeField(Dice& dice, std::size_t width, bool real, bool reversed = false);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
@@ -16,14 +15,7 @@ namespace {
 constexpr std::uint32_t undefined = 0xffffffffU;
 constexpr std::uint32_t itemTag = 0xfffee000U, itemEnd = 0xfffee00dU, sequenceEnd = 0xfffee0ddU;
 constexpr std::uint32_t transferSyntaxTag = 0x00020010U, pixelDataTag = 0x7fe00010U;
-constexpr int deepest = 40;
-
-template <typename Value>
-Value valueAt(std::string_view bytes, std::size_t offset) {
-    Value value{};
-    std::memcpy(&value, bytes.data() + offset, sizeof value);
-    return value;
-}
+constexpr int deepestItem = 40;
 
 std::uint32_t tagAt(std::string_view bytes, std::size_t offset) {
     return std::uint32_t{valueAt<std::uint16_t>(bytes, offset)} << 16 | valueAt<std::uint16_t>(bytes, offset + 2);
@@ -86,7 +78,7 @@ private:
         const std::size_t held = end - at;
         if (endless && one.tag == pixelDataTag) return withFragments(std::move(one), end);
         const bool items = at + 8 <= end && tagAt(m_bytes, at) == itemTag;
-        if ((endless || one.vr == "SQ" || (implicit && items)) && depth < deepest)
+        if ((endless || one.vr == "SQ" || (implicit && items)) && depth < deepestItem)
             return withItems(std::move(one), endless ? end : at + std::min<std::size_t>(length, held), endless,
                              implicit, depth);
         if (endless) return std::nullopt;

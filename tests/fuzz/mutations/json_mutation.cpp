@@ -12,7 +12,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr int deepest = 500;
+constexpr int deepestJson = 500;
 
 /// What nests deeper is no JSON that the library can write again: it recurses.
 bool isShallow(const std::string& text) {
@@ -20,7 +20,7 @@ bool isShallow(const std::string& text) {
     for (const char letter : text) {
         if (letter == '[' || letter == '{') ++depth;
         if (letter == ']' || letter == '}') --depth;
-        if (depth > deepest) return false;
+        if (depth > deepestJson) return false;
     }
     return true;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -41,13 +40,6 @@ constexpr std::array<std::pair<std::uint16_t, std::uint16_t>, 19> tags{{{0xC000,
                                                                         {0x0110, 2},
                                                                         {0x0000, 1},
                                                                         {0xFFFF, 0xFFFF}}};
-
-template <typename Value>
-Value valueAt(const std::string& bytes, std::size_t offset) {
-    Value value{};
-    std::memcpy(&value, bytes.data() + offset, sizeof value);
-    return value;
-}
 
 std::vector<Item> itemsOf(const std::string& bytes, std::string& rest) {
     std::vector<Item> items;

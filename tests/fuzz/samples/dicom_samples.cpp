@@ -14,8 +14,6 @@ namespace echolucent {
 
 namespace {
 
-const std::string cineClass = "1.2.840.10008.5.1.4.1.1.3.1";
-const std::string sliceClass = "1.2.840.10008.5.1.4.1.1.6.1";
 const std::string qlabClass = "1.2.840.113543.6.6.1.3.10002";
 
 std::string counted(std::size_t count) {
@@ -126,7 +124,7 @@ std::vector<FuzzSample> dicomSamples() {
     std::vector<FuzzSample> samples{
         {"cine", cine().put(0x7fe0, 0x0010, "OW", pixels).file(cineClass)},
         {"sequences", deep.file(cineClass)},
-        {"kretz", kretz.file(sliceClass)},
+        {"kretz", kretz.file(pictureClass)},
         {"qlab", qlab()},
         {"groups", groups()},
         {"palette", palette()},
@@ -148,25 +146,13 @@ std::vector<FuzzSample> dicomSamples() {
 
 std::string dicomSlice(int instance) {
     DicomBytes file;
-    file.text(0x0008, 0x0016, "UI", sliceClass).text(0x0008, 0x0018, "UI", "1.2.3." + std::to_string(instance));
+    file.text(0x0008, 0x0016, "UI", pictureClass).text(0x0008, 0x0018, "UI", "1.2.3." + std::to_string(instance));
     file.text(0x0008, 0x0060, "CS", "US").text(0x0020, 0x000e, "UI", "1.2.3");
     file.text(0x0020, 0x0013, "IS", std::to_string(instance));
     file.text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(instance));
     file.text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0").text(0x0020, 0x0052, "UI", "1.2.4").picture(4, 2, 0);
     file.text(0x0028, 0x0030, "DS", "0.5\\0.5");
-    return file.put(0x7fe0, 0x0010, "OW", counted(8)).file(sliceClass);
-}
-
-std::string dicomDirectory(const std::vector<std::string>& names) {
-    std::vector<DicomBytes> records;
-    for (const std::string& name : names) {
-        DicomBytes record;
-        record.put(0x0004, 0x1400, "UL", bytesFrom<std::uint32_t>({400}));
-        record.word(0x0004, 0x1410, 0xffff).put(0x0004, 0x1420, "UL", bytesFrom<std::uint32_t>({400}));
-        record.text(0x0004, 0x1430, "CS", "IMAGE").text(0x0004, 0x1500, "CS", name);
-        records.push_back(record);
-    }
-    return DicomBytes().sequence(0x0004, 0x1220, records).file("1.2.840.10008.1.3.10");
+    return file.put(0x7fe0, 0x0010, "OW", counted(8)).file(pictureClass);
 }
 
 const std::vector<FragmentForm>& fragmentForms() {

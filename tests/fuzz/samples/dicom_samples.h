@@ -12,8 +12,6 @@ namespace echolucent {
 [[nodiscard]] std::vector<FuzzSample> dicomSamples();
 /// Slice `instance` of a small series in the patient's frame.
 [[nodiscard]] std::string dicomSlice(int instance);
-/// A DICOMDIR that names these files.
-[[nodiscard]] std::string dicomDirectory(const std::vector<std::string>& names);
 
 /// Which form the pixels of a fragment have.
 struct FragmentForm {

@@ -1,4 +1,5 @@
 // Fuzz target: a DICOMDIR beside the slices that it may name.
+#include "dicom_bytes.h"
 #include "fuzz_target.h"
 #include "fuzzed_folder.h"
 #include "io/series_list.h"

@@ -55,14 +55,14 @@ TEST(DocumentFile, GoesToAFileAndBack) {
     EXPECT_EQ(nowhere.error().kind, FailureKind::unwritable);
 }
 
-struct Wrong {
+struct WrongPart {
     const char* place;  ///< JSON pointer
     nlohmann::ordered_json value;
     const char* key;  ///< in the sentence
     const char* problem;
 };
 
-class WrongDocument : public testing::TestWithParam<Wrong> {};
+class WrongDocument : public testing::TestWithParam<WrongPart> {};
 
 TEST_P(WrongDocument, IsRefusedByItsKey) {
     const auto read =
@@ -75,61 +75,61 @@ TEST_P(WrongDocument, IsRefusedByItsKey) {
 
 INSTANTIATE_TEST_SUITE_P(
     DocumentFile, WrongDocument,
-    testing::Values(Wrong{"/format", "echolucent-opacity-curve", "format", "echolucent-document"},
-                    Wrong{"/version", 2, "version", "must be 1, not 2"}, Wrong{"/version", "1", "version", "must be 1"},
-                    Wrong{"/views", 3, "views", "list"}, Wrong{"/views/1/pose", 99, "", "views[1].pose names no pose"},
-                    Wrong{"/views/1/id", 3, "", "views must have an id of its own each"},
-                    Wrong{"/views/0/curve", "sigmoid", "views[0].curve", "must not be \"sigmoid\""},
-                    Wrong{"/poses/0/magnification", 0, "poses[0].magnification", "above 0"},
-                    Wrong{"/poses/0/magnification", nullptr, "poses[0].magnification", "must be a number"},
-                    Wrong{"/poses/0/offset_mm", {1, 2}, "poses[0].offset_mm", "three numbers"},
-                    Wrong{"/poses/1/direction/elevation", 90.5, "poses[1].direction.elevation", "-90 to 90"},
-                    Wrong{"/poses/1/direction", 1, "poses[1].direction", "object"},
-                    Wrong{"/cuts/0/near_cut_mm", -1, "cuts[0].near_cut_mm", "0 or more"},
-                    Wrong{"/looks/0/mode", 1, "looks[0].mode", "must not be 1"},
-                    Wrong{"/looks/0/light_elevation", 91, "looks[0].light_elevation", "-90 to 90"},
-                    Wrong{"/phases/0/phase", 1.5, "phases[0].phase", "whole number"},
-                    Wrong{"/phases/0/phase", -1, "phases[0].phase", "0 to"},
-                    Wrong{"/curves/manual/1/opacity", 1.01, "curves.manual[1].opacity", "0 to 1"},
-                    Wrong{"/curves/manual/2/intensity", 0.2, "curves.manual[2].intensity", "before"},
-                    Wrong{"/curves/manual", nlohmann::ordered_json::array(), "curves.manual", "at least one"},
-                    Wrong{"/curves/linear/upper", 0.2, "curves.linear.upper", "to 1"},
-                    Wrong{"/curves/adjustment/threshold", 0.51, "curves.adjustment.threshold", "-0.5 to 0.5"},
-                    Wrong{"/method/initial", "cubic", "method.initial", "cubic"},
-                    Wrong{"/method/parameters/tube_columns", 0, "method.parameters.tube_columns", "must be 1 to"},
-                    Wrong{"/method/parameters/without_tubes", {3, 465}, "method.parameters", "0 to 464, not 465"},
-                    Wrong{"/method/parameters/without_tubes", {3, 3}, "method.parameters", "once"},
-                    Wrong{"/method/parameters/without_tubes", {3, -1}, "method.parameters.without_tubes", "from 0 to"},
-                    Wrong{
-                        "/method/parameters/without_tubes", {3.5}, "method.parameters.without_tubes", "whole numbers"},
-                    Wrong{"/method/parameters/without_tubes", 3, "method.parameters.without_tubes", "list"},
-                    Wrong{"/method/parameters/form", "sigmoid", "method.parameters.form", "sigmoid"},
-                    Wrong{"/method/parameters/ramp_begin", 0.3, "method.parameters.ramp_begin", "must not be"},
-                    Wrong{"/motion/angle", 46, "motion.angle", "-45 to 45"},
-                    Wrong{"/motion/ping_pong", 1, "motion.ping_pong", "true or false"},
-                    Wrong{"/beam/axis", "up", "beam.axis", "up"},
-                    Wrong{"/boxes/1/front", "front", "boxes[1].front", "must not be \"front\""},
-                    Wrong{"/boxes/1/size_mm", {1, 0, 1}, "", "boxes[1] has a size that is not above 0"},
-                    Wrong{"/planes/0/window", 0, "planes[0].window", "to 4"},
-                    Wrong{"/planes/0/crops/B/magnification", 0, "planes[0].crops.B.magnification", "above 0"},
-                    Wrong{"/strokes/1/strokes/1/places", {{1, 2}, {3}}, "strokes[1].strokes[1].places", "pairs"},
-                    Wrong{"/strokes/1/strokes/1/places", {{1, 2}, {3, 4}}, "", "fewer than three places"},
-                    Wrong{"/strokes/1/strokes/0/radius", 0, "", "a radius that is not above 0"},
-                    Wrong{"/strokes/1/strokes/0/camera/height_mm", 0, "", "a camera that has a height"},
-                    Wrong{"/strokes/1/strokes/0/camera/frame/down", {0, 0, 1}, "", "orthonormal"},
-                    Wrong{"/views/1/strokes", 3, "", "views[1].strokes names no strokes"},
-                    Wrong{"/views/0/design", 3, "", "views[0].design names no design"},
-                    Wrong{"/views/1/without_tubes", {1, -2}, "views[1].without_tubes", "whole numbers"},
-                    Wrong{"/designs/0/designer", "sakas", "designs[0].designer", "must not be \"sakas\""},
-                    Wrong{"/designs/0/parameters/tissue_opacity", -1, "designs[0].parameters.tissue_opacity", "0 to 1"},
-                    Wrong{"/designs/0/id", 2, "", "designs must have an id of its own each"},
-                    Wrong{"/designs/0/id", 0, "", "designs must have ids from 1 on"},
-                    Wrong{"/designs/2/reference/histogram/3", 0.5, "designs[2].reference", "sum of 1"},
-                    Wrong{"/designs/2/reference/curve/kind", "cubic", "designs[2].reference.curve.kind", "manual"},
-                    Wrong{"/designs/2/reference/curve/opacities", {0.5}, "designs[2].reference.curve.opacities", "two"},
-                    Wrong{"/designs/1/drawn", {{1, 2}}, "", "designs[1]: "},
-                    Wrong{"/study/file/raw_layout/size", {0, 1, 1}, "study.file.raw_layout.size", "whole numbers"},
-                    Wrong{"/study/file/path", 5, "study.file.path", "text"}));
+    testing::Values(
+        WrongPart{"/format", "echolucent-opacity-curve", "format", "echolucent-document"},
+        WrongPart{"/version", 2, "version", "must be 1, not 2"}, WrongPart{"/version", "1", "version", "must be 1"},
+        WrongPart{"/views", 3, "views", "list"}, WrongPart{"/views/1/pose", 99, "", "views[1].pose names no pose"},
+        WrongPart{"/views/1/id", 3, "", "views must have an id of its own each"},
+        WrongPart{"/views/0/curve", "sigmoid", "views[0].curve", "must not be \"sigmoid\""},
+        WrongPart{"/poses/0/magnification", 0, "poses[0].magnification", "above 0"},
+        WrongPart{"/poses/0/magnification", nullptr, "poses[0].magnification", "must be a number"},
+        WrongPart{"/poses/0/offset_mm", {1, 2}, "poses[0].offset_mm", "three numbers"},
+        WrongPart{"/poses/1/direction/elevation", 90.5, "poses[1].direction.elevation", "-90 to 90"},
+        WrongPart{"/poses/1/direction", 1, "poses[1].direction", "object"},
+        WrongPart{"/cuts/0/near_cut_mm", -1, "cuts[0].near_cut_mm", "0 or more"},
+        WrongPart{"/looks/0/mode", 1, "looks[0].mode", "must not be 1"},
+        WrongPart{"/looks/0/light_elevation", 91, "looks[0].light_elevation", "-90 to 90"},
+        WrongPart{"/phases/0/phase", 1.5, "phases[0].phase", "whole number"},
+        WrongPart{"/phases/0/phase", -1, "phases[0].phase", "0 to"},
+        WrongPart{"/curves/manual/1/opacity", 1.01, "curves.manual[1].opacity", "0 to 1"},
+        WrongPart{"/curves/manual/2/intensity", 0.2, "curves.manual[2].intensity", "before"},
+        WrongPart{"/curves/manual", nlohmann::ordered_json::array(), "curves.manual", "at least one"},
+        WrongPart{"/curves/linear/upper", 0.2, "curves.linear.upper", "to 1"},
+        WrongPart{"/curves/adjustment/threshold", 0.51, "curves.adjustment.threshold", "-0.5 to 0.5"},
+        WrongPart{"/method/initial", "cubic", "method.initial", "cubic"},
+        WrongPart{"/method/parameters/tube_columns", 0, "method.parameters.tube_columns", "must be 1 to"},
+        WrongPart{"/method/parameters/without_tubes", {3, 465}, "method.parameters", "0 to 464, not 465"},
+        WrongPart{"/method/parameters/without_tubes", {3, 3}, "method.parameters", "once"},
+        WrongPart{"/method/parameters/without_tubes", {3, -1}, "method.parameters.without_tubes", "from 0 to"},
+        WrongPart{"/method/parameters/without_tubes", {3.5}, "method.parameters.without_tubes", "whole numbers"},
+        WrongPart{"/method/parameters/without_tubes", 3, "method.parameters.without_tubes", "list"},
+        WrongPart{"/method/parameters/form", "sigmoid", "method.parameters.form", "sigmoid"},
+        WrongPart{"/method/parameters/ramp_begin", 0.3, "method.parameters.ramp_begin", "must not be"},
+        WrongPart{"/motion/angle", 46, "motion.angle", "-45 to 45"},
+        WrongPart{"/motion/ping_pong", 1, "motion.ping_pong", "true or false"},
+        WrongPart{"/beam/axis", "up", "beam.axis", "up"},
+        WrongPart{"/boxes/1/front", "front", "boxes[1].front", "must not be \"front\""},
+        WrongPart{"/boxes/1/size_mm", {1, 0, 1}, "", "boxes[1] has a size that is not above 0"},
+        WrongPart{"/planes/0/window", 0, "planes[0].window", "to 4"},
+        WrongPart{"/planes/0/crops/B/magnification", 0, "planes[0].crops.B.magnification", "above 0"},
+        WrongPart{"/strokes/1/strokes/1/places", {{1, 2}, {3}}, "strokes[1].strokes[1].places", "pairs"},
+        WrongPart{"/strokes/1/strokes/1/places", {{1, 2}, {3, 4}}, "", "fewer than three places"},
+        WrongPart{"/strokes/1/strokes/0/radius", 0, "", "a radius that is not above 0"},
+        WrongPart{"/strokes/1/strokes/0/camera/height_mm", 0, "", "a camera that has a height"},
+        WrongPart{"/strokes/1/strokes/0/camera/frame/down", {0, 0, 1}, "", "orthonormal"},
+        WrongPart{"/views/1/strokes", 3, "", "views[1].strokes names no strokes"},
+        WrongPart{"/views/0/design", 3, "", "views[0].design names no design"},
+        WrongPart{"/views/1/without_tubes", {1, -2}, "views[1].without_tubes", "whole numbers"},
+        WrongPart{"/designs/0/designer", "sakas", "designs[0].designer", "must not be \"sakas\""},
+        WrongPart{"/designs/0/parameters/tissue_opacity", -1, "designs[0].parameters.tissue_opacity", "0 to 1"},
+        WrongPart{"/designs/0/id", 2, "", "designs must have an id of its own each"},
+        WrongPart{"/designs/0/id", 0, "", "designs must have ids from 1 on"},
+        WrongPart{"/designs/2/reference/histogram/3", 0.5, "designs[2].reference", "sum of 1"},
+        WrongPart{"/designs/2/reference/curve/kind", "cubic", "designs[2].reference.curve.kind", "manual"},
+        WrongPart{"/designs/2/reference/curve/opacities", {0.5}, "designs[2].reference.curve.opacities", "two"},
+        WrongPart{"/designs/1/drawn", {{1, 2}}, "", "designs[1]: "},
+        WrongPart{"/study/file/raw_layout/size", {0, 1, 1}, "study.file.raw_layout.size", "whole numbers"},
+        WrongPart{"/study/file/path", 5, "study.file.path", "text"}));
 
 /// Whether the key at a place may be missing: a parameter of the method, of a designer or of a look, and all of a raw
 /// layout but its size, have defaults; most views have no design.

@@ -12,7 +12,7 @@ namespace echolucent {
 namespace {
 
 /// Presets whose numbers have no short decimal text.
-std::vector<Preset> unusual() {
+std::vector<Preset> unusualPresets() {
     std::vector<Preset> presets(standardPresets().begin(), standardPresets().end());
     Preset preset{.name = "Größe \"1/3\"", .curve = CurveKind::linear};
     preset.curves.linear = {1.0 / 3.0, 2.0 / 3.0, 0.7};
@@ -30,7 +30,7 @@ std::vector<Preset> unusual() {
 }
 
 TEST(PresetFile, ReadsBackWhatItWroteBitForBit) {
-    for (const std::vector<Preset>& presets : {std::vector<Preset>{}, unusual()}) {
+    for (const std::vector<Preset>& presets : {std::vector<Preset>{}, unusualPresets()}) {
         const std::string text = jsonOf(presets);
         const auto read = presetsFromJson(text);
         ASSERT_TRUE(read) << read.error().sentence();
@@ -41,10 +41,10 @@ TEST(PresetFile, ReadsBackWhatItWroteBitForBit) {
 
 TEST(PresetFile, GoesToAFileAndBack) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(writePresets(folder.file("mine.json"), unusual()));
-    EXPECT_EQ(readPresets(folder.file("mine.json")).value(), unusual());
+    ASSERT_TRUE(writePresets(folder.file("mine.json"), unusualPresets()));
+    EXPECT_EQ(readPresets(folder.file("mine.json")).value(), unusualPresets());
     EXPECT_FALSE(readPresets(folder.file("absent.json")));
-    EXPECT_FALSE(writePresets(folder.file("no folder/mine.json"), unusual()));
+    EXPECT_FALSE(writePresets(folder.file("no folder/mine.json"), unusualPresets()));
 }
 
 TEST(PresetFile, WhatIsWrongIsRefusedByItsKey) {
@@ -75,7 +75,7 @@ TEST(PresetFile, WhatIsWrongIsRefusedByItsKey) {
 
 TEST(PresetFile, OpenedAsAVolumeSaysWhatItIs) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(writePresets(folder.file("mine.json"), unusual()));
+    ASSERT_TRUE(writePresets(folder.file("mine.json"), unusualPresets()));
     const auto study = readStudy(folder.file("mine.json"));
     ASSERT_FALSE(study);
     EXPECT_TRUE(study.error().presets);

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A session that holds every kind of value.
-SavedSession unusual() {
+SavedSession unusualSession() {
     SavedSession session{.document = unusualDocument(), .file = "/home/me/\"my\" session.json"};
     Document plain;
     plain.study = session.document.study;
@@ -28,32 +28,27 @@ SavedSession unusual() {
     return session;
 }
 
-std::string bytesOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST(SessionFile, WrittenAndReadByteForByte) {
     const TemporaryFolder folder;
     const std::string first = folder.file("a.session.json"), second = folder.file("b.session.json");
     SavedSession simulated;
     simulated.document.study = SimulatedScan{PhantomScene::shapes, {72, 68, 70}, 3};
-    for (const SavedSession& session : {SavedSession{}, unusual(), simulated}) {
+    for (const SavedSession& session : {SavedSession{}, unusualSession(), simulated}) {
         ASSERT_TRUE(writeSession(first, session));
         const auto read = readSession(first);
         ASSERT_TRUE(read) << read.error().sentence();
         EXPECT_TRUE(*read == session);
         ASSERT_TRUE(writeSession(second, *read));
-        EXPECT_EQ(bytesOf(first), bytesOf(second));
-        EXPECT_EQ(bytesOf(first), jsonOf(session));
+        EXPECT_EQ(contentsOf(first), contentsOf(second));
+        EXPECT_EQ(contentsOf(first), jsonOf(session));
     }
 }
 
 TEST(SessionFile, IsADocumentToWhoeverReadsDocuments) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.session.json");
-    ASSERT_TRUE(writeSession(path, unusual()));
-    EXPECT_TRUE(readDocument(path).value() == unusual().document);
+    ASSERT_TRUE(writeSession(path, unusualSession()));
+    EXPECT_TRUE(readDocument(path).value() == unusualSession().document);
     ASSERT_TRUE(writeDocument(path, unusualDocument()));
     EXPECT_TRUE(readSession(path).value() == (SavedSession{.document = unusualDocument()}));
     EXPECT_TRUE(looksLikeDocument(path));
@@ -65,7 +60,7 @@ TEST(SessionFile, IsADocumentToWhoeverReadsDocuments) {
 
 TEST(SessionFile, SnapshotsAreRefusedByTheirPlace) {
     const auto changed = [](const char* place, const nlohmann::ordered_json& value) {
-        auto object = nlohmann::ordered_json::parse(jsonOf(unusual()));
+        auto object = nlohmann::ordered_json::parse(jsonOf(unusualSession()));
         object[nlohmann::ordered_json::json_pointer(place)] = value;
         return sessionFromJson(object.dump(), "s.json");
     };
@@ -77,13 +72,13 @@ TEST(SessionFile, SnapshotsAreRefusedByTheirPlace) {
               "session.snapshots[0].document.poses[0].magnification");
     EXPECT_EQ(changed("/session/snapshots", 3).error().element, "session.snapshots");
     EXPECT_EQ(changed("/session", 3).error().element, "session");
-    SavedSession many = unusual();
+    SavedSession many = unusualSession();
     many.snapshots.assign(mostSnapshots + 1, {"one", {}});
     EXPECT_EQ(sessionFromJson(jsonOf(many)).error().element, "session.snapshots");
 }
 
 TEST(SessionFile, AThousandMutatedOnesOpenOrEndInASentence) {
-    Mutations mutations(jsonOf(unusual()), 14);
+    Mutations mutations(jsonOf(unusualSession()), 14);
     int opened = 0, refused = 0;
     std::chrono::duration<double> longest{0};
     for (int i = 0; i < 1000; ++i) {
@@ -115,7 +110,7 @@ TEST(SessionFile, AThousandMutatedOnesOpenOrEndInASentence) {
 TEST(SessionFile, HostileOnesEndSoon) {
     const std::string deep = std::string(2'000'000, '[');
     EXPECT_NE(sessionFromJson(deep).error().problem.find("too deep"), std::string::npos);
-    const std::string text = jsonOf(unusual());
+    const std::string text = jsonOf(unusualSession());
     const auto with = [&](const char* place, const nlohmann::ordered_json& value) {
         auto object = nlohmann::ordered_json::parse(text);
         object[nlohmann::ordered_json::json_pointer(place)] = value;

@@ -29,7 +29,7 @@ std::vector<NamedPhantom> sixConditions(const PhantomConfig& base) {
     return chosen;
 }
 
-TEST(PictureContrast, OfTheDefaultReadingIsHighAndNeverBelowFixedCurves) {
+TEST(LongPictureContrast, OfTheDefaultReadingIsHighAndNeverBelowFixedCurves) {
     PhantomConfig base = defaultPhantom(PhantomScene::shapes);
     base.size = {128, 128, 128};
     base.seed = 3;
@@ -70,7 +70,7 @@ struct FourMeasures {
     double objects, truth, tubes, share;
 };
 
-TEST(PictureContrast, WithTheTubeCoresSurfacesPraisesTheAdaptiveCurveAsTheTruthDoes) {
+TEST(LongPictureContrast, WithTheTubeCoresSurfacesPraisesTheAdaptiveCurveAsTheTruthDoes) {
     PhantomConfig base = defaultPhantom(PhantomScene::shapes);
     base.size = {128, 128, 128};
     base.seed = 3;

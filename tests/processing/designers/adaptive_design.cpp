@@ -27,8 +27,8 @@ std::string textOf(const Design& design) {
     return text;
 }
 
-/// Whether a two-dimensional OTF or a curve is there, finite and within [0,1].
-void expectSound(const Design& design) {
+/// A curve, finite and within [0,1], and sentences that explain it.
+void expectExplainedCurve(const Design& design) {
     ASSERT_FALSE(design.classification.isTwoDimensional());
     for (const double opacity : sampledOpacities(design.classification.curve(), 101)) {
         EXPECT_TRUE(std::isfinite(opacity));
@@ -58,7 +58,7 @@ TEST(AdaptiveDesign, IsTheAdaptiveCurveOfTheShownVoxelsWithItsFacts) {
     EXPECT_FALSE(factIn(made, "never_placed"));
     EXPECT_NE(textOf(made).find("tube cores (columns of voxels along the view) found a surface"), std::string::npos);
     EXPECT_NE(textOf(made).find("is about 0.05"), std::string::npos) << textOf(made);
-    expectSound(made);
+    expectExplainedCurve(made);
 }
 
 TEST(AdaptiveDesign, PlotsTheInitialFunction) {
@@ -114,7 +114,7 @@ TEST(AdaptiveDesign, WithoutASurfaceShowsTheInitialFunctionAndSaysSo) {
         EXPECT_TRUE(made.message.ends_with("the initial function is used.")) << made.message;
         EXPECT_EQ(sampledOpacities(made.classification.curve(), 256), sampledOpacities(PowerCurve{2, 1.0}, 256));
         EXPECT_FALSE(factIn(made, "low_intensity"));
-        expectSound(made);
+        expectExplainedCurve(made);
     }
 }
 

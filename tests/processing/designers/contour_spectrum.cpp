@@ -10,6 +10,7 @@
 
 #include "processing/designers/isovalue_spectrum.h"
 #include "processing/phantom/phantom.h"
+#include "tests/processing/designers/designer_volumes.h"
 #include "tests/processing/designers/spectrum_volumes.h"
 
 namespace echolucent {
@@ -23,18 +24,8 @@ PhantomConfig small(PhantomScene scene) {
     return config;
 }
 
-Design designOf(const ContourSpectrumConfig& config, const Volume& volume) {
-    return *design(config, DesignerInput{volume, volume});
-}
-
-double factOf(const Design& design, const std::string& name) {
-    for (const DesignFact& fact : design.facts)
-        if (fact.name == name) return fact.value;
-    return std::numeric_limits<double>::quiet_NaN();
-}
-
-/// Whether a classification can be shown, and shows something.
-void expectSound(const Design& design) {
+/// Samples of the curve are opacities, and not all are clear.
+void expectVisibleRamp(const Design& design) {
     double largest = 0.0;
     for (const double opacity : sampledOpacities(design.classification.curve(), 256)) {
         EXPECT_TRUE(opacity >= 0.0 && opacity <= 1.0);
@@ -47,7 +38,7 @@ TEST(ContourSpectrum, TheRampStandsBetweenFluidAndTissueOfQuietPhantoms) {
     for (const PhantomScene scene : {PhantomScene::fetus, PhantomScene::shapes}) {
         const PhantomConfig config = small(scene);
         const Volume quiet = *quietVolume(*makePhantom(config), SpeckleReduction::medium);
-        const Design found = designOf({}, quiet);
+        const Design found = designed(ContourSpectrumConfig{}, quiet);
         EXPECT_TRUE(found.message.empty()) << found.message;
         EXPECT_GT(factOf(found, "threshold"), 1.5 * config.fluid / 255.0);
         EXPECT_LT(factOf(found, "threshold"), 0.9 * config.tissue / 255.0);
@@ -59,10 +50,10 @@ TEST(ContourSpectrum, TheRampStandsBetweenFluidAndTissueOfQuietPhantoms) {
 /// What is rare and bright is steep in speckle, because there are few voxels and their speckle is strong.
 TEST(ContourSpectrum, RareBrightSpeckleIsNotTakenForTheSteepestSurface) {
     const Volume raw = *makePhantom(small(PhantomScene::shapes));
-    EXPECT_LT(factOf(designOf({}, raw), "threshold"), 0.3);
+    EXPECT_LT(factOf(designed(ContourSpectrumConfig{}, raw), "threshold"), 0.3);
     ContourSpectrumConfig all;
     all.leastArea = 0.003;
-    EXPECT_GT(factOf(designOf(all, raw), "threshold"), 0.6);
+    EXPECT_GT(factOf(designed(all, raw), "threshold"), 0.6);
 }
 
 TEST(ContourSpectrum, TheRampRisesAroundItsThreshold) {
@@ -72,13 +63,13 @@ TEST(ContourSpectrum, TheRampRisesAroundItsThreshold) {
     config.threshold = 0.4;
     config.halfWidth = 0.1;
     config.opacity = 0.8;
-    const OpacityCurve ramp = designOf(config, volume).classification.curve();
+    const OpacityCurve ramp = designed(config, volume).classification.curve();
     EXPECT_EQ(opacityAt(ramp, 0.29), 0.0);
     EXPECT_NEAR(opacityAt(ramp, 0.35), 0.2, 1e-12);
     EXPECT_NEAR(opacityAt(ramp, 0.4), 0.4, 1e-12);
     EXPECT_EQ(opacityAt(ramp, 0.51), 0.8);
     config.halfWidth = 0.0;
-    const OpacityCurve step = designOf(config, volume).classification.curve();
+    const OpacityCurve step = designed(config, volume).classification.curve();
     EXPECT_EQ(opacityAt(step, 0.399), 0.0);
     EXPECT_EQ(opacityAt(step, 0.4), 0.8);
 }
@@ -91,7 +82,7 @@ TEST(ContourSpectrum, WhatOfTheRampLiesBeyondBlackAndWhiteIsCutOff) {
     config.opacity = 0.5;
     for (const double threshold : {0.0, 0.05, 0.95, 1.0}) {
         config.threshold = threshold;
-        const Design found = designOf(config, volume);
+        const Design found = designed(config, volume);
         for (const CurveNode& node : std::get<ManualCurve>(found.classification.curve()).nodes) {
             EXPECT_GE(node.intensity, 0.0);
             EXPECT_LE(node.intensity, 1.0);
@@ -111,7 +102,7 @@ TEST(ContourSpectrum, FactsAndPlotsAreThoseOfTheSpectrum) {
     config.choice = IsovalueChoice::given;
     config.threshold = 102.0 / 255.0;
     const Volume volume = ball.volume(geometry);
-    const Design found = designOf(config, volume);
+    const Design found = designed(config, volume);
     EXPECT_NEAR(factOf(found, "area"), ball.area(0.4), 0.04 * ball.area(0.4)) << "mm²";
     EXPECT_NEAR(factOf(found, "volume_above"), ball.content(0.4), 0.04 * ball.content(0.4)) << "mm³";
     EXPECT_NEAR(factOf(found, "mean_gradient"), 0.5 / 11.0, 0.001) << "per unit";
@@ -121,7 +112,7 @@ TEST(ContourSpectrum, FactsAndPlotsAreThoseOfTheSpectrum) {
     EXPECT_EQ(found.plots[0].intensities[102], config.threshold);
 
     geometry.spacingKnown = false;
-    const Design unknown = designOf(config, ball.volume(geometry));
+    const Design unknown = designed(config, ball.volume(geometry));
     EXPECT_EQ(unknown.plots[0].unit, "units²");
     EXPECT_NEAR(factOf(unknown, "area"), 4.0 * factOf(found, "area"), 1e-9 * factOf(unknown, "area"));
     EXPECT_NEAR(factOf(unknown, "volume_above"), 8.0 * factOf(found, "volume_above"), 1e-6);
@@ -135,7 +126,7 @@ TEST(ContourSpectrum, MaximaCanBeClicked) {
     config.leastArea = 0.01;
     config.choice = IsovalueChoice::given;
     config.threshold = maxima[1].isovalue;
-    const Design clicked = designOf(config, quiet);
+    const Design clicked = designed(config, quiet);
     EXPECT_EQ(factOf(clicked, "threshold"), maxima[1].isovalue);
     EXPECT_EQ(factOf(clicked, "maximum_1"), maxima[0].isovalue);
     EXPECT_EQ(factOf(clicked, "maximum_2"), maxima[1].isovalue);
@@ -150,19 +141,19 @@ TEST(ContourSpectrum, WithoutASteepestIsovalueThereIsAMessageAndSomethingIsShown
     const Volume single(VolumeGeometry{}, std::vector<std::uint16_t>{7});
     const Volume noise = *makePhantom(small(PhantomScene::empty));
     for (const Volume* volume : {&constant, &zero, &none, &single, &noise}) {
-        const Design found = designOf({}, *volume);
+        const Design found = designed(ContourSpectrumConfig{}, *volume);
         EXPECT_FALSE(found.message.empty());
         EXPECT_EQ(found.classification, Classification(PowerCurve{2, 0.6}));
-        expectSound(found);
+        expectVisibleRamp(found);
     }
-    EXPECT_NE(designOf({}, none).message, designOf({}, constant).message);
-    EXPECT_NE(designOf({}, constant).message, designOf({}, noise).message);
+    EXPECT_NE(designed(ContourSpectrumConfig{}, none).message, designed(ContourSpectrumConfig{}, constant).message);
+    EXPECT_NE(designed(ContourSpectrumConfig{}, constant).message, designed(ContourSpectrumConfig{}, noise).message);
 
     ContourSpectrumConfig given;
     given.choice = IsovalueChoice::given;
-    EXPECT_FALSE(designOf(given, constant).message.empty());
-    EXPECT_TRUE(designOf(given, noise).message.empty());
-    expectSound(designOf(given, constant));
+    EXPECT_FALSE(designed(given, constant).message.empty());
+    EXPECT_TRUE(designed(given, noise).message.empty());
+    expectVisibleRamp(designed(given, constant));
 }
 
 TEST(ContourSpectrum, BrokenContractsThrow) {
@@ -174,7 +165,7 @@ TEST(ContourSpectrum, BrokenContractsThrow) {
         ContourSpectrumConfig config;
         config.choice = IsovalueChoice::given;
         config.*member = value;
-        EXPECT_THROW((void)designOf(config, volume), std::invalid_argument) << value;
+        EXPECT_THROW((void)designed(config, volume), std::invalid_argument) << value;
     };
     for (const double value : {-0.1, 1.1, nan}) {
         expectThrow(&ContourSpectrumConfig::threshold, value);

@@ -10,20 +10,19 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "processing/designers/design.h"
 #include "processing/parameter.h"
+#include "tests/processing/grids.h"
 
 namespace echolucent {
 
 inline VolumeGeometry gridOf(std::int64_t x, std::int64_t y, std::int64_t z, const Vec3& spacing = {1, 1, 1}) {
-    VolumeGeometry geometry;
-    geometry.size = {x, y, z};
-    geometry.spacing = spacing;
-    return geometry;
+    return gridOf({x, y, z}, spacing);
 }
 
 template <typename Value>
@@ -34,6 +33,12 @@ Volume lineOf(std::vector<Value> values, double white) {
 inline Volume bytesOf(std::vector<std::uint8_t> values) { return lineOf(std::move(values), 255.0); }
 
 inline DesignerInput inputOf(const Volume& volume) { return {volume, volume}; }
+
+/// What a designer makes of a volume that is raw and shown at once. The volume outlives the call.
+template <typename Config>
+Design designed(const Config& config, const Volume& volume) {
+    return design(config, inputOf(volume)).value();
+}
 
 /// The volume with another mask: 1 is data.
 inline Volume masked(const Volume& volume, std::vector<std::uint8_t> mask) {
@@ -97,6 +102,13 @@ inline double factOf(const Design& design, std::string_view name) {
         if (fact.name == name) return fact.value;
     ADD_FAILURE() << name;
     return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The plot of that name. Throws std::out_of_range where there is none.
+inline const DesignPlot& plotOf(const Design& design, std::string_view name) {
+    for (const DesignPlot& plot : design.plots)
+        if (plot.name == name) return plot;
+    throw std::out_of_range(std::string(name));
 }
 
 /// A classification that can be rendered: finite, within [0,1], and not clear everywhere.

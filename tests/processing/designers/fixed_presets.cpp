@@ -8,11 +8,6 @@
 namespace echolucent {
 namespace {
 
-template <typename Config>
-Design designed(const Config& config, const Volume& volume) {
-    return design(config, inputOf(volume)).value();
-}
-
 TEST(FetalPreset, HasTheOpacitiesOf3dSlicerAndIsTheManualCurveAtStart) {
     const Design design = designed(FetalPresetConfig{}, bytesOf({0, 60, 120, 255}));
     const auto opacityAtLevel = [&](double level) { return opacityAt(design.classification, level / 255.0, 0); };

@@ -16,8 +16,6 @@
 namespace echolucent {
 namespace {
 
-constexpr int nodes = HistogramVolume::intensityNodes;
-
 double bumps(std::int64_t x, std::int64_t y, std::int64_t z) {
     return 90.0 + 50.0 * std::sin(0.7 * static_cast<double>(x)) * std::cos(0.5 * static_cast<double>(y - 2 * z));
 }
@@ -109,7 +107,7 @@ TEST(HistogramVolume, HoldsTheSumsOfThePlainDefinition) {
     for (const Volume* volume : {&whole, &masked}) {
         const HistogramVolume found = *histogramVolume(*volume, {.prefilter = 0.0});
         const PlainDerivatives plain(*volume);
-        std::vector<DerivativeSums> expected(nodes);
+        std::vector<DerivativeSums> expected(HistogramVolume::intensityNodes);
         std::uint64_t data = 0, used = 0;
         forEachVoxel(geometry, [&](auto x, auto y, auto z) {
             const Vec3 voxel(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
@@ -123,7 +121,7 @@ TEST(HistogramVolume, HoldsTheSumsOfThePlainDefinition) {
         EXPECT_EQ(found.dataVoxels, data);
         EXPECT_EQ(found.usedVoxels, used);
         EXPECT_GT(used, 100U);
-        for (std::size_t node = 0; node < nodes; ++node)
+        for (std::size_t node = 0; node < HistogramVolume::intensityNodes; ++node)
             expectNear(found.overIntensity[node], expected[node], 1e-5 * (1.0 + expected[node].voxels));
     }
 }
@@ -133,7 +131,7 @@ TEST(HistogramVolume, OverBothCountsVoxelsWherePicturesReadThem) {
     const Volume volume = noisyVolume<std::uint8_t>(geometry, 0.4, bumps);
     constexpr int rows = 20;
     const HistogramVolume found = *histogramVolume(volume, {.prefilter = 1.0, .gradients = rows});
-    ASSERT_EQ(found.overBoth.size(), static_cast<std::size_t>(rows * nodes));
+    ASSERT_EQ(found.overBoth.size(), static_cast<std::size_t>(rows * HistogramVolume::intensityNodes));
     EXPECT_EQ(found.gradientNodes, rows);
     EXPECT_EQ(found.largestGradient, gradientRange(volume, volume)->largest);
     expectNear(total(found.overBoth), total(found.overIntensity), 1e-6);
@@ -145,7 +143,7 @@ TEST(HistogramVolume, OverBothCountsVoxelsWherePicturesReadThem) {
         magnitudes.row(y, z, row);
         const double gradient = row[static_cast<std::size_t>(x)];
         const auto node = std::lround(gradient / found.largestGradient * (rows - 1));
-        ++expected[static_cast<std::size_t>(node * nodes) +
+        ++expected[static_cast<std::size_t>(node * HistogramVolume::intensityNodes) +
                    static_cast<std::size_t>(volume.storedValue(geometry.offset(x, y, z)))];
     });
     for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_EQ(found.overBoth[i].voxels, expected[i]) << i;
@@ -210,7 +208,7 @@ TEST(HistogramVolume, WhatAScalpelCutCountsNoMoreButIsReadBesideTheCut) {
     const HistogramVolumeConfig config{.prefilter = 1.0, .gradients = 16};
     const HistogramVolume all = *histogramVolume(whole, config), rest = *histogramVolume(whole.withCut(cut), config),
                           gone = *histogramVolume(other, config);
-    for (std::size_t node = 0; node < nodes; ++node) {
+    for (std::size_t node = 0; node < HistogramVolume::intensityNodes; ++node) {
         DerivativeSums both = rest.overIntensity[node];
         both += gone.overIntensity[node];
         expectNear(both, all.overIntensity[node], 1e-9);
@@ -232,9 +230,9 @@ TEST(HistogramVolume, IsTheSameWhereTheVolumeStandsOnItsHead) {
     EXPECT_EQ(all.voxels, allMirrored.voxels);
     EXPECT_NEAR(all.gradients, allMirrored.gradients, 1e-6 * all.voxels);
     EXPECT_NEAR(all.seconds, allMirrored.seconds, 1e-6 * all.voxels);
-    for (std::size_t node = 0; node < nodes; ++node)
+    for (std::size_t node = 0; node < HistogramVolume::intensityNodes; ++node)
         EXPECT_NEAR(one.overIntensity[node].seconds, other.overIntensity[node].seconds,
-                    1e-3 * (1 + all.voxels / nodes));
+                    1e-3 * (1 + all.voxels / HistogramVolume::intensityNodes));
 }
 
 TEST(HistogramVolume, HasTheSameBitsForAnyNumberOfThreads) {

@@ -16,11 +16,11 @@
 namespace echolucent {
 namespace {
 
-constexpr std::size_t count = ContourSpectrum::count;
+constexpr std::size_t levelCount = ContourSpectrum::count;
 
 double integral(const std::vector<double>& values) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i) sum += values[i] * ContourSpectrum::width(i);
+    for (std::size_t i = 0; i < levelCount; ++i) sum += values[i] * ContourSpectrum::width(i);
     return sum;
 }
 
@@ -31,32 +31,35 @@ VolumeGeometry cube(std::int64_t size) {
 }
 
 /// A ball in 48 x 48 x 48 mm, whose centre lies on no voxel.
-const Ball ball{{23.63, 23.29, 23.57}, 22.0};
+const Ball offGridBall{{23.63, 23.29, 23.57}, 22.0};
 
 /// Compares with the ball's closed forms, a share of which is there.
 void expectBall(const ContourSpectrum& spectrum, double unitMm, double share, double tolerance) {
-    const double area = unitMm * unitMm, slope = unitMm / ball.reachMm;
+    const double area = unitMm * unitMm, slope = unitMm / offGridBall.reachMm;
     for (std::size_t i = 40; i <= 200; ++i) {
         const double w = ContourSpectrum::isovalue(i);
-        EXPECT_NEAR(spectrum.area[i] * area, share * ball.area(w), tolerance * share * ball.area(w)) << i;
-        EXPECT_NEAR(spectrum.gradientIntegral[i] * area, share * slope * ball.area(w),
-                    tolerance * share * slope * ball.area(w))
+        EXPECT_NEAR(spectrum.area[i] * area, share * offGridBall.area(w), tolerance * share * offGridBall.area(w)) << i;
+        EXPECT_NEAR(spectrum.gradientIntegral[i] * area, share * slope * offGridBall.area(w),
+                    tolerance * share * slope * offGridBall.area(w))
             << i;
-        EXPECT_NEAR(spectrum.volume[i] * area * unitMm, share * ball.content(w), tolerance * share * ball.content(w))
+        EXPECT_NEAR(spectrum.volume[i] * area * unitMm, share * offGridBall.content(w),
+                    tolerance * share * offGridBall.content(w))
             << i;
         EXPECT_NEAR(spectrum.meanGradient()[i], slope, 0.01 * slope) << i;
     }
 }
 
-TEST(IsovalueSpectrum, OfABallIsItsClosedForm) { expectBall(*contourSpectrum(ball.volume(cube(48))), 1.0, 1.0, 0.04); }
+TEST(IsovalueSpectrum, OfABallIsItsClosedForm) {
+    expectBall(*contourSpectrum(offGridBall.volume(cube(48))), 1.0, 1.0, 0.04);
+}
 
 TEST(IsovalueSpectrum, LengthsAreUnitsWhateverTheSpacing) {
     VolumeGeometry geometry = cube(96);
     geometry.spacing = {0.5, 0.5, 0.5};
-    expectBall(*contourSpectrum(ball.volume(geometry)), 0.5, 1.0, 0.01);
+    expectBall(*contourSpectrum(offGridBall.volume(geometry)), 0.5, 1.0, 0.01);
     geometry.size = {48, 96, 64};
     geometry.spacing = {1.0, 0.5, 0.75};
-    expectBall(*contourSpectrum(ball.volume(geometry)), 0.5, 1.0, 0.03);
+    expectBall(*contourSpectrum(offGridBall.volume(geometry)), 0.5, 1.0, 0.03);
 }
 
 TEST(IsovalueSpectrum, WhereTheDataEndsIsNoSurface) {
@@ -127,7 +130,7 @@ TEST(IsovalueSpectrum, VolumeNeverRisesAndNothingIsNegative) {
     const Volume volume(cube(16), scatteredBytes(16 * 16 * 16, 7));
     const ContourSpectrum spectrum = *contourSpectrum(volume);
     EXPECT_EQ(spectrum.volume.back(), 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < levelCount; ++i) {
         if (i > 0) {
             EXPECT_LE(spectrum.volume[i], spectrum.volume[i - 1]) << i;
         }
@@ -191,7 +194,7 @@ TEST(IsovalueSpectrum, IsEmptyWhereItWasCancelled) {
 /// diagonal of the cube. The density of a tetrahedron's volume over w is the quadratic B-spline on the values of its
 /// corners, and its area is that times its gradient.
 struct TetrahedraSpectrum {
-    std::array<double, count> area{}, gradientIntegral{};
+    std::array<double, levelCount> area{}, gradientIntegral{};
 
     explicit TetrahedraSpectrum(const Volume& volume) {
         const VolumeGeometry& geometry = volume.geometry();
@@ -220,7 +223,7 @@ private:
         }
         std::ranges::sort(values);
         const double gradient = std::sqrt(squares);
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < levelCount; ++i) {
             const double w = ContourSpectrum::isovalue(i);
             if (w <= values[0] || w >= values[3]) continue;
             const double ofArea = gradient * content * quadraticSpline(values, w);
@@ -263,12 +266,12 @@ ContourSpectrum spectrumOf(
     const std::function<double(double)>& meanGradient,
     const std::function<double(double)>& area = [](double) { return 1.0; }) {
     ContourSpectrum spectrum;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < levelCount; ++i) {
         const double w = ContourSpectrum::isovalue(i);
         spectrum.area.push_back(area(w));
         spectrum.gradientIntegral.push_back(area(w) * meanGradient(w));
     }
-    spectrum.volume.resize(count);
+    spectrum.volume.resize(levelCount);
     return spectrum;
 }
 

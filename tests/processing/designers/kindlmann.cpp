@@ -12,24 +12,11 @@
 
 #include "processing/phantom/phantom.h"
 #include "tests/processing/designers/blurred_steps.h"
+#include "tests/processing/designers/designer_volumes.h"
 #include "tests/processing/speckle_reduction/noisy_volumes.h"
 
 namespace echolucent {
 namespace {
-
-Design designOf(const Volume& volume, const KindlmannConfig& config = {}) {
-    return *design(config, DesignerInput{volume, volume});
-}
-
-double factOf(const Design& design, std::string_view name) {
-    for (const DesignFact& fact : design.facts)
-        if (fact.name == name) return fact.value;
-    return std::numeric_limits<double>::quiet_NaN();
-}
-
-const DesignPlot& plotOf(const Design& design, std::string_view name) {
-    return *std::ranges::find(design.plots, name, &DesignPlot::name);
-}
 
 bool isParabola(const Classification& classification) {
     return !classification.isTwoDimensional() && classification.curve() == OpacityCurve(PowerCurve{2, 1.0});
@@ -58,7 +45,7 @@ std::vector<Boundary> boundaries() {
 template <typename Voxel>
 void expectItsWidth(const Boundary& boundary, double sigma) {
     const Volume volume = steppedVolume<Voxel>(boundary.geometry, {.sigma = sigma}, boundary.distance);
-    const Design found = designOf(volume);
+    const Design found = designed(KindlmannConfig{}, volume);
     EXPECT_NEAR(factOf(found, "sigma"), sigma, 0.1 * sigma) << boundary.name << ", " << volume.typeName();
     EXPECT_TRUE(found.message.empty()) << found.message;
 }
@@ -80,7 +67,7 @@ TEST(Kindlmann, AnyPrefilterGivesTheSameWidth) {
     for (const double prefilter : {0.0, 0.7, 1.5, 2.0, 3.0}) {
         KindlmannConfig config;
         config.prefilter = prefilter;
-        const Design found = designOf(volume, config);
+        const Design found = designed(config, volume);
         EXPECT_NEAR(factOf(found, "sigma"), 2.0, 0.1) << prefilter;
         EXPECT_NEAR(factOf(found, "smoothed_sigma"), std::hypot(2.0, prefilter), 0.1) << prefilter;
     }
@@ -94,7 +81,7 @@ TEST(Kindlmann, ThePositionIsThatInTheStep) {
         config.threshold = 0.0;
         for (const double prefilter : {0.0, 1.0}) {
             config.prefilter = prefilter;
-            const Design found = designOf(volume, config);
+            const Design found = designed(config, volume);
             const DesignPlot& plot = plotOf(found, "position");
             for (std::size_t i = 0; i < plot.intensities.size(); ++i) {
                 const double share = (plot.intensities[i] - step.low) / (step.high - step.low);
@@ -111,7 +98,7 @@ TEST(Kindlmann, OpacityPeaksInTheMiddleOfTheStep) {
     for (const double sigma : {1.0, 2.0, 4.0}) {
         const BlurredStep step{.sigma = sigma};
         const Volume volume = steppedVolume<std::uint8_t>(gridOf({52, 52, 52}), step, planeAcross({3, 2, 1}));
-        const Design found = designOf(volume);
+        const Design found = designed(KindlmannConfig{}, volume);
         const auto& opacities = std::get<SampledCurve>(found.classification.curve()).opacities;
         ASSERT_EQ(opacities.size(), 256U);
         const auto peak = std::ranges::max_element(opacities) - opacities.begin();
@@ -130,7 +117,7 @@ TEST(Kindlmann, WithTwoDimensionsVoxelsWithoutTheBoundarysGradientStayClear) {
     const Volume volume = steppedVolume<std::uint8_t>(gridOf({52, 52, 52}), step, planeAcross({3, 2, 1}));
     KindlmannConfig config;
     config.dimensions = KindlmannDimensions::two;
-    const Design found = designOf(volume, config);
+    const Design found = designed(config, volume);
     ASSERT_TRUE(found.classification.isTwoDimensional());
     const TwoDimensionalOtf& otf = *found.classification.twoDimensional();
     EXPECT_EQ(otf.intensities, 256);
@@ -157,7 +144,7 @@ TEST(Kindlmann, NeitherTheEndOfTheDataNorWhatIsStoredBeyondItIsABoundary) {
         return !isData(Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)) -
                        Vec3(25.5, 25.5, 25.5));
     }));
-    const Design found = designOf(masked);
+    const Design found = designed(KindlmannConfig{}, masked);
     EXPECT_NEAR(factOf(found, "sigma"), 2.0, 0.2);
     EXPECT_LT(factOf(found, "voxels_used"), 1.0);
     EXPECT_EQ(opacityAt(found.classification, 0.95, 0.0), 0.0);
@@ -165,7 +152,7 @@ TEST(Kindlmann, NeitherTheEndOfTheDataNorWhatIsStoredBeyondItIsABoundary) {
     const Volume floats = volumeOf<float>(geometry, [&](const Vec3& place) {
         return isData(place) ? step.at(plane(place)) : std::numeric_limits<double>::quiet_NaN();
     });
-    EXPECT_NEAR(factOf(designOf(floats), "sigma"), factOf(found, "sigma"), 0.05);
+    EXPECT_NEAR(factOf(designed(KindlmannConfig{}, floats), "sigma"), factOf(found, "sigma"), 0.05);
 }
 
 TEST(Kindlmann, TheEmphasisMayBeMovedScaledAndDrawn) {
@@ -193,7 +180,7 @@ TEST(Kindlmann, TheEmphasisMayBeMovedScaledAndDrawn) {
     const Volume volume = steppedVolume<float>(gridOf({52, 52, 52}), step, planeAcross({3, 2, 1}));
     config.drawn = {{0.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, 0.0}};
     config.threshold = 0.0;
-    const Design found = designOf(volume, config);
+    const Design found = designed(config, volume);
     EXPECT_EQ(opacityAt(found.classification, step.at(-0.5), 0.0), 0.0);
     EXPECT_EQ(opacityAt(found.classification, step.at(1.0), 0.0), 1.0);
     EXPECT_EQ(opacityAt(found.classification, step.at(3.0), 0.0), 0.0);
@@ -260,7 +247,7 @@ TEST(Kindlmann, WithoutABoundaryAMessageSaysSo) {
         for (const KindlmannDimensions dimensions : {KindlmannDimensions::one, KindlmannDimensions::two}) {
             KindlmannConfig config;
             config.dimensions = dimensions;
-            const Design found = designOf(*volume, config);
+            const Design found = designed(config, *volume);
             EXPECT_EQ(found.message, "No boundary was found in this volume; the parabola x² is shown in its place.");
             EXPECT_TRUE(isParabola(found.classification));
             EXPECT_TRUE(found.explanation.empty()) << "the message says all";
@@ -274,7 +261,7 @@ TEST(Kindlmann, WhereTheEmphasisLeavesNothingAMessageSaysSo) {
         KindlmannConfig config;
         config.dimensions = dimensions;
         config.peak = 0.0;
-        const Design found = designOf(volume, config);
+        const Design found = designed(config, volume);
         EXPECT_TRUE(isParabola(found.classification));
         EXPECT_NE(found.message.find("emphasised"), std::string::npos) << found.message;
     }
@@ -327,7 +314,7 @@ TEST(Kindlmann, HasTheSameBitsForAnyNumberOfThreads) {
         std::vector<Design> results;
         for (const std::size_t threads : {1, 2, 5}) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-            results.push_back(designOf(scan, config));
+            results.push_back(designed(config, scan));
         }
         for (const Design& other : results) {
             EXPECT_EQ(other.classification, results[0].classification);

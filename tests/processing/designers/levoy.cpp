@@ -13,10 +13,6 @@
 namespace echolucent {
 namespace {
 
-Design designed(const Volume& volume, const LevoyConfig& config = {}) {
-    return design(config, inputOf(volume)).value();
-}
-
 /// Levels that lie on nodes of the table: multiples of 1/1020.
 LevoyConfig givenLevels(LevoyForm form) {
     LevoyConfig config;
@@ -45,7 +41,7 @@ Volume painted(const VolumeGeometry& grid, const std::function<float(const Vec3&
 
 /// Calls use(place in grid mm, intensity, gradient magnitude) for every voxel, as a picture finds them there.
 template <typename Use>
-void forEachVoxel(const Volume& volume, const Use& use) {
+void forEachIntensityAndGradient(const Volume& volume, const Use& use) {
     const VolumeGeometry& grid = volume.geometry();
     const Volume filled = filledVoxels(volume);
     const GradientMagnitude gradients(filled);
@@ -84,11 +80,11 @@ TEST(Levoy, AContourOnARampIsATentOfTheGivenWidthInUnits) {
             const Volume volume = ramp.make();
             LevoyConfig config = givenLevels(LevoyForm::isovalues);
             config.transitionWidth = width;
-            const Design design = designed(volume, config);
+            const Design design = designed(config, volume);
             // The table's own error: a node distance of the intensity, 1/1020.
             const double bound = 0.9 * (1.0 / 1020) / (width * ramp.slope);
             int within = 0;
-            forEachVoxel(volume, [&](const Vec3& mm, double f, double g) {
+            forEachIntensityAndGradient(volume, [&](const Vec3& mm, double f, double g) {
                 EXPECT_NEAR(g, ramp.slope, 1e-5);
                 const double units = std::abs(ramp.at(mm) - 0.4) / ramp.slope;
                 within += units < width ? 1 : 0;
@@ -109,8 +105,8 @@ TEST(Levoy, SeveralContoursOnARampCombine) {
     config.fluidOpacity = 0.3;
     config.tissueOpacity = 0.5;
     config.transitionWidth = 12.0;
-    const Design design = designed(volume, config);
-    forEachVoxel(volume, [&](const Vec3& mm, double f, double g) {
+    const Design design = designed(config, volume);
+    forEachIntensityAndGradient(volume, [&](const Vec3& mm, double f, double g) {
         const auto tent = [&](double level) { return std::max(0.0, 1 - std::abs(ramp.at(mm) - level) / 0.02 / 12); };
         const double expected = 1 - (1 - 0.3 * tent(0.2)) * (1 - 0.9 * tent(0.4)) * (1 - 0.5 * tent(0.6));
         EXPECT_NEAR(opacityAt(design.classification, f, g), expected, 0.01);
@@ -130,8 +126,8 @@ TEST(Levoy, AtAStepBothSidesOfTheContourAreAsFarAsTheStepSays) {
     config.fluidLevel = fluid / 255.0;
     config.tissueLevel = tissue / 255.0;
     config.tissueOpacity = 0.6;
-    const Design design = designed(volume, config);
-    forEachVoxel(volume, [&](const Vec3& mm, double f, double g) {
+    const Design design = designed(config, volume);
+    forEachIntensityAndGradient(volume, [&](const Vec3& mm, double f, double g) {
         const double opacity = opacityAt(design.classification, f, g);
         if (mm[0] < 4.25) {
             EXPECT_EQ(opacity, 0.0) << "flat fluid";
@@ -157,9 +153,9 @@ TEST(Levoy, BoundariesOnARampRiseFromLevelToLevel) {
         config.tissueOpacity = 0.8;
         for (const auto scale : {LevoyGradientScale::largest, LevoyGradientScale::quantile}) {
             config.gradientScale = scale;
-            const Design design = designed(volume, config);
+            const Design design = designed(config, volume);
             EXPECT_NEAR(factOf(design, "gradient_scale"), ramp.slope, 5e-5);
-            forEachVoxel(volume, [&](const Vec3&, double f, double g) {
+            forEachIntensityAndGradient(volume, [&](const Vec3&, double f, double g) {
                 const double inside = std::clamp(f, 0.2, 0.6);
                 const double expected = (0.8 * (inside - 0.2) + 0.1 * (0.6 - inside)) / 0.4;
                 // The quantile is known to 3e-5, which is a share of the gradient.
@@ -184,16 +180,16 @@ TEST(Levoy, BoundariesAreAsOpaqueAsTheyAreSteep) {
     LevoyConfig config = givenLevels(LevoyForm::boundaries);
     config.tissueOpacity = 1.0;
     config.gradientScale = LevoyGradientScale::largest;
-    const Design bySteepest = designed(smooth, config);
+    const Design bySteepest = designed(config, smooth);
     EXPECT_NEAR(opacityAt(bySteepest.classification, 0.3, 0.01), 0.25, 1e-4);
     EXPECT_NEAR(opacityAt(bySteepest.classification, 0.5, 0.005), 0.375, 1e-4);
     EXPECT_NEAR(opacityAt(bySteepest.classification, 0.3, 0.5), 0.25, 1e-4) << "steeper than any voxel";
     EXPECT_EQ(opacityAt(bySteepest.classification, 0.3, 0.0), 0.0);
     // The spike makes everything else clear where the largest gradient counts, and moves nothing where the quantile
     // does.
-    EXPECT_LT(opacityAt(designed(spiked, config).classification, 0.3, 0.01), 0.01);
+    EXPECT_LT(opacityAt(designed(config, spiked).classification, 0.3, 0.01), 0.01);
     config.gradientScale = LevoyGradientScale::quantile;
-    EXPECT_NEAR(opacityAt(designed(spiked, config).classification, 0.3, 0.01), 0.25, 2e-3);
+    EXPECT_NEAR(opacityAt(designed(config, spiked).classification, 0.3, 0.01), 0.25, 2e-3);
 }
 
 /// One voxel in eight thousand and its neighbours have a gradient: 99 % have none, and the largest one scales.
@@ -202,7 +198,7 @@ TEST(Levoy, WhereTheQuantileIsNoGradientTheLargestOneScales) {
     voxels[4210] = 153;
     LevoyConfig config = givenLevels(LevoyForm::boundaries);
     config.tissueOpacity = 0.8;
-    const Design design = designed(Volume(gridOf(20, 20, 20), voxels), config);
+    const Design design = designed(config, Volume(gridOf(20, 20, 20), voxels));
     EXPECT_LT(factOf(design, "gradient_quantile"), 3e-5);
     EXPECT_NEAR(factOf(design, "gradient_scale"), 0.2, 1e-6) << "half of the spike, seen from a voxel beside it";
     EXPECT_NEAR(opacityAt(design.classification, 0.6, 0.2), 0.8, 1e-6);
@@ -216,7 +212,7 @@ TEST(Levoy, BoundariesDoNotAskWhichLevelIsTheDarkerOne) {
     config.fluidOpacity = exchanged.tissueOpacity = 0.3;
     config.tissueOpacity = exchanged.fluidOpacity = 0.7;
     std::swap(exchanged.fluidLevel, exchanged.tissueLevel);
-    EXPECT_EQ(designed(volume, config).classification, designed(volume, exchanged).classification);
+    EXPECT_EQ(designed(config, volume).classification, designed(exchanged, volume).classification);
 }
 
 TEST(Levoy, TheClosedFormsHoldAtTheirEdges) {
@@ -244,7 +240,7 @@ TEST(Levoy, TheTablesErrByNoMoreThanTheirBound) {
     config.surfaceOpacity = 1.0;
     config.surfaceShare = 0.37;
     const double level = std::round((0.2 + 0.37 * 0.4) * 1020) / 1020;
-    const Design design = designed(volume, config);
+    const Design design = designed(config, volume);
     const TwoDimensionalOtf& table = *design.classification.twoDimensional();
     const double stepF = 1.0 / (table.intensities - 1), stepG = table.largestGradient / (table.gradients - 1);
     const auto closedForm = [&](double f, double g) {
@@ -282,7 +278,7 @@ TEST(Levoy, TheTablesErrByNoMoreThanTheirBound) {
     config.tissueLevel = 0.6007;
     config.tissueOpacity = 1.0;
     config.gradientScale = LevoyGradientScale::largest;
-    const Design boundaries = designed(volume, config);
+    const Design boundaries = designed(config, volume);
     for (int n = 0; n < 100000; ++n) {
         const double f = uniform(random), g = 2 * table.largestGradient * uniform(random);
         const double expected =

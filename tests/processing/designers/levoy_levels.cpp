@@ -15,10 +15,6 @@
 namespace echolucent {
 namespace {
 
-Design designed(const Volume& volume, const LevoyConfig& config = {}) {
-    return design(config, inputOf(volume)).value();
-}
-
 TEST(LevoyLevels, TubeCoresGiveTheLevelsBeforeAndBehindTheSurface) {
     PlaneVolume plane;
     plane.size = {60, 60, 80};
@@ -28,7 +24,7 @@ TEST(LevoyLevels, TubeCoresGiveTheLevelsBeforeAndBehindTheSurface) {
     config.levels = LevoyLevels::tubeCores;
     for (const auto form : {LevoyForm::isovalues, LevoyForm::boundaries}) {
         config.form = form;
-        const Design design = designed(volume, config);
+        const Design design = designed(config, volume);
         EXPECT_NEAR(factOf(design, "fluid_level"), 14 / 255.0, 0.005);
         EXPECT_NEAR(factOf(design, "tissue_level"), 120 / 255.0, 0.02);
         EXPECT_GT(factOf(design, "surfaces_with_weight"), 0.0);
@@ -47,7 +43,7 @@ TEST(LevoyLevels, OtsuGivesTheMeansOfItsClasses) {
         LevoyConfig config;
         config.levels = LevoyLevels::otsu;
         const auto classes = otsuClasses(intensityCounts(volume)).value();
-        const Design design = designed(volume, config);
+        const Design design = designed(config, volume);
         EXPECT_EQ(factOf(design, "fluid_level"), classes.dark.mean);
         EXPECT_EQ(factOf(design, "tissue_level"), classes.bright.mean);
         EXPECT_TRUE(design.message.empty());
@@ -60,17 +56,17 @@ TEST(LevoyLevels, WhereTubeCoresFindNothingOtsuStandsInAndItIsSaid) {
     const Volume volume = makePhantom(scan).value();
     LevoyConfig config;
     config.levels = LevoyLevels::tubeCores;
-    Design fallen = designed(volume, config);
+    Design fallen = designed(config, volume);
     EXPECT_NE(fallen.message.find("tube core"), std::string::npos);
     EXPECT_NE(fallen.message.find("Otsu"), std::string::npos);
     config.levels = LevoyLevels::otsu;
-    const Design otsu = designed(volume, config);
+    const Design otsu = designed(config, volume);
     EXPECT_EQ(fallen.classification, otsu.classification);
     EXPECT_EQ(fallen.facts, otsu.facts);
     // So it does where the levels given are one.
     config.levels = LevoyLevels::given;
     config.fluidLevel = config.tissueLevel = 0.3;
-    fallen = designed(volume, config);
+    fallen = designed(config, volume);
     EXPECT_NE(fallen.message.find("Otsu"), std::string::npos);
     EXPECT_EQ(fallen.classification, otsu.classification);
 }
@@ -84,10 +80,10 @@ TEST(LevoyLevels, WhereTheDataBeginIsNoFluid) {
     const Volume all(plane.geometry(), voxels), guessed = all.withDataMask(guessDataMask(all));
     ASSERT_TRUE(adaptOpacity(guessed, {}, {})->surfacesWhereDataBegin);
     LevoyConfig config;
-    const Design design = designed(guessed, config);
+    const Design design = designed(config, guessed);
     EXPECT_NE(design.message.find("Otsu"), std::string::npos);
     config.levels = LevoyLevels::otsu;
-    EXPECT_EQ(designed(guessed, config).classification, design.classification);
+    EXPECT_EQ(designed(config, guessed).classification, design.classification);
 }
 
 /// Tube cores read the voxels that were measured, the gradients are those of the voxels that are shown.
@@ -104,25 +100,33 @@ TEST(LevoyLevels, TubeCoresReadWhatWasMeasuredAndGradientsWhatIsShown) {
     EXPECT_EQ(factOf(both, "fluid_level"), mean.low);
     EXPECT_EQ(factOf(both, "tissue_level"), mean.high);
     EXPECT_EQ(factOf(both, "largest_gradient"), gradientRange(quiet, quiet)->largest);
-    EXPECT_LT(factOf(both, "largest_gradient"), 0.8 * factOf(designed(raw), "largest_gradient"));
+    EXPECT_LT(factOf(both, "largest_gradient"), 0.8 * factOf(designed(LevoyConfig{}, raw), "largest_gradient"));
     LevoyConfig otsu;
     otsu.levels = LevoyLevels::otsu;
     const auto shown = design(otsu, DesignerInput{raw, quiet, SpeckleReduction::light}).value();
     EXPECT_EQ(factOf(shown, "tissue_level"), otsuClasses(intensityCounts(quiet))->bright.mean);
 }
 
+/// Configs of both forms with levels from everywhere.
+std::vector<LevoyConfig> everyFormAndLevels() {
+    std::vector<LevoyConfig> configs;
+    for (const auto form : {LevoyForm::isovalues, LevoyForm::boundaries})
+        for (const auto levels : {LevoyLevels::tubeCores, LevoyLevels::otsu, LevoyLevels::given}) {
+            configs.emplace_back();
+            configs.back().form = form;
+            configs.back().levels = levels;
+        }
+    return configs;
+}
+
 TEST(LevoyLevels, WithoutABoundaryItSaysSoAndShowsTheSquare) {
     for (const Volume& volume : volumesWithoutContrast())
-        for (const auto form : {LevoyForm::isovalues, LevoyForm::boundaries})
-            for (const auto levels : {LevoyLevels::tubeCores, LevoyLevels::otsu, LevoyLevels::given}) {
-                LevoyConfig config;
-                config.form = form;
-                config.levels = levels;
-                const Design design = designed(volume, config);
-                EXPECT_NE(design.message.find("x^2"), std::string::npos);
-                EXPECT_EQ(design.classification.curve(), OpacityCurve(PowerCurve{2, 1.0}));
-                expectSound(design.classification);
-            }
+        for (const LevoyConfig& config : everyFormAndLevels()) {
+            const Design design = designed(config, volume);
+            EXPECT_NE(design.message.find("x^2"), std::string::npos);
+            EXPECT_EQ(design.classification.curve(), OpacityCurve(PowerCurve{2, 1.0}));
+            expectSound(design.classification);
+        }
 }
 
 TEST(LevoyLevels, IsSoundOnSmallVolumesOfEveryType) {
@@ -135,15 +139,11 @@ TEST(LevoyLevels, IsSoundOnSmallVolumesOfEveryType) {
     flat[4210] = 200;
     volumes.push_back(Volume(gridOf(20, 20, 20), flat));
     for (const Volume& volume : volumes)
-        for (const auto form : {LevoyForm::isovalues, LevoyForm::boundaries})
-            for (const auto levels : {LevoyLevels::tubeCores, LevoyLevels::otsu, LevoyLevels::given}) {
-                LevoyConfig config;
-                config.form = form;
-                config.levels = levels;
-                const Design design = designed(volume, config);
-                expectSound(design.classification);
-                for (const DesignFact& fact : design.facts) EXPECT_TRUE(std::isfinite(fact.value)) << fact.name;
-            }
+        for (const LevoyConfig& config : everyFormAndLevels()) {
+            const Design design = designed(config, volume);
+            expectSound(design.classification);
+            for (const DesignFact& fact : design.facts) EXPECT_TRUE(std::isfinite(fact.value)) << fact.name;
+        }
 }
 
 TEST(LevoyLevels, VoxelsWithoutDataMoveNothing) {
@@ -161,8 +161,8 @@ TEST(LevoyLevels, VoxelsWithoutDataMoveNothing) {
             LevoyConfig config;
             config.form = form;
             config.levels = levels;
-            EXPECT_EQ(designed(one, config).classification, designed(same, config).classification);
-            EXPECT_EQ(designed(one, config).facts, designed(same, config).facts);
+            EXPECT_EQ(designed(config, one).classification, designed(config, same).classification);
+            EXPECT_EQ(designed(config, one).facts, designed(config, same).facts);
         }
 }
 
@@ -208,18 +208,11 @@ TEST(LevoyLevels, HasTheSameBitsOnAnyNumberOfThreadsAndKeepsTheContract) {
     plane.size = {50, 40, 60};
     plane.distanceMm = 35;
     const Volume volume = plane.make();
-    std::vector<LevoyConfig> configs;
-    for (const auto form : {LevoyForm::isovalues, LevoyForm::boundaries})
-        for (const auto levels : {LevoyLevels::tubeCores, LevoyLevels::otsu, LevoyLevels::given}) {
-            configs.emplace_back();
-            configs.back().form = form;
-            configs.back().levels = levels;
-        }
-    for (const LevoyConfig& config : configs) {
-        const Design design = designed(volume, config);
+    for (const LevoyConfig& config : everyFormAndLevels()) {
+        const Design design = designed(config, volume);
         const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-        EXPECT_EQ(designed(volume, config).classification, design.classification);
-        EXPECT_EQ(designed(volume, config).facts, design.facts);
+        EXPECT_EQ(designed(config, volume).classification, design.classification);
+        EXPECT_EQ(designed(config, volume).facts, design.facts);
         expectContract(config);
     }
 }

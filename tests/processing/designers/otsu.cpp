@@ -34,9 +34,6 @@ struct Split {
     }
 };
 
-/// Volume that outlives what designers are given of it.
-Design designed(const Volume& volume, const OtsuConfig& config = {}) { return design(config, inputOf(volume)).value(); }
-
 TEST(Otsu, IsTheBestOfAllThresholdsVoxelByVoxel) {
     for (const std::uint32_t seed : {1U, 2U, 3U})
         for (const Volume& volume : twoClassVolumes(seed)) {
@@ -84,7 +81,7 @@ TEST(Otsu, TheRampReachesEachClassSpreadAndIsClearBelow) {
     const Volume volume = twoClassVolumes(8).front();
     const auto classes = otsuClasses(intensityCounts(volume)).value();
     for (const double spreads : {0.5, 1.0, 1.5}) {
-        const Design design = designed(volume, {.spreads = spreads, .opacity = 0.8});
+        const Design design = designed(OtsuConfig{.spreads = spreads, .opacity = 0.8}, volume);
         const double begin = classes.threshold - spreads * classes.dark.spread;
         const double end = classes.threshold + spreads * classes.bright.spread;
         ASSERT_TRUE(begin > 0.0 && end < 1.0);
@@ -98,14 +95,14 @@ TEST(Otsu, TheRampReachesEachClassSpreadAndIsClearBelow) {
         EXPECT_TRUE(design.message.empty());
     }
     // Wider than the intensities there are: the ramp is cut off at both ends.
-    const Design wide = designed(volume, {.spreads = 4.0});
+    const Design wide = designed(OtsuConfig{.spreads = 4.0}, volume);
     EXPECT_EQ(factOf(wide, "ramp_begin"), std::max(0.0, classes.threshold - 4 * classes.dark.spread));
     EXPECT_LE(factOf(wide, "ramp_end"), 1.0);
 }
 
 TEST(Otsu, TwoIntensitiesAreSplitHalfWayByAStep) {
     const Volume volume = bytesOf({20, 20, 20, 20, 200});
-    const Design design = designed(volume);
+    const Design design = designed(OtsuConfig{}, volume);
     EXPECT_NEAR(factOf(design, "threshold"), 110 / 255.0, 1e-12);
     EXPECT_EQ(factOf(design, "dark_spread"), 0.0);
     EXPECT_NEAR(factOf(design, "dark_share"), 0.8, 1e-12);
@@ -123,7 +120,7 @@ TEST(Otsu, OfThresholdsThatAreEquallyGoodTheLowestCounts) {
 /// The plot is the variance of every threshold, its largest value the one that was found.
 TEST(Otsu, PlotsTheVarianceBetweenTheClassesOverTheThreshold) {
     const Volume volume = twoClassVolumes(9).front();
-    const Design design = designed(volume);
+    const Design design = designed(OtsuConfig{}, volume);
     const std::vector<double> data = dataOf(volume);
     ASSERT_EQ(design.plots.size(), 1u);
     double largest = 0.0;
@@ -141,26 +138,26 @@ TEST(Otsu, PlotsTheVarianceBetweenTheClassesOverTheThreshold) {
 
 TEST(Otsu, WithoutTwoIntensitiesItSaysSoAndShowsTheSquare) {
     for (const Volume& volume : volumesWithoutContrast()) {
-        const Design design = designed(volume);
+        const Design design = designed(OtsuConfig{}, volume);
         EXPECT_EQ(design.classification.curve(), OpacityCurve(PowerCurve{2, 1.0}));
         EXPECT_NE(design.message.find("x^2"), std::string::npos);
         expectSound(design.classification);
     }
-    EXPECT_NE(designed(masked(bytesOf({77}), {0})).message.find("No voxel"), std::string::npos);
+    EXPECT_NE(designed(OtsuConfig{}, masked(bytesOf({77}), {0})).message.find("No voxel"), std::string::npos);
 }
 
 TEST(Otsu, VoxelsWithoutDataMoveNothing) {
     const Volume data = bytesOf({10, 12, 14, 100, 110, 120});
     const Volume hidden = masked(bytesOf({10, 12, 255, 14, 100, 0, 0, 110, 120, 60}), {1, 1, 0, 1, 1, 0, 0, 1, 1, 0});
-    EXPECT_EQ(designed(hidden).facts, designed(data).facts);
-    EXPECT_EQ(designed(hidden).classification, designed(data).classification);
+    EXPECT_EQ(designed(OtsuConfig{}, hidden).facts, designed(OtsuConfig{}, data).facts);
+    EXPECT_EQ(designed(OtsuConfig{}, hidden).classification, designed(OtsuConfig{}, data).classification);
 }
 
 TEST(Otsu, HasTheSameBitsOnAnyNumberOfThreadsAndKeepsTheContract) {
     const Volume volume = twoClassVolumes(10).back();
-    const Design design = designed(volume);
+    const Design design = designed(OtsuConfig{}, volume);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    EXPECT_EQ(designed(volume).facts, design.facts);
+    EXPECT_EQ(designed(OtsuConfig{}, volume).facts, design.facts);
     expectContract(OtsuConfig{});
 }
 

@@ -11,6 +11,7 @@
 
 #include "processing/phantom/phantom.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
+#include "tests/processing/designers/designer_volumes.h"
 
 namespace echolucent {
 namespace {
@@ -40,22 +41,6 @@ Volume slices(const Volume& volume, std::int64_t first, std::int64_t last) {
                                                 bytes.begin() + volume.geometry().offset(0, 0, last))};
 }
 
-Design designOf(const TemplateConfig& config, const Volume& volume) {
-    return *design(config, DesignerInput{volume, volume});
-}
-
-const DesignPlot& plotOf(const Design& design, const std::string& name) {
-    for (const DesignPlot& plot : design.plots)
-        if (plot.name == name) return plot;
-    throw std::out_of_range(name);
-}
-
-double factOf(const Design& design, const std::string& name) {
-    for (const DesignFact& fact : design.facts)
-        if (fact.name == name) return fact.value;
-    return std::numeric_limits<double>::quiet_NaN();
-}
-
 struct Known {
     std::string name;
     Mapping mapping;
@@ -80,7 +65,7 @@ TEST(TemplateCurve, AKnownGammaShiftOrGainIsFoundWithinTwoLevels) {
         for (const Known& known : knownMappings()) {
             TemplateConfig config;
             config.comparison = comparison;
-            const Design found = designOf(config, mapped(quietFetus(), known.mapping));
+            const Design found = designed(config, mapped(quietFetus(), known.mapping));
             const DesignPlot& warp = plotOf(found, "warp");
             int compared = 0;
             for (std::size_t level = 0; level < 256; ++level) {
@@ -96,7 +81,7 @@ TEST(TemplateCurve, AKnownGammaShiftOrGainIsFoundWithinTwoLevels) {
 
 TEST(TemplateCurve, TheCurveFollowsTheVoxels) {
     const Mapping gamma = [](double x) { return std::pow(x, 0.7); };
-    const OpacityCurve carried = designOf({}, mapped(quietFetus(), gamma)).classification.curve();
+    const OpacityCurve carried = designed(TemplateConfig{}, mapped(quietFetus(), gamma)).classification.curve();
     const OpacityCurve& reference = fetusTemplate()->curve;
     for (std::size_t level = 0; level < 256; ++level) {
         if (fetusTemplate()->histogram[level] < 1e-3) continue;
@@ -106,7 +91,7 @@ TEST(TemplateCurve, TheCurveFollowsTheVoxels) {
 }
 
 TEST(TemplateCurve, TheReferenceItselfKeepsItsCurve) {
-    const Design found = designOf({}, quietFetus());
+    const Design found = designed(TemplateConfig{}, quietFetus());
     EXPECT_TRUE(found.message.empty());
     EXPECT_LT(std::abs(factOf(found, "largest_shift")), 1.5 / 255.0);
     EXPECT_NEAR(factOf(found, "mean_slope"), 1.0, 0.01);
@@ -116,7 +101,7 @@ TEST(TemplateCurve, TheReferenceItselfKeepsItsCurve) {
     // A reference that is made of the volume is the same to the bit.
     TemplateConfig own;
     own.reference = templateFrom(quietFetus(), LinearCurve{}, "own");
-    const Design same = designOf(own, quietFetus());
+    const Design same = designed(own, quietFetus());
     EXPECT_EQ(factOf(same, "distance"), 0.0);
     EXPECT_EQ(factOf(same, "largest_shift"), 0.0);
 }
@@ -127,7 +112,7 @@ TEST(TemplateCurve, ByLogarithmsAPartOfTheSceneIsEnough) {
     const auto shiftAt = [&](TemplateComparison comparison, std::size_t level) {
         TemplateConfig config;
         config.comparison = comparison;
-        const Design found = designOf(config, part);
+        const Design found = designed(config, part);
         const DesignPlot& warp = plotOf(found, "warp");
         return std::abs(255.0 * (warp.values[level] - warp.intensities[level]));
     };
@@ -136,7 +121,7 @@ TEST(TemplateCurve, ByLogarithmsAPartOfTheSceneIsEnough) {
 }
 
 TEST(TemplateCurve, FactsArePlottedAndTheDistanceFalls) {
-    const Design found = designOf({}, mapped(quietFetus(), [](double x) { return x + 40.0 / 255.0; }));
+    const Design found = designed(TemplateConfig{}, mapped(quietFetus(), [](double x) { return x + 40.0 / 255.0; }));
     EXPECT_LT(factOf(found, "distance"), 0.2 * factOf(found, "distance_before"));
     EXPECT_NEAR(factOf(found, "largest_shift"), 40.0 / 255.0, 3.0 / 255.0);
     ASSERT_EQ(found.plots.size(), 3U);
@@ -154,13 +139,13 @@ TEST(TemplateCurve, WhereNothingCanBeComparedTheCurveStaysAsItWas) {
     const Volume single(VolumeGeometry{}, std::vector<float>{0.3f}, 1.0);
     const Volume unknown(VolumeGeometry{}, std::vector<float>{std::nanf("")}, 1.0);
     for (const Volume* volume : {&constant, &zero, &none, &single, &unknown}) {
-        const Design found = designOf({}, *volume);
+        const Design found = designed(TemplateConfig{}, *volume);
         EXPECT_FALSE(found.message.empty());
         EXPECT_EQ(found.classification, Classification(fetusTemplate()->curve));
     }
     TemplateConfig empty;
     empty.reference = templateFrom(none, PowerCurve{2, 0.5}, "nothing");
-    const Design found = designOf(empty, quietFetus());
+    const Design found = designed(empty, quietFetus());
     EXPECT_FALSE(found.message.empty());
     EXPECT_EQ(found.classification, Classification(PowerCurve{2, 0.5}));
 }
@@ -168,7 +153,7 @@ TEST(TemplateCurve, WhereNothingCanBeComparedTheCurveStaysAsItWas) {
 TEST(TemplateCurve, AReferenceThatShowsNothingIsNotUsed) {
     TemplateConfig config;
     config.reference = templateFrom(quietFetus(), ManualCurve{}, "clear");
-    const Design found = designOf(config, quietFetus());
+    const Design found = designed(config, quietFetus());
     EXPECT_FALSE(found.message.empty());
     EXPECT_EQ(found.classification, Classification(PowerCurve{2, 1.0}));
 }
@@ -179,7 +164,7 @@ TEST(TemplateCurve, AFewVoxelsOfAnyTypeGiveASoundCurve) {
     for (const Volume& volume :
          {Volume(geometry, std::vector<std::uint8_t>{0, 255}), Volume(geometry, std::vector<std::uint16_t>{100, 60000}),
           Volume(geometry, std::vector<float>{-2.0f, 7.0f}, 5.0)}) {
-        const Design found = designOf({}, volume);
+        const Design found = designed(TemplateConfig{}, volume);
         EXPECT_TRUE(found.message.empty());
         double last = 0.0;
         for (const double opacity : sampledOpacities(found.classification.curve(), 256)) {
@@ -197,8 +182,8 @@ TEST(TemplateCurve, BrokenContractsThrow) {
     for (const double slope : {0.0, -1.0, 20.0, nan}) {
         TemplateConfig least, largest;
         least.leastSlope = largest.largestSlope = slope;
-        EXPECT_THROW((void)designOf(least, another), std::invalid_argument);
-        EXPECT_THROW((void)designOf(largest, another), std::invalid_argument);
+        EXPECT_THROW((void)designed(least, another), std::invalid_argument);
+        EXPECT_THROW((void)designed(largest, another), std::invalid_argument);
     }
     TemplateReference few = *fetusTemplate(), negative = few, unknown = few, more = few;
     few.histogram.pop_back();
@@ -208,7 +193,7 @@ TEST(TemplateCurve, BrokenContractsThrow) {
     for (const TemplateReference& bad : {few, negative, unknown, more}) {
         TemplateConfig config;
         config.reference = bad;
-        EXPECT_THROW((void)designOf(config, another), std::invalid_argument);
+        EXPECT_THROW((void)designed(config, another), std::invalid_argument);
     }
 }
 

@@ -9,18 +9,13 @@
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
+#include "tests/processing/grids.h"
 
 namespace echolucent {
 namespace {
 
-VolumeGeometry lineOf(std::int64_t voxels) {
-    VolumeGeometry geometry;
-    geometry.size = {voxels, 1, 1};
-    return geometry;
-}
-
 TEST(TemplateReference, HoldsTheSharesOfVoxelsWithData) {
-    const Volume bytes(lineOf(5), std::vector<std::uint8_t>{0, 10, 10, 255, 77});
+    const Volume bytes(gridOf({5, 1, 1}), std::vector<std::uint8_t>{0, 10, 10, 255, 77});
     const TemplateReference reference =
         templateFrom(bytes.withDataMask(DataMask{1, 1, 1, 1, 0}), PowerCurve{2, 1.0}, "mine");
     EXPECT_EQ(reference.name, "mine");
@@ -34,7 +29,7 @@ TEST(TemplateReference, HoldsTheSharesOfVoxelsWithData) {
 
 TEST(TemplateReference, VoxelsThatAreNotFiniteAreNoDataWhateverTheMaskSays) {
     const std::vector<float> values{0.5f, std::nanf(""), INFINITY, 0.25f};
-    const Volume volume(lineOf(4), values, 1.0);
+    const Volume volume(gridOf({4, 1, 1}), values, 1.0);
     for (const Volume& each : {volume, volume.withDataMask(DataMask{1, 1, 1, 1})}) {
         const TemplateReference reference = templateFrom(each, {}, {});
         EXPECT_EQ(reference.histogram[128], 0.5);
@@ -43,7 +38,7 @@ TEST(TemplateReference, VoxelsThatAreNotFiniteAreNoDataWhateverTheMaskSays) {
 }
 
 TEST(TemplateReference, OfNoDataHoldsNothing) {
-    const Volume volume(lineOf(2), std::vector<std::uint8_t>{1, 2});
+    const Volume volume(gridOf({2, 1, 1}), std::vector<std::uint8_t>{1, 2});
     const TemplateReference reference = templateFrom(volume.withDataMask(DataMask{0, 0}), {}, {});
     EXPECT_EQ(std::accumulate(reference.histogram.begin(), reference.histogram.end(), 0.0), 0.0);
 }

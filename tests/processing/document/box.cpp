@@ -4,11 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "processing/document/document.h"
+#include "tests/processing/document/places.h"
 
 namespace echolucent {
 namespace {
-
-double apart(const Vec3& a, const Vec3& b) { return length(a - b); }
 
 TEST(Box, SidesOfAnUnturnedBoxAreThoseOfThePlanes) {
     for (const BeamAxis beam : {BeamAxis::plusX, BeamAxis::minusY, BeamAxis::plusZ}) {
@@ -36,14 +35,14 @@ TEST(Box, EachFrontGivesItsDirection) {
 }
 
 TEST(Box, TheWholeBoxHoldsAllDataAndNoMore) {
-    const DataBox data{{-3, 5, 10}, {37, 35, 90}};
     const Box turned{.direction = {25, -35, 15}, .front = BoxSide::left};
-    const Box whole = wholeBox(turned, BeamAxis::plusX, data);
+    const Box whole = wholeBox(turned, BeamAxis::plusX, dataOfPlaces);
     EXPECT_TRUE(whole.on);
     EXPECT_EQ(whole.front, BoxSide::left);
     const OrientedBox box = orientedBoxOf(whole, BeamAxis::plusX);
     Vec3 farthest{0, 0, 0};
-    for (const Vec3& corner : OrientedBox{data.centreMm(), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, data.sizeMm()}.corners())
+    for (const Vec3& corner :
+         OrientedBox{dataOfPlaces.centreMm(), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, dataOfPlaces.sizeMm()}.corners())
         for (int axis = 0; axis < 3; ++axis)
             farthest[axis] = std::max(farthest[axis], std::abs(box.inBox(corner)[axis]));
     EXPECT_LT(apart(farthest, box.halfMm()), 1e-9);

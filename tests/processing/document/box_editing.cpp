@@ -6,12 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/processing/document/places.h"
+
 namespace echolucent {
 namespace {
-
-double apart(const Vec3& a, const Vec3& b) { return length(a - b); }
-
-const DataBox data{{-3, 5, 10}, {37, 35, 90}};
 
 Volume even() {
     VolumeGeometry geometry;
@@ -77,13 +75,13 @@ TEST(BoxEditing, AFrontTurnsTheViewAndTheTubeCoresAndSwitchesTheBoxOn) {
         Document document;
         document.beam.axis = beam;
         for (const BoxSide side : allBoxSides) {
-            const Document next = withFront(document, 1, side, data);
+            const Document next = withFront(document, 1, side, dataOfPlaces);
             const OrientedBox box = orientedBoxOf(boxOf(next, 1), beam);
             EXPECT_TRUE(boxOf(next, 1).on);
             const Vec3 inwards = -outwardNormal(box, faceOf(side));
             EXPECT_LT(apart(frameOf(otfViewpointOf(next, 1)).forward, inwards), 1e-9) << nameOf(side);
             EXPECT_LT(apart(frameOf(viewpointOf(next, 1)).forward, inwards), 1e-9) << nameOf(side);
-            EXPECT_LT(apart(box.centreMm, data.centreMm()), 1e-12);
+            EXPECT_LT(apart(box.centreMm, dataOfPlaces.centreMm()), 1e-12);
         }
     }
 }
@@ -91,9 +89,9 @@ TEST(BoxEditing, AFrontTurnsTheViewAndTheTubeCoresAndSwitchesTheBoxOn) {
 TEST(BoxEditing, ASwitchedOffBoxKeepsItsPlace) {
     Document document;
     boxOf(document, 1) = {.on = true, .centreMm = {9, 8, 7}, .sizeMm = {3, 4, 5}};
-    const Document off = withBoxSwitched(document, 1, false, data);
+    const Document off = withBoxSwitched(document, 1, false, dataOfPlaces);
     EXPECT_FALSE(otfViewpointOf(off, 1).box);
-    EXPECT_TRUE(withBoxSwitched(off, 1, true, data) == withBoxSwitched(document, 1, true, data));
+    EXPECT_TRUE(withBoxSwitched(off, 1, true, dataOfPlaces) == withBoxSwitched(document, 1, true, dataOfPlaces));
 }
 
 TEST(BoxEditing, ASlabLiesAroundItsPlaneAndIsSeenAsThePlaneIs) {
@@ -102,11 +100,11 @@ TEST(BoxEditing, ASlabLiesAroundItsPlaneAndIsSeenAsThePlaneIs) {
     planesOf(document, 1) = {.direction = {10, 20, 30}, .offsetMm = {1, 2, 3}};
     cutOf(document, 1).nearCutMm = 9;
     for (const PlaneName plane : allPlaneNames) {
-        const Document next = withSlab(document, 1, plane, 4, data);
+        const Document next = withSlab(document, 1, plane, 4, dataOfPlaces);
         const OrientedBox box = orientedBoxOf(boxOf(next, 1), BeamAxis::plusX);
         const ViewFrame seen = frameOf(plane, planesOf(document, 1), BeamAxis::plusX);
         EXPECT_EQ(box.sizeMm[2], 4.0);
-        EXPECT_NEAR(seen.forward.dot(box.centreMm - referencePointOf(planesOf(document, 1), data)), 0.0, 1e-9);
+        EXPECT_NEAR(seen.forward.dot(box.centreMm - referencePointOf(planesOf(document, 1), dataOfPlaces)), 0.0, 1e-9);
         EXPECT_LT(apart(frameOf(viewpointOf(next, 1)).forward, seen.forward), 1e-9);
         EXPECT_LT(apart(frameOf(viewpointOf(next, 1)).down, seen.down), 1e-9);
         EXPECT_EQ(cutOf(next, 1).nearCutMm, 0.0) << "a slab behind a cut would be cut away";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "processing/designers/designer.h"
 #include "processing/document/document.h"
 #include "processing/document/preset.h"
 #include "processing/document/view_caster.h"

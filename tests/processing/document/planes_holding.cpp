@@ -6,23 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/processing/document/places.h"
+
 namespace echolucent {
 namespace {
-
-const DataBox data{{-3, 5, 10}, {37, 35, 90}};
-
-double apart(const Vec3& a, const Vec3& b) { return length(a - b); }
-
-Planes unusual() {
-    return {.direction = {33, -21, 70}, .offsetMm = {3, -2, 11}, .crops = {{{1, 2, 3}, {4, -5, 0.5}, {0, 0.25, 1}}}};
-}
 
 double farthestFrom(const Planes& planes, PlaneName plane, const std::vector<Vec3>& places) {
     double farthest = 0.0;
     for (const Vec3& place : places)
         farthest = std::max(
             farthest,
-            std::abs(frameOf(plane, planes, BeamAxis::plusZ).forward.dot(place - referencePointOf(planes, data))));
+            std::abs(
+                frameOf(plane, planes, BeamAxis::plusZ).forward.dot(place - referencePointOf(planes, dataOfPlaces))));
     return farthest;
 }
 
@@ -32,9 +27,9 @@ TEST(PlanesHolding, OneOfThemTurnsAsLittleAsNeededToHoldPlaces) {
                                                   {{10, 20, 30}, {20, 11, 55}, {1, 30, 60}},  // an angle
                                                   {{0, 10, 20}, {5, 15, 30}, {10, 20, 40}},   // on one straight line
                                                   {{10, 20, 30}, {10, 20, 30}}};              // one place
-    for (const Planes& before : {Planes{}, unusual()})
+    for (const Planes& before : {Planes{}, unusualPlanes()})
         for (const std::vector<Vec3>& places : measured) {
-            const Planes after = planesHolding(before, places, BeamAxis::plusZ, data);
+            const Planes after = planesHolding(before, places, BeamAxis::plusZ, dataOfPlaces);
             const auto held = std::ranges::find_if(
                 allPlaneNames, [&](PlaneName plane) { return farthestFrom(after, plane, places) < 1e-9; });
             ASSERT_NE(held, allPlaneNames.end());
@@ -56,17 +51,17 @@ TEST(PlanesHolding, OneOfThemTurnsAsLittleAsNeededToHoldPlaces) {
                 EXPECT_EQ(after.direction, before.direction);
             }
             // Once there, it stays.
-            EXPECT_EQ(planesHolding(after, places, BeamAxis::plusZ, data), after);
+            EXPECT_EQ(planesHolding(after, places, BeamAxis::plusZ, dataOfPlaces), after);
         }
 }
 
 TEST(PlanesHolding, ThePlaneThatHoldsPlacesAlreadyIsTaken) {
-    const Planes before = unusual();
+    const Planes before = unusualPlanes();
     for (const PlaneName plane : allPlaneNames) {
         const ViewFrame frame = frameOf(plane, before, BeamAxis::plusZ);
-        const Vec3 at = referencePointOf(before, data);
+        const Vec3 at = referencePointOf(before, dataOfPlaces);
         const std::vector<Vec3> places{at + frame.right * 5, at + frame.down * 4 - frame.right};
-        const Planes after = planesHolding(before, places, BeamAxis::plusZ, data);
+        const Planes after = planesHolding(before, places, BeamAxis::plusZ, dataOfPlaces);
         EXPECT_EQ(after.direction, before.direction);
         EXPECT_EQ(after.offsetMm, before.offsetMm);
     }
@@ -76,10 +71,10 @@ TEST(PlanesHolding, AMagnifiedPictureHasThePlacesInItsMiddle) {
     Planes before;
     for (PlaneCrop& crop : before.crops) crop.magnification = 8.0;
     const std::vector<Vec3> places{{0, 10, 20}, {4, 30, 25}};
-    const Planes after = planesHolding(before, places, BeamAxis::plusZ, data);
+    const Planes after = planesHolding(before, places, BeamAxis::plusZ, dataOfPlaces);
     bool centred = false;
     for (const PlaneName plane : allPlaneNames)
-        centred = centred || apart(planeViewOf(after, plane, BeamAxis::plusZ, data, 1.4).centreMm,
+        centred = centred || apart(planeViewOf(after, plane, BeamAxis::plusZ, dataOfPlaces, 1.4).centreMm,
                                    (places[0] + places[1]) * 0.5) < 1e-9;
     EXPECT_TRUE(centred);
 }

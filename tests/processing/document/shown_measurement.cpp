@@ -11,9 +11,11 @@
 namespace echolucent {
 namespace {
 
-const VolumeGeometry grid{.size = {60, 60, 60}, .spacing = {0.5, 0.8, 1.3}};
+const VolumeGeometry measuredGrid{.size = {60, 60, 60}, .spacing = {0.5, 0.8, 1.3}};
 
-std::string distanceText(double mm) { return measurementText({.placesMm = {{1, 2, 3}, {1, 2, 3 + mm}}}, grid).value(); }
+std::string distanceText(double mm) {
+    return measurementText({.placesMm = {{1, 2, 3}, {1, 2, 3 + mm}}}, measuredGrid).value();
+}
 
 TEST(ShownMeasurement, SaysMillimetresWithEnoughDigits) {
     EXPECT_EQ(distanceText(123.44), "123.4 mm");
@@ -25,7 +27,7 @@ TEST(ShownMeasurement, SaysMillimetresWithEnoughDigits) {
     const double radians = 47.13 * std::numbers::pi / 180.0;
     const Measurement angle{.kind = MeasurementKind::angle,
                             .placesMm = {{6, 2, 3}, {2, 2, 3}, {2 + std::cos(radians), 2 + std::sin(radians), 3}}};
-    EXPECT_EQ(measurementText(angle, grid).value(), "47.1°");
+    EXPECT_EQ(measurementText(angle, measuredGrid).value(), "47.1°");
 }
 
 TEST(ShownMeasurement, SaysAPointWhateverTheLocale) {
@@ -43,17 +45,18 @@ TEST(ShownMeasurement, AreThoseOfThePhaseThatHaveAValue) {
         {.id = 2, .placesMm = {{0, 0, 0}, {0, 0, 2}}, .phase = 3},
         {.id = 5, .kind = MeasurementKind::angle, .placesMm = {{1, 1, 1}, {1, 1, 1}, {2, 2, 2}}},
         {.id = 7, .placesMm = {{0, 0, 0}, {0, 0, 7}}}};
-    const auto shown = shownMeasurements(all, 0, grid);
+    const auto shown = shownMeasurements(all, 0, measuredGrid);
     ASSERT_EQ(shown.size(), 2u);
     EXPECT_EQ(shown[0].id, 1);
     EXPECT_EQ(shown[0].text, "5.0 mm");
     EXPECT_EQ(shown[1].id, 7);
-    VolumeGeometry unknown = grid;
+    VolumeGeometry unknown = measuredGrid;
     unknown.spacingKnown = false;
     EXPECT_TRUE(shownMeasurements(all, 0, unknown).empty());
     EXPECT_EQ(measurementText(all[0], unknown).error().kind, FailureKind::wrongUsage);
     // One that is being made has no value yet.
-    const auto begun = shownMeasurement({.kind = MeasurementKind::angle, .placesMm = {{1, 2, 3}, {4, 5, 6}}}, grid);
+    const auto begun =
+        shownMeasurement({.kind = MeasurementKind::angle, .placesMm = {{1, 2, 3}, {4, 5, 6}}}, measuredGrid);
     ASSERT_TRUE(begun.has_value());
     EXPECT_EQ(begun->text, "");
     EXPECT_TRUE(begun->arcMm.empty());
@@ -62,7 +65,8 @@ TEST(ShownMeasurement, AreThoseOfThePhaseThatHaveAValue) {
 TEST(ShownMeasurement, AnArcRunsAboutTheVertexFromSideToSide) {
     const Vec3 vertex{5, 6, 7};
     const auto shown = shownMeasurement(
-        {.kind = MeasurementKind::angle, .placesMm = {vertex + Vec3(10, 0, 0), vertex, vertex + Vec3(0, 0, 4)}}, grid);
+        {.kind = MeasurementKind::angle, .placesMm = {vertex + Vec3(10, 0, 0), vertex, vertex + Vec3(0, 0, 4)}},
+        measuredGrid);
     ASSERT_TRUE(shown.has_value());
     ASSERT_GE(shown->arcMm.size(), 3u);
     const double radius = length(shown->arcMm.front() - vertex);
@@ -79,12 +83,12 @@ TEST(ShownMeasurement, AnArcRunsAboutTheVertexFromSideToSide) {
 TEST(ShownMeasurement, IsSeenInThePlanesThatHoldIt) {
     // A plane across z at 10 mm, seen from below z, 40 mm high.
     const PlaneView view{.centreMm = {15, 24, 10}, .frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .heightMm = 40.0};
-    const double reach = planeReachUnits * grid.unit();
+    const double reach = planeReachUnits * measuredGrid.unit();
     const std::vector<ShownMeasurement> shown{
         {.id = 1, .placesMm = {{15, 24, 10}, {25, 14, 10 + 0.99 * reach}}, .text = "a"},
         {.id = 2, .placesMm = {{15, 24, 10}, {25, 14, 10 + 1.01 * reach}}, .text = "b"},
         {.id = 3, .placesMm = {{15, 24, 10 - 0.99 * reach}, {16, 24, 10}}, .text = "c"}};
-    const auto placed = placedInPlane(shown, view, grid.unit());
+    const auto placed = placedInPlane(shown, view, measuredGrid.unit());
     ASSERT_EQ(placed.size(), 2u);
     EXPECT_EQ(placed[0].id, 1);
     EXPECT_EQ(placed[0].text, "a");

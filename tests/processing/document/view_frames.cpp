@@ -14,7 +14,7 @@
 namespace echolucent {
 namespace {
 
-constexpr int width = 40, height = 36;
+constexpr int pictureWidth = 40, pictureHeight = 36;
 
 StudyPhases phasesOf(int count) {
     StudyPhases phases;
@@ -63,8 +63,8 @@ TEST(ViewFrames, AFrameIsThePictureOfItsDocument) {
                 phaseOf(alone, 1) = frames.position(frame).phase;
                 if (otf == MotionOtf::eachView) alone.method.direction = shownPose(alone, 1).direction;
                 EXPECT_EQ(frames.documentOf(frame), alone);
-                const auto expected = viewPicture(alone, 1, phases.scans, width, height);
-                const auto made = frames.picture(frame, width, height);
+                const auto expected = viewPicture(alone, 1, phases.scans, pictureWidth, pictureHeight);
+                const auto made = frames.picture(frame, pictureWidth, pictureHeight);
                 EXPECT_TRUE(pixels(made) == pixels(expected)) << nameOf(scenario) << ' ' << nameOf(otf) << ' ' << frame;
                 EXPECT_TRUE(made->cast == expected->cast && made->classification == expected->classification);
             }
@@ -80,7 +80,8 @@ TEST(ViewFrames, AStillProbeStaysAsTheHandTurnedIt) {
     Document alone = document;
     phaseOf(alone, 1) = 1;
     EXPECT_EQ(frames.documentOf(1), alone);
-    EXPECT_TRUE(pixels(frames.picture(1, width, height)) == pixels(viewPicture(alone, 1, phases.scans, width, height)));
+    EXPECT_TRUE(pixels(frames.picture(1, pictureWidth, pictureHeight)) ==
+                pixels(viewPicture(alone, 1, phases.scans, pictureWidth, pictureHeight)));
 }
 
 TEST(ViewFrames, PhasesComeBackWithTheSameBits) {
@@ -89,10 +90,10 @@ TEST(ViewFrames, PhasesComeBackWithTheSameBits) {
     document.motion.phasesPingPong = true;
     ViewFrames frames(document, 1, phases);
     ASSERT_EQ(frames.count(), 4);
-    const auto second = pixels(frames.picture(1, width, height));
-    EXPECT_TRUE(pixels(frames.picture(1, width, height)) == second) << "asked for twice";
-    EXPECT_TRUE(pixels(frames.picture(2, width, height)) != second);
-    EXPECT_TRUE(pixels(frames.picture(3, width, height)) == second) << "the way back";
+    const auto second = pixels(frames.picture(1, pictureWidth, pictureHeight));
+    EXPECT_TRUE(pixels(frames.picture(1, pictureWidth, pictureHeight)) == second) << "asked for twice";
+    EXPECT_TRUE(pixels(frames.picture(2, pictureWidth, pictureHeight)) != second);
+    EXPECT_TRUE(pixels(frames.picture(3, pictureWidth, pictureHeight)) == second) << "the way back";
 }
 
 TEST(ViewFrames, OneOtfIsThatOfItsPhase) {
@@ -101,14 +102,14 @@ TEST(ViewFrames, OneOtfIsThatOfItsPhase) {
     const auto curveOfPhase = [&](int phase) {
         document.motion.otfPhase = phase;
         ViewFrames frames(document, 1, phases);
-        return frames.picture(1, width, height)->classification;
+        return frames.picture(1, pictureWidth, pictureHeight)->classification;
     };
     Document each = document;
     each.motion.otf = MotionOtf::eachView;
     each.method.direction = poseOf(each, 1).direction;
     phaseOf(each, 1) = 2;
     document.method.direction = each.method.direction;
-    const Classification last = viewPicture(each, 1, phases.scans, width, height)->classification;
+    const Classification last = viewPicture(each, 1, phases.scans, pictureWidth, pictureHeight)->classification;
     EXPECT_TRUE(curveOfPhase(2) == last);
     EXPECT_TRUE(curveOfPhase(9) == last) << "a phase beyond the last one is the last one";
     EXPECT_FALSE(curveOfPhase(0) == last);
@@ -130,7 +131,7 @@ TEST(ViewFrames, SmoothedOtfsFollowTheTurnRoundAndRound) {
         shown.push_back(history.add(frame, std::get<SampledCurve>(own)));
     }
     for (int frame = 0; frame < frames.count(); ++frame) {
-        const auto made = frames.picture(frame, width, height);
+        const auto made = frames.picture(frame, pictureWidth, pictureHeight);
         const auto& curve = std::get<SampledCurve>(made->classification.curve());
         const auto& expected = shown[static_cast<std::size_t>(2 * frames.count() + frame)];
         for (std::size_t i = 0; i < curve.opacities.size(); ++i)
@@ -148,20 +149,22 @@ TEST(ViewFrames, QuietVoxelsAtHandChangeNoBit) {
             std::make_shared<const Volume>(quietVolume(*scan, SpeckleReduction::light)->withDataBox(scan->dataBox())));
     phases.reduction = SpeckleReduction::light;
     ViewFrames withQuiet(document, 1, phases);
-    EXPECT_TRUE(pixels(plain.picture(1, width, height)) == pixels(withQuiet.picture(1, width, height)));
-    EXPECT_TRUE(withQuiet.picture(1, width, height)->voxels->isSameScanAs(*phases.quiet[1]));
+    EXPECT_TRUE(pixels(plain.picture(1, pictureWidth, pictureHeight)) ==
+                pixels(withQuiet.picture(1, pictureWidth, pictureHeight)));
+    EXPECT_TRUE(withQuiet.picture(1, pictureWidth, pictureHeight)->voxels->isSameScanAs(*phases.quiet[1]));
     // Those of another reduction are not taken.
     phases.reduction = SpeckleReduction::strong;
     ViewFrames ofAnother(document, 1, phases);
-    EXPECT_TRUE(pixels(plain.picture(0, width, height)) == pixels(ofAnother.picture(0, width, height)));
+    EXPECT_TRUE(pixels(plain.picture(0, pictureWidth, pictureHeight)) ==
+                pixels(ofAnother.picture(0, pictureWidth, pictureHeight)));
 }
 
 TEST(ViewFrames, IsCancelled) {
     ViewFrames frames(documentOf(MotionScenario::object, MotionOtf::eachView), 1, phasesOf(2));
     std::atomic<bool> cancel = true;
-    EXPECT_FALSE(frames.picture(0, width, height, {{}, &cancel}));
+    EXPECT_FALSE(frames.picture(0, pictureWidth, pictureHeight, {{}, &cancel}));
     cancel = false;
-    EXPECT_TRUE(frames.picture(0, width, height, {{}, &cancel}));
+    EXPECT_TRUE(frames.picture(0, pictureWidth, pictureHeight, {{}, &cancel}));
 }
 
 TEST(ViewFrames, AStudyWithoutPhasesIsABrokenContract) {

@@ -61,7 +61,7 @@ TEST(ReferenceLight, InAWhiteFurnaceThePictureIsThatOfGradientLight) {
     EXPECT_GT(pictureError(scene.picture(none), plain).rmse, 10.0);
 }
 
-TEST(ReferenceLight, ThePictureOfTheSweepsIsNearThatOfTheReference) {
+TEST(LongReferenceLight, ThePictureOfTheSweepsIsNearThatOfTheReference) {
     const Scene scene(PhantomScene::fetus, 48, 24);
     LightScene lightScene = lightSceneOf(scene.settings, scene.volume->geometry());
     const light::ReferenceLight reference(*scene.volume, scene.curve, lightScene, 3, 1.0);

@@ -8,7 +8,7 @@
 namespace echolucent {
 namespace {
 
-const std::array<std::int64_t, 3> size{60, 50, 40};
+const std::array<std::int64_t, 3> polarSize{60, 50, 40};
 
 /// A scene without all that follows the beam or is random.
 PhantomConfig plainScene(const ConversionGrid& grid) {
@@ -19,7 +19,7 @@ PhantomConfig plainScene(const ConversionGrid& grid) {
 
 TEST(PhantomPolar, EverySampleIsTheSceneAtItsPlace) {
     for (const PolarKind kind : {PolarKind::linear, PolarKind::convex, PolarKind::linearWobbler, PolarKind::wobbler}) {
-        const PolarGeometry polar = polarGeometry(usualPolar(kind, size[0], 1.0), size);
+        const PolarGeometry polar = polarGeometry(usualPolar(kind, polarSize[0], 1.0), polarSize);
         const ConversionGrid grid = conversionGrid(polar);
         const PhantomConfig config = plainScene(grid);
         const PhantomTruth truth(config);
@@ -27,9 +27,9 @@ TEST(PhantomPolar, EverySampleIsTheSceneAtItsPlace) {
         ASSERT_EQ(voxels.size(), 60U * 50U * 40U);
         std::size_t i = 0, off = 0;
         double least = 255, most = 0;
-        for (std::int64_t plane = 0; plane < size[2]; ++plane)
-            for (std::int64_t line = 0; line < size[1]; ++line)
-                for (std::int64_t sample = 0; sample < size[0]; ++sample, ++i) {
+        for (std::int64_t plane = 0; plane < polarSize[2]; ++plane)
+            for (std::int64_t line = 0; line < polarSize[1]; ++line)
+                for (std::int64_t sample = 0; sample < polarSize[0]; ++sample, ++i) {
                     const Vec3 mm = probeMmFromPolar(polar, {static_cast<double>(sample), static_cast<double>(line),
                                                              static_cast<double>(plane)}) -
                                     grid.geometry.origin;
@@ -46,7 +46,7 @@ TEST(PhantomPolar, EverySampleIsTheSceneAtItsPlace) {
 
 // Attenuation follows the samples of a beam, not the depth of the grid.
 TEST(PhantomPolar, AttenuationFollowsTheBeam) {
-    const PolarGeometry polar = polarGeometry(usualPolar(PolarKind::wobbler, size[0], 1.0), size);
+    const PolarGeometry polar = polarGeometry(usualPolar(PolarKind::wobbler, polarSize[0], 1.0), polarSize);
     const ConversionGrid grid = conversionGrid(polar);
     PhantomConfig config = plainScene(grid);
     config.scene = PhantomScene::empty;
@@ -61,7 +61,7 @@ TEST(PhantomPolar, AttenuationFollowsTheBeam) {
 }
 
 TEST(PhantomPolar, WordsAreStoredAboveEightBits) {
-    const PolarGeometry polar = polarGeometry(usualPolar(PolarKind::convex, size[0], 1.0), size);
+    const PolarGeometry polar = polarGeometry(usualPolar(PolarKind::convex, polarSize[0], 1.0), polarSize);
     const ConversionGrid grid = conversionGrid(polar);
     PhantomConfig config = plainScene(grid);
     config.bits = 12;
@@ -70,7 +70,7 @@ TEST(PhantomPolar, WordsAreStoredAboveEightBits) {
 }
 
 TEST(PhantomPolar, CancelledRunGivesNothing) {
-    const PolarGeometry polar = polarGeometry(usualPolar(PolarKind::convex, size[0], 1.0), size);
+    const PolarGeometry polar = polarGeometry(usualPolar(PolarKind::convex, polarSize[0], 1.0), polarSize);
     const ConversionGrid grid = conversionGrid(polar);
     const std::atomic<bool> cancel = true;
     Progress progress;

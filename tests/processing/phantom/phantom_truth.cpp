@@ -6,18 +6,15 @@
 
 #include "processing/phantom/phantom.h"
 #include "processing/viewpoint.h"
+#include "tests/processing/phantom/bare_phantom.h"
 
 namespace echolucent {
 namespace {
 
-PhantomConfig bare(PhantomScene scene) {
-    PhantomConfig config;
-    config.scene = scene;
-    config.size = {120, 116, 118};
+/// Sides of unequal length.
+PhantomConfig bareCuboid(PhantomScene scene) {
+    PhantomConfig config = barePhantom(scene, {120, 116, 118});
     config.spacing = {0.8, 0.8, 0.8};
-    config.speckle = 0;
-    config.ramp = 0;
-    config.gainVariation = 0;
     return config;
 }
 
@@ -75,7 +72,7 @@ Counts compare(const PhantomConfig& config, const VolumeGeometry& geometry, cons
 class PhantomTruthOf : public testing::TestWithParam<PhantomScene> {};
 
 TEST_P(PhantomTruthOf, AgreesWithAMarchThroughTheVoxels) {
-    const PhantomConfig config = bare(GetParam());
+    const PhantomConfig config = bareCuboid(GetParam());
     const Volume volume = *makePhantom(config);
     const VolumeGeometry& geometry = volume.geometry();
     const auto isFluid = [&](const Vec3& p) {
@@ -95,7 +92,7 @@ TEST_P(PhantomTruthOf, AgreesWithAMarchThroughTheVoxels) {
 }
 
 TEST_P(PhantomTruthOf, AgreesWithAMarchThroughTheSharpMaterials) {
-    const PhantomConfig config = bare(GetParam());
+    const PhantomConfig config = bareCuboid(GetParam());
     const PhantomTruth truth(config);
     VolumeGeometry geometry;
     geometry.size = config.size;
@@ -121,7 +118,7 @@ double shareOfRays(const PhantomConfig& config, const Holds& holds) {
 }
 
 TEST(PhantomTruth, ShapesShowFluidFirstInTheWindowAndTissueBesideIt) {
-    const PhantomConfig config = bare(PhantomScene::shapes);
+    const PhantomConfig config = bareCuboid(PhantomScene::shapes);
     const PhantomTruth truth(config);
     EXPECT_GT(shareOfRays(config, [](const Vec3&, const auto& depth) { return depth.has_value(); }), 0.5);
     EXPECT_GT(shareOfRays(config, [](const Vec3&, const auto& depth) { return !depth.has_value(); }), 0.2);
@@ -134,7 +131,7 @@ TEST(PhantomTruth, ShapesShowFluidFirstInTheWindowAndTissueBesideIt) {
 }
 
 TEST(PhantomTruth, TheFetusIsSeenThroughFluid) {
-    const PhantomConfig config = bare(PhantomScene::fetus);
+    const PhantomConfig config = bareCuboid(PhantomScene::fetus);
     EXPECT_GT(shareOfRays(config, [](const Vec3&, const auto& depth) { return depth.has_value(); }), 0.75);
     const PhantomTruth truth(config);
     for (double y = 30; y < 70; y += 4)
@@ -143,13 +140,14 @@ TEST(PhantomTruth, TheFetusIsSeenThroughFluid) {
 }
 
 TEST(PhantomTruth, EmptyHasNoInterfaceOnAnyRay) {
-    EXPECT_EQ(shareOfRays(bare(PhantomScene::empty), [](const Vec3&, const auto& depth) { return depth.has_value(); }),
-              0);
+    EXPECT_EQ(
+        shareOfRays(bareCuboid(PhantomScene::empty), [](const Vec3&, const auto& depth) { return depth.has_value(); }),
+        0);
 }
 
 TEST(PhantomTruth, FrontWallPutsTissueFirst) {
     for (const auto scene : {PhantomScene::shapes, PhantomScene::fetus}) {
-        PhantomConfig config = bare(scene);
+        PhantomConfig config = bareCuboid(scene);
         const PhantomConfig open = config;
         config.frontWall = true;
         const Volume volume = *makePhantom(config);
@@ -173,7 +171,7 @@ TEST(PhantomTruth, FrontWallPutsTissueFirst) {
 }
 
 TEST(PhantomTruth, TheNearCutMovesTheEntry) {
-    const PhantomConfig config = bare(PhantomScene::shapes);
+    const PhantomConfig config = bareCuboid(PhantomScene::shapes);
     const PhantomTruth truth(config);
     const Vec3 origin(0.66 * 92.8 + 1.2, 0.27 * 92.8 - 0.4, 0);
     const double whole = truth.firstInterface(origin, {0, 0, 1}).value();
@@ -187,13 +185,13 @@ TEST(PhantomTruth, TheNearCutMovesTheEntry) {
 }
 
 TEST(PhantomTruth, RaysBesideTheBoxMeetNothing) {
-    const PhantomTruth truth(bare(PhantomScene::shapes));
+    const PhantomTruth truth(bareCuboid(PhantomScene::shapes));
     EXPECT_FALSE(truth.firstInterface({-5, 40, 0}, {0, 0, 1}));
     EXPECT_FALSE(truth.firstInterface({40, 40, -50}, {1, 0, 0.01}));
 }
 
 TEST(PhantomMotion, OnlyAnArmAndTheHeartMove) {
-    PhantomConfig still = bare(PhantomScene::fetus), moved = still;
+    PhantomConfig still = bareCuboid(PhantomScene::fetus), moved = still;
     still.speckle = moved.speckle = 0.5;
     moved.phase = 0.25;
     const auto one = PhantomTruth(still).primitives(), two = PhantomTruth(moved).primitives();
@@ -232,7 +230,7 @@ TEST(PhantomMotion, OnlyAnArmAndTheHeartMove) {
 }
 
 TEST(PhantomMotion, IsPeriodicAndStillWhereNothingMoves) {
-    PhantomConfig config = bare(PhantomScene::fetus);
+    PhantomConfig config = bareCuboid(PhantomScene::fetus);
     const Vec3 forearm(60, 30, 60);
     const auto at = [&](double phase) {
         config.phase = phase;
@@ -242,7 +240,7 @@ TEST(PhantomMotion, IsPeriodicAndStillWhereNothingMoves) {
     for (std::size_t i = 0; i < start.size(); ++i)
         for (std::size_t k = 0; k < start[i].parameters.size(); ++k)
             ASSERT_NEAR(start[i].parameters[k], turn[i].parameters[k], 1e-9);
-    PhantomConfig shapes = bare(PhantomScene::shapes), later = shapes;
+    PhantomConfig shapes = bareCuboid(PhantomScene::shapes), later = shapes;
     later.phase = 0.4;
     EXPECT_EQ(std::get<VoxelArray<std::uint8_t>>(makePhantom(shapes)->voxels()),
               std::get<VoxelArray<std::uint8_t>>(makePhantom(later)->voxels()));

@@ -8,18 +8,15 @@
 #include <random>
 
 #include "processing/phantom/phantom.h"
+#include "tests/processing/phantom/bare_phantom.h"
 
 namespace echolucent {
 namespace {
 
-/// A phantom of the materials alone, without speckle, ramp, gain variation and loss.
-PhantomConfig bare(PhantomScene scene, std::int64_t edge = 120, double ramp = 0) {
-    PhantomConfig config;
-    config.scene = scene;
-    config.size = {edge, edge, edge};
-    config.speckle = 0;
+/// Edges of `edge` voxels; the ramp between materials is in units.
+PhantomConfig bareCube(PhantomScene scene, std::int64_t edge = 120, double ramp = 0) {
+    PhantomConfig config = barePhantom(scene, {edge, edge, edge});
     config.ramp = ramp;
-    config.gainVariation = 0;
     return config;
 }
 
@@ -29,7 +26,7 @@ const VoxelArray<T>& voxelsOf(const Volume& volume) {
 }
 
 TEST(Phantom, ShapesFillTheirClosedFormVolumes) {
-    const Volume volume = *makePhantom(bare(PhantomScene::shapes, 160));
+    const Volume volume = *makePhantom(bareCube(PhantomScene::shapes, 160));
     std::map<int, double> share;
     for (const auto value : voxelsOf(volume)) share[value] += 1.0 / static_cast<double>(volume.geometry().voxelCount());
     EXPECT_EQ(share.size(), 3U);
@@ -45,7 +42,7 @@ TEST(Phantom, ShapesFillTheirClosedFormVolumes) {
 }
 
 TEST(Phantom, SpeckleKeepsTheMeanEchoOfAMaterial) {
-    PhantomConfig config = bare(PhantomScene::empty, 90);
+    PhantomConfig config = bareCube(PhantomScene::empty, 90);
     config.tissue = 60;
     config.bits = 16;
     for (const double speckle : {0.5, 1.0}) {
@@ -64,7 +61,7 @@ TEST(Phantom, SpeckleKeepsTheMeanEchoOfAMaterial) {
 }
 
 TEST(Phantom, GainVariesSlowlyWithinItsShare) {
-    PhantomConfig config = bare(PhantomScene::empty, 64);
+    PhantomConfig config = bareCube(PhantomScene::empty, 64);
     config.bits = 16;
     config.gainVariation = 0.15;
     const Volume volume = *makePhantom(config);
@@ -84,7 +81,7 @@ TEST(Phantom, GainVariesSlowlyWithinItsShare) {
 
 TEST(Phantom, RampsHaveTheirWidth) {
     for (const double ramp : {2.0, 4.0, 8.0}) {
-        PhantomConfig config = bare(PhantomScene::shapes, 201, ramp);
+        PhantomConfig config = bareCube(PhantomScene::shapes, 201, ramp);
         config.bits = 16;
         const Volume volume = *makePhantom(config);
         // The line runs along the beam through the middle of "sphere 1" (in fluid), whose front is met at a right
@@ -107,7 +104,7 @@ TEST(Phantom, RampsHaveTheirWidth) {
 class PhantomScenes : public testing::TestWithParam<PhantomScene> {};
 
 TEST_P(PhantomScenes, VoxelsAreTheClosedFormEcho) {
-    PhantomConfig config = bare(GetParam(), 110, 4);
+    PhantomConfig config = bareCube(GetParam(), 110, 4);
     config.size = {110, 96, 121};
     config.spacing = {0.7, 0.8, 0.6};
     config.bits = 16;
@@ -146,7 +143,7 @@ TEST_P(PhantomScenes, SameBitsForAnyNumberOfThreads) {
 
 TEST_P(PhantomScenes, SpacingDoesNotChangeTheAnatomy) {
     // The same box of 120 mm has other spacings; the unit stays 1 mm so that ramps stay as wide.
-    PhantomConfig cubic = bare(GetParam(), 120, 4), flat = cubic;
+    PhantomConfig cubic = bareCube(GetParam(), 120, 4), flat = cubic;
     cubic.spacing = {1, 1, 1};
     flat.size = {120, 80, 48};
     flat.spacing = {1, 1.5, 2.5};
@@ -168,7 +165,7 @@ TEST_P(PhantomScenes, SpacingDoesNotChangeTheAnatomy) {
 }
 
 TEST_P(PhantomScenes, FinerVoxelsShowTheSameScene) {
-    const PhantomTruth coarse(bare(GetParam(), 60)), fine(bare(GetParam(), 180));
+    const PhantomTruth coarse(bareCube(GetParam(), 60)), fine(bareCube(GetParam(), 180));
     int different = 0;
     for (int i = 0; i < 4000; ++i) {
         const int column = i % 20, row = i / 20 % 20, slice = i / 400;
@@ -180,7 +177,7 @@ TEST_P(PhantomScenes, FinerVoxelsShowTheSameScene) {
 }
 
 TEST(Phantom, AttenuationIsExponentialInDepth) {
-    PhantomConfig config = bare(PhantomScene::empty, 100);
+    PhantomConfig config = bareCube(PhantomScene::empty, 100);
     config.spacing = {0.5, 0.5, 1.0};  // a voxel is two units deep
     config.bits = 16;
     config.attenuation = 0.003;
@@ -192,7 +189,7 @@ TEST(Phantom, AttenuationIsExponentialInDepth) {
 }
 
 TEST(Phantom, ObjectsCastShadowsOfTheirThickness) {
-    PhantomConfig config = bare(PhantomScene::shapes, 200);
+    PhantomConfig config = bareCube(PhantomScene::shapes, 200);
     config.bits = 16;
     const Volume plain = *makePhantom(config);
     config.shadow = 0.02;
@@ -209,7 +206,7 @@ TEST(Phantom, ObjectsCastShadowsOfTheirThickness) {
 }
 
 TEST(Phantom, SpecularBrightensOnlyWhatFacesTheProbe) {
-    PhantomConfig config = bare(PhantomScene::shapes, 200, 4);
+    PhantomConfig config = bareCube(PhantomScene::shapes, 200, 4);
     config.bits = 16;
     const Volume plain = *makePhantom(config);
     config.specular = 0.5;
@@ -228,7 +225,7 @@ TEST(Phantom, SpecularBrightensOnlyWhatFacesTheProbe) {
 }
 
 TEST(Phantom, LogCompressionInClosedForm) {
-    PhantomConfig config = bare(PhantomScene::shapes, 64);
+    PhantomConfig config = bareCube(PhantomScene::shapes, 64);
     config.bits = 16;
     config.fluid = 0.4;
     config.logCompressDecibel = 50;
@@ -261,7 +258,7 @@ TEST(Phantom, BitsScaleToTheirWhiteLevel) {
 
 TEST(Phantom, ConfigsWithoutSenseAreRefused) {
     const auto with = [](auto change) {
-        PhantomConfig config = bare(PhantomScene::empty, 8);
+        PhantomConfig config = bareCube(PhantomScene::empty, 8);
         change(config);
         return config;
     };
@@ -274,7 +271,7 @@ TEST(Phantom, ConfigsWithoutSenseAreRefused) {
 
 TEST(Phantom, CancelledEndsWithoutAVolume) {
     std::atomic<bool> cancel = true;
-    EXPECT_FALSE(makePhantom(bare(PhantomScene::fetus, 60), Progress{{}, &cancel}));
+    EXPECT_FALSE(makePhantom(bareCube(PhantomScene::fetus, 60), Progress{{}, &cancel}));
 }
 
 TEST(Phantom, SceneNamesRoundTrip) {

@@ -36,7 +36,6 @@ inline Picture cast(const Volume& volume, const OpacityCurve& curve, const RayCa
     return *castRaysPlainly(volume, curve, settings, casting);
 }
 
-inline const float* centreOf(const Picture& picture) { return pixelAt(picture, 2, 2); }
 inline double centreDepth(const Picture& picture) { return static_cast<double>(picture.depthMm.at(2 * 5 + 2)); }
 
 /// The rounding of values in [0,1] that end as float.

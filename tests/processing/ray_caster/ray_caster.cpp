@@ -13,13 +13,11 @@
 namespace echolucent {
 namespace {
 
-Volume slab(std::int64_t depth, std::uint8_t value) {
+Volume wideSlab(std::int64_t depth, std::uint8_t value) {
     VolumeGeometry geometry;
     geometry.size = {24, 24, depth};
     return Volume(geometry, std::vector<std::uint8_t>(static_cast<std::size_t>(geometry.voxelCount()), value));
 }
-
-const float* centreOf(const Picture& picture) { return pixelAt(picture, picture.width / 2, picture.height / 2); }
 
 // Petersch 2005, section 4: intensity c2 up to k*, c1 behind; eq. 2 voxel by voxel from the back, and eq. 3 summed up.
 TEST(RayCaster, TwoIntensityModelFollowsEquations2And3) {
@@ -156,7 +154,7 @@ TEST(RayCaster, EarlyTerminationErrsByLessThanItsShareOfWhite) {
 }
 
 TEST(RayCaster, StopsWhenCancelledAndReportsTheShareDone) {
-    const Volume volume = slab(20, 90);
+    const Volume volume = wideSlab(20, 90);
     const RayCastSettings settings = settingsFor(volume, Viewpoint{}, 200, 200);
     std::atomic<bool> cancel = true;
     Progress progress;
@@ -177,7 +175,7 @@ TEST(RayCaster, StopsWhenCancelledAndReportsTheShareDone) {
 }
 
 TEST(RayCaster, RefusesRequestsThatMakeNoSense) {
-    const Volume volume = slab(3, 90);
+    const Volume volume = wideSlab(3, 90);
     const RayCastSettings good = settingsFor(volume, Viewpoint{}, 8, 8);
     const auto throws = [&](auto change) {
         RayCastSettings settings = good;

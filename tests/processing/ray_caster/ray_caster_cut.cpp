@@ -16,8 +16,6 @@
 namespace echolucent {
 namespace {
 
-std::shared_ptr<const Volume> held(Volume volume) { return std::make_shared<const Volume>(std::move(volume)); }
-
 /// Strokes down to the middle, as seen along z.
 std::vector<ScalpelStroke> strokesOn(const Volume& volume) {
     const Camera camera = defaultCamera(volume.geometry(), Viewpoint{.azimuthDegrees = 10}, 1.0);
@@ -36,7 +34,7 @@ void expectFreshPicturesAfterEveryStroke(bool masked) {
         scan = scan.withDataMask(mask);
     }
     const auto strokes = strokesOn(scan);
-    RayCastSettings settings = settingsFor(scan, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, 57, 49);
+    RayCastSettings settings = obliqueSettings(scan, 57, 49);
     settings.findDepth = true;
     std::vector<RayCastSettings> looks(3, settings);
     looks[1].shading = Shading{.reaching = ReachingLight{}};
@@ -100,7 +98,7 @@ ScalpelStroke randomStroke(const Volume& volume, std::mt19937& random) {
 template <typename Voxel>
 void expectAllAnewAfterAnyEdit(const Volume& scan, unsigned seed) {
     std::mt19937 random(seed);
-    RayCastSettings settings = settingsFor(scan, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, 41, 37);
+    RayCastSettings settings = obliqueSettings(scan, 41, 37);
     settings.findDepth = true;
     std::vector<RayCastSettings> looks(4, settings);
     looks[1].shading = looks[2].shading = Shading{.reaching = ReachingLight{}};
@@ -159,7 +157,7 @@ TEST(RayCasterCut, AnyEditOfStrokesIsAsAllDoneAnew) {
 TEST(RayCasterCut, AgreesWithThePlainRoute) {
     const Volume scan = speckledShell<std::uint8_t>({41, 37, 45}, {1, 1.2, 0.8}, 5);
     const Volume cut = *ScalpelCuts(scan.geometry()).cut(scan, strokesOn(scan));
-    RayCastSettings settings = settingsFor(scan, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, 57, 49);
+    RayCastSettings settings = obliqueSettings(scan, 57, 49);
     const OpacityCurve curve = LinearCurve{0.2, 0.7, 0.9};
     const Apart difference = apart(*castRays(cut, curve, settings), *castRaysPlainly(cut, curve, settings));
     std::printf("cut: RMSE %.4f, largest %.3f levels\n", difference.rootMeanSquare, difference.largest);

@@ -11,8 +11,6 @@
 namespace echolucent {
 namespace {
 
-std::shared_ptr<const Volume> held(Volume volume) { return std::make_shared<const Volume>(std::move(volume)); }
-
 /// The picture from kept samples is that of castRays() but for what 16 bits a sample cost: 1/512 of a byte's step,
 /// enough to reach the next entry of the bytes' opacities; and the time when a ray ends.
 void expectSameAsAlone(RayCaster& caster, const OpacityCurve& curve, const RayCastSettings& settings,
@@ -46,8 +44,9 @@ void expectEditsFollowed(const Volume& volume, const RayCastSettings& settings, 
         }
 }
 
-RayCastSettings obliqueSettings(const Volume& volume, int width = 73, int height = 59) {
-    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, width, height);
+/// With depth, and with rays that end as early as they do in the window.
+RayCastSettings settingsWithDepth(const Volume& volume, int width = 73, int height = 59) {
+    RayCastSettings settings = obliqueSettings(volume, width, height);
     settings.terminationTransmittance = RayCastSettings{}.terminationTransmittance;
     settings.findDepth = true;
     return settings;
@@ -56,7 +55,7 @@ RayCastSettings obliqueSettings(const Volume& volume, int width = 73, int height
 template <typename Voxel>
 void expectEditsFollowedInEveryView() {
     const Volume volume = speckledShell<Voxel>({41, 37, 45}, {1, 1.2, 0.8}, 5);
-    RayCastSettings settings = obliqueSettings(volume);
+    RayCastSettings settings = settingsWithDepth(volume);
     expectEditsFollowed(volume, settings, "parallel");
     expectEditsFollowed(sectorOf(volume), settings, "masked");
     RayCastSettings plain = settings;
@@ -67,7 +66,7 @@ void expectEditsFollowedInEveryView() {
     settings.camera.viewAngleDegrees = 60;
     settings.step = 0.37;
     expectEditsFollowed(volume, settings, "perspective");
-    settings = obliqueSettings(volume);
+    settings = settingsWithDepth(volume);
     settings.interpolation = Interpolation::nearest;
     settings.box = RenderBox{{3, 4, 5}, {30, 41, 28}};
     settings.clippingPlanes = {{volume.geometry().centreMm(), {1, 2, -1}}};
@@ -101,7 +100,7 @@ TEST(RayCasterKept, RaysThatEndedEarlyGoOnUnderATransparentCurve) {
 
 TEST(RayCasterKept, WhatSamplesDoNotDependOnMayChange) {
     const Volume volume = sectorOf(speckledShell<std::uint8_t>({41, 37, 45}, {1, 1.2, 0.8}, 6));
-    const RayCastSettings plain = obliqueSettings(volume);
+    const RayCastSettings plain = settingsWithDepth(volume);
     RayCaster caster(held(volume));
     const OpacityCurve curve = PowerCurve{2, 0.4};
     (void)caster.cast(curve, plain);
@@ -128,7 +127,7 @@ TEST(RayCasterKept, WhatSamplesDoNotDependOnMayChange) {
 
 TEST(RayCasterKept, WhatSamplesDependOnMakesAnotherView) {
     const Volume volume = speckledShell<std::uint16_t>({31, 37, 35}, {1, 1.2, 0.8}, 7);
-    const RayCastSettings plain = obliqueSettings(volume, 50, 40);
+    const RayCastSettings plain = settingsWithDepth(volume, 50, 40);
     const OpacityCurve curve = PowerCurve{2, 0.4};
     const auto other = [&](const char* what, const auto& change) {
         RayCaster caster(held(volume));
@@ -156,7 +155,7 @@ TEST(RayCasterKept, WhatSamplesDependOnMakesAnotherView) {
 
 TEST(RayCasterKept, AMoveOfTheCameraForgetsAndAViewIsKeptFromItsSecondPictureOn) {
     const Volume volume = speckledShell<std::uint8_t>({31, 37, 35}, {1, 1, 1}, 8);
-    RayCastSettings settings = obliqueSettings(volume);
+    RayCastSettings settings = settingsWithDepth(volume);
     RayCaster caster(held(volume));
     EXPECT_EQ(caster.keptSampleBytes(), 0u);
     (void)caster.cast(PowerCurve{2, 0.4}, settings);
@@ -173,7 +172,7 @@ TEST(RayCasterKept, AMoveOfTheCameraForgetsAndAViewIsKeptFromItsSecondPictureOn)
 
 TEST(RayCasterKept, AnUnchangedViewGivesTheSamePixels) {
     const Volume volume = sectorOf(speckledShell<float>({31, 37, 35}, {1, 1, 1}, 9));
-    RayCastSettings settings = obliqueSettings(volume);
+    RayCastSettings settings = settingsWithDepth(volume);
     RayCaster caster(held(volume));
     for (int i = 0; i < 2; ++i) (void)caster.cast(PowerCurve{2, 0.4}, settings);
     const auto third = caster.cast(PowerCurve{2, 0.4}, settings), fourth = caster.cast(PowerCurve{2, 0.4}, settings);
@@ -186,8 +185,8 @@ TEST(RayCasterKept, SeveralSizesAndStepsInTurn) {
     RayCaster caster(held(volume));
     for (int round = 0; round < 4; ++round)
         for (int level = 0; level < 6; ++level) {
-            RayCastSettings settings = obliqueSettings(volume, 20 + 10 * level, 20 + 9 * level);
-            settings.camera = obliqueSettings(volume).camera;
+            RayCastSettings settings = settingsWithDepth(volume, 20 + 10 * level, 20 + 9 * level);
+            settings.camera = settingsWithDepth(volume).camera;
             settings.step = 2.0 - 0.3 * level;
             if (level > 3 && round % 2 == 0) continue;
             expectSameAsAlone(caster, PowerCurve{2, 0.1 + 0.2 * round}, settings, "level " + std::to_string(level));
@@ -196,7 +195,7 @@ TEST(RayCasterKept, SeveralSizesAndStepsInTurn) {
 
 TEST(RayCasterKept, ACancelledPictureLeavesTheSamplesSound) {
     const Volume volume = sectorOf(speckledShell<std::uint8_t>({41, 37, 45}, {1, 1.2, 0.8}, 11));
-    const RayCastSettings settings = obliqueSettings(volume, 150, 170);
+    const RayCastSettings settings = settingsWithDepth(volume, 150, 170);
     RayCaster caster(held(volume));
     (void)caster.cast(PowerCurve{1, 2.0}, settings);
     for (const double stopAt : {0.1, 0.4, 0.8}) {

@@ -24,14 +24,14 @@ Volume ball() {
     return Volume(geometry, voxels);
 }
 
-const OpacityCurve surface = LinearCurve{0.2, 1.5, 1.0};
+const OpacityCurve surfaceCurve = LinearCurve{0.2, 1.5, 1.0};
 
 TEST(RayCasterLight, ShadingChangesColourAndNeverOpacity) {
     const Volume volume = ball();
     RayCastSettings settings = settingsFor(volume, Viewpoint{}, 64, 64);
-    const auto plain = castRays(volume, surface, settings);
+    const auto plain = castRays(volume, surfaceCurve, settings);
     settings.shading = Shading{};
-    const auto shaded = castRays(volume, surface, settings);
+    const auto shaded = castRays(volume, surfaceCurve, settings);
     bool differs = false;
     for (std::size_t i = 0; i < plain->rgba.size(); ++i) {
         if (i % 4 == 3)
@@ -52,7 +52,7 @@ TEST(RayCasterLight, LightComesFromWhereItIsSaid) {
         RayCastSettings settings = settingsFor(volume, view, 64, 64);
         const auto brightnessAt = [&](const Vec3& light, int column, int row) {
             settings.shading = Shading{.towardsLight = light, .specular = 0.0};
-            return pixelAt(*castRays(volume, surface, settings), column, row)[0];
+            return pixelAt(*castRays(volume, surfaceCurve, settings), column, row)[0];
         };
         EXPECT_GT(brightnessAt({-1, 0, -0.5}, 20, 32), 1.3f * brightnessAt({-1, 0, -0.5}, 44, 32)) << "from the left";
         EXPECT_GT(brightnessAt({0, -1, -0.5}, 32, 20), 1.3f * brightnessAt({0, -1, -0.5}, 32, 44)) << "from above";

@@ -8,11 +8,11 @@
 namespace echolucent {
 namespace {
 
-const OpacityCurve curve = LinearCurve{0.2, 0.7, 0.9};
+const OpacityCurve mixedCurve = LinearCurve{0.2, 0.7, 0.9};
 
 struct Scene {
     Volume volume = speckledShell<std::uint8_t>({41, 37, 45}, {1, 1.2, 0.8}, 5);
-    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, 57, 49);
+    RayCastSettings settings = obliqueSettings(volume, 57, 49);
 };
 
 TEST(RayCasterMixing, IsTheLinearMixOfBothPictures) {
@@ -24,8 +24,8 @@ TEST(RayCasterMixing, IsTheLinearMixOfBothPictures) {
             direct.findDepth = mixed.findDepth = true;
             other.mode = mode;
             mixed.mixing = {share, mode};
-            const auto a = castRays(scene.volume, curve, direct), b = castRays(scene.volume, curve, other),
-                       c = castRays(scene.volume, curve, mixed);
+            const auto a = castRays(scene.volume, mixedCurve, direct), b = castRays(scene.volume, mixedCurve, other),
+                       c = castRays(scene.volume, mixedCurve, mixed);
             ASSERT_EQ(c->rgba.size(), a->rgba.size());
             for (std::size_t i = 0; i < c->rgba.size(); ++i)
                 ASSERT_NEAR(c->rgba[i],
@@ -36,7 +36,7 @@ TEST(RayCasterMixing, IsTheLinearMixOfBothPictures) {
                 EXPECT_EQ(c->rgba, a->rgba);
             }
             const PlainCasting plainly{.leastLitOpacity = 1.0 / 128};
-            const Apart difference = apart(*c, *castRaysPlainly(scene.volume, curve, mixed, plainly));
+            const Apart difference = apart(*c, *castRaysPlainly(scene.volume, mixedCurve, mixed, plainly));
             EXPECT_LT(difference.rootMeanSquare, 0.2) << nameOf(mode) << share;
         }
 }
@@ -54,7 +54,7 @@ TEST(RayCasterMixing, KeptSamplesGoOnWorking) {
     // Another share and another brightness are made of the same samples.
     scene.settings.mixing.share = 0.6;
     scene.settings.brightness = 1.5;
-    (void)caster.cast(curve, scene.settings);
+    (void)caster.cast(mixedCurve, scene.settings);
     EXPECT_EQ(caster.sampleUse(), SampleUse::kept);
 }
 
@@ -65,13 +65,13 @@ TEST(RayCasterMixing, BrightnessIsAFactorThatStaysWithinAlpha) {
             RayCastSettings plain = scene.settings, bright = scene.settings;
             plain.mode = bright.mode = mode;
             bright.brightness = brightness;
-            const auto a = castRays(scene.volume, curve, plain), b = castRays(scene.volume, curve, bright);
+            const auto a = castRays(scene.volume, mixedCurve, plain), b = castRays(scene.volume, mixedCurve, bright);
             for (std::size_t i = 0; i < a->rgba.size(); ++i) {
                 const float alpha = a->rgba[i / 4 * 4 + 3];
                 const float factor = i % 4 == 3 ? 1.0F : static_cast<float>(brightness);
                 ASSERT_EQ(b->rgba[i], i % 4 == 3 ? alpha : std::min(alpha, factor * a->rgba[i]));
             }
-            EXPECT_LT(apart(*b, *castRaysPlainly(scene.volume, curve, bright)).rootMeanSquare, 0.3);
+            EXPECT_LT(apart(*b, *castRaysPlainly(scene.volume, mixedCurve, bright)).rootMeanSquare, 0.3);
         }
     }
 }
@@ -100,10 +100,10 @@ TEST(RayCasterMixing, TheLookCastsOnlyWhatIsSeen) {
 TEST(RayCasterMixing, WhatMakesNoSenseIsRefused) {
     Scene scene;
     scene.settings.mixing.share = 1.5;
-    EXPECT_THROW((void)castRays(scene.volume, curve, scene.settings), std::invalid_argument);
+    EXPECT_THROW((void)castRays(scene.volume, mixedCurve, scene.settings), std::invalid_argument);
     scene.settings.mixing.share = 0.0;
     scene.settings.brightness = 0.0;
-    EXPECT_THROW((void)castRays(scene.volume, curve, scene.settings), std::invalid_argument);
+    EXPECT_THROW((void)castRays(scene.volume, mixedCurve, scene.settings), std::invalid_argument);
 }
 
 }  // namespace

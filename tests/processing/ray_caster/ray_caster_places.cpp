@@ -144,7 +144,7 @@ TEST(RayCasterPlaces, DefaultCameraHoldsTheWholeBoxTightly) {
 }
 
 /// Every pixel is a number in [0,1], and as the reference has it.
-void expectSound(const Volume& volume, const RayCastSettings& settings, const std::string& what) {
+void expectSoundPictures(const Volume& volume, const RayCastSettings& settings, const std::string& what) {
     for (const OpacityCurve& curve : {OpacityCurve{PowerCurve{2, 0.7}}, OpacityCurve{LinearCurve{0.3, 1.0, 1.0}}}) {
         const auto picture = castRays(volume, curve, settings);
         for (const float value : picture->rgba) ASSERT_TRUE(value >= 0.0f && value <= 1.0f) << what;
@@ -162,9 +162,9 @@ TEST(RayCasterPlaces, ExtremeSizesAndSpacings) {
                 RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, 25, 19);
                 if (shaded) settings.shading = Shading{};
                 settings.step = 2.3;
-                expectSound(volume, settings,
-                            std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2]) +
-                                (shaded ? " shaded" : ""));
+                expectSoundPictures(volume, settings,
+                                    std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
+                                        std::to_string(size[2]) + (shaded ? " shaded" : ""));
             }
 }
 
@@ -195,8 +195,8 @@ TEST(RayCasterPlaces, NotFiniteVoxelsAreTransparentWithOrWithoutAMask) {
             RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -13, 5, 0}, 41, 31);
             settings.interpolation = interpolation;
             if (shaded) settings.shading = Shading{};
-            expectSound(volume, settings, "masked");
-            expectSound(volume.withDataMask(std::vector<std::uint8_t>{}), settings, "mask forgotten");
+            expectSoundPictures(volume, settings, "masked");
+            expectSoundPictures(volume.withDataMask(std::vector<std::uint8_t>{}), settings, "mask forgotten");
         }
     const Volume nothing(random.geometry(), std::vector<float>(voxels.size(), std::nanf("")));
     const auto picture = castRays(nothing, ManualCurve{{{0, 1.0}}}, settingsFor(nothing, Viewpoint{}, 20, 20));
@@ -211,11 +211,11 @@ TEST(RayCasterPlaces, CameraInsideOnTheFaceAndBehind) {
     settings.nearPlaneDepthMm = -INFINITY;
     const Vec3 forward = settings.camera.frame.forward;
     settings.camera.distanceMm = 0.0;  // the eye in the centre
-    expectSound(volume, settings, "inside");
+    expectSoundPictures(volume, settings, "inside");
     settings.camera = defaultCamera(volume.geometry(), Viewpoint{}, 1.0);
     settings.camera.projection = Projection::perspective;
     settings.camera.distanceMm = 8.5;
-    expectSound(volume, settings, "on the face");
+    expectSoundPictures(volume, settings, "on the face");
     settings.camera.focalPoint = volume.geometry().centreMm() + forward * 100.0;
     settings.camera.distanceMm = 1.0;
     const auto behind = castRays(volume, PowerCurve{2, 1.0}, settings);

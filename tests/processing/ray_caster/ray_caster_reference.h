@@ -370,4 +370,7 @@ inline const float* pixelAt(const Picture& picture, int column, int row) {
                          4];
 }
 
+/// The pixel in the middle.
+inline const float* centreOf(const Picture& picture) { return pixelAt(picture, picture.width / 2, picture.height / 2); }
+
 }  // namespace echolucent

@@ -6,8 +6,6 @@
 namespace echolucent {
 namespace {
 
-std::shared_ptr<const Volume> held(Volume volume) { return std::make_shared<const Volume>(std::move(volume)); }
-
 /// The pictures are made with depth asked for, and without.
 void expectSameOnBothRoutes(const Volume& volume, const OpacityCurve& curve, RayCastSettings settings, double levels,
                             const std::string& what) {
@@ -27,7 +25,7 @@ void expectRoutesAgree() {
             for (const double end : {0.0, 1.0 / 128, 0.2})
                 for (const OpacityCurve& curve :
                      {OpacityCurve{PowerCurve{1, 0.9}}, everywhere(0.3), onlyBetween(0.4, 0.9, 0.5)}) {
-                    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, 61, 53);
+                    RayCastSettings settings = obliqueSettings(volume, 61, 53);
                     settings.camera.projection = projection;
                     settings.terminationTransmittance = end;
                     // Positions differ in their last bit; of bytes that may be a step in their shares of 7 bits.
@@ -68,7 +66,7 @@ TEST(RayCasterRoutes, BytesAboveWhiteAreWhiteAlsoWhereSamplesAreKept) {
         std::mt19937 dice(8);
         for (auto& voxel : voxels) voxel = static_cast<std::uint8_t>(dice() % 3 == 0 ? 255 : dice() % 120);
         const Volume volume = sectorOf(Volume(geometry, std::move(voxels), white));
-        RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, 31, 29);
+        RayCastSettings settings = obliqueSettings(volume, 31, 29);
         RayCaster caster(held(volume));
         for (int picture = 0; picture < 3; ++picture) (void)caster.cast(PowerCurve{1, 0.5}, settings);
         EXPECT_GT(caster.keptSampleBytes(), 0u);

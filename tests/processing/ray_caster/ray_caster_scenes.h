@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "processing/opacity_curve.h"
 #include "processing/picture/picture.h"
+#include "processing/viewpoint.h"
 #include "processing/volume/volume.h"
 #include "ray_caster_reference.h"
 
@@ -19,6 +22,14 @@ namespace echolucent {
 inline OpacityCurve onlyBetween(double lowest, double highest, double opacity) {
     const double middle = 0.5 * (lowest + highest);
     return ManualCurve{{{0.0, 0.0}, {lowest, 0.0}, {middle, opacity}, {highest, 0.0}, {1.0, 0.0}}};
+}
+
+/// A volume as a ray caster keeps it.
+inline std::shared_ptr<const Volume> held(Volume volume) { return std::make_shared<const Volume>(std::move(volume)); }
+
+/// As the shell is seen obliquely, without an end of rays before all light is taken up.
+inline RayCastSettings obliqueSettings(const Volume& volume, int width, int height) {
+    return settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, width, height);
 }
 
 /// What a voxel type holds for normalised intensity 1 in the tests.

@@ -10,8 +10,6 @@
 namespace echolucent {
 namespace {
 
-std::shared_ptr<const Volume> held(Volume volume) { return std::make_shared<const Volume>(std::move(volume)); }
-
 /// Opaque where intensity and gradient both say so; it changes slowly, so that what bytes of gradients lose is small.
 TwoDimensionalOtf boundaries(double largestGradient = 0.4) {
     return tabulated(64, 48, largestGradient, [&](double f, double g) {
@@ -29,18 +27,14 @@ TwoDimensionalOtf withoutGradient() {
     return tabulated(256, 7, 0.3, [&](double f, double) { return opacityAt(curve, f); });
 }
 
-RayCastSettings obliqueSettings(const Volume& volume, int width = 41, int height = 37) {
-    return settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, width, height);
-}
-
 template <typename Voxel>
-void expectReference() {
+void expectReferenceOfBoundaries() {
     const Volume whole = speckledShell<Voxel>({31, 27, 35}, {1, 1.2, 0.8}, 5);
     const Classification otf(boundaries());
     for (const Volume& volume : {whole, sectorOf(whole)})
         for (const Projection projection : {Projection::parallel, Projection::perspective})
             for (const double step : {0.4, 1.0, 2.3}) {
-                RayCastSettings settings = obliqueSettings(volume);
+                RayCastSettings settings = obliqueSettings(volume, 41, 37);
                 settings.camera.projection = projection;
                 settings.step = step;
                 // Gradients are rounded to 255 steps: an opacity is off by at most half of one, 0.5 / 510 a unit.
@@ -50,9 +44,9 @@ void expectReference() {
                 EXPECT_LT(largestDifference(volume, otf, settings), isOfBytes(volume) ? 0.03 : 0.01) << step << " lit";
             }
 }
-TEST(RayCasterTwoDimensional, BytesAreShownAsTheReferenceShowsThem) { expectReference<std::uint8_t>(); }
-TEST(RayCasterTwoDimensional, WordsAreShownAsTheReferenceShowsThem) { expectReference<std::uint16_t>(); }
-TEST(RayCasterTwoDimensional, FloatsAreShownAsTheReferenceShowsThem) { expectReference<float>(); }
+TEST(RayCasterTwoDimensional, BytesAreShownAsTheReferenceShowsThem) { expectReferenceOfBoundaries<std::uint8_t>(); }
+TEST(RayCasterTwoDimensional, WordsAreShownAsTheReferenceShowsThem) { expectReferenceOfBoundaries<std::uint16_t>(); }
+TEST(RayCasterTwoDimensional, FloatsAreShownAsTheReferenceShowsThem) { expectReferenceOfBoundaries<float>(); }
 
 TEST(RayCasterTwoDimensional, TheNearestVoxelHasItsOwnGradient) {
     const Volume volume = speckledShell<float>({21, 23, 19}, {1, 1, 1}, 2);
@@ -163,7 +157,7 @@ TEST(RayCasterTwoDimensional, BricksWithoutGradientAreEmpty) {
 TEST(RayCasterTwoDimensional, OneCasterShowsCurvesAndTablesInTurnAsFreshOnesDo) {
     const auto volume = held(sectorOf(speckledShell<std::uint8_t>({41, 37, 45}, {1, 1, 1}, 5)));
     RayCaster caster(volume);
-    RayCastSettings settings = obliqueSettings(*volume);
+    RayCastSettings settings = obliqueSettings(*volume, 41, 37);
     settings.shading = Shading{};
     settings.shading->reaching = {0.7, 0.7, 0.3};
     const std::vector<Classification> otfs{PowerCurve{2, 0.5}, Classification(boundaries(0.4)),
@@ -182,7 +176,7 @@ TEST(RayCasterTwoDimensional, OneCasterShowsCurvesAndTablesInTurnAsFreshOnesDo) 
 TEST(RayCasterTwoDimensional, SamplesAreNotKept) {
     const auto volume = held(speckledShell<std::uint8_t>({41, 37, 45}, {1, 1, 1}, 5));
     RayCaster caster(volume);
-    const RayCastSettings settings = obliqueSettings(*volume);
+    const RayCastSettings settings = obliqueSettings(*volume, 41, 37);
     const auto first = caster.cast(Classification(boundaries()), settings);
     for (int again = 0; again < 3; ++again)
         EXPECT_EQ(caster.cast(Classification(boundaries()), settings)->rgba, first->rgba);
@@ -195,7 +189,7 @@ TEST(RayCasterTwoDimensional, AScalpelsCutIsFollowed) {
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = i % 41 < 20 ? 1 : 0;
     const Volume cut = whole.withCut(std::make_shared<const DataMask>(std::move(left)));
     RayCaster caster(held(whole));
-    RayCastSettings settings = obliqueSettings(whole);
+    RayCastSettings settings = obliqueSettings(whole, 41, 37);
     settings.shading = Shading{};
     settings.shading->reaching = {0.7, 0.7, 0.3};
     const Classification otf(boundaries());
@@ -212,7 +206,7 @@ TEST(RayCasterTwoDimensional, CastersThatShareVoxelsKnowNothingOfEachOther) {
     for (std::size_t i = 0; i < left.size(); ++i)
         left[i] = whole.hasData(static_cast<std::int64_t>(i)) && i % 41 < 20 ? 1 : 0;
     const Volume cut = whole.withCut(std::make_shared<const DataMask>(std::move(left)));
-    RayCastSettings settings = obliqueSettings(whole);
+    RayCastSettings settings = obliqueSettings(whole, 41, 37);
     settings.shading = Shading{};
     settings.shading->reaching = {0.7, 0.7, 0.3};
     const Classification otf(boundaries());
@@ -228,7 +222,7 @@ TEST(RayCasterTwoDimensional, CastersThatShareVoxelsKnowNothingOfEachOther) {
 
 TEST(RayCasterTwoDimensional, OtherModesDoNotReadIt) {
     const Volume volume = speckledShell<std::uint8_t>({21, 27, 25}, {1, 1, 1}, 5);
-    RayCastSettings settings = obliqueSettings(volume);
+    RayCastSettings settings = obliqueSettings(volume, 41, 37);
     settings.mode = RenderMode::maximum;
     EXPECT_EQ(castRays(volume, Classification(boundaries()), settings)->rgba,
               castRays(volume, PowerCurve{2, 1.0}, settings)->rgba);

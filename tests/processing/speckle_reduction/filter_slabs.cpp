@@ -15,13 +15,11 @@
 
 #include "processing/speckle_reduction/joint_bilateral_filter.h"
 #include "processing/speckle_reduction/speckle_law.h"
+#include "tests/processing/speckle_reduction/joint_bilateral_passes.h"
 #include "tests/processing/speckle_reduction/noisy_volumes.h"
 
 namespace echolucent {
 namespace {
-
-constexpr std::array onePass{JointBilateralPass{}};
-constexpr std::array twoPasses{JointBilateralPass{}, JointBilateralPass{.guideSigma = 0.7}};
 
 TEST(FilterSlabs, FilterEverySliceOnceAndHoldThoseBehind) {
     const VolumeGeometry geometry = gridOf({10, 10, 57});

@@ -10,12 +10,11 @@
 #include "processing/speckle_reduction/gaussian_filter.h"
 #include "processing/speckle_reduction/speckle_law.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
+#include "tests/processing/speckle_reduction/joint_bilateral_passes.h"
 #include "tests/processing/speckle_reduction/noisy_volumes.h"
 
 namespace echolucent {
 namespace {
-
-constexpr std::array onePass{JointBilateralPass{}};
 
 double meanOfSlice(const Volume& volume, std::int64_t slice) {
     return momentsOf(volume, [&](auto, auto, auto z) { return z == slice; }).mean;

@@ -8,15 +8,9 @@
 #include <vector>
 
 #include "processing/volume/volume.h"
+#include "tests/processing/grids.h"
 
 namespace echolucent {
-
-inline VolumeGeometry gridOf(std::array<std::int64_t, 3> size, const Vec3& spacing = {1, 1, 1}) {
-    VolumeGeometry geometry;
-    geometry.size = size;
-    geometry.spacing = spacing;
-    return geometry;
-}
 
 /// Voxels whose values follow from their place, times 1 + noise * (a uniform number in [-1,1]).
 template <typename Voxel>

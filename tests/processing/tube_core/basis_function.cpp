@@ -61,7 +61,7 @@ TEST(CompensatedSum, KeepsWhatRoundingDrops) {
     EXPECT_EQ(sum.value(), 1000.0);
 }
 
-TubeCore tubeWith(double d, double low, double high) {
+TubeCore tubeOfWeight(double d, double low, double high) {
     TubeCore tube;
     tube.status = TubeStatus::surface;
     tube.d = d;
@@ -72,7 +72,7 @@ TubeCore tubeWith(double d, double low, double high) {
 
 TEST(AdaptedLogOpacity, RaisesAtHighAndLowersAtLowByTheFactorOnePlusD) {
     const double low = 51.0 / 255, high = 153.0 / 255;
-    const std::vector<TubeCore> tubes{tubeWith(0.5, low, high)};
+    const std::vector<TubeCore> tubes{tubeOfWeight(0.5, low, high)};
     const auto logOpacity = adaptedLogOpacity(PowerCurve{2, 0.8}, tubes, 256);
     EXPECT_NEAR(logOpacity[51], std::log(0.8 * low * low / 1.5), 1e-14);
     EXPECT_NEAR(logOpacity[153], std::log(0.8 * high * high * 1.5), 1e-14);
@@ -83,7 +83,7 @@ TEST(AdaptedLogOpacity, RaisesAtHighAndLowersAtLowByTheFactorOnePlusD) {
 }
 
 TEST(AdaptedLogOpacity, IsNotTheOrdinaryProductThatOverflows) {
-    const std::vector<TubeCore> tubes(100000, tubeWith(1e6, 0.2, 0.6));
+    const std::vector<TubeCore> tubes(100000, tubeOfWeight(1e6, 0.2, 0.6));
     const auto logOpacity = adaptedLogOpacity(PowerCurve{2, 1.0}, tubes, 256);
     const double expected = 2 * std::log(0.6) + 1e5 * std::log1p(1e6);
     EXPECT_NEAR(logOpacity[153], expected, 1e-14 * expected);

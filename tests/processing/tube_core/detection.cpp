@@ -92,7 +92,7 @@ SharesOfReadings measureSeeds(std::vector<NamedPhantom> (*conditions)(const Phan
     return all;
 }
 
-TEST(Detection, OrdinaryConditions) {
+TEST(LongDetection, OrdinaryConditions) {
     const auto [published, settled, standard] = measureSeeds(ordinaryConditions, "ordinary");
     // These are the figures of docs/experiments.md, "Three readings", within what other seeds scatter.
     EXPECT_NEAR(published.pooled.rightShare(), 0.93, 0.04);
@@ -104,7 +104,7 @@ TEST(Detection, OrdinaryConditions) {
     EXPECT_GE(standard.pooled.foundShare(), 0.95);
 }
 
-TEST(Detection, HardConditions) {
+TEST(LongDetection, HardConditions) {
     const auto [published, settled, standard] = measureSeeds(hardConditions, "hard");
     // These are the figures of docs/experiments.md, "Three readings", within what other seeds scatter.
     EXPECT_NEAR(published.pooled.rightShare(), 0.57, 0.06);
@@ -116,7 +116,7 @@ TEST(Detection, HardConditions) {
     EXPECT_GE(standard.pooled.foundShare(), 0.85);
 }
 
-TEST(Detection, FrontWall) {
+TEST(LongDetection, FrontWall) {
     const auto [published, settled, standard] = measureSeeds(frontWallConditions, "front wall");
     EXPECT_GE(settled.pooled.rightShare(), 0.90);
     EXPECT_GE(published.pooled.rightShare(), 0.55);

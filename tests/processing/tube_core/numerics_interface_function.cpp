@@ -7,6 +7,7 @@
 #include "processing/adaptive/method_reading.h"
 #include "processing/tube_core/scale_space.h"
 #include "processing/tube_core/surface_detection.h"
+#include "tests/processing/tube_core/signals.h"
 
 namespace echolucent {
 namespace {
@@ -14,14 +15,6 @@ namespace {
 using Signal = std::vector<double>;
 
 Signal constant(std::size_t length, double value) { return Signal(length, value); }
-
-Signal ramp(std::size_t length, double first, double last) {
-    Signal signal(length);
-    for (std::size_t i = 0; i < length; ++i)
-        signal[i] =
-            first + (last - first) * static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(length - 1, 1));
-    return signal;
-}
 
 /// The function is `before` up to `at`, and `behind` from there on.
 Signal step(std::size_t length, std::size_t at, double before, double behind) {
@@ -62,9 +55,9 @@ Count falseMaxima(const VarianceRule& rule) {
     for (const std::size_t length : {1u, 2u, 3u, 7u, 39u, 40u, 100u, 195u, 400u})
         for (const double value : {0.0, 5e-324, 1e-300, 1e-9, 0.1, 1.0 / 3.0, 0.37, 1.0, 6.0221e-7, 1e12}) {
             tracker.look(constant(length, value), count);
-            tracker.look(ramp(length, 0.0, value), count);
-            tracker.look(ramp(length, value, 0.0), count);
-            tracker.look(ramp(length, value, 3.0 * value), count);
+            tracker.look(rampOf(length, 0.0, value), count);
+            tracker.look(rampOf(length, value, 0.0), count);
+            tracker.look(rampOf(length, value, 3.0 * value), count);
             for (std::size_t at = 0; at <= length; at += std::max<std::size_t>(length / 13, 1)) {
                 tracker.look(step(length, at, 0.1 * value, value), count);
                 tracker.look(step(length, at, value, 0.1 * value), count);

@@ -13,12 +13,12 @@
 namespace echolucent {
 namespace {
 
-constexpr double fluid = 0.06, tissue = 0.4;
-constexpr int length = 120;
+constexpr double fluidIntensity = 0.06, tissueIntensity = 0.4;
+constexpr int profileLength = 120;
 
-/// There are `length` slabs, of which the first `boundary` are fluid.
-std::vector<double> stepAt(int boundary, double before = fluid, double behind = tissue) {
-    std::vector<double> levels(length, behind);
+/// There are `profileLength` slabs, of which the first `boundary` are fluid.
+std::vector<double> stepAt(int boundary, double before = fluidIntensity, double behind = tissueIntensity) {
+    std::vector<double> levels(profileLength, behind);
     std::fill(levels.begin(), levels.begin() + boundary, before);
     return levels;
 }
@@ -26,8 +26,9 @@ std::vector<double> stepAt(int boundary, double before = fluid, double behind = 
 /// The ramp is linear in intensity over `width` slabs around the boundary.
 std::vector<double> rampAround(double boundary, double width) {
     std::vector<double> levels;
-    for (int k = 0; k < length; ++k)
-        levels.push_back(fluid + (tissue - fluid) * std::clamp((k + 0.5 - boundary) / width + 0.5, 0.0, 1.0));
+    for (int k = 0; k < profileLength; ++k)
+        levels.push_back(fluidIntensity +
+                         (tissueIntensity - fluidIntensity) * std::clamp((k + 0.5 - boundary) / width + 0.5, 0.0, 1.0));
     return levels;
 }
 
@@ -120,7 +121,7 @@ TEST(RatioContrasts, DoNotDependOnTheGain) {
     std::vector<MadeProfile> made;
     for (int t = 0; t < 225; ++t) {
         std::vector<double> levels;
-        for (int k = 0; k < length; ++k) levels.push_back(slabs.drawn(0.08, 0.4));
+        for (int k = 0; k < profileLength; ++k) levels.push_back(slabs.drawn(0.08, 0.4));
         made.push_back(slabs.around(levels));
     }
     const auto contrastsAtGain = [&](double gain) {
@@ -155,18 +156,19 @@ TEST(RatioDetection, FindsAStepWhereItIs) {
     std::vector<int> boundaries;
     std::vector<std::vector<double>> tested;
     for (int t = 0; t < 225; ++t) {
-        boundaries.push_back(slabs.drawn(10, length - 8));
+        boundaries.push_back(slabs.drawn(10, profileLength - 8));
         tested.push_back(stepAt(boundaries.back()));
     }
     const Judged judged(amongSteps(slabs, tested));
     ASSERT_TRUE(judged.thresholds.mayHoldSurfaces);
     // The place halfway between both levels on a logarithm is the geometric mean.
-    EXPECT_NEAR(judged.scale.intensityAt(judged.thresholds.fluidLevel), std::sqrt(fluid * tissue), 0.03);
+    EXPECT_NEAR(judged.scale.intensityAt(judged.thresholds.fluidLevel), std::sqrt(fluidIntensity * tissueIntensity),
+                0.03);
     for (std::size_t t = 0; t < tested.size(); ++t) {
         const auto place = judged.place(t);
         ASSERT_TRUE(place) << t;
         EXPECT_NEAR(*place, boundaries[t], 1.0) << t;
-        EXPECT_NEAR(judged.surface(t)->contrast, std::log(tissue / fluid) / 0.25, 1.2) << t;
+        EXPECT_NEAR(judged.surface(t)->contrast, std::log(tissueIntensity / fluidIntensity) / 0.25, 1.2) << t;
     }
 }
 
@@ -190,8 +192,8 @@ TEST(RatioDetection, FindsTheMiddleOfAWideRamp) {
 TEST(RatioDetection, TakesTheFirstOfTwoSurfaces) {
     SpeckledSlabs slabs(5);
     std::vector<double> levels = stepAt(30);
-    std::fill(levels.begin() + 45, levels.begin() + 80, fluid);
-    std::fill(levels.begin() + 80, levels.end(), 2 * tissue);
+    std::fill(levels.begin() + 45, levels.begin() + 80, fluidIntensity);
+    std::fill(levels.begin() + 80, levels.end(), 2 * tissueIntensity);
     const Judged judged(amongSteps(slabs, {levels}));
     ASSERT_TRUE(judged.place(0));
     EXPECT_NEAR(*judged.place(0), 30, 1.0);
@@ -201,8 +203,9 @@ TEST(RatioDetection, TissueBeforeBrighterTissueIsNoSurface) {
     SpeckledSlabs slabs(6);
     const auto bright = stepAt(60, 0.3, 0.9);
     auto behindFluid = stepAt(70, 0.3, 0.9);
-    std::fill(behindFluid.begin(), behindFluid.begin() + 30, fluid);
-    const Judged judged(amongSteps(slabs, {bright, bright, bright, behindFluid, stepAt(60, tissue, fluid)}));
+    std::fill(behindFluid.begin(), behindFluid.begin() + 30, fluidIntensity);
+    const Judged judged(
+        amongSteps(slabs, {bright, bright, bright, behindFluid, stepAt(60, tissueIntensity, fluidIntensity)}));
     for (const std::size_t t : {0u, 1u, 2u}) EXPECT_FALSE(judged.surface(t)) << t;
     ASSERT_TRUE(judged.place(3));
     EXPECT_NEAR(*judged.place(3), 30, 1.0) << "the brighter tissue behind is stronger by accident at most";
@@ -215,7 +218,7 @@ TEST(RatioDetection, AGapOfLittleFluidIsNoSurface) {
     SpeckledSlabs slabs(7);
     const auto gapOf = [](int width) {
         auto levels = stepAt(0);
-        std::fill(levels.begin() + 50 - width, levels.begin() + 50, fluid);
+        std::fill(levels.begin() + 50 - width, levels.begin() + 50, fluidIntensity);
         return levels;
     };
     const Judged judged(amongSteps(slabs, {gapOf(1), gapOf(2), gapOf(3), gapOf(4), stepAt(1), stepAt(2), stepAt(3),
@@ -239,7 +242,7 @@ TEST(RatioDetection, FindsNothingInPureSpeckle) {
             // Gain changes slowly along and across.
             const double phase = slabs.drawn(0.0, 6.3);
             std::vector<double> levels;
-            for (int k = 0; k < length; ++k) levels.push_back(0.33 * (1 + 0.15 * std::sin(phase + k / 40.0)));
+            for (int k = 0; k < profileLength; ++k) levels.push_back(0.33 * (1 + 0.15 * std::sin(phase + k / 40.0)));
             made.push_back(slabs.around(levels));
         }
         const Judged judged(made);
@@ -275,7 +278,7 @@ void expectNothingFound(const PhantomConfig& config, const Viewpoint& view, cons
     }
 }
 
-TEST(RatioDetection, InventsNoSurfaceInVolumesWithoutFluid) {
+TEST(LongRatioDetection, InventsNoSurfaceInVolumesWithoutFluid) {
     struct Run {
         std::int64_t edge;
         int seeds;

@@ -7,21 +7,10 @@
 #include <cstdint>
 
 #include "processing/tube_core/surface_detection.h"
+#include "tests/processing/tube_core/signals.h"
 
 namespace echolucent {
 namespace {
-
-/// One scale of a given sigma and the rest as the config says.
-std::vector<double> smoothed(double sigma, const std::vector<double>& function, VarianceRule config = {}) {
-    config.coarsestScale = config.finestScale = 0;
-    config.sigmaPerKernelSize = sigma;
-    const ScaleSpace space(config);
-    ScaleSmoother smoother(space);
-    std::vector<double> result;
-    smoother.begin(function);
-    smoother.smooth(0, result);
-    return result;
-}
 
 VarianceRule cutAt(double sigmas) {
     VarianceRule config;
@@ -58,7 +47,7 @@ TEST(ScaleSpace, EqualsTheConvolutionWrittenOut) {
     for (int i = 0; i < 37; ++i) function.push_back(std::fmod(i * i * 0.37 + 0.11 * i, 1.0));
     for (const double sigma : {2.0, 8.0, 32.0}) {
         const GaussianKernel kernel(sigma, 3.0);
-        const auto result = smoothed(sigma, function);
+        const auto result = smoothed(function, sigma);
         ASSERT_EQ(result.size(), function.size());
         for (int i = 0; i < 37; ++i) {
             long double expected = 0;
@@ -78,8 +67,8 @@ TEST(ScaleSpace, SmoothingTwiceAddsTheVariances) {
     // Gaussians are a semigroup; the kernels are cut far out, so that only sampling is left as error.
     std::vector<double> impulse(401, 0.0);
     impulse[200] = 1.0;
-    const auto twice = smoothed(8.0, smoothed(6.0, impulse, cutAt(8)), cutAt(8));
-    const auto once = smoothed(10.0, impulse, cutAt(8));
+    const auto twice = smoothed(smoothed(impulse, 6.0, cutAt(8)), 8.0, cutAt(8));
+    const auto once = smoothed(impulse, 10.0, cutAt(8));
     for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(twice[i], once[i], 1e-13);
 }
 
@@ -87,7 +76,7 @@ TEST(ScaleSpace, DoesNotShiftAPeak) {
     std::vector<double> impulse(301, 0.0);
     impulse[150] = 1.0;
     for (const double sigma : settledSigmas)
-        EXPECT_EQ(firstSignificantMaximum(smoothed(sigma, impulse), {0, 300}, 0.4), 150);
+        EXPECT_EQ(firstSignificantMaximum(smoothed(impulse, sigma), {0, 300}, 0.4), 150);
 }
 
 TEST(ScaleSpace, CreatesNoMaximumFromAConstantOrAFallingRamp) {
@@ -95,8 +84,8 @@ TEST(ScaleSpace, CreatesNoMaximumFromAConstantOrAFallingRamp) {
         std::vector<double> constant(195, value), falling(195);
         for (std::size_t i = 0; i < falling.size(); ++i) falling[i] = value * static_cast<double>(falling.size() - i);
         for (const double sigma : settledSigmas) {
-            EXPECT_FALSE(firstSignificantMaximum(smoothed(sigma, constant), {0, 194}, 0.0)) << value;
-            EXPECT_FALSE(firstSignificantMaximum(smoothed(sigma, falling), {0, 194}, 0.0)) << value;
+            EXPECT_FALSE(firstSignificantMaximum(smoothed(constant, sigma), {0, 194}, 0.0)) << value;
+            EXPECT_FALSE(firstSignificantMaximum(smoothed(falling, sigma), {0, 194}, 0.0)) << value;
         }
     }
 }
@@ -117,7 +106,7 @@ TEST(ScaleSpace, NeverAddsMaximaAsItGetsCoarser) {
     int finer = maxima(noise);
     EXPECT_GT(finer, 100);
     for (const double sigma : {2.0, 4.0, 8.0, 16.0, 32.0}) {
-        const int coarser = maxima(smoothed(sigma, noise, cutAt(6)));
+        const int coarser = maxima(smoothed(noise, sigma, cutAt(6)));
         EXPECT_LE(coarser, finer) << sigma;
         finer = coarser;
     }

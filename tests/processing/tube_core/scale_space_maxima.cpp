@@ -12,6 +12,7 @@
 #include "processing/adaptive/method_reading.h"
 #include "processing/tube_core/scale_space.h"
 #include "processing/tube_core/surface_detection.h"
+#include "tests/processing/tube_core/signals.h"
 
 namespace echolucent {
 namespace {
@@ -48,16 +49,10 @@ int maximaOfScales(const Function& function, const VarianceRule& rule) {
     return count;
 }
 
-Function stairs(std::initializer_list<double> values, std::size_t length) {
+/// Steps of one length each.
+Function equalStairs(std::initializer_list<double> values, std::size_t length) {
     Function function;
     for (std::size_t i = 0; i < length; ++i) function.push_back(std::data(values)[i * values.size() / length]);
-    return function;
-}
-
-Function ramp(std::size_t length, double from, double to) {
-    Function function;
-    for (std::size_t i = 0; i < length; ++i)
-        function.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(length - 1));
     return function;
 }
 
@@ -65,9 +60,9 @@ Function ramp(std::size_t length, double from, double to) {
 std::vector<Function> withoutSurface(std::size_t length) {
     std::vector<Function> functions;
     for (const double value : {1.0, 0.1, 1.0 / 3.0, 6.0221e-7, 0.0}) functions.emplace_back(length, value);
-    functions.push_back(ramp(length, 0.0, 1.0));
-    functions.push_back(ramp(length, 1.0, 0.0));
-    functions.push_back(ramp(length, 0.3, 0.30001));
+    functions.push_back(rampOf(length, 0.0, 1.0));
+    functions.push_back(rampOf(length, 1.0, 0.0));
+    functions.push_back(rampOf(length, 0.3, 0.30001));
     for (const auto& values : {std::initializer_list<double>{0.1, 1.0},
                                {1.0, 0.1},
                                {0.0, 0.7},
@@ -75,7 +70,7 @@ std::vector<Function> withoutSurface(std::size_t length) {
                                {1.0, 0.4, 0.1},
                                {1.0, 0.1, 1.0},
                                {0.7, 0.1, 0.4}})
-        functions.push_back(stairs(values, length));
+        functions.push_back(equalStairs(values, length));
     return functions;
 }
 
@@ -177,17 +172,6 @@ Function convolved(const Function& weights, const Function& function) {
     return result;
 }
 
-Function smoothed(VarianceRule config, double sigma, const Function& function) {
-    config.coarsestScale = config.finestScale = 0;
-    config.sigmaPerKernelSize = sigma;
-    const ScaleSpace space(config);
-    ScaleSmoother smoother(space);
-    Function result;
-    smoother.begin(function);
-    smoother.smooth(0, result);
-    return result;
-}
-
 TEST(ScaleSpaceMaxima, SampledGaussiansAreCloseToTheDiscreteOnes) {
     VarianceRule config;
     config.kernelEndsAtZero = false;
@@ -211,7 +195,7 @@ TEST(ScaleSpaceMaxima, AreNeverAddedAsTheScaleGrows) {
     cut.kernelEndsAtZero = false;
     constexpr int noises = 60;
     const auto additionsOf = [&](const VarianceRule& config) {
-        return additions([&](double sigma, const Function& noise) { return smoothed(config, sigma, noise); }, noises);
+        return additions([&](double sigma, const Function& noise) { return smoothed(noise, sigma, config); }, noises);
     };
     std::array<std::pair<double, Function>, 5> discrete;
     for (std::size_t i = 0; i < discrete.size(); ++i)

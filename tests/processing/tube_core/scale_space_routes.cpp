@@ -7,12 +7,13 @@
 #include <random>
 
 #include "processing/tube_core/scale_space.h"
+#include "tests/processing/tube_core/signals.h"
 
 namespace echolucent {
 namespace {
 
 constexpr std::array<TubeBorder, 2> borders{TubeBorder::mirrorThenZero, TubeBorder::circular};
-constexpr std::array<std::size_t, 8> lengths{1, 2, 7, 39, 64, 195, 199, 256};
+constexpr std::array<std::size_t, 8> tubeLengths{1, 2, 7, 39, 64, 195, 199, 256};
 
 VarianceRule with(SmoothingRoute route, TubeBorder border) {
     VarianceRule config;
@@ -32,7 +33,7 @@ std::vector<std::vector<double>> scalesOf(const std::vector<double>& function, c
 }
 
 /// Speckle's variance along a tube: exponential noise with a bright part.
-std::vector<double> noise(std::size_t length, unsigned seed) {
+std::vector<double> speckleVariance(std::size_t length, unsigned seed) {
     std::mt19937 random(seed);
     std::exponential_distribution<double> value(1.0);
     std::vector<double> function(length);
@@ -40,20 +41,13 @@ std::vector<double> noise(std::size_t length, unsigned seed) {
     return function;
 }
 
-double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
-    EXPECT_EQ(a.size(), b.size());
-    double largest = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-    return largest;
-}
-
 double largestOf(const std::vector<double>& function) { return *std::max_element(function.begin(), function.end()); }
 
 TEST(ScaleSpaceRoutes, FourierEqualsDirectToRounding) {
     for (const TubeBorder border : borders)
-        for (const std::size_t length : lengths)
+        for (const std::size_t length : tubeLengths)
             for (const bool endsAtZero : {true, false}) {
-                const auto function = noise(length, static_cast<unsigned>(length));
+                const auto function = speckleVariance(length, static_cast<unsigned>(length));
                 auto direct = with(SmoothingRoute::direct, border), fourier = with(SmoothingRoute::fourier, border);
                 direct.kernelEndsAtZero = fourier.kernelEndsAtZero = endsAtZero;
                 const auto expected = scalesOf(function, direct), got = scalesOf(function, fourier);
@@ -70,7 +64,7 @@ TEST(ScaleSpaceRoutes, OneSmootherServesFunctionsOfAnyLengthOneAfterTheOther) {
         ScaleSmoother smoother(space);
         std::vector<double> result;
         for (const std::size_t length : {195u, 40u, 300u, 195u}) {
-            const auto function = noise(length, 3);
+            const auto function = speckleVariance(length, 3);
             smoother.begin(function);
             smoother.smooth(1, result);
             EXPECT_EQ(result, scalesOf(function, config)[1]) << "the same bits as a fresh one";
@@ -82,7 +76,7 @@ TEST(ScaleSpaceRoutes, OneSmootherServesFunctionsOfAnyLengthOneAfterTheOther) {
 }
 
 TEST(ScaleSpaceRoutes, CircularIsTheConvolutionOnARing) {
-    const auto function = noise(37, 11);
+    const auto function = speckleVariance(37, 11);
     const auto config = with(SmoothingRoute::direct, TubeBorder::circular);
     const ScaleSpace space(config);
     const auto scales = scalesOf(function, config);

@@ -8,9 +8,10 @@
 namespace echolucent {
 namespace {
 
-std::vector<double> ramp(int count, double slope) {
+/// From 1 on, by `perSample` from each sample to the next.
+std::vector<double> slopeOf(int count, double perSample) {
     std::vector<double> function;
-    for (int i = 0; i < count; ++i) function.push_back(1.0 + slope * i);
+    for (int i = 0; i < count; ++i) function.push_back(1.0 + perSample * i);
     return function;
 }
 
@@ -49,7 +50,7 @@ TEST(FirstSignificantMaximum, NeverTakesTheEnds) {
     EXPECT_FALSE(firstSignificantMaximum(std::vector<double>{1}, {0, 0}, 0.0));
     EXPECT_FALSE(firstSignificantMaximum(std::vector<double>{}, {0, -1}, 0.0));
     EXPECT_FALSE(firstSignificantMaximum(stairs({{20, 0.0}}), {0, 19}, 0.0));
-    EXPECT_FALSE(firstSignificantMaximum(ramp(20, 0.1), {0, 19}, 0.0));
+    EXPECT_FALSE(firstSignificantMaximum(slopeOf(20, 0.1), {0, 19}, 0.0));
 }
 
 TEST(ValleyToValley, GoesDownBothSidesOnly) {
@@ -62,8 +63,8 @@ TEST(ValleyToValley, GoesDownBothSidesOnly) {
 TEST(TrackSurface, FindsNoSurfaceInConstantsRampsAndStairs) {
     EXPECT_TRUE(track(stairs({{195, 0.0}})).empty());
     EXPECT_TRUE(track(stairs({{195, 0.37}})).empty());
-    EXPECT_TRUE(track(ramp(195, 0.01)).empty());
-    EXPECT_TRUE(track(ramp(195, -0.005)).empty());
+    EXPECT_TRUE(track(slopeOf(195, 0.01)).empty());
+    EXPECT_TRUE(track(slopeOf(195, -0.005)).empty());
     EXPECT_TRUE(track(stairs({{80, 0.1}, {115, 1.0}})).empty());
     EXPECT_TRUE(track(stairs({{60, 0.1}, {60, 0.5}, {75, 1.0}})).empty());
     EXPECT_TRUE(track({}).empty());

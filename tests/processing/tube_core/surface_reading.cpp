@@ -89,7 +89,7 @@ TEST(ScatterOf, IsTheStandardDeviationOfNoiseAndIgnoresAWall) {
     EXPECT_EQ(scatterOf(std::vector<double>(10, 0.1), 5), 0.0);
 }
 
-TubeCore tubeWith(double lowMax, double slope) {
+TubeCore tubeOfSlope(double lowMax, double slope) {
     TubeCore tube;
     tube.status = TubeStatus::surface;
     tube.lowIntensity = 0.1;
@@ -102,7 +102,7 @@ TubeCore tubeWith(double lowMax, double slope) {
 
 TEST(WeighTubes, RanksAreExactInclusiveAndRelativeToAllTubesThatMeetTheVolume) {
     std::vector<TubeCore> tubes{
-        tubeWith(0.1, 0.03), tubeWith(0.2, 0.01), tubeWith(0.2, 0.02), tubeWith(0.4, -0.05), {}, {}};
+        tubeOfSlope(0.1, 0.03), tubeOfSlope(0.2, 0.01), tubeOfSlope(0.2, 0.02), tubeOfSlope(0.4, -0.05), {}, {}};
     tubes[4].status = TubeStatus::none;
     weighTubes(tubes, 0.03, 6.0, {});
     EXPECT_DOUBLE_EQ(tubes[0].intensityWeight, 1 - 1 / 5.0);
@@ -122,8 +122,8 @@ TEST(WeighTubes, RanksAreExactInclusiveAndRelativeToAllTubesThatMeetTheVolume) {
 TEST(WeighTubes, ValuesOfOneBinAreTies) {
     // There are ten bins from 0 to 0.4 and from 0 to 0.03: 0.20 and 0.21 share bin 5, and the largest value is in the
     // last.
-    std::vector<TubeCore> tubes{tubeWith(0.1, 0.03), tubeWith(0.20, 0.0101), tubeWith(0.21, 0.0119),
-                                tubeWith(0.4, -0.05)};
+    std::vector<TubeCore> tubes{tubeOfSlope(0.1, 0.03), tubeOfSlope(0.20, 0.0101), tubeOfSlope(0.21, 0.0119),
+                                tubeOfSlope(0.4, -0.05)};
     const auto weights = [&](int bins) {
         weighTubes(tubes, 1.0, 0.0, {.rankBins = bins});
         std::vector<double> all;
@@ -139,7 +139,7 @@ TEST(WeighTubes, ValuesOfOneBinAreTies) {
 
 TEST(WeighTubes, AllTiesWeighNothing) {
     for (const int bins : {0, 256}) {
-        std::vector<TubeCore> tubes(5, tubeWith(0.2, 0.02));
+        std::vector<TubeCore> tubes(5, tubeOfSlope(0.2, 0.02));
         weighTubes(tubes, 1.0, 0.0, {.rankBins = bins});
         for (const TubeCore& tube : tubes) {
             EXPECT_EQ(tube.intensityWeight, 0.0) << "inclusive ranks";
@@ -153,7 +153,8 @@ TEST(WeighTubes, AllTiesWeighNothing) {
 }
 
 TEST(WeighTubes, NoWeightWithoutARiseOrAnEdgeThatStandsOut) {
-    std::vector<TubeCore> tubes{tubeWith(0.1, 0.03), tubeWith(0.2, 0.02), tubeWith(0.3, 0.01), tubeWith(0.4, 0.01), {}};
+    std::vector<TubeCore> tubes{
+        tubeOfSlope(0.1, 0.03), tubeOfSlope(0.2, 0.02), tubeOfSlope(0.3, 0.01), tubeOfSlope(0.4, 0.01), {}};
     tubes[4].status = TubeStatus::none;
     tubes[0].highIntensity = 0.1;
     tubes[1].edgeToNoise = 5.9;

@@ -4,18 +4,13 @@
 
 #include <cmath>
 
+#include "tests/processing/grids.h"
+
 namespace echolucent {
 namespace {
 
-VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, const Vec3& spacing) {
-    VolumeGeometry geometry;
-    geometry.size = size;
-    geometry.spacing = spacing;
-    return geometry;
-}
-
 TEST(TubeGrid, FindsThePapersSpacingForThePapersVolume) {
-    const auto geometry = geometryOf({199, 197, 199}, {0.5, 0.5, 0.5});
+    const auto geometry = gridOf({199, 197, 199}, {0.5, 0.5, 0.5});
     const auto spacing = tubeSpacingUnits(geometry, Viewpoint{}, {}, 5);
     EXPECT_EQ(spacing[0], 13.0);
     EXPECT_EQ(spacing[1], 13.0);
@@ -23,7 +18,7 @@ TEST(TubeGrid, FindsThePapersSpacingForThePapersVolume) {
 
 TEST(TubeGrid, SharesTheExtentInUnitsNotInVoxelsAndKeepsItWhileTheViewTurns) {
     // 90 mm across y at a unit of 0.5 mm are 180 units, although there are 60 voxels.
-    const auto geometry = geometryOf({120, 60, 200}, {0.5, 1.5, 0.5});
+    const auto geometry = gridOf({120, 60, 200}, {0.5, 1.5, 0.5});
     const Viewpoint straight, turned{.azimuthDegrees = 40, .elevationDegrees = -20, .rollDegrees = 10};
     for (const Viewpoint& view : {straight, turned}) {
         const auto spacing = tubeSpacingUnits(geometry, view, {}, 5);
@@ -31,12 +26,11 @@ TEST(TubeGrid, SharesTheExtentInUnitsNotInVoxelsAndKeepsItWhileTheViewTurns) {
         EXPECT_EQ(spacing[1], 12.0);
     }
     EXPECT_EQ(tubeSpacingUnits(geometry, straight, {.spacing = 7.5}, 5)[0], 7.5);
-    EXPECT_EQ(tubeSpacingUnits(geometryOf({20, 20, 20}, {1, 1, 1}), straight, {}, 5)[0], 5.0)
-        << "never less than a cell";
+    EXPECT_EQ(tubeSpacingUnits(gridOf({20, 20, 20}, {1, 1, 1}), straight, {}, 5)[0], 5.0) << "never less than a cell";
 }
 
 TEST(TubeGrid, LiesAcrossTheViewThroughTheCentreRowByRow) {
-    const auto geometry = geometryOf({100, 80, 60}, {0.4, 0.6, 0.9});
+    const auto geometry = gridOf({100, 80, 60}, {0.4, 0.6, 0.9});
     const Viewpoint view{.beamAxis = BeamAxis::plusY, .azimuthDegrees = 25, .elevationDegrees = 15};
     const auto axes = tubeAxes(geometry, view, {.columns = 4, .rows = 3, .spacing = 10}, 5);
     ASSERT_EQ(axes.size(), 12u);
@@ -55,7 +49,7 @@ TEST(TubeGrid, LiesAcrossTheViewThroughTheCentreRowByRow) {
 TEST(TubeGrid, AxisViewsOfCubicVoxelsRunThroughVoxelCentres) {
     for (const std::int64_t size : {50, 51}) {
         for (const int cellSize : {5, 4}) {
-            const auto axes = tubeAxes(geometryOf({size, size, size}, {0.3, 0.3, 0.3}), Viewpoint{}, {}, cellSize);
+            const auto axes = tubeAxes(gridOf({size, size, size}, {0.3, 0.3, 0.3}), Viewpoint{}, {}, cellSize);
             for (const TubeAxis& axis : axes) {
                 if (!axis.entryVoxel) continue;
                 const double outermost = (*axis.entryVoxel)[0] - (cellSize - 1) / 2.0;
@@ -68,7 +62,7 @@ TEST(TubeGrid, AxisViewsOfCubicVoxelsRunThroughVoxelCentres) {
 }
 
 TEST(TubeGrid, EntersWhereThePictureBegins) {
-    const auto geometry = geometryOf({100, 100, 100}, {0.5, 0.5, 0.5});
+    const auto geometry = gridOf({100, 100, 100}, {0.5, 0.5, 0.5});
     const Viewpoint cut{.nearCutMm = 10.0};
     for (const TubeAxis& axis : tubeAxes(geometry, cut, {}, 5)) {
         ASSERT_TRUE(axis.entryVoxel);
@@ -80,7 +74,7 @@ TEST(TubeGrid, EntersWhereThePictureBegins) {
 }
 
 TEST(TubeGrid, ObliqueAxesEnterAndLeaveTheBox) {
-    const auto geometry = geometryOf({60, 80, 40}, {0.7, 0.5, 1.0});
+    const auto geometry = gridOf({60, 80, 40}, {0.7, 0.5, 1.0});
     const Viewpoint view{.azimuthDegrees = 30, .elevationDegrees = 20};
     int inside = 0;
     for (const TubeAxis& axis : tubeAxes(geometry, view, {}, 5)) {

@@ -9,19 +9,13 @@
 #include "processing/phantom/phantom.h"
 #include "processing/tube_core/slabs/tube_samples.h"
 #include "processing/tube_core/tube_grid.h"
+#include "tests/processing/grids.h"
 
 namespace echolucent {
 namespace {
 
-VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, const Vec3& spacing) {
-    VolumeGeometry geometry;
-    geometry.size = size;
-    geometry.spacing = spacing;
-    return geometry;
-}
-
 TEST(TubeGridBox, CoversTheSideOfTheBoxThatFacesTheView) {
-    const auto geometry = geometryOf({100, 100, 100}, {0.5, 0.5, 0.5});
+    const auto geometry = gridOf({100, 100, 100}, {0.5, 0.5, 0.5});
     for (const double azimuth : {0.0, 17.0}) {
         // Straight onto the box's top, and onto its near side with the top up.
         const Box box{
@@ -53,7 +47,7 @@ TEST(TubeGridBox, CoversTheSideOfTheBoxThatFacesTheView) {
 }
 
 TEST(TubeGridBox, AnObliqueBoxGivesTheChordsOfItsOwnFrame) {
-    const auto geometry = geometryOf({90, 80, 70}, {0.5, 0.6, 0.7});
+    const auto geometry = gridOf({90, 80, 70}, {0.5, 0.6, 0.7});
     Viewpoint view{.azimuthDegrees = 14, .elevationDegrees = -9};
     view.box =
         OrientedBox{geometry.centreMm(), frameOf(Viewpoint{.azimuthDegrees = 40, .elevationDegrees = 25}), {12, 16, 9}};
@@ -73,7 +67,7 @@ TEST(TubeGridBox, AnObliqueBoxGivesTheChordsOfItsOwnFrame) {
 }
 
 TEST(TubeGridBox, SamplesOfACoreStayWithinTheBoxAlongIt) {
-    const auto geometry = geometryOf({60, 60, 60}, {0.5, 0.5, 0.5});
+    const auto geometry = gridOf({60, 60, 60}, {0.5, 0.5, 0.5});
     for (const double turn : {0.0, 21.0}) {
         Viewpoint view{.azimuthDegrees = turn};
         view.box = OrientedBox{{15, 14, 16}, frameOf(view), {14, 13, 7.3}};

@@ -8,27 +8,23 @@
 
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/volume/sampler.h"
+#include "tests/processing/grids.h"
+#include "tests/processing/tube_core/view_samples.h"
 
 namespace echolucent {
 namespace {
 
-Volume noise(std::array<std::int64_t, 3> size, Vec3 spacing = {1, 1, 1}) {
-    VolumeGeometry geometry;
-    geometry.size = size;
-    geometry.spacing = spacing;
+/// Bytes of which every value is as likely.
+Volume randomBytes(const std::array<std::int64_t, 3>& size, const Vec3& spacing = {1, 1, 1}) {
+    const VolumeGeometry geometry = gridOf(size, spacing);
     std::mt19937 random(11);
     std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()));
     for (auto& voxel : voxels) voxel = static_cast<std::uint8_t>(random());
     return Volume(geometry, std::move(voxels));
 }
 
-std::vector<TubeSamples> samplesFor(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    return samplesOf(tubeAxes(volume.geometry(), view, config.grid, config.cells.size), volume.geometry(), view,
-                     config.cells.size);
-}
-
 TEST(TubeSamples, BeginAtTheFirstVoxelCentreBehindTheNearCut) {
-    const Volume volume = noise({40, 40, 40});
+    const Volume volume = randomBytes({40, 40, 40});
     AdaptiveOtfConfig config;
     for (const auto& [cut, first, count] :
          {std::tuple{0.0, 0.0, 40}, {0.4, 0.0, 40}, {0.6, 1.0, 39}, {7.5, 7.0, 33}, {39.8, 40.0, 0}}) {

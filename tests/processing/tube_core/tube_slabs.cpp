@@ -9,17 +9,17 @@
 
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/tube_core/cell_statistics.h"
+#include "tests/processing/grids.h"
+#include "tests/processing/tube_core/view_samples.h"
 
 namespace echolucent {
 namespace {
 
 /// Noise up to `largest`, every voxel on its own: the steepest there is.
 template <typename Voxel>
-Volume noise(std::array<std::int64_t, 3> size, double largest, Vec3 spacing = {1, 1, 1},
-             std::optional<double> white = std::nullopt) {
-    VolumeGeometry geometry;
-    geometry.size = size;
-    geometry.spacing = spacing;
+Volume noiseUpTo(const std::array<std::int64_t, 3>& size, double largest, const Vec3& spacing = {1, 1, 1},
+                 std::optional<double> white = std::nullopt) {
+    const VolumeGeometry geometry = gridOf(size, spacing);
     std::mt19937 random(11);
     std::uniform_real_distribution<double> value(0.0, largest);
     std::vector<Voxel> voxels(static_cast<std::size_t>(geometry.voxelCount()));
@@ -37,11 +37,6 @@ Volume masked(const Volume& volume) {
             for (std::int64_t x = 0; x < size[0]; ++x)
                 if (x + y + z < 30) mask[static_cast<std::size_t>(volume.geometry().offset(x, y, z))] = 0;
     return volume.withDataMask(std::move(mask));
-}
-
-std::vector<TubeSamples> samplesFor(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    return samplesOf(tubeAxes(volume.geometry(), view, config.grid, config.cells.size), volume.geometry(), view,
-                     config.cells.size);
 }
 
 /// Sums by the definition.
@@ -92,7 +87,8 @@ void expectSumsOfAllAxisViews(const Volume& volume, std::uint32_t limit) {
 
 TEST(TubeSlabs, SumsOnVoxelsAreThoseOfTheDefinitionInEveryAxisView) {
     // Some tubes hang over the border; the volume's last voxels end tubes; stored values above the limit are cut.
-    const Volume bytes = noise<std::uint8_t>({31, 28, 36}, 255), shorts = noise<std::uint16_t>({31, 28, 36}, 65535);
+    const Volume bytes = noiseUpTo<std::uint8_t>({31, 28, 36}, 255),
+                 shorts = noiseUpTo<std::uint16_t>({31, 28, 36}, 65535);
     expectSumsOfAllAxisViews<std::uint8_t>(bytes, 255);
     expectSumsOfAllAxisViews<std::uint8_t>(masked(bytes), 200);
     expectSumsOfAllAxisViews<std::uint16_t>(shorts, 65535);
@@ -168,7 +164,7 @@ int slabsLikeTheReference(const Volume& volume, const Viewpoint& view, Interpola
 template <typename Voxel>
 void expectTheReference(double largest, std::optional<double> white = std::nullopt) {
     for (const Vec3& spacing : {Vec3(1, 1, 1), Vec3(0.5, 0.7, 0.9), Vec3(2, 0.8, 0.3)}) {
-        const Volume complete = noise<Voxel>({47, 52, 58}, largest, spacing, white);
+        const Volume complete = noiseUpTo<Voxel>({47, 52, 58}, largest, spacing, white);
         for (const Volume& volume : {complete, masked(complete)})
             for (const Viewpoint& view :
                  {Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -12},
@@ -246,8 +242,8 @@ TEST(TubeSlabs, NotFiniteVoxelsAreLeftOut) {
 }
 
 TEST(TubeSlabs, EveryInstructionSetGivesTheSameBits) {
-    const Volume volume = masked(noise<std::uint8_t>({60, 61, 62}, 255));
-    const Volume floating = noise<float>({60, 61, 62}, 1.0);
+    const Volume volume = masked(noiseUpTo<std::uint8_t>({60, 61, 62}, 255));
+    const Volume floating = noiseUpTo<float>({60, 61, 62}, 1.0);
     AdaptiveOtfConfig config;
     const Viewpoint view{.azimuthDegrees = 20, .elevationDegrees = -12};
     const auto tubes = samplesFor(volume, view, config);
@@ -279,17 +275,17 @@ TEST(TubeSlabs, EveryInstructionSetGivesTheSameBits) {
 }
 
 TEST(TubeSlabs, SaysWhichVolumesNeedTheReference) {
-    EXPECT_TRUE(canMeanSlabs(noise<std::uint8_t>({2, 2, 1}, 255)));
-    EXPECT_FALSE(canMeanSlabs(noise<std::uint8_t>({1, 9, 9}, 255)));
-    EXPECT_FALSE(canMeanSlabs(noise<std::uint8_t>({3, 1, 9}, 255)));
-    EXPECT_FALSE(canMeanSlabs(noise<std::uint8_t>({9, 9, 9}, 255, {1, 1, 1}, 100.0)));
-    EXPECT_TRUE(canMeanSlabs(noise<std::uint16_t>({9, 9, 9}, 255, {1, 1, 1}, 100.0)));
+    EXPECT_TRUE(canMeanSlabs(noiseUpTo<std::uint8_t>({2, 2, 1}, 255)));
+    EXPECT_FALSE(canMeanSlabs(noiseUpTo<std::uint8_t>({1, 9, 9}, 255)));
+    EXPECT_FALSE(canMeanSlabs(noiseUpTo<std::uint8_t>({3, 1, 9}, 255)));
+    EXPECT_FALSE(canMeanSlabs(noiseUpTo<std::uint8_t>({9, 9, 9}, 255, {1, 1, 1}, 100.0)));
+    EXPECT_TRUE(canMeanSlabs(noiseUpTo<std::uint16_t>({9, 9, 9}, 255, {1, 1, 1}, 100.0)));
 }
 
 TEST(TubeSlabs, ThinVolumesAgreeWithTheReference) {
     int compared = 0;
     for (const std::array<std::int64_t, 3> size : {std::array<std::int64_t, 3>{40, 1, 40}, {40, 40, 1}, {4, 2, 50}}) {
-        const Volume volume = noise<std::uint8_t>(size, 255);
+        const Volume volume = noiseUpTo<std::uint8_t>(size, 255);
         ASSERT_TRUE(canMeanSlabs(volume));
         for (const Viewpoint& view :
              {Viewpoint{.azimuthDegrees = 3, .elevationDegrees = 2}, Viewpoint{.elevationDegrees = 81}})

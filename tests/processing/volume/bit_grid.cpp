@@ -8,13 +8,13 @@
 namespace echolucent {
 namespace {
 
-using Size = std::array<std::int64_t, 3>;
+using GridSize = std::array<std::int64_t, 3>;
 using Place = std::array<std::int64_t, 3>;
 
-const Size sizes[] = {{1, 1, 1}, {64, 3, 2}, {63, 4, 5}, {65, 5, 4}, {130, 6, 7}, {9, 1, 30}, {200, 2, 1}};
+const GridSize sizes[] = {{1, 1, 1}, {64, 3, 2}, {63, 4, 5}, {65, 5, 4}, {130, 6, 7}, {9, 1, 30}, {200, 2, 1}};
 constexpr Place steps[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
-BitGrid randomGrid(const Size& size, double share, unsigned seed) {
+BitGrid randomGrid(const GridSize& size, double share, unsigned seed) {
     std::mt19937 random(seed);
     BitGrid grid(size);
     for (std::int64_t z = 0; z < size[2]; ++z)
@@ -24,12 +24,12 @@ BitGrid randomGrid(const Size& size, double share, unsigned seed) {
     return grid;
 }
 
-bool holds(const Size& size, const Place& p) {
+bool holds(const GridSize& size, const Place& p) {
     return p[0] >= 0 && p[0] < size[0] && p[1] >= 0 && p[1] < size[1] && p[2] >= 0 && p[2] < size[2];
 }
 
 template <typename Body>
-void forEachPlace(const Size& size, const Body& body) {
+void forEachPlace(const GridSize& size, const Body& body) {
     for (std::int64_t z = 0; z < size[2]; ++z)
         for (std::int64_t y = 0; y < size[1]; ++y)
             for (std::int64_t x = 0; x < size[0]; ++x) body(Place{x, y, z});
@@ -38,7 +38,7 @@ void forEachPlace(const Size& size, const Body& body) {
 bool member(const BitGrid& grid, const Place& p) { return grid.at(p[0], p[1], p[2]); }
 
 TEST(BitGrid, DilatesAndErodesLikeTheObviousRoute) {
-    for (const Size& size : sizes)
+    for (const GridSize& size : sizes)
         for (const double share : {0.1, 0.9}) {
             const BitGrid grid = randomGrid(size, share, 7);
             const BitGrid dilated = grid.dilated(), eroded = grid.eroded();
@@ -60,7 +60,7 @@ TEST(BitGrid, DilatesAndErodesLikeTheObviousRoute) {
 }
 
 TEST(BitGrid, FindsWhatIsConnectedToTheBorder) {
-    for (const Size& size : sizes)
+    for (const GridSize& size : sizes)
         for (const double share : {0.2, 0.45, 0.6, 0.95})
             for (unsigned seed = 1; seed <= 3; ++seed) {
                 const BitGrid grid = randomGrid(size, share, seed);
@@ -88,7 +88,7 @@ TEST(BitGrid, FindsWhatIsConnectedToTheBorder) {
 TEST(BitGrid, FollowsAWindingCorridor) {
     // There is one corridor that turns back at each end, through 40 slices of a comb: the only way in is at its
     // beginning.
-    const Size size{133, 83, 5};
+    const GridSize size{133, 83, 5};
     BitGrid grid(size);
     for (std::int64_t y = 1; y < 82; y += 2) {
         for (std::int64_t x = 1; x < 132; ++x) grid.set(x, y, 2);

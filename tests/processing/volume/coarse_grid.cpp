@@ -6,13 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "tests/processing/grids.h"
+
 namespace echolucent {
 namespace {
 
-VolumeGeometry gridOf(std::array<std::int64_t, 3> size, const Vec3& spacing) {
-    VolumeGeometry geometry;
-    geometry.size = size;
-    geometry.spacing = spacing;
+/// A grid that is turned and lies away from the patient's origin.
+VolumeGeometry placedGridOf(const std::array<std::int64_t, 3>& size, const Vec3& spacing) {
+    VolumeGeometry geometry = gridOf(size, spacing);
     geometry.origin = Vec3(10, -20, 30);
     geometry.direction = rotationZ(30) * rotationX(-50);
     return geometry;
@@ -23,7 +24,7 @@ void expectNear(const Vec3& one, const Vec3& other, const char* what) {
 }
 
 TEST(CoarseGrid, TakesTheMiddleOfEveryFourVoxelsOf512) {
-    const auto grid = coarseGridOf(gridOf({512, 512, 512}, {0.3, 0.3, 0.3}));
+    const auto grid = coarseGridOf(placedGridOf({512, 512, 512}, {0.3, 0.3, 0.3}));
     ASSERT_TRUE(grid);
     EXPECT_EQ(grid->stride, (std::array<std::int64_t, 3>{4, 4, 4}));
     EXPECT_EQ(grid->geometry.size, (std::array<std::int64_t, 3>{128, 128, 128}));
@@ -32,18 +33,18 @@ TEST(CoarseGrid, TakesTheMiddleOfEveryFourVoxelsOf512) {
 }
 
 TEST(CoarseGrid, HasVoxelsNearToCubes) {
-    const auto slab = coarseGridOf(gridOf({1024, 1024, 64}, {0.2, 0.2, 1.6}));
+    const auto slab = coarseGridOf(placedGridOf({1024, 1024, 64}, {0.2, 0.2, 1.6}));
     ASSERT_TRUE(slab);
     EXPECT_EQ(slab->stride, (std::array<std::int64_t, 3>{8, 8, 1})) << "no slice is left out";
-    const auto flat = coarseGridOf(gridOf({8192, 8192, 1}, {0.1, 0.1, 0.1}));
+    const auto flat = coarseGridOf(placedGridOf({8192, 8192, 1}, {0.1, 0.1, 0.1}));
     ASSERT_TRUE(flat);
     EXPECT_EQ(flat->stride, (std::array<std::int64_t, 3>{64, 64, 1}));
     EXPECT_EQ(flat->geometry.size, (std::array<std::int64_t, 3>{128, 128, 1}));
 }
 
 TEST(CoarseGrid, IsLeftOutOfSmallVolumes) {
-    EXPECT_FALSE(coarseGridOf(gridOf({320, 320, 320}, {0.3, 0.3, 0.3})));
-    EXPECT_TRUE(coarseGridOf(gridOf({323, 323, 323}, {0.3, 0.3, 0.3})));
+    EXPECT_FALSE(coarseGridOf(placedGridOf({320, 320, 320}, {0.3, 0.3, 0.3})));
+    EXPECT_TRUE(coarseGridOf(placedGridOf({323, 323, 323}, {0.3, 0.3, 0.3})));
 }
 
 /// Whatever the sizes, what the grid says of places in the patient is what the volume says.
@@ -53,7 +54,7 @@ TEST(CoarseGrid, LiesWhereTheVolumeLies) {
                                                                             {{333, 1000, 130}, {0.9, 0.1, 1.0}},
                                                                             {{40000, 900, 1}, {0.2, 0.1, 0.2}}};
     for (const auto& [size, spacing] : volumes) {
-        VolumeGeometry volume = gridOf(size, spacing);
+        VolumeGeometry volume = placedGridOf(size, spacing);
         volume.probe = StatedProbe{.apexMm = Vec3(1, 2, -3)};
         const auto grid = coarseGridOf(volume);
         ASSERT_TRUE(grid);
@@ -79,7 +80,7 @@ TEST(CoarseGrid, LiesWhereTheVolumeLies) {
 }
 
 TEST(CoarseVolume, HasTheVolumesVoxelsMaskWhiteLevelAndBox) {
-    const VolumeGeometry geometry = gridOf({330, 322, 318}, {0.5, 0.5, 0.5});
+    const VolumeGeometry geometry = placedGridOf({330, 322, 318}, {0.5, 0.5, 0.5});
     std::vector<std::uint8_t> values(static_cast<std::size_t>(geometry.voxelCount()));
     std::vector<std::uint8_t> mask(values.size(), 1);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::uint8_t>(i * 2654435761U >> 13);

@@ -10,11 +10,11 @@
 namespace echolucent {
 namespace {
 
-constexpr std::int64_t edge = 32;
+constexpr std::int64_t cubeEdge = 32;
 
 VolumeGeometry cube() {
     VolumeGeometry geometry;
-    geometry.size = {edge, edge, edge};
+    geometry.size = {cubeEdge, cubeEdge, cubeEdge};
     return geometry;
 }
 
@@ -23,9 +23,9 @@ template <typename IsData>
 Volume maskedVolume(const IsData& isData) {
     const VolumeGeometry geometry = cube();
     std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()), 7), mask(voxels.size(), 0);
-    for (std::int64_t z = 0; z < edge; ++z)
-        for (std::int64_t y = 0; y < edge; ++y)
-            for (std::int64_t x = 0; x < edge; ++x)
+    for (std::int64_t z = 0; z < cubeEdge; ++z)
+        for (std::int64_t y = 0; y < cubeEdge; ++y)
+            for (std::int64_t x = 0; x < cubeEdge; ++x)
                 if (isData(x, y, z)) {
                     const auto at = static_cast<std::size_t>(geometry.offset(x, y, z));
                     voxels[at] = 100;
@@ -47,7 +47,7 @@ TEST(FilledVolume, IsTheVolumeItselfWhereAllVoxelsCarryData) {
 
 TEST(FilledVolume, VoxelsBesideDataHoldItAndThoseFarAwayNothing) {
     const FilledVolume filled = filledVolume(maskedVolume([](auto x, auto, auto) { return x >= 16; }));
-    for (std::int64_t x = 0; x < edge; ++x) {
+    for (std::int64_t x = 0; x < cubeEdge; ++x) {
         const std::int64_t at = cube().offset(x, 9, 21);
         EXPECT_EQ(filled.voxels.storedValue(at), x >= 16 - FilledVolume::fillReach ? 100.0 : 0.0) << x;
         EXPECT_EQ(filled.voxels.hasData(at), x >= 16 - FilledVolume::fillReach) << x;
@@ -113,8 +113,8 @@ TEST(FilledVolume, AnObliquePlaneHasNoStairs) {
     // Where presence crosses one half along x, the plane x = 16 + z / 5 is, whose stairs are of whole voxels.
     const FilledVolume filled = filledVolume(maskedVolume([](auto x, auto, auto z) { return 5 * (x - 12) >= z; }));
     double largest = 0.0;
-    for (std::int64_t z = 4; z < edge - 4; ++z)
-        for (std::int64_t x = 4; x < edge - 4; ++x) {
+    for (std::int64_t z = 4; z < cubeEdge - 4; ++z)
+        for (std::int64_t x = 4; x < cubeEdge - 4; ++x) {
             const double before = presenceAt(filled, x, 16, z), behind = presenceAt(filled, x + 1, 16, z);
             if (before >= 0.5 || behind < 0.5) continue;
             const double crossing = static_cast<double>(x) + (0.5 - before) / (behind - before);

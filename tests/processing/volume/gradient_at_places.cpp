@@ -6,33 +6,21 @@
 #include <vector>
 
 #include "processing/volume/gradient_magnitude.h"
+#include "tests/processing/grids.h"
+#include "tests/processing/volume/gradient_rows.h"
 
 namespace echolucent {
 namespace {
 
 template <typename Stored>
-Volume noise(std::array<std::int64_t, 3> size, const Vec3& spacing, double white) {
-    VolumeGeometry geometry;
-    geometry.size = size;
-    geometry.spacing = spacing;
+Volume noise(const std::array<std::int64_t, 3>& size, const Vec3& spacing, double white) {
+    const VolumeGeometry geometry = gridOf(size, spacing);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> share(0.0, 1.2);
     std::vector<Stored> voxels;
     for (std::int64_t i = 0; i < geometry.voxelCount(); ++i)
         voxels.push_back(static_cast<Stored>(std::min(share(random), 1.0) * white));
     return {geometry, voxels, white};
-}
-
-/// All of them, x fastest.
-std::vector<float> magnitudesOf(const Volume& volume) {
-    const auto& size = volume.geometry().size;
-    const GradientMagnitude gradients(volume);
-    std::vector<float> all(static_cast<std::size_t>(volume.geometry().voxelCount()));
-    const auto columns = static_cast<std::size_t>(size[0]);
-    for (std::int64_t z = 0; z < size[2]; ++z)
-        for (std::int64_t y = 0; y < size[1]; ++y)
-            gradients.row(y, z, std::span(all).subspan(static_cast<std::size_t>(y + size[1] * z) * columns, columns));
-    return all;
 }
 
 std::vector<Volume> volumes() {

@@ -10,28 +10,11 @@
 #include <vector>
 
 #include "processing/volume/gradient_levels.h"
+#include "tests/processing/grids.h"
+#include "tests/processing/volume/gradient_rows.h"
 
 namespace echolucent {
 namespace {
-
-VolumeGeometry gridOf(const std::array<std::int64_t, 3>& size, const Vec3& spacing = {1, 1, 1}) {
-    VolumeGeometry geometry;
-    geometry.size = size;
-    geometry.spacing = spacing;
-    return geometry;
-}
-
-std::vector<float> magnitudesOf(const Volume& volume) {
-    const VolumeGeometry& geometry = volume.geometry();
-    std::vector<float> all;
-    std::vector<float> row(static_cast<std::size_t>(geometry.size[0]));
-    for (std::int64_t z = 0; z < geometry.size[2]; ++z)
-        for (std::int64_t y = 0; y < geometry.size[1]; ++y) {
-            GradientMagnitude(volume).row(y, z, row);
-            all.insert(all.end(), row.begin(), row.end());
-        }
-    return all;
-}
 
 TEST(GradientMagnitude, ARampHasItsSlopeEverywhereAtTheBorderToo) {
     // A plane wave of slope (0.01, -0.02, 0.03) a mm, sampled by an anisotropic grid; the unit is 0.5 mm.

@@ -8,6 +8,7 @@
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkTextureObject.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
@@ -37,7 +38,7 @@ bool needsNearPlane(const RayCastSettings& look) { return std::isfinite(look.nea
 
 }  // namespace
 
-GraphicsCardVolume::GraphicsCardVolume() {
+GraphicsCardVolume::GraphicsCardVolume() : m_planes(vtkSmartPointer<vtkPlaneCollection>::New()) {
     m_prop->SetMapper(m_mapper);
     m_prop->SetProperty(m_property);
     m_mapper->SetAutoAdjustSampleDistances(false);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <vtkNew.h>
-#include <vtkPlaneCollection.h>
 #include <vtkSmartPointer.h>
 
 #include <memory>
@@ -16,6 +15,7 @@ class vtkOpenGLGPUVolumeRayCastMapper;
 class vtkObject;
 class vtkOpenGLRenderWindow;
 class vtkPiecewiseFunction;
+class vtkPlaneCollection;
 class vtkRenderer;
 class vtkVolume;
 class vtkVolumeProperty;
@@ -62,7 +62,7 @@ private:
     vtkNew<vtkVolume> m_prop;
     vtkNew<vtkVolumeProperty> m_property;
     vtkNew<vtkPiecewiseFunction> m_opaque;
-    vtkSmartPointer<vtkPlaneCollection> m_planes = vtkSmartPointer<vtkPlaneCollection>::New();
+    vtkSmartPointer<vtkPlaneCollection> m_planes;
     GraphicsCardShader m_shader;
 };
 

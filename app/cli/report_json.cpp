@@ -1,0 +1,12 @@
+#include "app/cli/report_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace echolucent::cli {
+
+Json finiteJson(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json vectorJson(const Vec3& vector) { return Json::array({vector[0], vector[1], vector[2]}); }
+
+}  // namespace echolucent::cli

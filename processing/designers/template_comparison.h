@@ -1,0 +1,27 @@
+// What the distributions of intensities of a volume and of a template are compared by.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "processing/choice_names.h"
+
+namespace echolucent {
+
+/// What two distributions are compared by.
+enum class TemplateComparison {
+    logarithm,   ///< logarithms of the shares of voxels along the axis, and a little the cumulative distributions
+    cumulative,  ///< the cumulative distributions alone
+};
+inline constexpr std::array allTemplateComparisons{TemplateComparison::logarithm, TemplateComparison::cumulative};
+inline constexpr ChoiceNames<allTemplateComparisons.size()> templateComparisonNames{"logarithm", "cumulative"};
+/// "logarithm", "cumulative".
+[[nodiscard]] inline std::string_view nameOf(TemplateComparison comparison) {
+    return nameIn(templateComparisonNames, comparison);
+}
+[[nodiscard]] inline std::optional<TemplateComparison> templateComparisonFromName(std::string_view name) {
+    return choiceNamed<TemplateComparison>(templateComparisonNames, name);
+}
+
+}  // namespace echolucent

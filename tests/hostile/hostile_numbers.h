@@ -1,0 +1,11 @@
+// Numbers that no file should hold.
+#pragma once
+
+#include <limits>
+
+namespace echolucent {
+
+inline constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace echolucent

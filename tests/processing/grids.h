@@ -1,0 +1,19 @@
+// Grids for the tests of volumes and of what reads them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// A grid of this many voxels along x, y and z; the spacing is in mm.
+inline VolumeGeometry gridOf(const std::array<std::int64_t, 3>& size, const Vec3& spacing = {1, 1, 1}) {
+    VolumeGeometry geometry;
+    geometry.size = size;
+    geometry.spacing = spacing;
+    return geometry;
+}
+
+}  // namespace echolucent
