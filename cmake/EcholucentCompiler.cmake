@@ -12,9 +12,9 @@ if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 
-# A first build takes a seventh longer with ccache, which scripts/setup therefore does not install.
+# For daily work, where files are compiled one by one. A first build takes a seventh longer with it.
 find_program(CCACHE ccache)
-if(CCACHE)
+if(CCACHE AND NOT CMAKE_UNITY_BUILD)
     # Paths below the source folder are hashed relative to it, so that two clones share one cache. Precompiled headers hit
     # only where macros and times inside them are not asked for.
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
@@ -31,8 +31,13 @@ endif()
 
 # No -ffast-math anywhere: NaN voxels must stay recognisable. No contraction: the same bits on every machine.
 add_library(echolucent_flags INTERFACE)
+add_library(Echolucent::flags ALIAS echolucent_flags)
 target_compile_options(echolucent_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
 target_include_directories(echolucent_flags INTERFACE ${PROJECT_SOURCE_DIR})
+if(CMAKE_UNITY_BUILD)
+    # g++ takes the .cpp files of a room for headers, in which a class with members of an anonymous namespace would be a fault.
+    target_compile_options(echolucent_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 if(ECHOLUCENT_SANITIZE)
     add_compile_definitions(ECHOLUCENT_SANITIZED)
     add_compile_options(-fsanitize=${ECHOLUCENT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -1,90 +1,189 @@
-# Headers of others that most files of a target read are parsed once. Each file still includes what it uses: scripts/check
-# compiles without them.
+# Libraries and test programs of this project. A folder is a room; with CMAKE_UNITY_BUILD (the presets release, asan and tsan) the
+# .cpp files of a room are compiled as one file, so that headers are parsed once a room. Names are therefore unique within a
+# room, also those in anonymous namespaces. Files with compile options of their own are compiled by themselves.
+
+# Headers of others that most files of a target read are parsed once, if files are compiled one by one. Each file still includes what it uses: scripts/check
+# compiles each alone.
 function(echolucent_precompile name)
-    if(ARGN)
+    if(ARGN AND NOT CMAKE_UNITY_BUILD)
         target_precompile_headers(${name} PRIVATE ${ARGN})
-        echolucent_precompiled_flags(${name})
+        # ccache asks for -fpch-preprocess. From precompiled headers g++ 12 forgets where its own std::string silences these
+        # warnings; scripts/check sees true ones.
+        target_compile_options(${name} PRIVATE
+            "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>")
     endif()
 endfunction()
 
-# ccache asks for -fpch-preprocess. From precompiled headers g++ 12 forgets where its own std::string silences these warnings;
-# scripts/check sees true ones.
-function(echolucent_precompiled_flags name)
-    target_compile_options(${name} PRIVATE
-        "$<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess;-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>")
-endfunction()
-
-# A library of one folder: every .h and .cpp in the given folders, compiled with the project's flags.
-function(echolucent_library name)
-    cmake_parse_arguments(ARG "" "" "FOLDERS;PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
+# The files of a target in folders of this one, or those named.
+function(echolucent_sources result)
+    cmake_parse_arguments(ARG "" "" "FOLDERS;FILES;EXCEPT" ${ARGN})
     set(sources)
     foreach(folder IN LISTS ARG_FOLDERS)
-        file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.h ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+        get_filename_component(folder ${folder} ABSOLUTE)
+        file(GLOB found CONFIGURE_DEPENDS ${folder}/*.h ${folder}/*.cpp)
         list(APPEND sources ${found})
     endforeach()
-    add_library(${name} STATIC ${sources})
-    target_link_libraries(${name} PUBLIC echolucent_flags ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
-    echolucent_precompile(${name} ${ARG_PRECOMPILED})
+    foreach(file IN LISTS ARG_FILES)
+        get_filename_component(file ${file} ABSOLUTE)
+        list(APPEND sources ${file})
+    endforeach()
+    foreach(file IN LISTS ARG_EXCEPT)
+        list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+    endforeach()
+    set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-# A GoogleTest program of the given folders (this one where none is given); its tests appear in CTest by name.
+# The rooms of a target, each one unit of a unity build; a room of many files is several, so that two cores share the work.
+function(echolucent_rooms name)
+    set(most_files_of_a_unit 20)
+    get_target_property(sources ${name} SOURCES)
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
+    set(rooms)
+    foreach(source IN LISTS sources)
+        get_filename_component(folder ${source} DIRECTORY)
+        string(MAKE_C_IDENTIFIER "${folder}" room)
+        list(APPEND rooms ${room})
+        list(APPEND files_of_${room} ${source})
+    endforeach()
+    list(REMOVE_DUPLICATES rooms)
+    foreach(room IN LISTS rooms)
+        list(LENGTH files_of_${room} count)
+        math(EXPR units "(${count} + ${most_files_of_a_unit} - 1) / ${most_files_of_a_unit}")
+        math(EXPR each "(${count} + ${units} - 1) / ${units}")
+        set(place 0)
+        foreach(source IN LISTS files_of_${room})
+            math(EXPR unit "${place} / ${each} + 1")
+            math(EXPR place "${place} + 1")
+            get_filename_component(folder ${source} DIRECTORY)
+            file(RELATIVE_PATH folder ${CMAKE_CURRENT_SOURCE_DIR} ${folder})
+            string(MAKE_C_IDENTIFIER "room_${folder}" group)
+            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${unit})
+            # Highway compiles such a file once for each instruction set.
+            file(STRINGS ${source} kernel REGEX "hwy/foreach_target\\.h" LIMIT_COUNT 1)
+            if(kernel)
+                set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+            endif()
+        endforeach()
+    endforeach()
+    set_target_properties(${name} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# A library Echolucent::NAME of every .h and .cpp in the given folders, or of the named files.
+function(echolucent_library name)
+    cmake_parse_arguments(ARG "" "" "FOLDERS;FILES;EXCEPT;PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
+    echolucent_sources(sources FOLDERS ${ARG_FOLDERS} FILES ${ARG_FILES} EXCEPT ${ARG_EXCEPT})
+    add_library(echolucent_${name} STATIC ${sources})
+    add_library(Echolucent::${name} ALIAS echolucent_${name})
+    target_link_libraries(echolucent_${name} PUBLIC echolucent_flags ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+    echolucent_rooms(echolucent_${name})
+    echolucent_precompile(echolucent_${name} ${ARG_PRECOMPILED})
+endfunction()
+
+# Tests carry the label of their layer:
+#   unit     starts no process and opens no window
+#   program  starts the command line or the reader
+#   window   opens windows
+#   long     takes long, and repeats over more inputs what an ordinary test reaches; scripts/check --all runs these
+
+# Programs that only measure or make pictures: nothing builds those of this folder but the target named.
+function(echolucent_built_by target)
+    get_property(programs DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+    set_target_properties(${programs} PROPERTIES EXCLUDE_FROM_ALL ON)
+    if(NOT TARGET ${target})
+        add_custom_target(${target})
+    endif()
+    add_dependencies(${target} ${programs})
+    get_property(folder_tests DIRECTORY PROPERTY TESTS)
+    if(folder_tests)
+        set_tests_properties(${folder_tests} PROPERTIES LABELS long)
+    endif()
+endfunction()
+
+# A test of CTest. COST is about its seconds: the costly begin first.
+function(echolucent_test name)
+    cmake_parse_arguments(ARG "" "LAYER;COST;TIMEOUT" "COMMAND;ENVIRONMENT" ${ARGN})
+    if(NOT DEFINED ARG_COST)
+        set(ARG_COST 1)
+    endif()
+    if(NOT DEFINED ARG_TIMEOUT)
+        set(ARG_TIMEOUT 1200)
+    endif()
+    add_test(NAME ${name} COMMAND ${ARG_COMMAND})
+    set_tests_properties(${name} PROPERTIES LABELS ${ARG_LAYER} TIMEOUT ${ARG_TIMEOUT} COST ${ARG_COST}
+        ENVIRONMENT "${ARG_ENVIRONMENT}")
+endfunction()
+
+# A program of tests, which LAYER_tests builds among others.
+function(echolucent_test_program name layer)
+    echolucent_rooms(${name})
+    echolucent_test_flags(${name})
+    if(NOT TARGET ${layer}_tests)
+        add_custom_target(${layer}_tests)
+    endif()
+    add_dependencies(${layer}_tests ${name})
+endfunction()
+
+# A GoogleTest program of the given folders and files, run in PARTS processes. Suites whose names begin with "Long" are long,
+# where LONG says that there are some.
 function(echolucent_google_test name)
-    cmake_parse_arguments(ARG "" "" "FOLDERS;LINK;PRECOMPILED" ${ARGN})
-    if(NOT ARG_FOLDERS)
+    cmake_parse_arguments(ARG "LONG" "LAYER;PARTS;COST" "FOLDERS;FILES;EXCEPT;LINK;PRECOMPILED" ${ARGN})
+    if(NOT ARG_FOLDERS AND NOT ARG_FILES)
         set(ARG_FOLDERS .)
     endif()
-    set(sources)
-    foreach(folder IN LISTS ARG_FOLDERS)
-        file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
-        list(APPEND sources ${found})
-    endforeach()
-    if(NOT sources)
-        return()
-    endif()
+    echolucent_sources(sources FOLDERS ${ARG_FOLDERS} FILES ${ARG_FILES} EXCEPT ${ARG_EXCEPT})
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
+    echolucent_test_program(${name} ${ARG_LAYER})
     echolucent_precompile(${name} <gmock/gmock.h> <gtest/gtest.h> ${ARG_PRECOMPILED})
-    echolucent_test_flags(${name})
-    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES PROPERTIES TIMEOUT 600 LABELS ${name})
-endfunction()
-
-# A Qt Test program from each test_*.cpp of the given folders (this one where none is given). They run under Xvfb, on OpenGL
-# by llvmpipe. The first program's precompiled headers serve the others: all have the same flags.
-function(echolucent_qt_tests)
-    cmake_parse_arguments(ARG "" "" "FOLDERS;LINK" ${ARGN})
-    if(NOT ARG_FOLDERS)
-        set(ARG_FOLDERS .)
+    if(NOT ARG_PARTS)
+        set(ARG_PARTS 1)
     endif()
-    set(sources)
-    foreach(folder IN LISTS ARG_FOLDERS)
-        file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/test_*.cpp)
-        list(APPEND sources ${found})
+    foreach(part RANGE 1 ${ARG_PARTS})
+        math(EXPR index "${part} - 1")
+        echolucent_test(${name}.${part} LAYER ${ARG_LAYER} COST ${ARG_COST}
+            COMMAND ${name} --gtest_brief=1 "--gtest_filter=-Long*:*/Long*"
+            ENVIRONMENT GTEST_TOTAL_SHARDS=${ARG_PARTS} GTEST_SHARD_INDEX=${index})
     endforeach()
-    unset(first)
-    foreach(source IN LISTS sources)
-        get_filename_component(name ${source} NAME_WE)
-        add_executable(${name} ${source})
-        set_target_properties(${name} PROPERTIES AUTOMOC ON)
-        target_link_libraries(${name} PRIVATE ${ARG_LINK} Qt6::Test)
-        echolucent_test_flags(${name})
-        if(DEFINED first)
-            target_precompile_headers(${name} REUSE_FROM ${first})
-            echolucent_precompiled_flags(${name})
-        else()
-            set(first ${name})
-            echolucent_precompile(${name} <QApplication> <QTest> <QWidget> <memory> <opencv2/core/matx.hpp> <string> <vector>)
-        endif()
-        add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/scripts/with-display $<TARGET_FILE:${name}>)
-        set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS ${name})
-    endforeach()
+    if(ARG_LONG)
+        echolucent_test(${name}.long LAYER long COST 100 TIMEOUT 3600
+            COMMAND ${name} --gtest_brief=1 "--gtest_filter=Long*:*/Long*")
+    endif()
 endfunction()
 
-function(echolucent_test_definitions name)
-    target_compile_definitions(${name} PRIVATE ECHOLUCENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+# A program of Qt Test classes (tests/qt_program), run in PARTS processes, each of which gives every class a process of its own.
+# APPLICATION is core, widgets or view; SCREEN is none, offscreen (no OpenGL there) or virtual (Xvfb, OpenGL by llvmpipe). LONG
+# says that some functions take more inputs in the long run.
+function(echolucent_qt_test name)
+    cmake_parse_arguments(ARG "LONG" "LAYER;APPLICATION;SCREEN;PARTS;COST" "FOLDERS;FILES;EXCEPT;LINK" ${ARGN})
+    echolucent_sources(sources FOLDERS ${ARG_FOLDERS} FILES ${ARG_FILES} EXCEPT ${ARG_EXCEPT})
+    set(frame ${PROJECT_SOURCE_DIR}/tests/qt_program)
+    add_executable(${name} ${sources} ${frame}/test_classes.h ${frame}/main.cpp ${frame}/${ARG_APPLICATION}_application.cpp)
+    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    target_link_libraries(${name} PRIVATE ${ARG_LINK} Qt6::Test)
+    echolucent_test_program(${name} ${ARG_LAYER})
+    echolucent_precompile(${name} <QTest> <memory> <opencv2/core/matx.hpp> <string> <vector>)
+    set(command ${name})
+    set(environment)
+    if(ARG_SCREEN STREQUAL virtual)
+        set(command ${PROJECT_SOURCE_DIR}/scripts/with-display $<TARGET_FILE:${name}>)
+    elseif(ARG_SCREEN STREQUAL offscreen)
+        set(environment QT_QPA_PLATFORM=offscreen)
+    endif()
+    if(NOT ARG_PARTS)
+        set(ARG_PARTS 1)
+    endif()
+    foreach(part RANGE 1 ${ARG_PARTS})
+        echolucent_test(${name}.${part} LAYER ${ARG_LAYER} COST ${ARG_COST} ENVIRONMENT ${environment}
+            COMMAND ${command} --part ${part}/${ARG_PARTS})
+    endforeach()
+    if(ARG_LONG)
+        echolucent_test(${name}.long LAYER long COST 100 TIMEOUT 3600
+            COMMAND ${command} --long ENVIRONMENT ${environment} QTEST_FUNCTION_TIMEOUT=3000000)
+    endif()
 endfunction()
 
 # What is tested is optimised as people run it; the tests' own code need not be.
 function(echolucent_test_flags name)
-    echolucent_test_definitions(${name})
+    target_compile_definitions(${name} PRIVATE ECHOLUCENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

@@ -19,7 +19,7 @@ file(GLOB qvtk_files ${qvtk_sources}/*.cxx ${qvtk_sources}/*.h)
 file(GLOB qvtk_headers ${qvtk_sources}/*.h)
 file(COPY ${qvtk_headers} DESTINATION ${PROJECT_BINARY_DIR}/qvtk)
 add_library(echolucent_qvtk STATIC ${qvtk_files})
-set_target_properties(echolucent_qvtk PROPERTIES AUTOMOC ON)
+set_target_properties(echolucent_qvtk PROPERTIES AUTOMOC ON UNITY_BUILD OFF)
 target_include_directories(echolucent_qvtk SYSTEM PUBLIC ${PROJECT_BINARY_DIR}/qvtk)
 target_compile_options(echolucent_qvtk PRIVATE -w)
 target_link_libraries(echolucent_qvtk PUBLIC Qt6::Widgets Qt6::OpenGL Qt6::OpenGLWidgets

@@ -98,7 +98,6 @@ EmptySpace::EmptySpace(const BrickGrid& grid)
 template <typename IsEmpty>
 void EmptySpace::follow(const IsEmpty& isEmpty) {
     Box changed{m_grid.size, {0, 0, 0}};
-    m_updatedBricks = 0;
     for (std::int64_t z = 0; z < m_grid.size[2]; ++z)
         for (std::int64_t y = 0; y < m_grid.size[1]; ++y)
             for (std::int64_t x = 0; x < m_grid.size[0]; ++x) {
@@ -159,7 +158,6 @@ void EmptySpace::findDistances(const Box& box) {
     forEach([&](std::int64_t x, std::int64_t y, std::int64_t z) {
         const std::size_t brick = m_grid.offset(x, y, z);
         m_distances[brick] = m_empty[brick] != 0 ? farthest : 0;
-        ++m_updatedBricks;
     });
     // Two sweeps settle the whole grid; what comes in over a box's border may need another.
     for (bool anyChanged = true; anyChanged;) {

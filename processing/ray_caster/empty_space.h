@@ -50,8 +50,6 @@ public:
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
     /// Whether any brick shows nothing.
     [[nodiscard]] bool any() const { return m_emptyBricks > 0; }
-    /// How many bricks' distances the last update computed anew.
-    [[nodiscard]] std::int64_t updatedBricks() const { return m_updatedBricks; }
     /// One number a brick: 0 where the brick shows something, else d where all bricks less than d away on every axis
     /// show nothing.
     [[nodiscard]] const std::vector<std::uint8_t>& distances() const { return m_distances; }
@@ -68,7 +66,7 @@ private:
 
     BrickGrid m_grid;
     std::vector<std::uint8_t> m_empty, m_distances;
-    std::int64_t m_emptyBricks = 0, m_updatedBricks = 0;
+    std::int64_t m_emptyBricks = 0;
 };
 
 }  // namespace echolucent::ray_casting

@@ -14,6 +14,7 @@
 
 #include "app/sessions/autosave.h"
 #include "io/document/session_file.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -270,5 +271,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAutosave)
+ECHOLUCENT_TEST_CLASS(TestAutosave)
 #include "test_autosave.moc"

@@ -10,6 +10,7 @@
 #include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
 #include "tests/io/dicom_files.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
@@ -119,11 +120,6 @@ private slots:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestBurnedInText test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestBurnedInText)
 
 #include "test_burned_in_text.moc"

@@ -12,6 +12,7 @@
 #include "io/output/enhanced_us_writer.h"
 #include "processing/picture/look.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/report_dialog.h"
 #include "widgets/panels/run_status.h"
@@ -281,5 +282,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestCaseReport)
+ECHOLUCENT_TEST_CLASS(TestCaseReport)
 #include "test_case_report.moc"

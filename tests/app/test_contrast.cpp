@@ -17,6 +17,7 @@
 
 #include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/contrast.h"
 #include "widgets/panels/message_bar.h"
 
@@ -177,11 +178,6 @@ private:
     QString m_of;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestContrast test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestContrast)
 
 #include "test_contrast.moc"

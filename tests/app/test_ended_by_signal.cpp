@@ -8,22 +8,23 @@
 
 #include "io/output/interruption.h"
 #include "tests/app/movie_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
 namespace {
 
-constexpr const char* driven = "--driven";
+constexpr const char* movieUntilASignal = "--movie-until-a-signal";
 
 /// Opens a study, plays it and writes a movie of it, again and again, until a signal comes.
-class Driven : public QObject {
+class MovieUntilASignal : public QObject {
 public:
-    explicit Driven(const QString& folder) : m_window(folder + "/settings.ini"), m_folder(folder) {
+    explicit MovieUntilASignal(const QString& folder) : m_window(folder + "/settings.ini"), m_folder(folder) {
         m_window.resize(700, 520);
         connect(&m_window.openStudy(), &OpenStudy::otfComputed, this, [this] {
             if (!std::exchange(m_begun, true)) write();
         });
-        connect(&m_window.movieFiles(), &MovieFiles::ended, this, &Driven::write);
+        connect(&m_window.movieFiles(), &MovieFiles::ended, this, &MovieUntilASignal::write);
         m_window.show();
         m_window.open(folder + "/scan.mha");
     }
@@ -37,6 +38,15 @@ private:
     QString m_folder;
     bool m_begun = false;
 };
+
+[[maybe_unused]] const bool movieIsRegistered =
+    drivenPrograms()
+        .try_emplace(movieUntilASignal, DrivenProgram{removeUnfinishedOnSignals,
+                                                      [](const QStringList& words) {
+                                                          const MovieUntilASignal movie(words.at(1));
+                                                          return QApplication::exec();
+                                                      }})
+        .second;
 
 }  // namespace
 
@@ -78,7 +88,7 @@ private slots:
         QVERIFY(QDir().mkpath(folder + "/out"));
         QVERIFY(QFile::copy(moving(), folder + "/scan.mha"));
         QProcess child;
-        start(child, QCoreApplication::applicationFilePath(), {driven, folder});
+        start(child, QCoreApplication::applicationFilePath(), {movieUntilASignal, folder});
         const QDir out(folder + "/out");
         // Something of the movie is there that is not the movie.
         QTRY_VERIFY_WITH_TIMEOUT(!out.entryList({"heart.mkv.*"}, QDir::Files).isEmpty(), 60000);
@@ -98,16 +108,6 @@ private slots:
     }
 };
 
-int main(int count, char** arguments) {
-    if (count == 3 && QString(arguments[1]) == driven) removeUnfinishedOnSignals();
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    if (count == 3 && QString(arguments[1]) == driven) {
-        const Driven window(arguments[2]);
-        return QApplication::exec();
-    }
-    TestEndedBySignal test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestEndedBySignal)
 
 #include "test_ended_by_signal.moc"

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/window/file_writing.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -70,5 +71,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFileWriting)
+ECHOLUCENT_TEST_CLASS(TestFileWriting)
 #include "test_file_writing.moc"

@@ -15,6 +15,7 @@
 #include "app/picture/picture_image.h"
 #include "io/study.h"
 #include "processing/document/view_picture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -98,5 +99,5 @@ private:
     QTemporaryDir m_out;
 };
 
-QTEST_MAIN(TestFrameFiles)
+ECHOLUCENT_TEST_CLASS(TestFrameFiles)
 #include "test_frame_files.moc"

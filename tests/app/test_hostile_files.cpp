@@ -13,6 +13,7 @@
 #include "app/window/theme.h"
 #include "hostile_file.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
@@ -35,6 +36,7 @@ private slots:
     void cleanup() { close(); }
 
     void leaveWhatIsOpenAndEndInOneSentence() {
+        const std::vector<HostileFile> rows = isLongRun() ? hostileFiles() : sampleOf(hostileFiles());
         QElapsedTimer since;
         qint64 longest = 0;  // of one row
         QTimer beat;
@@ -43,7 +45,7 @@ private slots:
         since.start();
         beat.start(1);
         const auto shown = window().openStudy().volume();
-        for (const HostileFile& row : hostileFiles()) {
+        for (const HostileFile& row : rows) {
             if (row.outcome != HostileOutcome::refused) continue;
             const QTemporaryDir folder;
             row.write(folder.path().toStdString());
@@ -66,12 +68,13 @@ private slots:
             longestOfRows.emplace_back(std::max(longest, since.elapsed()), QString::fromStdString(row.name));
         }
         std::ranges::sort(longestOfRows, std::greater());
-        QVERIFY(longestOfRows.size() > 100);
+        QVERIFY(longestOfRows.size() > rows.size() / 2);
         const auto late = std::ranges::count_if(longestOfRows, [](const auto& row) { return row.first > 50; });
         std::printf(
             "%zu hostile files in one window, %lld of them with more than 50 ms between two beats; the longest:\n",
             longestOfRows.size(), static_cast<long long>(late));
-        for (const auto& [milliseconds, name] : std::span(longestOfRows).first(10))
+        for (const auto& [milliseconds, name] :
+             std::span(longestOfRows).first(std::min<std::size_t>(10, longestOfRows.size())))
             std::printf("%5lld ms  %s\n", static_cast<long long>(milliseconds), qPrintable(name));
         // A bound on a hang, not a measure of speed: several programs share the machine that runs the tests.
         QVERIFY2(longestOfRows.front().first < 2000, qPrintable(longestOfRows.front().second));
@@ -81,11 +84,6 @@ private:
     QString m_good;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestHostileFiles test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestHostileFiles, "leaveWhatIsOpenAndEndInOneSentence")
 
 #include "test_hostile_files.moc"

@@ -17,6 +17,7 @@
 #include "processing/ray_caster.h"
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"
@@ -49,7 +50,7 @@ private slots:
         m_shapes = file("shapes.mha", {phantom(PhantomScene::shapes, 5)});
         m_moving = file("moving.mha", {phantom(PhantomScene::fetus, 3, 0.0), phantom(PhantomScene::fetus, 4, 0.5)});
     }
-    void init() { show(); }
+    void init() { show(lookAtStart()); }
     void cleanup() { close(); }
 
     void opensAFileComputesItsOtfAndShowsIt() {
@@ -296,11 +297,6 @@ private:
     QString m_moving;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindow test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindow)
 
 #include "test_main_window.moc"

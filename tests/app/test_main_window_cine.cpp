@@ -9,6 +9,7 @@
 
 #include "app/window/theme.h"
 #include "tests/app/cine_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/motion_panel.h"
 
 using namespace echolucent;
@@ -219,11 +220,6 @@ private:
     static constexpr int aLongTime = 3600 * 1000;  // ms
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowCine test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowCine)
 
 #include "test_main_window_cine.moc"

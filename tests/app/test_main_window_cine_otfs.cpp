@@ -13,6 +13,7 @@
 #include "processing/motion/otf_smoothing.h"
 #include "processing/scalpel/scalpel_cuts.h"
 #include "tests/app/cine_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -227,11 +228,6 @@ private:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowCineOtfs test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowCineOtfs)
 
 #include "test_main_window_cine_otfs.moc"

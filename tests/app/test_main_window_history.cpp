@@ -10,6 +10,7 @@
 #include "app/sessions/session_keeping.h"
 #include "io/document/session_file.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
@@ -300,11 +301,6 @@ private:
     QString m_file;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowHistory test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowHistory)
 
 #include "test_main_window_history.moc"

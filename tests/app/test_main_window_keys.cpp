@@ -19,6 +19,7 @@
 
 #include "processing/picture/camera_pose.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/key_table.h"
 #include "widgets/otf_editor/otf_editor.h"
 
@@ -52,6 +53,7 @@ private slots:
     }
 
     void arrowsOfRadioButtonsAndSlidersTurnNoProbe() {
+        useLook(lookAtStart());  // a lit picture, whose light has a slider
         auto* first = child<QRadioButton>("motion.mode.static");
         first->setFocus();
         QTest::keyClick(first, Qt::Key_Right);
@@ -263,11 +265,6 @@ private:
     QString m_file;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowKeys test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowKeys)
 
 #include "test_main_window_keys.moc"

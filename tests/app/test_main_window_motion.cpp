@@ -9,6 +9,7 @@
 #include "processing/ray_caster.h"
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/motion/otf_curves_canvas.h"
 #include "widgets/motion/otf_map_canvas.h"
 #include "widgets/panels/message_bar.h"
@@ -54,7 +55,8 @@ private slots:
 
     void playsTenFrames_data() {
         QTest::addColumn<int>("mode");
-        for (std::size_t i = 0; i < modes.size(); ++i) QTest::newRow(modes[i].name) << static_cast<int>(i);
+        for (std::size_t i = 0; i < modes.size(); i += isLongRun() ? 1 : 3)
+            QTest::newRow(modes[i].name) << static_cast<int>(i);
     }
     void playsTenFrames() {
         QFETCH(int, mode);
@@ -309,11 +311,6 @@ private:
     QString m_moving;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowMotion test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowMotion, "playsTenFrames")
 
 #include "test_main_window_motion.moc"

@@ -25,6 +25,7 @@
 #include "app/window/theme.h"
 #include "processing/document/view_picture.h"
 #include "tests/app/movie_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/run_status.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 
@@ -293,11 +294,6 @@ private:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowMovie test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowMovie)
 
 #include "test_main_window_movie.moc"

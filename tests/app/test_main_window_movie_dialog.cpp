@@ -9,6 +9,7 @@
 #include "app/window/theme.h"
 #include "tests/app/movie_fixture.h"
 #include "tests/app/telling_names.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -165,11 +166,6 @@ private slots:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowMovieDialog test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowMovieDialog)
 
 #include "test_main_window_movie_dialog.moc"

@@ -5,6 +5,7 @@
 #include "processing/document/opening_finds.h"
 #include "tests/app/window_fixture.h"
 #include "tests/processing/beam/turned_volume.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
@@ -36,7 +37,7 @@ class TestMainWindowOpening : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() { m_file = file("sector.mha", {walledSector()}); }
-    void init() { show(); }
+    void init() { show(lookAtStart()); }
     void cleanup() { close(); }
 
     void thePictureSaysThatTheVolumeWasReduced() {
@@ -170,11 +171,6 @@ private:
     QString m_file;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowOpening test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowOpening)
 
 #include "test_main_window_opening.moc"

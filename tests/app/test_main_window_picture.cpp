@@ -10,6 +10,7 @@
 
 #include "app/picture/picture_status.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/view_panel.h"
 
 using namespace echolucent;
@@ -37,7 +38,7 @@ private slots:
         m_file = file("shapes.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }
     void init() {
-        show();
+        show(lookAtStart());
         open(m_file);
     }
     void cleanup() { close(); }
@@ -184,11 +185,6 @@ private:
     QString m_file;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowPicture test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowPicture)
 
 #include "test_main_window_picture.moc"

@@ -9,6 +9,7 @@
 #include "processing/scalpel/scalpel_cuts.h"
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -175,11 +176,6 @@ private:
     QString m_file, m_moving;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowScalpel test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowScalpel)
 
 #include "test_main_window_scalpel.moc"

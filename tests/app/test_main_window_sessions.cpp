@@ -5,6 +5,7 @@
 #include <QSlider>
 
 #include "tests/app/session_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -370,11 +371,6 @@ private:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowSessions test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowSessions)
 
 #include "test_main_window_sessions.moc"

@@ -10,6 +10,7 @@
 #include "io/document/document_file.h"
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 
 using namespace echolucent;
@@ -233,11 +234,6 @@ private:
     QString m_moving;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestMainWindowUndo test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMainWindowUndo)
 
 #include "test_main_window_undo.moc"

@@ -1,9 +1,14 @@
 // The order of the angles in the transducer motion, and that playing never outruns the picture. The tests use no
 // clocks: they call stepNow().
-#include <QtTest>
+#include <QList>
+#include <QObject>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVariant>
 #include <chrono>
 
 #include "app/motion/motion_player.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -260,5 +265,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMotionPlayer)
+ECHOLUCENT_TEST_CLASS(TestMotionPlayer)
 #include "test_motion_player.moc"

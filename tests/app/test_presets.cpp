@@ -13,6 +13,7 @@
 #include "app/window/theme.h"
 #include "io/document/preset_file.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
@@ -264,11 +265,6 @@ private:
     QString m_file;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestPresets test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestPresets)
 
 #include "test_presets.moc"

@@ -16,6 +16,7 @@
 #include "tests/app/marked_dicom.h"
 #include "tests/app/telling_names.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/presets_panel.h"
 
 using namespace echolucent;
@@ -237,5 +238,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPrivacy)
+ECHOLUCENT_TEST_CLASS(TestPrivacy)
 #include "test_privacy.moc"

@@ -11,6 +11,7 @@
 #include "app/study/study_names.h"
 #include "tests/app/telling_names.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
@@ -241,5 +242,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestRecentFiles)
+ECHOLUCENT_TEST_CLASS(TestRecentFiles)
 #include "test_recent_files.moc"

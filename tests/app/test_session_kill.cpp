@@ -1,6 +1,7 @@
 // The program is killed at random moments while a hand drags and saves: what is on disk is whole, and newer than the
-// bound, counted by the program's own clock. The suite kills it 12 times; ECHOLUCENT_KILLS=200 does it as often as
-// that. Of three kills one comes at any moment, one once an autosave was there and one once a session was saved.
+// bound, counted by the program's own clock. Every run kills it 3 times, the long one 12 times, ECHOLUCENT_KILLS=200 as
+// often as that. Of three kills one comes at any moment, one once an autosave was there and one once a session was
+// saved.
 #include <QCryptographicHash>
 #include <QDeadlineTimer>
 #include <QDir>
@@ -16,6 +17,7 @@
 #include "app/sessions/session_keeping.h"
 #include "io/document/session_file.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -39,9 +41,9 @@ QByteArray fingerprint(Document document) {
 }
 
 /// Drags, saves where the hand does, and tells every change on stdout, until it is killed.
-class Driven : public QObject {
+class SessionUntilKilled : public QObject {
 public:
-    Driven(const QString& folder, unsigned seed, Hand hand)
+    SessionUntilKilled(const QString& folder, unsigned seed, Hand hand)
         : m_window(folder + "/settings.ini"), m_random(seed), m_folder(folder), m_hand(hand) {
         m_window.resize(700, 520);
         Autosave& autosave = m_window.sessionKeeping().autosave();
@@ -58,8 +60,8 @@ public:
         m_window.document().begin(plain);
         connect(&m_window.openStudy(), &OpenStudy::otfComputed, this, [this] {
             if (std::exchange(m_begun, true)) return;
-            connect(&m_window.document(), &DocumentModel::changed, this, &Driven::tell);
-            connect(&m_timer, &QTimer::timeout, this, &Driven::act);
+            connect(&m_window.document(), &DocumentModel::changed, this, &SessionUntilKilled::tell);
+            connect(&m_timer, &QTimer::timeout, this, &SessionUntilKilled::act);
             m_timer.start(15);
         });
         m_window.show();
@@ -102,6 +104,19 @@ private:
     bool m_begun = false;
 };
 
+constexpr const char* sessionUntilKilled = "--session-until-killed";
+[[maybe_unused]] const bool sessionIsRegistered =
+    drivenPrograms()
+        .try_emplace(sessionUntilKilled,
+                     DrivenProgram{{},
+                                   [](const QStringList& words) {
+                                       const Hand hand =
+                                           words.value(3) == neverSaves ? Hand::onlyDrags : Hand::savesToo;
+                                       const SessionUntilKilled session(words.at(1), words.at(2).toUInt(), hand);
+                                       return QApplication::exec();
+                                   }})
+        .second;
+
 }  // namespace
 
 class TestSessionKill : public QObject, private WindowFixture {
@@ -113,8 +128,9 @@ private slots:
         QTest::addColumn<unsigned>("seed");
         QTest::addColumn<Hand>("hand");
         QTest::addColumn<QByteArray>("awaited");  // what is told before the moment is drawn; any change where empty
-        const unsigned kills =
-            qEnvironmentVariableIsSet("ECHOLUCENT_KILLS") ? qEnvironmentVariable("ECHOLUCENT_KILLS").toUInt() : 12;
+        const unsigned kills = qEnvironmentVariableIsSet("ECHOLUCENT_KILLS")
+                                   ? qEnvironmentVariable("ECHOLUCENT_KILLS").toUInt()
+                                   : (isLongRun() ? 12 : 3);
         for (unsigned kill = 0; kill < kills; ++kill) {
             switch (kill % 3) {
                 case 0: QTest::addRow("kill %u, at any moment", kill) << kill << Hand::savesToo << QByteArray(); break;
@@ -135,7 +151,7 @@ private slots:
         QVERIFY(QFile::copy(m_scan, folder + "/scan.mha"));
         QProcess child;
         child.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        QStringList words{"--driven", folder, QString::number(random())};
+        QStringList words{sessionUntilKilled, folder, QString::number(random())};
         if (hand == Hand::onlyDrags) words << neverSaves;
         child.start(QCoreApplication::applicationFilePath(), words);
         QVERIFY(child.waitForStarted());
@@ -223,16 +239,6 @@ private:
     qint64 m_changes = 0;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    if (count >= 4 && QString(arguments[1]) == "--driven") {
-        const bool drags = count == 5 && QString(arguments[4]) == neverSaves;
-        const Driven driven(arguments[2], QString(arguments[3]).toUInt(), drags ? Hand::onlyDrags : Hand::savesToo);
-        return QApplication::exec();
-    }
-    TestSessionKill test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestSessionKill, "whatIsOnDiskIsWholeAndNew")
 
 #include "test_session_kill.moc"

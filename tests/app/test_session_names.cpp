@@ -6,6 +6,7 @@
 
 #include "tests/app/session_fixture.h"
 #include "tests/app/telling_names.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -203,11 +204,6 @@ private slots:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestSessionNames test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestSessionNames)
 
 #include "test_session_names.moc"

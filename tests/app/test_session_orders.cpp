@@ -5,6 +5,7 @@
 
 #include "app/window/settings.h"
 #include "tests/app/session_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -204,11 +205,6 @@ private:
     QStringList m_said;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestSessionOrders test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestSessionOrders)
 
 #include "test_session_orders.moc"

@@ -1,7 +1,18 @@
 // What is remembered survives in its file; recent files are few, unique and there.
-#include <QtTest>
+#include <QByteArray>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QIODevice>
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QTemporaryDir>
+#include <QTest>
 
 #include "app/window/settings.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -227,5 +238,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestSettings)
+ECHOLUCENT_TEST_CLASS(TestSettings)
 #include "test_settings.moc"

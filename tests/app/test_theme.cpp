@@ -15,6 +15,7 @@
 #include "app/window/settings.h"
 #include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/contrast.h"
 #include "widgets/motion/otf_map_canvas.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
@@ -281,9 +282,13 @@ private:
 
     void everyPart() {
         QTest::addColumn<QString>("part");
-        for (const QDockWidget* dock : window().findChildren<QDockWidget*>())
-            QTest::newRow(qPrintable(dock->objectName())) << dock->objectName();
-        for (const char* part : {"motion", "menu bar", "status bar"}) QTest::newRow(part) << part;
+        QStringList parts;
+        for (const QDockWidget* dock : window().findChildren<QDockWidget*>()) parts << dock->objectName();
+        parts << "motion"
+              << "menu bar"
+              << "status bar";
+        const qsizetype step = isLongRun() ? 1 : 4;
+        for (qsizetype i = 0; i < parts.size(); i += step) QTest::newRow(qPrintable(parts[i])) << parts[i];
     }
     QWidget& shownPart(const QString& part) {
         if (part == "menu bar") return *window().menuBar();
@@ -299,11 +304,6 @@ private:
     QString m_file;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestTheme test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestTheme, "nothingOfTheOtherThemeIsLeft", "thereAndBackTheWindowLooksAsBefore")
 
 #include "test_theme.moc"

@@ -12,8 +12,10 @@
 #include <memory>
 
 #include "app/window/main_window.h"
+#include "app/window/settings.h"
 #include "io/output/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
@@ -43,9 +45,12 @@ public:
         if (!writeMetaImage(path.toStdString(), phases)) qFatal("%s", qPrintable(path));
         return path;
     }
-    void show() {
+    /// The window of a first start, whose look is given: a plain one takes neither speckle away nor light along, so
+    /// that what is opened comes to rest sooner. lookAtStart() is what a person gets.
+    void show(const Look& look = {}) {
         QFile::remove(settingsFile());
         QDir(temporaryFolder().filePath("settings-data")).removeRecursively();
+        if (look != lookAtStart()) Settings(settingsFile()).setLook(look);
         showAgain();
     }
     /// The window of another start, with the settings that are there and what the one before it left.
@@ -65,6 +70,7 @@ public:
         window().document().begin(next);
     }
     void close() {
+        keepPictureOfFailure();
         if (m_window) m_window->otfEditor().setManualSaved();
         m_window.reset();
     }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/ray_caster.h"

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "processing/ray_caster.h"
 #include "tests/benchmarks/render_bench.h"

@@ -1,5 +1,6 @@
 // The proof that both renderers cast the same rays.
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "processing/ray_caster.h"
 #include "tests/benchmarks/plain_reference.h"

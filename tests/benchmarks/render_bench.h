@@ -1,7 +1,7 @@
 // The measurements of echolucent-bench-render, each a part of its report.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

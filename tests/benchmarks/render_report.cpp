@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "io/input_file.h"

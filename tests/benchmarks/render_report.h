@@ -1,7 +1,7 @@
 // The figures as tables for people: on the terminal, and in a page between its marks.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "processing/picture/converged.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/progressive_caster.h"
 
@@ -16,8 +17,6 @@ namespace echolucent {
 
 using testing::geometryOf;
 using testing::volumeOf;
-
-inline constexpr int patience = 20000;  // ms, a bound for broken programs
 
 /// Stands in for a ray caster: pictures of one grey, the curve's opacity at full intensity. Can be held up.
 class CommandedCaster {

@@ -9,12 +9,12 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent::testing {
 
-inline constexpr int patience = 30000;  // ms, a bound for broken programs
 inline const OpacityCurve wall = ManualCurve{{{0.4, 0.0}, {0.6, 1.0}}};
 
 /// A view on the display with the corner ball, whose converged picture is there.
@@ -28,6 +28,9 @@ struct ShownView {
         view.show();
         ready = QTest::qWaitForWindowExposed(&view) && awaitIdle();
     }
+    ~ShownView() { keepPictureOfFailure(); }
+    ShownView(const ShownView&) = delete;
+    ShownView& operator=(const ShownView&) = delete;
     bool awaitIdle() {
         return QTest::qWaitFor([this] { return !view.busy() && view.pictureIsFine(); }, patience);
     }

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "processing/picture/camera_pose.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/test_volumes.h"
 
 using namespace echolucent;
@@ -155,5 +156,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CameraPoseTest)
+ECHOLUCENT_TEST_CLASS(CameraPoseTest)
 #include "test_camera_pose.moc"

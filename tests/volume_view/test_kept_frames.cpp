@@ -3,6 +3,7 @@
 #include <atomic>
 #include <thread>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/commanded_caster.h"
 
 using namespace echolucent;
@@ -118,5 +119,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(KeptFramesTest)
+ECHOLUCENT_TEST_CLASS(KeptFramesTest)
 #include "test_kept_frames.moc"

@@ -3,6 +3,7 @@
 
 #include "processing/picture/camera_pose.h"
 #include "processing/ray_caster.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
 
@@ -226,5 +227,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PointedSampleTest)
+ECHOLUCENT_TEST_CLASS(PointedSampleTest)
 #include "test_pointed_sample.moc"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "processing/ray_caster.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/commanded_caster.h"
 
 using namespace echolucent;
@@ -290,5 +291,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(ProgressiveCasterTest)
+ECHOLUCENT_TEST_CLASS(ProgressiveCasterTest)
 #include "test_progressive_caster.moc"

@@ -2,6 +2,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/qt_program/test_classes.h"
 #include "widgets/volume_view/preview_quality.h"
 
 using namespace echolucent;
@@ -176,5 +177,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(QualitiesTest)
+ECHOLUCENT_TEST_CLASS(QualitiesTest)
 #include "test_qualities.moc"

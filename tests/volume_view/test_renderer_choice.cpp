@@ -3,6 +3,7 @@
 #include <vtkVolumeProperty.h>
 #include <QTest>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/drawn_scene.h"
 #include "widgets/volume_view/scene/vtk_volume_image.h"
 
@@ -100,5 +101,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RendererChoiceTest)
+ECHOLUCENT_TEST_CLASS(RendererChoiceTest)
 #include "test_renderer_choice.moc"

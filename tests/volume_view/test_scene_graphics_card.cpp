@@ -14,6 +14,7 @@
 
 #include "processing/phantom/phantom.h"
 #include "processing/ray_caster.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/drawn_scene.h"
 
 using namespace echolucent;
@@ -339,5 +340,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(SceneGraphicsCardTest)
+ECHOLUCENT_TEST_CLASS(SceneGraphicsCardTest)
 #include "test_scene_graphics_card.moc"

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/shown_view.h"
 
 using namespace echolucent;
@@ -302,10 +303,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(argc, argv);
-    ViewByHandTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+ECHOLUCENT_TEST_CLASS(ViewByHandTest)
 #include "test_view_by_hand.moc"

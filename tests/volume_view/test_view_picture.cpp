@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "processing/ray_caster.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/shown_view.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 #include "widgets/volume_view/scene/volume_scene.h"
@@ -387,10 +388,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(argc, argv);
-    ViewPictureTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+ECHOLUCENT_TEST_CLASS(ViewPictureTest)
 #include "test_view_picture.moc"

@@ -10,6 +10,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/shown_view.h"
 #include "widgets/volume_view/scene/volume_scene.h"
 
@@ -103,10 +104,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(argc, argv);
-    ViewRendererTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+ECHOLUCENT_TEST_CLASS(ViewRendererTest)
 #include "test_view_renderer.moc"

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "processing/ray_caster.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/drawn_scene.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
 #include "widgets/volume_view/scene/vtk_volume_image.h"
@@ -327,5 +328,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(VolumeSceneTest)
+ECHOLUCENT_TEST_CLASS(VolumeSceneTest)
 #include "test_volume_scene.moc"

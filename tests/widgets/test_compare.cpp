@@ -3,6 +3,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/qt_program/test_classes.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_rows.h"
 #include "widgets/compare/difference_image.h"
@@ -116,5 +117,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestCompare)
+ECHOLUCENT_TEST_CLASS(TestCompare)
 #include "test_compare.moc"

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QTest>
 
+#include "tests/qt_program/test_classes.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 
 using namespace echolucent;
@@ -99,5 +100,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestMeasurementDrawing)
+ECHOLUCENT_TEST_CLASS(TestMeasurementDrawing)
 #include "test_measurement_drawing.moc"

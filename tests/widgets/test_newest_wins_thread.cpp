@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -13,15 +14,15 @@
 #include <sys/resource.h>
 #endif
 
+#include "tests/qt_program/test_classes.h"
 #include "widgets/newest_wins_thread.h"
 
 using echolucent::NewestWinsThread;
+using echolucent::patience;
 using echolucent::Progress;
 using WhenSuperseded = NewestWinsThread::WhenSuperseded;
 
 namespace {
-
-constexpr int patience = 20000;  // ms, a bound for broken programs
 
 /// A door that a job waits at until the test opens it, and that tells the test when a job stands before it.
 class Gate {
@@ -315,5 +316,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(NewestWinsThreadTest)
+ECHOLUCENT_TEST_CLASS(NewestWinsThreadTest)
 #include "test_newest_wins_thread.moc"

@@ -1,8 +1,16 @@
 // The OTFs of a motion: every mode against its own history, jumps, rows, flicker, and what is drawn of it.
-#include <QtTest>
-#include <QtWidgets>
+#include <QColor>
+#include <QImage>
+#include <QLabel>
+#include <QLocale>
+#include <QObject>
+#include <QPoint>
+#include <QRgb>
+#include <QTest>
+#include <QWidget>
 
 #include "processing/motion/flicker.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/motion/otf_curves_canvas.h"
@@ -181,5 +189,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestOtfCourse)
+ECHOLUCENT_TEST_CLASS(TestOtfCourse)
 #include "test_otf_course.moc"

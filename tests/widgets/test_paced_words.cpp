@@ -1,6 +1,7 @@
 // Words that change with every picture: the first and the last are told, few of those between.
 #include <QTest>
 
+#include "tests/qt_program/test_classes.h"
 #include "widgets/paced_words.h"
 
 using namespace echolucent;
@@ -46,5 +47,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPacedWords)
+ECHOLUCENT_TEST_CLASS(TestPacedWords)
 #include "test_paced_words.moc"

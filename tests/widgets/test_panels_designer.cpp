@@ -1,9 +1,21 @@
 // The panel of OTF designers: controls from the tables, what a person does comes out once, what is set makes no noise.
-#include <QtTest>
-#include <QtWidgets>
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLocale>
+#include <QObject>
+#include <QPoint>
+#include <QProgressBar>
+#include <QSignalSpy>
+#include <QString>
+#include <QTest>
+#include <QWidget>
 #include <cmath>
 #include <limits>
 
+#include "processing/designers/designer.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
 #include "widgets/panels/design_plot.h"
 #include "widgets/panels/designer_panel.h"
@@ -224,5 +236,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPanelsDesigner)
+ECHOLUCENT_TEST_CLASS(TestPanelsDesigner)
 #include "test_panels_designer.moc"

@@ -1,7 +1,17 @@
 // The panel of steps and snapshots: a name that is typed goes to the snapshot that it was typed for, or to none.
-#include <QtTest>
-#include <QtWidgets>
+#include <QApplication>
+#include <QCoreApplication>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QObject>
+#include <QSignalSpy>
+#include <QString>
+#include <QStringList>
+#include <QTest>
+#include <QVariant>
+#include <QVariantList>
 
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/history_panel.h"
 
 using namespace echolucent;
@@ -65,5 +75,5 @@ private:
     std::unique_ptr<HistoryPanel> m_panel;
 };
 
-QTEST_MAIN(TestPanelsHistory)
+ECHOLUCENT_TEST_CLASS(TestPanelsHistory)
 #include "test_panels_history.moc"

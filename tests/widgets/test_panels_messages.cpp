@@ -1,7 +1,28 @@
 // What the program tells: study facts, run status, the message bar; and the names of every control.
-#include <QtTest>
-#include <QtWidgets>
+#include <QAbstractButton>
+#include <QAbstractScrollArea>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QImage>
+#include <QLabel>
+#include <QLocale>
+#include <QObject>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRect>
+#include <QSet>
+#include <QSignalSpy>
+#include <QString>
+#include <QStringList>
+#include <QTableWidget>
+#include <QTest>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidget>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/method_panel.h"
@@ -337,5 +358,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestPanelsMessages)
+ECHOLUCENT_TEST_CLASS(TestPanelsMessages)
 #include "test_panels_messages.moc"

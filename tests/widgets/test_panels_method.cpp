@@ -1,10 +1,28 @@
 // The panel of the method's parameters: what a person does comes out once, what is set comes back and makes no noise.
-#include <QtTest>
-#include <QtWidgets>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QList>
+#include <QLocale>
+#include <QObject>
+#include <QPointF>
+#include <QPushButton>
+#include <QRectF>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QString>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+#include <QWidget>
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
 #include "widgets/panels/method_panel.h"
 
@@ -357,5 +375,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestPanelsMethod)
+ECHOLUCENT_TEST_CLASS(TestPanelsMethod)
 #include "test_panels_method.moc"

@@ -1,8 +1,24 @@
 // The panel of the transducer motion: real keys and clicks, each heard once; setters are silent.
-#include <QtTest>
-#include <QtWidgets>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QLabel>
+#include <QList>
+#include <QLocale>
+#include <QObject>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QString>
+#include <QStringList>
+#include <QTest>
+#include <QToolButton>
+#include <QWidget>
 #include <array>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
 #include "widgets/panels/motion_panel.h"
 
@@ -260,5 +276,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPanelsMotion)
+ECHOLUCENT_TEST_CLASS(TestPanelsMotion)
 #include "test_panels_motion.moc"

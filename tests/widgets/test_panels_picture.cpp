@@ -1,7 +1,22 @@
 // The panel of the picture: real keys and clicks, each heard once; setters are silent.
-#include <QtTest>
-#include <QtWidgets>
+#include <QByteArray>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QList>
+#include <QLocale>
+#include <QObject>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QString>
+#include <QTest>
+#include <QToolButton>
+#include <QWidget>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
 #include "widgets/panels/view_panel.h"
 
@@ -330,5 +345,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPanelsPicture)
+ECHOLUCENT_TEST_CLASS(TestPanelsPicture)
 #include "test_panels_picture.moc"

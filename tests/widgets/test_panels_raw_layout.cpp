@@ -1,7 +1,19 @@
 // The dialog for headerless files: its arithmetic in 64 bits, and OK only where the layout fits the file.
-#include <QtTest>
-#include <QtWidgets>
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLocale>
+#include <QObject>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QString>
+#include <QStringList>
+#include <QTest>
+#include <QWidget>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
 #include "widgets/panels/raw_layout_dialog.h"
 
@@ -242,5 +254,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPanelsRawLayout)
+ECHOLUCENT_TEST_CLASS(TestPanelsRawLayout)
 #include "test_panels_raw_layout.moc"

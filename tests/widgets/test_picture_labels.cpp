@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "tests/qt_program/test_classes.h"
 #include "widgets/picture_labels/picture_labels.h"
 
 using namespace echolucent;
@@ -105,5 +106,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestPictureLabels)
+ECHOLUCENT_TEST_CLASS(TestPictureLabels)
 #include "test_picture_labels.moc"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/qt_program/test_classes.h"
 #include "widgets/planes/grey_image.h"
 #include "widgets/planes/plane_resampler.h"
 
@@ -103,5 +104,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlaneResampler)
+ECHOLUCENT_TEST_CLASS(TestPlaneResampler)
 #include "test_plane_resampler.moc"

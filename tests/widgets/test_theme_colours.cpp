@@ -1,8 +1,15 @@
 // The colours of both themes: texts stand off what they are written on, curves off their plots, and no colour of the
 // dark theme has changed.
-#include <QtTest>
+#include <QByteArray>
+#include <QColor>
+#include <QObject>
+#include <QPalette>
+#include <QPen>
+#include <QString>
+#include <QTest>
 #include <set>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/contrast.h"
 #include "widgets/motion/course_drawing.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
@@ -170,5 +177,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestThemeColours)
+ECHOLUCENT_TEST_CLASS(TestThemeColours)
 #include "test_theme_colours.moc"

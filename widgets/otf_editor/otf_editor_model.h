@@ -38,8 +38,6 @@ public:
     /// computed yet. Not undoable.
     void setDesign(const std::string& designer, const std::optional<OpacityCurve>& upper);
     void setDesignVisible(bool visible);
-    /// True while activeCurveChanged is still to come for what the state holds.
-    [[nodiscard]] bool announcementPending() const { return m_announceTimer.isActive(); }
 
     [[nodiscard]] QUndoStack* undoStack() { return m_owner.undoStack(); }
     [[nodiscard]] Gesture newGesture() { return ++m_lastGesture; }

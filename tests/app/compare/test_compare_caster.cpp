@@ -7,12 +7,11 @@
 #include "processing/phantom/phantom.h"
 #include "processing/picture/converged.h"
 #include "processing/ray_caster.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
 namespace {
-
-constexpr int patience = 30000;  // ms, a bound for broken programs
 
 std::shared_ptr<const Volume> shapes(std::uint64_t seed) {
     PhantomConfig config = defaultPhantom(PhantomScene::shapes);
@@ -112,5 +111,5 @@ private:
     std::vector<std::shared_ptr<const CompareFrame>> m_frames;
 };
 
-QTEST_GUILESS_MAIN(TestCompareCaster)
+ECHOLUCENT_TEST_CLASS(TestCompareCaster)
 #include "test_compare_caster.moc"

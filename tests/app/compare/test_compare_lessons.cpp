@@ -5,8 +5,10 @@
 #include <thread>
 
 #include "app/otf/view_designs.h"
+#include "processing/designers/designer.h"
 #include "processing/motion/otf_smoothing.h"
 #include "tests/app/compare/compare_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -103,11 +105,6 @@ private slots:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestCompareLessons test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestCompareLessons)
 
 #include "test_compare_lessons.moc"

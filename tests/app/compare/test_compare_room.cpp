@@ -10,6 +10,7 @@
 #include "processing/comparison/classification_measures.h"
 #include "processing/document/pane_measures.h"
 #include "tests/app/compare/compare_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -288,11 +289,6 @@ private slots:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestCompareRoom test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestCompareRoom)
 
 #include "test_compare_room.moc"

@@ -6,6 +6,7 @@
 
 #include "app/document/document_model.h"
 #include "io/document/document_file.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -283,5 +284,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDocumentModel)
+ECHOLUCENT_TEST_CLASS(TestDocumentModel)
 #include "test_document_model.moc"

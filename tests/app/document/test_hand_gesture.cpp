@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 
 #include "app/document/hand_gesture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -122,5 +123,5 @@ private:
     std::vector<int> m_gestures;
 };
 
-QTEST_MAIN(TestHandGesture)
+ECHOLUCENT_TEST_CLASS(TestHandGesture)
 #include "test_hand_gesture.moc"

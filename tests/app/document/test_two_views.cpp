@@ -9,13 +9,12 @@
 #include "app/document/document_view.h"
 #include "io/document/document_file.h"
 #include "processing/phantom/phantom.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 using namespace echolucent;
 
 namespace {
-
-constexpr int patience = 30000;  // ms, a bound for broken programs
 
 std::shared_ptr<const Volume> shapes() {
     PhantomConfig config = defaultPhantom(PhantomScene::shapes);
@@ -237,11 +236,6 @@ private:
     std::array<std::unique_ptr<DocumentView>, 2> m_views;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestTwoViews test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestTwoViews)
 
 #include "test_two_views.moc"

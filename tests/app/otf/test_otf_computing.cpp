@@ -5,13 +5,12 @@
 
 #include "app/otf/otf_computing.h"
 #include "io/output/meta_image_writer.h"
+#include "tests/app/otf/first_view.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
 namespace {
-
-constexpr int patience = 20000;  // ms, a bound for broken programs
-constexpr int view = 1;
 
 /// Tells what it was asked for and finds nothing.
 std::optional<AdaptiveOtf> echo(const Volume&, const Viewpoint& viewpoint, const AdaptiveOtfConfig& config,
@@ -40,7 +39,7 @@ private slots:
         m_model = std::make_unique<DocumentModel>();
         m_openStudy = std::make_unique<OpenStudy>();
         m_openStudy->setPipeline(&echo);
-        m_computing = std::make_unique<OtfComputing>(*m_model, view, *m_openStudy);
+        m_computing = std::make_unique<OtfComputing>(*m_model, firstView, *m_openStudy);
         QSignalSpy opened(m_openStudy.get(), &OpenStudy::studyOpened);
         m_openStudy->open(path);
         QVERIFY(opened.wait(patience));
@@ -51,7 +50,7 @@ private slots:
         QTest::addColumn<Change>("change");
         QTest::addColumn<bool>("asks");
         const auto row = [](const char* name, bool asks, Change change) { QTest::newRow(name) << change << asks; };
-        row("cut", true, [](Document& d) { cutOf(d, view).nearCutMm = 2; });
+        row("cut", true, [](Document& d) { cutOf(d, firstView).nearCutMm = 2; });
         row("beam", true, [](Document& d) { d.beam.axis = BeamAxis::plusX; });
         row("direction", true, [](Document& d) { d.method.direction.azimuth = 5; });
         row("parameter", true, [](Document& d) { d.method.config.grid.columns = 3; });
@@ -59,9 +58,9 @@ private slots:
         row("the editor's curve as initial function", true,
             [](Document& d) { d.method.initial = InitialKind::linear; });
         row("a curve that is not the initial function", false, [](Document& d) { d.curves.linear.slope = 0.1; });
-        row("pose", false, [](Document& d) { poseOf(d, view).direction.azimuth = 5; });
-        row("look", false, [](Document& d) { lookOf(d, view).colourMap = ColourMap::ice; });
-        row("rendered curve", false, [](Document& d) { viewOf(d, view).curve = CurveKind::linear; });
+        row("pose", false, [](Document& d) { poseOf(d, firstView).direction.azimuth = 5; });
+        row("look", false, [](Document& d) { lookOf(d, firstView).colourMap = ColourMap::ice; });
+        row("rendered curve", false, [](Document& d) { viewOf(d, firstView).curve = CurveKind::linear; });
         row("motion", false, [](Document& d) { d.motion.axis = MotionAxis::z; });
     }
     void whatTheOtfDependsOnAsksForAnother() {
@@ -73,7 +72,7 @@ private slots:
         QCOMPARE(m_openStudy->computingOtf(), asks);
         if (!asks) return;
         awaitOtf();
-        QVERIFY(m_openStudy->otf()->view == otfViewpointOf(next, view));
+        QVERIFY(m_openStudy->otf()->view == otfViewpointOf(next, firstView));
         QVERIFY(m_openStudy->otf()->config == configOf(next));
         m_model->steps().undo();
         awaitOtf();
@@ -94,7 +93,7 @@ private slots:
 
     void computeForThisViewTakesWhatIsShownAsOneStep() {
         Document next = m_model->document();
-        poseOf(next, view).direction = {10, 20, 30};
+        poseOf(next, firstView).direction = {10, 20, 30};
         m_model->edit(next, "turn");
         m_model->showMotionAngle(5);
         m_computing->computeForThisView();
@@ -108,7 +107,7 @@ private slots:
 
     void theOneOtfIsOfThePhaseThatTheDocumentNames() {
         m_openStudy->setPhase(1);
-        m_model->showPhase(view, 1);
+        m_model->showPhase(firstView, 1);
         m_computing->computeForThisView();
         awaitOtf();
         QCOMPARE(m_model->document().motion.otfPhase, 1);
@@ -128,7 +127,7 @@ private slots:
         m_computing->computeFor({BeamAxis::plusZ, 12, 0, 0, 0});  // a frame of the motion
         awaitOtf();
         Document next = m_model->document();
-        cutOf(next, view).nearCutMm = 1;
+        cutOf(next, firstView).nearCutMm = 1;
         m_model->edit(next, "cut");
         awaitOtf();
         QVERIFY(m_openStudy->otf()->view == (Viewpoint{BeamAxis::plusZ, 12, 0, 0, 1}));
@@ -146,5 +145,5 @@ private:
     std::unique_ptr<OtfComputing> m_computing;
 };
 
-QTEST_GUILESS_MAIN(TestOtfComputing)
+ECHOLUCENT_TEST_CLASS(TestOtfComputing)
 #include "test_otf_computing.moc"

@@ -8,13 +8,12 @@
 
 #include "app/otf/view_designs.h"
 #include "io/output/meta_image_writer.h"
+#include "tests/app/otf/first_view.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
 namespace {
-
-constexpr int patience = 20000;  // ms, a bound for broken programs
-constexpr int view = 1;
 
 struct Asked {
     DesignerConfig config;
@@ -49,7 +48,7 @@ private slots:
         m_asked.clear();
         m_model = std::make_unique<DocumentModel>();
         Document look = m_model->document();
-        lookOf(look, view).reduction = SpeckleReduction::off;
+        lookOf(look, firstView).reduction = SpeckleReduction::off;
         m_model->begin(look);
         m_openStudy = std::make_unique<OpenStudy>();
         m_designs = std::make_unique<ViewDesigns>(*m_model, *m_openStudy);
@@ -63,11 +62,11 @@ private slots:
 
     void nothingIsComputedWithoutADesign() {
         Document next = m_model->document();
-        cutOf(next, view).nearCutMm = 1;
+        cutOf(next, firstView).nearCutMm = 1;
         m_model->edit(next, "cut");
         QVERIFY(!m_designs->busy());
-        QVERIFY(!m_designs->of(view));
-        QVERIFY(!m_designs->isNewest(view));
+        QVERIFY(!m_designs->of(firstView));
+        QVERIFY(!m_designs->isNewest(firstView));
     }
 
     void aDesignIsComputedOnceAndTold() {
@@ -75,13 +74,13 @@ private slots:
         QSignalSpy busy(m_designs.get(), &ViewDesigns::busyChanged);
         design(otsuOf(0.7));
         QVERIFY(m_designs->busy());
-        QVERIFY(!m_designs->isNewest(view));
+        QVERIFY(!m_designs->isNewest(firstView));
         wait();
         QCOMPARE(computed.count(), 1);
-        QCOMPARE(computed.first().first().toInt(), view);
+        QCOMPARE(computed.first().first().toInt(), firstView);
         QCOMPARE(busy.count(), 2);
-        QVERIFY(m_designs->isNewest(view));
-        const auto made = m_designs->of(view);
+        QVERIFY(m_designs->isNewest(firstView));
+        const auto made = m_designs->of(firstView);
         QVERIFY(made->milliseconds >= 0.0);
         QVERIFY(made->raw == m_openStudy->volume());
         QVERIFY(made->shown == m_openStudy->volume());
@@ -97,15 +96,16 @@ private slots:
         const auto row = [](const char* name, bool withTubeCores, bool without, Change change) {
             QTest::newRow(name) << change << withTubeCores << without;
         };
-        row("cut", true, false, [](Document& d) { cutOf(d, view).nearCutMm = 2; });
+        row("cut", true, false, [](Document& d) { cutOf(d, firstView).nearCutMm = 2; });
         row("beam", true, false, [](Document& d) { d.beam.axis = BeamAxis::plusX; });
         row("direction", true, false, [](Document& d) { d.method.direction.azimuth = 5; });
         row("parameter of the method", true, false, [](Document& d) { d.method.config.grid.columns = 3; });
-        row("pose", false, false, [](Document& d) { poseOf(d, view).direction.azimuth = 5; });
-        row("light", false, false, [](Document& d) { lookOf(d, view).brightness = 1.5; });
+        row("pose", false, false, [](Document& d) { poseOf(d, firstView).direction.azimuth = 5; });
+        row("light", false, false, [](Document& d) { lookOf(d, firstView).brightness = 1.5; });
         row("threshold", false, false, [](Document& d) { d.curves.adjustment.threshold = 0.1; });
-        row("speckle reduction", true, true, [](Document& d) { lookOf(d, view).reduction = SpeckleReduction::medium; });
-        row("another phase", true, true, [](Document& d) { phaseOf(d, view) = 1; });
+        row("speckle reduction", true, true,
+            [](Document& d) { lookOf(d, firstView).reduction = SpeckleReduction::medium; });
+        row("another phase", true, true, [](Document& d) { phaseOf(d, firstView) = 1; });
     }
     void whatADesignerDependsOnAsksAgain() {
         QFETCH(std::function<void(Document&)>, change);
@@ -122,9 +122,9 @@ private slots:
             Document next = unchanged;
             change(next);
             m_model->edit(next, "change");
-            m_openStudy->setReduction(lookOf(m_model->document(), view).reduction);
+            m_openStudy->setReduction(lookOf(m_model->document(), firstView).reduction);
             wait();
-            QVERIFY(m_designs->isNewest(view));
+            QVERIFY(m_designs->isNewest(firstView));
             QCOMPARE(m_asked.size() > before, tubeCores ? withTubeCores : without);
             m_model->begin(Document(unchanged));
             m_openStudy->setReduction(SpeckleReduction::off);
@@ -135,19 +135,19 @@ private slots:
     void theNewestWinsAndTheOneBeforeStaysMeanwhile() {
         design(otsuOf(0.2));
         wait();
-        const auto first = m_designs->of(view);
+        const auto first = m_designs->of(firstView);
         m_held = true;
         design(otsuOf(0.3));
         QTRY_COMPARE(m_running, 1);
-        QVERIFY(m_designs->of(view) == first);
-        QVERIFY(!m_designs->isNewest(view));
+        QVERIFY(m_designs->of(firstView) == first);
+        QVERIFY(!m_designs->isNewest(firstView));
         design(otsuOf(0.4));
         QTRY_COMPARE(m_cancelled, 1);
-        QVERIFY(m_designs->of(view) == first);
+        QVERIFY(m_designs->of(firstView) == first);
         m_held = false;
         wait();
-        QCOMPARE(opacityAt(m_designs->of(view)->design.classification, 0.9, 0.0), 0.4);
-        QVERIFY(m_designs->isNewest(view));
+        QCOMPARE(opacityAt(m_designs->of(firstView)->design.classification, 0.9, 0.0), 0.4);
+        QVERIFY(m_designs->isNewest(firstView));
     }
 
     void whatWasMadeBeforeIsKept() {
@@ -158,15 +158,15 @@ private slots:
         QCOMPARE(m_asked.size(), std::size_t{2});
         QSignalSpy computed(m_designs.get(), &ViewDesigns::computed);
         m_model->steps().undo();
-        QVERIFY(m_designs->isNewest(view));  // at once
+        QVERIFY(m_designs->isNewest(firstView));  // at once
         QCOMPARE(computed.count(), 1);
-        QCOMPARE(opacityAt(m_designs->of(view)->design.classification, 0.9, 0.0), 0.2);
+        QCOMPARE(opacityAt(m_designs->of(firstView)->design.classification, 0.9, 0.0), 0.2);
         QCOMPARE(m_asked.size(), std::size_t{2});
     }
 
     void viewsThatAskTheSameShareOneComputation() {
-        Document next = withDesign(m_model->document(), view, otsuOf(0.5));
-        View other = viewOf(next, view);
+        Document next = withDesign(m_model->document(), firstView, otsuOf(0.5));
+        View other = viewOf(next, firstView);
         other.id = 2;
         next.views.push_back(other);
         other.id = 3;
@@ -186,7 +186,7 @@ private slots:
 
     void extraViewsHaveTheirAdaptiveOtf() {
         Document next = m_model->document();
-        View other = viewOf(next, view);
+        View other = viewOf(next, firstView);
         other.id = 2;
         other.withoutTubes = {3};
         next.views.push_back(other);
@@ -212,21 +212,21 @@ private slots:
         m_designs->cancel();
         QTRY_VERIFY(!m_designs->busy());
         Document next = m_model->document();
-        cutOf(next, view).nearCutMm = 1;
+        cutOf(next, firstView).nearCutMm = 1;
         m_model->edit(next, "cut");
         QVERIFY(!m_designs->busy());
-        QVERIFY(!m_designs->isNewest(view));
-        QCOMPARE(opacityAt(m_designs->of(view)->design.classification, 0.9, 0.0), 0.2);
+        QVERIFY(!m_designs->isNewest(firstView));
+        QCOMPARE(opacityAt(m_designs->of(firstView)->design.classification, 0.9, 0.0), 0.2);
         m_held = false;
         m_designs->computeAgain();
         wait();
-        QVERIFY(m_designs->isNewest(view));
-        QCOMPARE(opacityAt(m_designs->of(view)->design.classification, 0.9, 0.0), 0.3);
+        QVERIFY(m_designs->isNewest(firstView));
+        QCOMPARE(opacityAt(m_designs->of(firstView)->design.classification, 0.9, 0.0), 0.3);
     }
 
     void cancelBeginsNothingOfWhatWaits() {
-        Document next = withDesign(m_model->document(), view, otsuOf(0.5));
-        View other = viewOf(next, view);
+        Document next = withDesign(m_model->document(), firstView, otsuOf(0.5));
+        View other = viewOf(next, firstView);
         other.id = 2;
         next.views.push_back(other);
         next = withDesign(withCurve(std::move(next), 2, CurveKind::manual), 2, otsuOf(0.7));
@@ -249,14 +249,14 @@ private slots:
     }
 
     void whatPlaysNoPartIsNotComputed() {
-        Document next = withDesign(m_model->document(), view, otsuOf(0.5));
-        lookOf(next, view).mode = RenderMode::maximum;
+        Document next = withDesign(m_model->document(), firstView, otsuOf(0.5));
+        lookOf(next, firstView).mode = RenderMode::maximum;
         m_model->edit(next, "maximum");
         QVERIFY(!m_designs->busy());
-        lookOf(next, view).mode = RenderMode::direct;
+        lookOf(next, firstView).mode = RenderMode::direct;
         m_model->edit(next, "direct");
         wait();
-        QVERIFY(m_designs->isNewest(view));
+        QVERIFY(m_designs->isNewest(firstView));
     }
 
     void aDesignerWithoutMemoryEndsInASentence() {
@@ -265,14 +265,14 @@ private slots:
         design(otsuOf(0.2));
         wait();
         QCOMPARE(failed.count(), 1);
-        QCOMPARE(failed.first().at(0).toInt(), view);
+        QCOMPARE(failed.first().at(0).toInt(), firstView);
         QVERIFY(failed.first().at(1).toString().endsWith('.'));
-        QVERIFY(!m_designs->of(view));
+        QVERIFY(!m_designs->of(firstView));
     }
 
     void quietVoxelsAreShownToDesigners() {
-        Document next = withDesign(m_model->document(), view, otsuOf(0.5));
-        lookOf(next, view).reduction = SpeckleReduction::medium;
+        Document next = withDesign(m_model->document(), firstView, otsuOf(0.5));
+        lookOf(next, firstView).reduction = SpeckleReduction::medium;
         m_model->edit(next, "quiet");
         m_openStudy->setReduction(SpeckleReduction::medium);
         QTRY_VERIFY(!m_openStudy->quietPhases().busy());
@@ -281,7 +281,7 @@ private slots:
         QVERIFY(m_asked.back().raw == m_openStudy->volume().get());
         QVERIFY(m_asked.back().shown == m_openStudy->newestVoxels().get());
         QVERIFY(m_asked.back().raw != m_asked.back().shown);
-        QVERIFY(m_designs->isNewest(view));
+        QVERIFY(m_designs->isNewest(firstView));
     }
 
     void anotherStudyHasNothingOfTheOneBefore() {
@@ -292,8 +292,8 @@ private slots:
         m_openStudy->open(m_folder.filePath("cube.mha"));
         QVERIFY(opened.wait(patience));
         wait();
-        QVERIFY(m_designs->of(view)->raw != before);
-        QVERIFY(m_designs->isNewest(view));
+        QVERIFY(m_designs->of(firstView)->raw != before);
+        QVERIFY(m_designs->isNewest(firstView));
     }
 
 private:
@@ -312,7 +312,7 @@ private:
         return Design{.classification = ManualCurve{{{0.0, 0.0}, {0.5, opacity}, {1.0, opacity}}}};
     }
     void design(const DesignerConfig& config) {
-        m_model->edit(withDesign(m_model->document(), view, config), "design");
+        m_model->edit(withDesign(m_model->document(), firstView, config), "design");
     }
     void wait() { QTRY_VERIFY_WITH_TIMEOUT(!m_designs->busy() && !m_openStudy->quietPhases().busy(), patience); }
 
@@ -326,5 +326,5 @@ private:
     std::unique_ptr<ViewDesigns> m_designs;
 };
 
-QTEST_MAIN(TestViewDesigns)
+ECHOLUCENT_TEST_CLASS(TestViewDesigns)
 #include "test_view_designs.moc"

@@ -14,6 +14,7 @@
 #include "io/document/document_file.h"
 #include "processing/document/box_editing.h"
 #include "tests/app/planes/room_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/planes/plane_pane.h"
@@ -313,5 +314,5 @@ private:
     QString m_file;
 };
 
-QTEST_MAIN(TestBox)
+ECHOLUCENT_TEST_CLASS(TestBox)
 #include "test_box.moc"

@@ -8,6 +8,7 @@
 #include "processing/box_section.h"
 #include "tests/app/planes/marked_corners.h"
 #include "tests/app/planes/room_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -15,7 +16,10 @@ class TestMarkedCorners : public QObject, private RoomFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { m_file = file("corners.mha", {markedCorners()}); }
+    void initTestCase() {
+        QApplication::setStyle(QStringLiteral("Fusion"));
+        m_file = file("corners.mha", {markedCorners()});
+    }
     void init() {
         show();
         window().resize(1280, 720);
@@ -139,12 +143,6 @@ private:
     QString m_file;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    TestMarkedCorners test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMarkedCorners)
 
 #include "test_marked_corners.moc"

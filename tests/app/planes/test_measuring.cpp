@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/app/planes/measuring_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
@@ -68,7 +69,10 @@ class TestMeasuring : public QObject, private MeasuringFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void initTestCase() {
+        QApplication::setStyle(QStringLiteral("Fusion"));
+        QLocale::setDefault(QLocale::c());
+    }
     void init() { showWindow(); }
     void cleanup() { close(); }
 
@@ -341,12 +345,6 @@ private:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    TestMeasuring test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMeasuring)
 
 #include "test_measuring.moc"

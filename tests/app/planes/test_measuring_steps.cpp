@@ -8,6 +8,7 @@
 #include "app/motion/motion_player.h"
 #include "app/picture/picture_image.h"
 #include "tests/app/planes/measuring_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
 using namespace echolucent;
@@ -16,7 +17,10 @@ class TestMeasuringSteps : public QObject, private MeasuringFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void initTestCase() {
+        QApplication::setStyle(QStringLiteral("Fusion"));
+        QLocale::setDefault(QLocale::c());
+    }
     void init() { showWindow(); }
     void cleanup() { close(); }
 
@@ -326,12 +330,6 @@ private:
     }
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    TestMeasuringSteps test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestMeasuringSteps)
 
 #include "test_measuring_steps.moc"

@@ -9,6 +9,7 @@
 #include "app/window/review_room.h"
 #include "tests/app/planes/marked_corners.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
 
@@ -290,5 +291,5 @@ private:
     QString m_corners;
 };
 
-QTEST_MAIN(TestPlanes)
+ECHOLUCENT_TEST_CLASS(TestPlanes)
 #include "test_planes.moc"

@@ -4,6 +4,7 @@
 #include <QToolButton>
 
 #include "tests/app/planes/room_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/volume_view/lasso_pointer.h"
 
@@ -145,5 +146,5 @@ private:
     QString m_file;
 };
 
-QTEST_MAIN(TestScalpel)
+ECHOLUCENT_TEST_CLASS(TestScalpel)
 #include "test_scalpel.moc"

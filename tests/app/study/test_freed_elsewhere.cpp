@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "app/study/freed_elsewhere.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -52,5 +53,5 @@ private slots:
     void nothingStaysNothing() { QVERIFY(freedElsewhere(std::shared_ptr<const int>()) == nullptr); }
 };
 
-QTEST_GUILESS_MAIN(TestFreedElsewhere)
+ECHOLUCENT_TEST_CLASS(TestFreedElsewhere)
 #include "test_freed_elsewhere.moc"

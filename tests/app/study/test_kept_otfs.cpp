@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "app/study/kept_otfs.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -99,5 +100,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestKeptOtfs)
+ECHOLUCENT_TEST_CLASS(TestKeptOtfs)
 #include "test_kept_otfs.moc"

@@ -12,6 +12,7 @@
 #include "io/restricted/reader_process.h"
 #include "io/restricted/restricted_reader.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 #include "widgets/volume_view/still_picture.h"
 
 using namespace echolucent;
@@ -179,11 +180,6 @@ private:
     QString m_small, m_large;
 };
 
-int main(int count, char** arguments) {
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    TestLoadingPicture test;
-    return QTest::qExec(&test, count, arguments);
-}
+ECHOLUCENT_TEST_CLASS(TestLoadingPicture)
 
 #include "test_loading_picture.moc"

@@ -11,6 +11,7 @@
 #include "app/study/open_study.h"
 #include "io/output/meta_image_writer.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -332,5 +333,5 @@ private:
     QString m_bright;
 };
 
-QTEST_MAIN(TestOpenStudy)
+ECHOLUCENT_TEST_CLASS(TestOpenStudy)
 #include "test_open_study.moc"

@@ -7,12 +7,11 @@
 #include <new>
 
 #include "app/study/quiet_phases.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
 namespace {
-
-constexpr int patience = 20000;  // ms, a bound for broken programs
 
 std::shared_ptr<const Volume> phaseOf(std::uint8_t value) {
     VolumeGeometry geometry;
@@ -189,5 +188,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestQuietPhases)
+ECHOLUCENT_TEST_CLASS(TestQuietPhases)
 #include "test_quiet_phases.moc"

@@ -1,10 +1,30 @@
 // A folder of several series: which one is opened is asked, with small pictures, by real keys and clicks.
-#include <QtTest>
-#include <QtWidgets>
+#include <QAction>
+#include <QApplication>
+#include <QByteArray>
+#include <QColor>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QIODevice>
+#include <QImage>
+#include <QLabel>
+#include <QListWidget>
+#include <QObject>
+#include <QPushButton>
+#include <QRect>
+#include <QSignalSpy>
+#include <QString>
+#include <QStringList>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
 
 #include "app/sessions/session_keeping.h"
 #include "io/output/enhanced_us_writer.h"
 #include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -223,5 +243,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSeriesChoice)
+ECHOLUCENT_TEST_CLASS(TestSeriesChoice)
 #include "test_series_choice.moc"

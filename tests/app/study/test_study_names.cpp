@@ -4,6 +4,7 @@
 
 #include "app/study/study_names.h"
 #include "app/window/settings.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -88,5 +89,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStudyNames)
+ECHOLUCENT_TEST_CLASS(TestStudyNames)
 #include "test_study_names.moc"

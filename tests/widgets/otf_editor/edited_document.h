@@ -6,6 +6,8 @@
 
 namespace echolucent {
 
+inline const ManualCurve threeNodes{{{0.2, 0.1}, {0.5, 0.4}, {0.9, 0.8}}};
+
 struct EditedDocument {
     DocumentModel document;
     DocumentCurves curves{document, 1};

@@ -10,8 +10,6 @@
 
 namespace echolucent {
 
-inline const ManualCurve threeNodes{{{0.2, 0.1}, {0.5, 0.4}, {0.9, 0.8}}};
-
 inline SampledCurve someAdaptiveCurve() { return {sampledOpacities(PowerCurve{3, 0.7}, 256)}; }
 
 class EditorFixture {

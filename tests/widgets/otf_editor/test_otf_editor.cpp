@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/otf_editor/editor_fixture.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/node_reduction.h"
@@ -139,5 +140,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestOtfEditor)
+ECHOLUCENT_TEST_CLASS(TestOtfEditor)
 #include "test_otf_editor.moc"

@@ -6,16 +6,13 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 
 using namespace echolucent;
 
-namespace {
-
-const ManualCurve threeNodes{{{0.2, 0.1}, {0.5, 0.4}, {0.9, 0.8}}};
-
-}  // namespace
+namespace {}  // namespace
 
 class TestOtfEditorCanvas : public QObject {
     Q_OBJECT
@@ -213,13 +210,15 @@ void TestOtfEditorCanvas::arrowsMoveByExactSteps() {
 void TestOtfEditorCanvas::autoRepeatIsOneStep() {
     m_model->moveNode(1, {0.5, 0.25});
     m_model->selectNode(1);
+    QSignalSpy announced(m_model.get(), &OtfEditorModel::activeCurveChanged);
     for (int i = 0; i < 6; ++i) {
         QKeyEvent event(QEvent::KeyPress, Qt::Key_Up, Qt::NoModifier, QString(), i > 0);
         QApplication::sendEvent(m_canvas.get(), &event);
     }
     QCOMPARE(nodes()[1].opacity, 70.0 / 256);
     QCOMPARE(m_model->undoStack()->count(), 2);
-    QTRY_VERIFY(!m_model->announcementPending());
+    QTRY_VERIFY(!announced.isEmpty());
+    QTRY_VERIFY(announced.last().first().value<OpacityCurve>() == OpacityCurve(m_model->state().manual));
 }
 
 void TestOtfEditorCanvas::tabGoesFromNodeToNodeAndLeaves() {
@@ -329,5 +328,5 @@ void TestOtfEditorCanvas::hoverTellsValueAndNode() {
     QCOMPARE(hovered.last().at(1).toInt(), 2);
 }
 
-QTEST_MAIN(TestOtfEditorCanvas)
+ECHOLUCENT_TEST_CLASS(TestOtfEditorCanvas)
 #include "test_otf_editor_canvas.moc"

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/window/theme.h"
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/contrast.h"
 #include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
@@ -102,5 +103,5 @@ void TestOtfEditorLayout::everyControlHasANameAndCanBeReached() {
     QVERIFY(controls >= 25);
 }
 
-QTEST_MAIN(TestOtfEditorLayout)
+ECHOLUCENT_TEST_CLASS(TestOtfEditorLayout)
 #include "test_otf_editor_layout.moc"

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
@@ -12,8 +13,6 @@
 using namespace echolucent;
 
 namespace {
-
-const ManualCurve threeNodes{{{0.2, 0.1}, {0.5, 0.4}, {0.9, 0.8}}};
 
 double distance(const QColor& left, const QColor& right) {
     return std::hypot(left.red() - right.red(), left.green() - right.green(), left.blue() - right.blue());
@@ -178,5 +177,5 @@ void TestOtfEditorPainting::storedValuesOfAnyWhiteAreNumbersThatMeanSomething() 
     QCOMPARE(storedValueText(0.5, 1.5), QStringLiteral("0.5"));
 }
 
-QTEST_MAIN(TestOtfEditorPainting)
+ECHOLUCENT_TEST_CLASS(TestOtfEditorPainting)
 #include "test_otf_editor_painting.moc"

@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QWheelEvent>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/otf_editor/editor_fixture.h"
 
 using namespace echolucent;
@@ -105,5 +106,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestOtfEditorParameters)
+ECHOLUCENT_TEST_CLASS(TestOtfEditorParameters)
 #include "test_otf_editor_parameters.moc"

@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <QTableView>
 
+#include "tests/qt_program/test_classes.h"
 #include "tests/widgets/otf_editor/editor_fixture.h"
 #include "widgets/control_keys.h"
 #include "widgets/otf_editor/canvas/curve_canvas.h"
@@ -130,5 +131,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestOtfEditorTable)
+ECHOLUCENT_TEST_CLASS(TestOtfEditorTable)
 #include "test_otf_editor_table.moc"

@@ -169,7 +169,6 @@ DepthMap OpaqueDepth::draw(vtkRenderer& renderer, vtkOpenGLRenderWindow& window,
     const auto pixels = vtkSmartPointer<vtkPixelBufferObject>::Take(m_buffers->DownloadDepth(extent.data(), VTK_FLOAT));
     pixels->Download2D(VTK_FLOAT, windowDepths.data(), size.data(), 1, increments.data());
     state->PopFramebufferBindings();
-    ++m_reads;
     return mapOf(windowDepths, made.width, made.height, WindowDepth(*camera));
 }
 

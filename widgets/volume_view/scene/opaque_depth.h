@@ -35,8 +35,6 @@ public:
     /// pointer) as the last time where nothing that it shows has changed. Makes the window's context current.
     [[nodiscard]] std::shared_ptr<const DepthMap> read(vtkRenderer& renderer, const Camera& camera, int width,
                                                        int height);
-    /// How often a depth buffer was read back.
-    [[nodiscard]] int reads() const { return m_reads; }
 
 private:
     /// What a map was made from.
@@ -52,7 +50,6 @@ private:
 
     Made m_made;
     std::shared_ptr<const DepthMap> m_map;
-    int m_reads = 0;
     vtkNew<vtkOpenGLFramebufferObject> m_buffers;
     vtkNew<vtkTextureObject> m_colour;
     vtkNew<vtkTextureObject> m_depth;

@@ -139,7 +139,6 @@ void RayCastMapper::upload(vtkOpenGLRenderWindow* window, bool filtered) {
         fill(depths, window, *m_picture, 1, VTK_FLOAT, m_picture->depthMm);
     }
     m_uploaded = true;
-    ++m_uploads;
 }
 
 void RayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume) {

@@ -39,9 +39,6 @@ public:
     void Render(vtkRenderer* renderer, vtkVolume* volume) override;
     void ReleaseGraphicsResources(vtkWindow* window) override;
 
-    /// How often a picture was handed to OpenGL.
-    [[nodiscard]] int uploads() const { return m_uploads; }
-
     RayCastMapper(const RayCastMapper&) = delete;
     RayCastMapper& operator=(const RayCastMapper&) = delete;
 
@@ -59,7 +56,6 @@ private:
     std::shared_ptr<const ScreenPicture> m_picture;
     GraphicsCardVolume* m_card = nullptr;
     bool m_uploaded = false;
-    int m_uploads = 0;
     std::unique_ptr<OpenGl> m_openGl;
 };
 

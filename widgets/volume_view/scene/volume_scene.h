@@ -68,8 +68,6 @@ public:
     /// For RayCastSettings::opaqueDepth: where these actors stand, seen with this camera. See OpaqueDepth::read(): null
     /// where there are none, the same pointer where nothing changed; needs the window drawn once before.
     [[nodiscard]] std::shared_ptr<const DepthMap> opaqueDepth(const Camera& camera, int width, int height);
-    /// How often opaqueDepth() had to read OpenGL's depth buffer.
-    [[nodiscard]] int depthReads() const { return m_opaqueDepth.reads(); }
     /// For RayCastSettings::findDepth: something is hidden by the volume's surface or looks for it.
     [[nodiscard]] bool wantsDepth();
     /// For pickers that read the depth buffer (vtkRenderer::GetZ(), vtkWorldPointPicker, vtkHardwareSelector).
