@@ -10,6 +10,7 @@ namespace {
 
 std::atomic<std::size_t> largest{0};
 
+#ifndef __SANITIZE_ADDRESS__
 void remember(std::size_t bytes) {
     std::size_t known = largest;
     while (bytes > known && !largest.compare_exchange_weak(known, bytes)) {
@@ -20,6 +21,7 @@ void* orThrow(void* memory) {
     if (memory == nullptr) throw std::bad_alloc();
     return memory;
 }
+#endif
 
 }  // namespace
 

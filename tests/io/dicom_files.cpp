@@ -21,7 +21,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <mutex>
 #include <stdexcept>
 
 #include "dcmtk_conditions.h"
@@ -45,15 +44,24 @@ void putText(DcmItem& item, const DcmTagKey& tag, const std::string& text) {
     if (!text.empty()) put(item, tag, text);
 }
 
-void registerEncoders() {
-    static std::once_flag once;
-    std::call_once(once, [] {
+/// DCMTK's encoders, as long as there is one.
+struct Encoders {
+    Encoders() {
         DcmRLEEncoderRegistration::registerCodecs();
         DJEncoderRegistration::registerCodecs(ECC_lossyYCbCr);
         // The "cooked" encoder of DCMTK 3.6.7 dies now and then; the raw one takes the pixels as they are.
         DJLSEncoderRegistration::registerCodecs(0, 0, 0, 0, OFFalse);
-    });
-}
+    }
+    ~Encoders() {
+        DJLSEncoderRegistration::cleanup();
+        DJEncoderRegistration::cleanup();
+        DcmRLEEncoderRegistration::cleanup();
+    }
+    Encoders(const Encoders&) = delete;
+    Encoders& operator=(const Encoders&) = delete;
+};
+
+void registerEncoders() { static const Encoders encoders; }
 
 void putImageModule(DcmDataset& dataset, const TestImage& image) {
     put(dataset, DCM_SOPClassUID, image.frames > 0 ? "1.2.840.10008.5.1.4.1.1.6.2" : "1.2.840.10008.5.1.4.1.1.6.1");

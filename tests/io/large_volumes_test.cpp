@@ -16,6 +16,7 @@
 #include "io/input_file.h"
 #include "processing/volume/block_mean.h"
 #include "temporary_folder.h"
+#include "tests/inputs.h"
 #include "zlib_bytes.h"
 
 namespace echolucent {
@@ -144,9 +145,10 @@ void expectMeans(const char* type, std::int64_t factor, const char* kept, int le
 
 TEST(LargeVolumes, MeansAreReadOfEveryTypeInBothByteOrdersPlainAndCompressed) {
     expectMeans<std::uint8_t>("MET_UCHAR", 2, "uint8", 0, 255);
+    expectMeans<std::int16_t>("MET_SHORT", 2, "uint16", 0, 30000);
+    if (takesSomeInputs) return;
     expectMeans<std::int8_t>("MET_CHAR", 2, "float32", -100, 100);
     expectMeans<std::uint16_t>("MET_USHORT", 2, "uint16", 0, 65535);
-    expectMeans<std::int16_t>("MET_SHORT", 2, "uint16", 0, 30000);
     expectMeans<std::uint32_t>("MET_UINT", 2, "uint16", 0, 60000);
     expectMeans<std::int64_t>("MET_LONG_LONG", 2, "uint16", 0, 60000);
     expectMeans<float>("MET_FLOAT", 2, "float32", 0, 1000);

@@ -9,6 +9,7 @@
 #include "kretz_files.h"
 #include "processing/phantom/phantom.h"
 #include "processing/phantom/polar_sampling.h"
+#include "tests/inputs.h"
 
 namespace echolucent {
 namespace {
@@ -114,6 +115,7 @@ TEST(PolarRoundTrip, SurfacesAndMaskAreThoseOfTheScene) {
     scene.gainVariation = 0;
     scene.ramp = 4;
     for (const PolarKind kind : {PolarKind::linear, PolarKind::convex, PolarKind::linearWobbler, PolarKind::wobbler}) {
+        if (takesSomeInputs && kind != PolarKind::wobbler) continue;
         EvenPolar even = usualPolar(kind, 101, 0.8);
         const PolarGeometry polar = polarGeometry(even, {101, 121, 111});
         const ConversionGrid grid = conversionGrid(polar);

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 
 #include "io/dicom/dicom_attributes.h"
 #include "io/dicom/pixels/dicom_fragments.h"
@@ -27,10 +26,15 @@ namespace {
 /// each.
 constexpr std::int64_t mostFrameSamples = std::int64_t{1} << 25;
 
-void registerJpegLs() {
-    static std::once_flag once;
-    std::call_once(once, [] { DJLSDecoderRegistration::registerCodecs(EJLSUC_default, EJLSPC_colorByPixel); });
-}
+/// DCMTK's JPEG-LS decoder, as long as there is one.
+struct JpegLsDecoder {
+    JpegLsDecoder() { DJLSDecoderRegistration::registerCodecs(EJLSUC_default, EJLSPC_colorByPixel); }
+    ~JpegLsDecoder() { DJLSDecoderRegistration::cleanup(); }
+    JpegLsDecoder(const JpegLsDecoder&) = delete;
+    JpegLsDecoder& operator=(const JpegLsDecoder&) = delete;
+};
+
+void registerJpegLs() { static const JpegLsDecoder decoder; }
 
 Codestream codestreamOf(PixelCoding coding) {
     switch (coding) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/inputs.h"
 #include "tests/io/document/mutations.h"
 #include "tests/io/document/unusual_document.h"
 #include "tests/io/temporary_folder.h"
@@ -81,7 +82,8 @@ TEST(SessionFile, AThousandMutatedOnesOpenOrEndInASentence) {
     Mutations mutations(jsonOf(unusualSession()), 14);
     int opened = 0, refused = 0;
     std::chrono::duration<double> longest{0};
-    for (int i = 0; i < 1000; ++i) {
+    constexpr int files = takesSomeInputs ? 200 : 1000;
+    for (int i = 0; i < files; ++i) {
         const std::string text = mutations.next();
         const auto begin = std::chrono::steady_clock::now();
         const auto read = sessionFromJson(text, "s.session.json");
@@ -100,10 +102,10 @@ TEST(SessionFile, AThousandMutatedOnesOpenOrEndInASentence) {
         ASSERT_LT(sentence.size(), 400u) << i << ": " << sentence;
         ASSERT_TRUE(std::ranges::none_of(sentence, [](char each) { return each == '\n'; })) << i;
     }
-    std::printf("1,000 mutated session files: %d open, %d end in a sentence, the longest took %.0f ms\n", opened,
+    std::printf("%d mutated session files: %d open, %d end in a sentence, the longest took %.0f ms\n", files, opened,
                 refused, longest.count() * 1e3);
-    EXPECT_GT(opened, 50);
-    EXPECT_GT(refused, 300);
+    EXPECT_GT(opened, files / 20);
+    EXPECT_GT(refused, files * 3 / 10);
     EXPECT_LT(longest.count(), 5.0);
 }
 

@@ -1,5 +1,6 @@
 // The warp of the intensity axis: what is known is found, and what is promised is kept whatever the histograms are.
 #include "processing/designers/intensity_warp.h"
+#include "tests/inputs.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -69,6 +70,7 @@ TEST(IntensityWarp, SlopesAreKeptWhateverTheHistogramsAre) {
         for (const auto& [least, largest] : {std::pair{0.25, 4.0}, {0.8, 1.5}, {1.0, 1.0}, {1.0 / 8.0, 8.0}})
             for (const Histogram& reference : all)
                 for (const Histogram& other : all) {
+                    if (takesSomeInputs && least != 0.25) continue;
                     const IntensityWarp warp = findWarp(reference, other, rule(comparison, least, largest))->warp;
                     const double steps = static_cast<double>(warp.values.size() - 1);
                     for (std::size_t i = 1; i < warp.values.size(); ++i) {

@@ -6,6 +6,7 @@
 
 #include "processing/ray_caster/border_space.h"
 #include "processing/volume/filled_volume.h"
+#include "tests/inputs.h"
 
 namespace echolucent::ray_casting {
 namespace {
@@ -54,7 +55,7 @@ TEST(BorderSpace, DistancesAreTheLargestOfTheAxesToTheNearestBorder) {
             }
     int farthest = 0;
     ASSERT_EQ(space.distances().size(), all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t i = 0; i < all.size(); i += takesSomeInputs ? 7 : 1) {
         std::int64_t nearest = BorderSpace::farthest;
         for (const Brick& border : borders)
             nearest = std::min(nearest, std::max({std::abs(all[i][0] - border[0]), std::abs(all[i][1] - border[1]),

@@ -11,9 +11,19 @@
 
 #include "processing/ray_caster/kernel_job.h"
 #include "ray_caster_scenes.h"
+#include "tests/inputs.h"
 
 namespace echolucent {
 namespace {
+
+/// Those that the kernel was compiled for and this processor has, the widest first. Highway's own function for this is
+/// inline: the linker may take that of a file which was compiled for other targets.
+std::vector<std::int64_t> targetsOfTheKernel() {
+    std::vector<std::int64_t> targets;
+    for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
+        targets.push_back(left & ~(left - 1));
+    return targets;
+}
 
 struct Case {
     std::string name;
@@ -86,9 +96,9 @@ Picture pictureOf(const Case& c, const Volume& volume) {
 template <typename Voxel>
 void expectOnePictureOnEveryTarget() {
     const Volume volume = speckledShell<Voxel>({48, 44, 52}, {1, 1.1, 0.9}, 31);
-    const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+    const std::vector<std::int64_t> targets = targetsOfTheKernel();
     if (targets.size() < 2) GTEST_SKIP() << "compiled for one instruction set only";
-    const std::vector<Case> cases = casesFor(volume, 110, 97);
+    const std::vector<Case> cases = takesSomeInputs ? casesFor(volume, 41, 37) : casesFor(volume, 110, 97);
     std::map<std::string, Picture> expected;
     std::vector<int> lanes;
     // The loop goes from the scalar route, the last, to the widest.
@@ -118,7 +128,7 @@ TEST(RayCasterTargets, WordsLookTheSameOnEveryInstructionSet) { expectOnePicture
 TEST(RayCasterTargets, FloatsLookTheSameOnEveryInstructionSet) { expectOnePictureOnEveryTarget<float>(); }
 
 TEST(RayCasterTargets, TheScalarRouteAgreesWithTheSlowReference) {
-    hwy::SetSupportedTargetsForTest(hwy::SupportedAndGeneratedTargets().back());
+    hwy::SetSupportedTargetsForTest(targetsOfTheKernel().back());
     for (const bool shaded : {false, true}) {
         const Volume volume = sectorOf(speckledShell<std::uint16_t>({24, 22, 26}, {1, 1.1, 0.9}, 32));
         RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 24, -17, 4, 0}, 41, 37);

@@ -14,6 +14,7 @@
 #include "processing/picture/camera_pose.h"
 #include "processing/picture/picture_place.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
+#include "tests/inputs.h"
 
 namespace echolucent {
 namespace {
@@ -212,7 +213,10 @@ TEST(ScalpelCuts, MoreStrokesThanNumbersAreCutToo) {
                            .radius = 0.03});
     ScalpelCuts cuts(volume.geometry());
     (void)cuts.cut(volume, strokes);
-    for (const std::size_t count : {300, 299, 270, 256, 255, 254, 253, 260, 100, 300})
+    const std::vector<std::size_t> counts =
+        takesSomeInputs ? std::vector<std::size_t>{300, 255, 254}
+                        : std::vector<std::size_t>{300, 299, 270, 256, 255, 254, 253, 260, 100, 300};
+    for (const std::size_t count : counts)
         EXPECT_EQ(cuts.cut(volume, std::span(strokes).first(count))->dataMask(),
                   ScalpelCuts(volume.geometry()).cut(volume, std::span(strokes).first(count))->dataMask())
             << count;
