@@ -1,4 +1,4 @@
-# Libraries and test programs of this project. A folder is a room; with CMAKE_UNITY_BUILD (the presets release, asan and tsan) the
+# Libraries and test programs of this project. A folder is a room; with CMAKE_UNITY_BUILD (all presets but dev and alone) the
 # .cpp files of a room are compiled as one file, so that headers are parsed once a room. Names are therefore unique within a
 # room, also those in anonymous namespaces. Files with compile options of their own are compiled by themselves.
 
@@ -83,7 +83,7 @@ endfunction()
 #   unit     starts no process and opens no window
 #   program  starts the command line or the reader
 #   window   opens windows
-#   long     takes long, and repeats over more inputs what an ordinary test reaches; scripts/check --all runs these
+#   long     takes long: studies, figures of large phantoms, many more inputs; scripts/check --all runs these
 
 # Programs that only measure or make pictures: nothing builds those of this folder but the target named.
 function(echolucent_built_by target)

@@ -79,9 +79,8 @@ void forParts(const Part& range, void (*call)(const void* body, const Part& part
 void forTiles(const Tile& range, void (*call)(const void* body, const Tile& tile), const void* body) {
     using Range = tbb::blocked_range2d<std::int64_t>;
     const auto partOf = [](const auto& indices) { return Part(indices.begin(), indices.end()); };
-    onThreads(Range(0, range.rows().end(), 1, 0, range.columns().end(), 1), [&](const Range& tile) {
-        call(body, {partOf(tile.rows()), partOf(tile.cols())});
-    });
+    onThreads(Range(0, range.rows().end(), 1, 0, range.columns().end(), 1),
+              [&](const Range& tile) { call(body, Tile::part(partOf(tile.rows()), partOf(tile.cols()))); });
 }
 
 }  // namespace echolucent::parallel

@@ -7,7 +7,8 @@
 
 namespace echolucent {
 
-/// The indices of [first, last). A parallel loop splits it into parts, and no part of at most `grain` (>= 1) indices.
+/// The indices of [first, last). A parallel loop splits it into parts; a part of at most `grain` (>= 1)
+/// indices is not split.
 template <typename Index>
 class LoopRange {
 public:
@@ -26,9 +27,16 @@ template <typename Index>
 class LoopRectangle {
 public:
     LoopRectangle(Index rows, Index columns) : m_rows(0, rows), m_columns(0, columns) {}
-    LoopRectangle(const LoopRange<Index>& rows, const LoopRange<Index>& columns) : m_rows(rows), m_columns(columns) {}
     [[nodiscard]] const LoopRange<Index>& rows() const { return m_rows; }
     [[nodiscard]] const LoopRange<Index>& columns() const { return m_columns; }
+
+    /// A part of one, as the bodies of loops get it: a loop goes over whole rectangles only.
+    [[nodiscard]] static LoopRectangle part(const LoopRange<Index>& rows, const LoopRange<Index>& columns) {
+        LoopRectangle rectangle(0, 0);
+        rectangle.m_rows = rows;
+        rectangle.m_columns = columns;
+        return rectangle;
+    }
 
 private:
     LoopRange<Index> m_rows, m_columns;
@@ -54,7 +62,7 @@ template <typename Index>
 
 }  // namespace parallel
 
-/// Calls `body` on parts of `range`, each an LoopRange<Index>, that together are the whole.
+/// Calls `body` on parts of `range`, each a LoopRange<Index>, that together are the whole.
 template <typename Index, typename Body>
 void parallelFor(const LoopRange<Index>& range, const Body& body) {
     const auto call = [](const void* of, const parallel::Part& part) {
@@ -65,12 +73,12 @@ void parallelFor(const LoopRange<Index>& range, const Body& body) {
                        call, &body);
 }
 
-/// Calls `body` on tiles of `range`, each an LoopRectangle<Index>, that together are the whole.
+/// Calls `body` on tiles of `range`, each a LoopRectangle<Index>, that together are the whole.
 template <typename Index, typename Body>
 void parallelFor(const LoopRectangle<Index>& range, const Body& body) {
     const auto call = [](const void* of, const parallel::Tile& tile) {
         (*static_cast<const Body*>(of))(
-            LoopRectangle<Index>(parallel::partAs<Index>(tile.rows()), parallel::partAs<Index>(tile.columns())));
+            LoopRectangle<Index>::part(parallel::partAs<Index>(tile.rows()), parallel::partAs<Index>(tile.columns())));
     };
     parallel::forTiles(
         {static_cast<std::int64_t>(range.rows().end()), static_cast<std::int64_t>(range.columns().end())}, call, &body);

@@ -11,6 +11,7 @@ public:
     static constexpr int phaseCount = 5;
 
     void writeStudies() {
+        lookAtNoPicture();
         std::vector<std::shared_ptr<const Volume>> phases;
         for (int i = 0; i < phaseCount; ++i)
             phases.push_back(

@@ -23,6 +23,7 @@ class TestHostileFiles : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAtNoPicture();
         wearTheme(Theme::dark);
         m_good = file("good.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }

@@ -14,9 +14,6 @@
 
 using namespace echolucent;
 
-using Change = std::function<void()>;
-Q_DECLARE_METATYPE(Change)
-
 class TestMainWindowCine : public QObject, private CineFixture {
     Q_OBJECT
 
@@ -52,58 +49,61 @@ private slots:
         QCOMPARE(document().motion.scenario, MotionScenario::object);
     }
 
-    void everyControlIsOneStepThatIsUndoneAndRedone_data() {
-        QTest::addColumn<Change>("change");
-        QTest::addColumn<std::function<void(MotionChoice&)>>("expected");
-        const auto row = [](const char* name, const Change& change,
-                            const std::function<void(MotionChoice&)>& expected) {
-            QTest::newRow(name) << change << expected;
+    void everyControlIsOneStepThatIsUndoneAndRedone() {
+        struct Row {
+            const char* name;
+            std::function<void()> change;
+            std::function<void(MotionChoice&)> expected;
         };
         const auto key = [this](const char* name, Qt::Key pressed) {
-            return Change([this, name, pressed] { QTest::keyClick(child<QWidget>(name), pressed); });
+            return [this, name, pressed] { QTest::keyClick(child<QWidget>(name), pressed); };
         };
-        const auto press = [this](const char* name) { return Change([this, name] { click(name); }); };
-        row("speed", key("motion.speed", Qt::Key_Down), [](MotionChoice& choice) { choice.speed = 2; });
-        row("phases back and forth", press("motion.phasesPingPong"),
-            [](MotionChoice& choice) { choice.phasesPingPong = true; });
-        row("first phase", key("motion.firstPhase", Qt::Key_Up), [](MotionChoice& choice) {
-            choice.phaseRange = PhaseRange{1, phaseCount - 1};
-        });
-        row("last phase", key("motion.lastPhase", Qt::Key_Down), [](MotionChoice& choice) {
-            choice.phaseRange = PhaseRange{0, phaseCount - 2};
-        });
-        row("what moves", key("motion.scenario", Qt::Key_Down),
-            [](MotionChoice& choice) { choice.scenario = MotionScenario::both; });
-        row("phase of the OTF", key("motion.otfPhase", Qt::Key_Up), [](MotionChoice& choice) { choice.otfPhase = 1; });
-        row("each phase's OTF", press("motion.mode.eachView"),
-            [](MotionChoice& choice) { choice.otf = MotionOtf::eachView; });
-        row("mean", press("motion.mode.mean"), [](MotionChoice& choice) { choice.otf = MotionOtf::mean; });
-        row("least squares", press("motion.mode.movingLeastSquares"),
-            [](MotionChoice& choice) { choice.otf = MotionOtf::movingLeastSquares; });
-        row("least flicker", press("motion.mode.leastFlicker"),
-            [](MotionChoice& choice) { choice.otf = MotionOtf::leastFlicker; });
-    }
-    void everyControlIsOneStepThatIsUndoneAndRedone() {
-        QFETCH(Change, change);
-        QFETCH(std::function<void(MotionChoice&)>, expected);
+        const auto press = [this](const char* name) { return [this, name] { click(name); }; };
+        const std::vector<Row> rows{
+            {"speed", key("motion.speed", Qt::Key_Down), [](MotionChoice& choice) { choice.speed = 2; }},
+            {"phases back and forth", press("motion.phasesPingPong"),
+             [](MotionChoice& choice) { choice.phasesPingPong = true; }},
+            {"first phase", key("motion.firstPhase", Qt::Key_Up),
+             [](MotionChoice& choice) {
+                 choice.phaseRange = PhaseRange{1, phaseCount - 1};
+             }},
+            {"last phase", key("motion.lastPhase", Qt::Key_Down),
+             [](MotionChoice& choice) {
+                 choice.phaseRange = PhaseRange{0, phaseCount - 2};
+             }},
+            {"what moves", key("motion.scenario", Qt::Key_Down),
+             [](MotionChoice& choice) { choice.scenario = MotionScenario::both; }},
+            {"phase of the OTF", key("motion.otfPhase", Qt::Key_Up), [](MotionChoice& choice) { choice.otfPhase = 1; }},
+            {"each phase's OTF", press("motion.mode.eachView"),
+             [](MotionChoice& choice) { choice.otf = MotionOtf::eachView; }},
+            {"mean", press("motion.mode.mean"), [](MotionChoice& choice) { choice.otf = MotionOtf::mean; }},
+            {"least squares", press("motion.mode.movingLeastSquares"),
+             [](MotionChoice& choice) { choice.otf = MotionOtf::movingLeastSquares; }},
+            {"least flicker", press("motion.mode.leastFlicker"),
+             [](MotionChoice& choice) { choice.otf = MotionOtf::leastFlicker; }}};
         open(moving());
         const MotionChoice before = document().motion;
-        MotionChoice after = before;
-        expected(after);
         const int steps = window().document().steps().count();
-        change();
-        waitUntilIdle();
-        QVERIFY(document().motion == after);
-        QCOMPARE(window().document().steps().count(), steps + 1);
-        QTest::keyClick(&window().volumeView(), Qt::Key_Z, Qt::ControlModifier);
-        waitUntilIdle();
-        QVERIFY(document().motion == before);
-        QVERIFY(child<MotionPanel>("motion")->choice() == before);
-        QVERIFY(window().motionPlayer().choice() == before);
-        QTest::keyClick(&window().volumeView(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        waitUntilIdle();
-        QVERIFY(child<MotionPanel>("motion")->choice() == after);
-        QVERIFY(window().motionPlayer().choice() == after);
+        const auto undo = [this](Qt::KeyboardModifiers more = {}) {
+            QTest::keyClick(&window().volumeView(), Qt::Key_Z, Qt::ControlModifier | more);
+            waitUntilIdle();
+        };
+        for (const auto& [name, change, expected] : rows) {
+            MotionChoice after = before;
+            expected(after);
+            change();
+            waitUntilIdle();
+            QVERIFY2(document().motion == after, name);
+            QVERIFY2(window().document().steps().count() == steps + 1, name);
+            undo();
+            QVERIFY2(document().motion == before, name);
+            QVERIFY2(child<MotionPanel>("motion")->choice() == before, name);
+            QVERIFY2(window().motionPlayer().choice() == before, name);
+            undo(Qt::ShiftModifier);
+            QVERIFY2(child<MotionPanel>("motion")->choice() == after, name);
+            QVERIFY2(window().motionPlayer().choice() == after, name);
+            undo();
+        }
     }
 
     void allPhasesPlayAgainByOneClick() {

@@ -24,6 +24,7 @@ class TestMainWindowFiles : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAtNoPicture();
         QVERIFY(m_out.isValid());
         wearTheme(Theme::dark);
         m_file = file("visit.7.mha", {smallPhantom(PhantomScene::shapes, 5)});

@@ -20,6 +20,7 @@ class TestMainWindowHistory : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAtNoPicture();
         QLocale::setDefault(QLocale::c());
         m_file = file("heart.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }

@@ -29,7 +29,10 @@ class TestMainWindowKeys : public QObject, private WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)}); }
+    void initTestCase() {
+        lookAtNoPicture();
+        m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
     void init() {
         show();
         window().resize(1280, 720);

@@ -37,6 +37,7 @@ class TestMainWindowLayout : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAtNoPicture();
         wearTheme(Theme::dark);
         const auto still = smallPhantom(PhantomScene::shapes, 5);
         m_file = file("still.mha", {still});

@@ -23,6 +23,7 @@ class TestPresets : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAtNoPicture();
         QVERIFY(m_out.isValid());
         wearTheme(Theme::dark);
         m_file = file("visit.mha", {smallPhantom(PhantomScene::shapes, 5)});

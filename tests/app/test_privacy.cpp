@@ -103,6 +103,7 @@ class TestPrivacy : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAtNoPicture();
         // Settings, data and caches of this program and of Qt's dialogs go where they are searched.
         for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME"})
             qputenv(variable, m_home.path().toUtf8());

@@ -80,7 +80,13 @@ public:
         QVERIFY(computed.wait(20000));
         waitUntilIdle();
     }
-    void waitUntilIdle() { QTRY_VERIFY_WITH_TIMEOUT(window().idle() && window().volumeView().pictureIsFine(), 30000); }
+    void waitUntilIdle() {
+        QTRY_VERIFY_WITH_TIMEOUT(window().idle() && (!m_waitsForFinePictures || window().volumeView().pictureIsFine()),
+                                 30000);
+        if (m_looksAtNoPicture) m_waitsForFinePictures = false;
+    }
+    /// From now on only the next waitUntilIdle() waits until the picture is fine: for a class that looks at none.
+    void lookAtNoPicture() { m_looksAtNoPicture = true; }
     [[nodiscard]] MainWindow& window() { return *m_window; }
     [[nodiscard]] const QTemporaryDir& temporaryFolder() const { return m_folder; }
     [[nodiscard]] QString settingsFile() const { return m_folder.filePath("settings.ini"); }
@@ -97,6 +103,7 @@ public:
 private:
     QTemporaryDir m_folder;
     std::unique_ptr<MainWindow> m_window;
+    bool m_waitsForFinePictures = true, m_looksAtNoPicture = false;
 };
 
 }  // namespace echolucent

@@ -44,7 +44,7 @@ void putText(DcmItem& item, const DcmTagKey& tag, const std::string& text) {
     if (!text.empty()) put(item, tag, text);
 }
 
-/// DCMTK's encoders, as long as there is one.
+/// DCMTK's encoders, from the first file that needs them to the end of the program.
 struct Encoders {
     Encoders() {
         DcmRLEEncoderRegistration::registerCodecs();

@@ -125,7 +125,12 @@ int main(int count, char** arguments) {
         return classes == 1 ? runOne(first, count, arguments) : runNamed(arguments[0], words);
     }
     if (Choice choice; isChoice(words, choice)) return runEach(arguments[0], choice);
-    std::printf("%s [--long] [--part N/M] | CLASS [FUNCTION[:ROW]...] [CLASS ...]\nThe classes are:\n", arguments[0]);
+    if (words[0] == "--long") {
+        qputenv(longRun, "1");
+        return runNamed(arguments[0], words.mid(1));
+    }
+    std::printf("%s [--long] [--part N/M] | [--long] CLASS [FUNCTION[:ROW]...] [CLASS ...]\nThe classes are:\n",
+                arguments[0]);
     for (const auto& [name, testClass] : testClasses())
         std::printf("  %s%s\n", name.c_str(), testClass.longFunctions.isEmpty() ? "" : " (with long functions)");
     return 2;

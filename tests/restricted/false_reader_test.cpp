@@ -151,7 +151,7 @@ void FalseReader::expectSenseOfCoarse(unsigned messages) {
         ++(told ? shown : refused);
     }
     EXPECT_GT(refused, messages / 3);
-    EXPECT_GE(shown, messages / 30) << "where none was shown, nothing was checked";
+    EXPECT_GT(shown, messages / 30) << "where none was shown, nothing was checked";
 }
 
 TEST_F(FalseReader, CannotHandOverACoarseVolumeThatMakesNoSense) { expectSenseOfCoarse(someMessages); }
@@ -258,7 +258,7 @@ void FalseReader::expectSenseOfStudies(unsigned messages) {
         for (const double mm : volume.geometry().spacing.val) EXPECT_TRUE(mm >= 1e-4 && mm <= 1e4) << seed;
     }
     EXPECT_GT(refused, messages / 3);
-    EXPECT_GE(opened, messages / 30) << "where nothing opened, nothing was checked";
+    EXPECT_GT(opened, messages / 30) << "where nothing opened, nothing was checked";
 }
 
 TEST_F(FalseReader, CannotHandOverAStudyThatMakesNoSense) { expectSenseOfStudies(someMessages); }

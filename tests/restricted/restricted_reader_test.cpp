@@ -92,9 +92,8 @@ TEST_P(SharedFolders, AreReadAlikeHereAndInTheReaderProcess) {
 INSTANTIATE_TEST_SUITE_P(All, SharedFolders, testing::Values("volumes", "dicom", "bad"),
                          [](const auto& folder) { return std::string(folder.param); });
 
-/// All rows run through the command line, which reads by the reader process (test_hostile_cli). Here every tenth is
-/// compared word by word; a link out of the folder is read by this process only.
-/// What a reader process says of every step-th hostile file is what reading here says.
+/// What a reader process says of every step-th hostile file is, word by word, what reading here says. (A link out of
+/// the folder is read by this process only. test_hostile_cli runs all rows through the command line.)
 void expectSameOfHostileFiles(std::size_t step) {
     const std::vector<HostileFile> rows = hostileFiles();
     for (std::size_t index = 0; index < rows.size(); index += step) {

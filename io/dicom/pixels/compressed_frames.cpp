@@ -26,7 +26,7 @@ namespace {
 /// each.
 constexpr std::int64_t mostFrameSamples = std::int64_t{1} << 25;
 
-/// DCMTK's JPEG-LS decoder, as long as there is one.
+/// DCMTK's JPEG-LS decoder, from the first frame that needs it to the end of the program, when nobody decodes.
 struct JpegLsDecoder {
     JpegLsDecoder() { DJLSDecoderRegistration::registerCodecs(EJLSUC_default, EJLSPC_colorByPixel); }
     ~JpegLsDecoder() { DJLSDecoderRegistration::cleanup(); }

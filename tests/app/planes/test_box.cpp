@@ -26,6 +26,7 @@ class TestBox : public QObject, private RoomFixture {
 
 private slots:
     void initTestCase() {
+        lookAtNoPicture();
         QLocale::setDefault(QLocale::c());
         m_file = file("shapes.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }

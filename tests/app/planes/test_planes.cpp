@@ -20,6 +20,7 @@ class TestPlanes : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAtNoPicture();
         QLocale::setDefault(QLocale::c());
         m_corners = file("corners.mha", {markedCorners()});
     }

@@ -82,6 +82,7 @@ class TestSeriesChoice : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAtNoPicture();
         write("a.dcm", {32, 28, 24});
         write("b.dcm", {32, 28, 20});
     }

@@ -12,8 +12,6 @@
 
 using namespace echolucent;
 
-namespace {}  // namespace
-
 class TestOtfEditorCanvas : public QObject {
     Q_OBJECT
 
