@@ -45,14 +45,14 @@ private slots:
         openHeld("held.mha");
         measure();
         QSignalSpy saved(&keeping(), &SessionKeeping::saved);
-        for (const QString& name : {"one.session.json", "two.session.json", "one.session.json"})
+        for (const QString name : {"one.session.json", "two.session.json", "one.session.json"})
             keeping().saveAs(inFolder(name));
         release();
         QTRY_COMPARE(saved.count(), 2);
         waitUntilIdle();
         QCOMPARE(saved.count(), 2);
         QCOMPARE(keeping().file(), inFolder("one.session.json"));
-        for (const QString& name : {"one.session.json", "two.session.json"})
+        for (const QString name : {"one.session.json", "two.session.json"})
             QVERIFY(nameless(readSession(inFolder(name).toStdString()).value().document) == nameless(document()));
     }
 
@@ -103,7 +103,9 @@ private slots:
     void aSessionThatIsOpenedFirstLeavesNothingBehind() {
         const QString session = savedSession();
         close();
-        Settings(settingsFile()).setLook(Look{.brightness = 1.7});
+        Look brighter;
+        brighter.brightness = 1.7;
+        Settings(settingsFile()).setLook(brighter);
         showAgain();
         QVERIFY(lookOf(document(), 1) != Look{});  // else the test would show nothing
         open(session);
@@ -163,8 +165,10 @@ private slots:
     }
 
     void theRecentFilesShowThePictureOfASessionOnceItIsSaved() {
-        savedSession();
         const QString pictures = temporaryFolder().filePath("settings-data/recent");
+        // A study whose picture is fine leaves a small one.
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(pictures).entryList({"*.png"}, QDir::Files).isEmpty(), patience);
+        savedSession();
         QTRY_COMPARE(QDir(pictures).entryList({"*.png"}, QDir::Files).size(), 2);  // the volume's and the session's
     }
 

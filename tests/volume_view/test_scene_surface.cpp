@@ -27,14 +27,14 @@ namespace {
 RayCastMapper* mapperOf(VolumeScene& scene) { return RayCastMapper::SafeDownCast(scene.volumeProp()->GetMapper()); }
 
 /// A picture with a tilted surface in its left half: depth by column, none in the right half.
-ScreenPicture tiltedSurface(int size, double nearest, double mmPerColumn) {
-    ScreenPicture picture = plainPicture(size, size, {200, 0, 0, 255});
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            picture.depthMm.push_back(x < size / 2 ? static_cast<float>(nearest + mmPerColumn * x)
+ScreenPicture tiltedSurface(int edge, double nearest, double mmPerColumn) {
+    ScreenPicture picture = plainPicture(edge, edge, {200, 0, 0, 255});
+    for (int y = 0; y < edge; ++y) {
+        for (int x = 0; x < edge; ++x) {
+            picture.depthMm.push_back(x < edge / 2 ? static_cast<float>(nearest + mmPerColumn * x)
                                                    : std::numeric_limits<float>::infinity());
-            if (x >= size / 2)
-                std::fill_n(&picture.rgba[4 * static_cast<std::size_t>(y * size + x)], 4, std::uint8_t{0});
+            if (x >= edge / 2)
+                std::fill_n(&picture.rgba[4 * static_cast<std::size_t>(y * edge + x)], 4, std::uint8_t{0});
         }
     }
     return picture;
