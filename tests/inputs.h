@@ -1,9 +1,9 @@
-// How many inputs a test takes where it takes many.
+// Whether a test takes all of its inputs.
 #pragma once
 
 namespace echolucent {
 
-/// A sanitizer makes a test ten times as long: under one, tests of many inputs take some of them.
+/// A sanitizer makes tests ten times as long. If there is one, long lists of inputs are shortened.
 #ifdef ECHOLUCENT_SANITIZED
 inline constexpr bool takesSomeInputs = true;
 #else

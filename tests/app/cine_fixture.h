@@ -10,8 +10,9 @@ class CineFixture : public WindowFixture {
 public:
     static constexpr int phaseCount = 5;
 
+    CineFixture() { lookAtNoPicture(); }
+
     void writeStudies() {
-        lookAtNoPicture();
         std::vector<std::shared_ptr<const Volume>> phases;
         for (int i = 0; i < phaseCount; ++i)
             phases.push_back(

@@ -110,7 +110,7 @@ private slots:
     }
 
 private:
-    /// The front of one of the six sides, chosen by its key, shows its four corners where they are.
+    /// Ctrl with 1 to 6 chooses a front. Its four corners are seen where they are.
     void verifyTheFrontsCorners(int number) {
         QTest::keyClick(&window(), static_cast<Qt::Key>(Qt::Key_0 + number), Qt::ControlModifier);
         waitUntilIdle();

@@ -10,7 +10,6 @@
 #include "app/measuring/measures/detection_quality.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
-#include "tests/inputs.h"
 
 namespace echolucent {
 namespace {
@@ -94,8 +93,6 @@ SharesOfReadings measureSeeds(std::vector<NamedPhantom> (*conditions)(const Phan
 }
 
 TEST(Detection, OfSmallVolumesIsRightInOrdinaryAndHardConditions) {
-    if (takesSomeInputs)
-        GTEST_SKIP() << "a sanitizer takes minutes for it, and sees nothing here that others do not show";
     PhantomConfig base = defaultPhantom(PhantomScene::shapes);
     base.size = {128, 128, 128};
     const Viewpoint oblique{.azimuthDegrees = 20, .elevationDegrees = -12};
