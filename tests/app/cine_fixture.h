@@ -24,7 +24,6 @@ public:
     }
     void showWindow() {
         show();
-        window().resize(1280, 720);
         useLook(Look{});
     }
     /// Phases of which nobody knows how long each lasts.

@@ -185,6 +185,7 @@ private slots:
     }
 
     void nothingOfTheBarIsClippedAndNothingMovesWhenItPlays() {
+        window().resize(1280, 720);
         open(timed());
         auto* panel = child<MotionPanel>("motion");
         auto* scenario = child<QComboBox>("motion.scenario");

@@ -35,7 +35,6 @@ private slots:
     }
     void init() {
         show();
-        window().resize(1280, 720);
         open(m_file);
     }
     void cleanup() { close(); }

@@ -31,7 +31,6 @@ private slots:
     void init() {
         QFile::remove(presetsFile());
         show();
-        window().resize(1280, 720);
         useLook(Look{});
         open(m_file);
         click("presets.open");

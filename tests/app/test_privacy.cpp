@@ -141,7 +141,7 @@ private slots:
         QVERIFY2(files >= 10, qPrintable(QString::number(files)));
         QVERIFY(QFileInfo(path("errors.txt")).size() > 0);
         QVERIFY(QFile::exists(path("settings.ini")));
-        QVERIFY(!QDir(path("settings-data/recent")).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(path("settings-data/recent")).isEmpty(), patience);
         // A start with what was written leads to the same.
         showWithSettings(path("settings.ini"));
         QVERIFY(foundIn(allWords().join('\n').toUtf8(), m_markers, "window").isEmpty());
@@ -215,7 +215,8 @@ private slots:
         QTest::keyClick(child<QDialog>("series"), Qt::Key_Return);
         QVERIFY(computed.wait(20000));
         waitUntilIdle();
-        QVERIFY(QFile::exists(path("settings-data/recent/") + Settings::hashOf(folder) + ".png"));
+        const QString recent = path("settings-data/recent/") + Settings::hashOf(folder) + ".png";
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(recent), patience);  // once its picture is fine
         window().sessionKeeping().autosave().setInterval(1);
         keepSomething();
         QCOMPARE(foundAtHome().join('\n'), QString());

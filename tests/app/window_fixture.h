@@ -57,7 +57,7 @@ public:
     void showAgain() { showWithSettings(settingsFile()); }
     void showWithSettings(const QString& settings) {
         m_window = std::make_unique<MainWindow>(settings);
-        m_window->resize(1000, 700);
+        m_window->resize(m_looksAtNoPicture ? QSize(800, 560) : QSize(1000, 700));
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         // A virtual display has no window manager that would make the window the active one.
@@ -85,7 +85,8 @@ public:
                                  30000);
         if (m_looksAtNoPicture) m_waitsForFinePictures = false;
     }
-    /// From now on only the next waitUntilIdle() waits until the picture is fine: for a class that looks at none.
+    /// For a class that looks at no picture: its windows have a small one, and from now on only the next
+    /// waitUntilIdle() waits until it is fine.
     void lookAtNoPicture() { m_looksAtNoPicture = true; }
     [[nodiscard]] MainWindow& window() { return *m_window; }
     [[nodiscard]] const QTemporaryDir& temporaryFolder() const { return m_folder; }

@@ -317,8 +317,8 @@ private slots:
     void anImpossiblePhaseIsABrokenContract() {
         OpenStudy openStudy;
         open(openStudy, m_dark);
-        QVERIFY_EXCEPTION_THROWN(openStudy.setPhase(2), std::out_of_range);
-        QVERIFY_EXCEPTION_THROWN(openStudy.setPhase(-1), std::out_of_range);
+        QVERIFY_THROWS_EXCEPTION(std::out_of_range, openStudy.setPhase(2));
+        QVERIFY_THROWS_EXCEPTION(std::out_of_range, openStudy.setPhase(-1));
     }
 
 private:
