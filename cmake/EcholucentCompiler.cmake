@@ -22,10 +22,11 @@ if(CCACHE AND NOT CMAKE_UNITY_BUILD)
     set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
 
-# Of the linkers that come with the compiler, gold takes a quarter of the time for some thirty programs with VTK.
+# Of the linkers that come with the compiler, gold takes a quarter of the time for some thirty programs with VTK. It warns of
+# each symbol of clang's sanitizers.
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold ECHOLUCENT_HAS_GOLD)
-if(ECHOLUCENT_HAS_GOLD AND NOT ECHOLUCENT_FUZZ)  # gold warns of each symbol of clang's sanitizers
+if(ECHOLUCENT_HAS_GOLD AND NOT (ECHOLUCENT_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang"))
     add_link_options(-fuse-ld=gold)
 endif()
 
@@ -41,10 +42,17 @@ if(CMAKE_UNITY_BUILD)
     target_compile_options(echolucent_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
 if(ECHOLUCENT_SANITIZE)
-    add_compile_definitions(ECHOLUCENT_SANITIZED)
+    # The oldest instruction set and AVX2 stand for the others, whose kernels come from the same lines and would compile for
+    # minutes; the release build tests all that the machine has.
+    add_compile_definitions(ECHOLUCENT_SANITIZED
+        "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_SSSE3|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
+    # g++ says itself which sanitizer there is.
+    foreach(sanitizer IN ITEMS address thread)
+        string(TOUPPER __SANITIZE_${sanitizer}__ macro)
+        if(ECHOLUCENT_SANITIZE MATCHES ${sanitizer} AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+            add_compile_definitions(${macro})
+        endif()
+    endforeach()
     add_compile_options(-fsanitize=${ECHOLUCENT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${ECHOLUCENT_SANITIZE})
-    # Between the sanitizers' own branches g++ 12 takes an empty std::optional for a value that nobody set. The release build,
-    # which has no such branches, keeps this warning.
-    target_compile_options(echolucent_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()

@@ -4,6 +4,7 @@
 #include <tbb/blocked_range2d.h>
 
 #ifdef __SANITIZE_THREAD__
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -49,7 +50,9 @@ void onThreads(const Range& range, const Call& call) {
             if (!thrown) thrown = std::current_exception();
         }
     };
-    const int atOnce = tbb::this_task_arena::max_concurrency();
+    const int atOnce =
+        std::min(tbb::this_task_arena::max_concurrency(),
+                 static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)));
     std::vector<std::jthread> threads;
     for (int i = 1; i < std::min(atOnce, static_cast<int>(parts.size())); ++i) threads.emplace_back(work);
     work();

@@ -17,7 +17,7 @@ constexpr std::array endingSignals{SIGINT, SIGTERM, SIGHUP};
 /// Whoever holds it may read and change `unfinished`. Its owner holds signals back, so that one that waits for it waits
 /// for another thread.
 std::atomic_flag stepUnderWay = ATOMIC_FLAG_INIT;
-pid_t owner = 0;
+pid_t owningProcess = 0;
 
 /// Never destroyed: a signal may come while the process ends.
 std::set<std::string>& unfinished() {
@@ -33,7 +33,7 @@ void beginStep() {
 /// It calls nothing but what may be called while a signal is handled. No step begins after it.
 void endBySignal(int signal) {
     // A child that was forked has its parent's handler, and a copy of its names.
-    if (getpid() == owner) {
+    if (getpid() == owningProcess) {
         beginStep();
         for (const std::string& name : unfinished()) unlink(name.c_str());
     }
@@ -50,7 +50,7 @@ void endBySignal(int signal) {
 }  // namespace
 
 void removeUnfinishedOnSignals() {
-    owner = getpid();
+    owningProcess = getpid();
     (void)unfinished();
     for (const int signal : endingSignals) {
         struct sigaction before {};

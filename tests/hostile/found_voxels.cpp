@@ -81,7 +81,10 @@ std::string fromDecimal(const std::string& file) {
     std::replace(text.begin(), text.end(), ',', ' ');
     std::istringstream stream(text);
     std::string bytes, word;
-    while (stream >> word) bytes.push_back(static_cast<char>(std::atof(word.c_str())));
+    while (stream >> word) {
+        const double value = std::atof(word.c_str());
+        bytes.push_back(std::abs(value) < 1e9 ? static_cast<char>(static_cast<int>(value)) : '\0');
+    }
     return bytes;
 }
 

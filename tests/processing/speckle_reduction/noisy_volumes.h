@@ -1,9 +1,11 @@
 // Small volumes for the tests of speckle reduction.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -12,7 +14,7 @@
 
 namespace echolucent {
 
-/// Voxels whose values follow from their place, times 1 + noise * (a uniform number in [-1,1]).
+/// Voxels whose values, 0 or more, follow from their place, times 1 + noise * (a uniform number in [-1,1]).
 template <typename Voxel>
 Volume noisyVolume(const VolumeGeometry& geometry, double noise,
                    const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& valueAt,
@@ -23,7 +25,8 @@ Volume noisyVolume(const VolumeGeometry& geometry, double noise,
         for (std::int64_t y = 0; y < geometry.size[1]; ++y)
             for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
                 const double uniform = static_cast<double>(random()) / 2147483648.0 - 1.0;
-                voxels.push_back(static_cast<Voxel>(valueAt(x, y, z) * (1.0 + noise * uniform)));
+                const double value = valueAt(x, y, z) * (1.0 + noise * uniform);
+                voxels.push_back(static_cast<Voxel>(std::min<double>(value, std::numeric_limits<Voxel>::max())));
             }
     return Volume(geometry, std::move(voxels), white);
 }
