@@ -2,8 +2,8 @@
 # .cpp files of a room are compiled as one file, so that headers are parsed once a room. Names are therefore unique within a
 # room, also those in anonymous namespaces. Files with compile options of their own are compiled by themselves.
 
-# Headers of others that most files of a target read are parsed once, if files are compiled one by one. Each file still includes what it uses: scripts/check
-# compiles each alone.
+# Headers of others that most files of a target read are parsed once, if files are compiled one by one. Each file still includes
+# what it uses: scripts/check compiles each alone.
 function(echolucent_precompile name)
     if(ARGN AND NOT CMAKE_UNITY_BUILD)
         target_precompile_headers(${name} PRIVATE ${ARGN})
@@ -182,8 +182,8 @@ function(echolucent_qt_test name)
     endif()
 endfunction()
 
-# What is tested is optimised as people run it; the tests' own code need not be, least of all between a sanitizer's branches, where
-# g++ takes twice as long at -O1.
+# What is tested is optimised as people run it; the tests' own code need not be, least of all between a sanitizer's branches,
+# where the compiler takes twice as long at -O1.
 function(echolucent_test_flags name)
     target_compile_definitions(${name} PRIVATE ECHOLUCENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-O0>)
