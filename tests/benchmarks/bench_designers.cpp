@@ -41,7 +41,8 @@ struct Opened {
 Opened opened(std::shared_ptr<const Volume> volume, const Plan& plan) {
     Look look = lookAtStart();
     if (plan.flat) look.lighting = Lighting::flat;
-    const Document document = withFinds({}, *findOnOpening(*volume, {}));
+    const Document plain;
+    const Document document = withFinds(plain, *findOnOpening(*volume, {}));
     Opened made{.raw = std::move(volume), .quiet = {}, .reduction = look.reduction, .view = {}, .settings = {}};
     made.view = {.beamAxis = document.beam.axis, .nearCutMm = cutOf(document, document.views.front().id).nearCutMm};
     made.quiet = std::make_shared<const Volume>(*quietVolume(*made.raw, look.reduction));

@@ -36,7 +36,8 @@ struct Opened {
 
 Opened opened(const Volume& volume) {
     const Look look = lookAtStart();
-    const Document document = withFinds({}, *findOnOpening(volume, {}));
+    const Document plain;
+    const Document document = withFinds(plain, *findOnOpening(volume, {}));
     Viewpoint view{.beamAxis = document.beam.axis, .nearCutMm = cutOf(document, document.views.front().id).nearCutMm};
     Opened made;
     made.quiet = std::make_shared<const Volume>(*quietVolume(volume, look.reduction));
