@@ -110,7 +110,7 @@ private slots:
     }
 
 private:
-    /// Ctrl with 1 to 6 chooses a front. Its four corners are seen where they are.
+    /// Chooses a front by its key. Fails if the picture shows one of its four corners elsewhere.
     void verifyTheFrontsCorners(int number) {
         QTest::keyClick(&window(), static_cast<Qt::Key>(Qt::Key_0 + number), Qt::ControlModifier);
         waitUntilIdle();

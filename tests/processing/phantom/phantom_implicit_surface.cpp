@@ -101,8 +101,7 @@ TEST(ImplicitBody, CullingKeepsEveryDistanceNearTheSurface) {
     std::array<int, 3> seen{};
     std::vector<int> active;
     constexpr double radius = 0.7, band = 0.3;
-    // At other places a distance may be off by 0.005: where seams overlap, a primitive reaches further than its own
-    // seam.
+    // At another place a distance was off by 0.0044: where seams overlap, a primitive reaches further than its own.
     for (int i = 0; i < 20000; ++i) {
         const double z = within(random), y = within(random), x = within(random);
         const Vec3 centre(x, y, z);
