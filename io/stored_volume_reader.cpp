@@ -153,7 +153,7 @@ void offerCoarse(const StoredVolume& stored, StoredBytes& source, const std::opt
 
 }  // namespace
 
-Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, const Progress& progress) {
+Result<Study> readStoredVolume(const StoredVolume& stored, const ReadOptions& options, const Progress& progress) {
     const auto counts = countBytes(stored);
     if (!counts) return tl::unexpected(counts.error());
     StoredBytes source(stored, *counts);

@@ -8,6 +8,7 @@ namespace echolucent {
 
 /// Reads the voxels that `stored` describes. The declared size is compared with what the file can hold before memory is
 /// taken. Fails (unreadable) where the file holds fewer voxels or is damaged. `progress` is polled for cancel.
-[[nodiscard]] Result<Study> readStoredVolume(StoredVolume stored, const ReadOptions& options, const Progress& progress);
+[[nodiscard]] Result<Study> readStoredVolume(const StoredVolume& stored, const ReadOptions& options,
+                                             const Progress& progress);
 
 }  // namespace echolucent

@@ -113,7 +113,7 @@ Result<Study> readStored(Result<StoredVolume> stored, const Packing& packing, co
     if (!stored) return tl::unexpected(stored.error());
     stored->packedBytes += packing.packedBytes;
     stored->unpackedBytes += packing.unpackedBytes;
-    return readStoredVolume(std::move(*stored), options, progress);
+    return readStoredVolume(*stored, options, progress);
 }
 
 Result<Study> readUnknown(const InputFile& file, std::string_view beginning, const Packing& packing,

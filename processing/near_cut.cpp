@@ -105,8 +105,9 @@ void addSurface(const Seen& seen, int flatSample, NearCutFinding& finding) {
     finding.surface = fitCurvedCut(tubes, behindWalls(seen), flatSample);
     if (!finding.surface) return;
     const auto depthOf = [&](int tube) {
-        const Vec3 place = tubes.frame.right * (tubes.firstRightMm + tube % tubes.columns * tubes.stepMm) +
-                           tubes.frame.down * (tubes.firstDownMm + tube / tubes.columns * tubes.stepMm);
+        const int column = tube % tubes.columns, row = tube / tubes.columns;
+        const Vec3 place = tubes.frame.right * (tubes.firstRightMm + column * tubes.stepMm) +
+                           tubes.frame.down * (tubes.firstDownMm + row * tubes.stepMm);
         return (finding.surface->depthAt(place) - tubes.firstDepthMm) / tubes.stepMm;
     };
     finding.tubesInFluidBehindSurface = tubesInFluid(seen.levels, tubes.tubes(), depthOf);

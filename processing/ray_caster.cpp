@@ -62,7 +62,7 @@ DepthTint depthTint(const DepthColouring& colouring, const VolumeGeometry& geome
 
 class RayCaster::Parts {
 public:
-    explicit Parts(std::shared_ptr<const Volume> given) : Parts(given, filledVoxels(*given)) {}
+    explicit Parts(const std::shared_ptr<const Volume>& given) : Parts(given, filledVoxels(*given)) {}
     /// RayCaster::sharing().
     Parts(const Parts& other)
         : volume(other.volume),

@@ -74,6 +74,7 @@ Result<void> set(DesignerConfig& config, const std::string& name, const std::str
 
 std::string listedDesigners() {
     std::vector<std::string_view> names;
+    names.reserve(allDesigners.size());
     for (const Designer designer : allDesigners) names.push_back(echolucent::nameOf(designer));
     return listed(names);
 }

@@ -78,6 +78,7 @@ Result<std::string> fileTable(const std::string& folder, const Progress& progres
                     "Check the name and the permissions.");
     std::sort(files.begin(), files.end());
     std::vector<std::string> inputs;
+    inputs.reserve(files.size());
     for (const std::filesystem::path& file : files) inputs.push_back(file.string());
     if (auto kept = refuseToOverwrite(inputs, {output}); !kept) return tl::unexpected(kept.error());
     std::string table = "| file | | what was read, or why not |\n|---|---|---|\n";

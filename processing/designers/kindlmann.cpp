@@ -171,6 +171,7 @@ std::vector<DesignFact> kindlmannFacts(const Findings& findings) {
 
 std::vector<DesignPlot> kindlmannPlots(const Findings& findings) {
     std::vector<double> intensities;
+    intensities.reserve(HistogramVolume::intensityNodes);
     for (int i = 0; i < HistogramVolume::intensityNodes; ++i)
         intensities.push_back(static_cast<double>(i) / (HistogramVolume::intensityNodes - 1));
     std::vector<DesignPlot> plots{

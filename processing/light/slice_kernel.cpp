@@ -55,6 +55,7 @@ void sweepSliceHere(const SliceJob& job) {
         for (std::size_t x = 0; x < columns + spareFloats; ++x) job.sums[x] = 0.0f;
         for (const SweptDirection& direction : job.directions) sweepRow(job, direction, job.extinctions + offset, row);
         for (std::size_t x = 0; x < columns; ++x)
+            // NOLINTNEXTLINE(bugprone-incorrect-roundings): no sum is below 0.
             job.reaching[offset + x] = static_cast<std::uint16_t>(static_cast<int>(job.sums[x] * job.scale + 0.5f));
     }
 }

@@ -165,8 +165,8 @@ public:
 
 private:
     [[nodiscard]] Target targetOf(const FluidStretch& stretch) const {
-        return {stretch.tube % m_tubes.columns / m_nodes.samplesApart,
-                stretch.tube / m_tubes.columns / m_nodes.samplesApart,
+        const int column = stretch.tube % m_tubes.columns, row = stretch.tube / m_tubes.columns;
+        return {column / m_nodes.samplesApart, row / m_nodes.samplesApart,
                 stretch.begin - 0.5 + std::min(farEnoughInside, stretch.length() / 2.0),
                 std::min(1.0, stretch.length() / 10.0) * stretch.contrast};
     }

@@ -40,10 +40,10 @@ TubeEcho readTubeEcho(const SmoothEcho& coarse, const VolumeGeometry& geometry, 
     const auto samples = static_cast<std::size_t>(tubes.samples);
     tubes.echo.resize(tubes.tubes() * samples);
     parallelFor(std::size_t{0}, tubes.tubes(), [&](std::size_t tube) {
-        const auto column = static_cast<double>(tube % static_cast<std::size_t>(tubes.columns));
-        const auto row = static_cast<double>(tube / static_cast<std::size_t>(tubes.columns));
-        const Vec3 across = tubes.frame.right * (right.first + column * tubes.stepMm) +
-                            tubes.frame.down * (down.first + row * tubes.stepMm);
+        const auto columns = static_cast<std::size_t>(tubes.columns);
+        const std::size_t column = tube % columns, row = tube / columns;
+        const Vec3 across = tubes.frame.right * (right.first + static_cast<double>(column) * tubes.stepMm) +
+                            tubes.frame.down * (down.first + static_cast<double>(row) * tubes.stepMm);
         for (std::size_t sample = 0; sample < samples; ++sample) {
             const double depth = tubes.depthMm(static_cast<double>(sample));
             tubes.echo[tube * samples + sample] = coarse.at(across + tubes.frame.forward * depth).value_or(-1.0F);

@@ -20,6 +20,7 @@ std::optional<GradientLevels> gradientLevels(const Volume& filled, double larges
         for (std::int64_t y = 0; y < geometry.size[1] && !progress.cancelled(); ++y) {
             gradients.row(y, z, row);
             std::ranges::transform(row, levels.bytes.begin() + geometry.offset(0, y, z), [&](float magnitude) {
+                // NOLINTNEXTLINE(bugprone-incorrect-roundings): no gradient is below 0.
                 return static_cast<std::uint8_t>(std::min(magnitude * toByte, 255.0f) + 0.5f);
             });
         }

@@ -107,11 +107,11 @@ Volume Volume::withDataMask(SharedMask mask, const DataBox& box) const {
     return marked;
 }
 
-Volume Volume::withCut(SharedMask mask) const {
+Volume Volume::withCut(const SharedMask& mask) const {
     if (mask && mask->size() != static_cast<std::size_t>(m_geometry.voxelCount()))
         throw std::invalid_argument("Volume: the mask of the cut does not match the size");
     Volume left = *this;
-    left.m_dataMask = mask ? std::move(mask) : m_scannedMask;
+    left.m_dataMask = mask ? mask : m_scannedMask;
     return left;
 }
 

@@ -133,7 +133,7 @@ public:
     /// A volume that shares these voxels, of which a scalpel left as data what the mask marks: one byte a voxel, and
     /// none marked that scannedMask() does not mark. Null takes the cut back. The scan's own mask and the data box
     /// stay, so that the picture keeps still.
-    [[nodiscard]] Volume withCut(SharedMask mask) const;
+    [[nodiscard]] Volume withCut(const SharedMask& mask) const;
     /// The mask of the cut for another volume of the same grid and scan; null where nothing was cut.
     [[nodiscard]] SharedMask cut() const { return isCut() ? m_dataMask : nullptr; }
     /// The same volume with another data box: the phases of a study share one, so that a picture keeps still.

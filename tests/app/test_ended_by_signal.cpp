@@ -3,6 +3,8 @@
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 
@@ -69,9 +71,8 @@ class TestEndedBySignal : public QObject, private MovieFixture {
         static const QRegularExpression caught("SigCgt:\\s*([0-9a-f]+)");
         const qulonglong mask =
             caught.match(QString::fromLatin1(status.readAll())).captured(1).toULongLong(nullptr, 16);
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-            if ((mask >> (signal - 1) & 1U) == 0) return false;
-        return true;
+        const std::array ending{SIGINT, SIGTERM, SIGHUP};
+        return std::ranges::all_of(ending, [mask](int signal) { return (mask >> (signal - 1) & 1U) != 0; });
     }
 
 private slots:

@@ -153,10 +153,11 @@ void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& pictur
             m_passed = 0;
         }
         if (!newest) return;
-        if (picture->quality > highQuality && ++m_passed > passedFrames)
+        if (picture->quality > highQuality && ++m_passed > passedFrames) {
             start(highQuality, NewestWinsThread::WhenSuperseded::finish);
-        else if (!picture->converged())
+        } else if (!picture->converged()) {
             m_rest.start(editRestMilliseconds);  // a frame that stays becomes as fine as at rest
+        }
         emit delivered(picture);
         return;
     }

@@ -63,6 +63,7 @@ DesignTimed timedDesign(const ComparedDesigner& designer, const DesignerInput& i
     DesignTimed timed{designOnce(designer, input)};
     if (!designer.config) return timed;
     std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(repeats));
     for (int run = 0; run < repeats; ++run) times.push_back(millisecondsOf([&] { (void)designOnce(designer, input); }));
     timed.milliseconds = medianOf(std::move(times));
     return timed;

@@ -129,6 +129,7 @@ std::string reasonOf(const Failure& failure) {
 
 std::vector<std::string> pathsOf(const std::vector<DamagedFile>& files) {
     std::vector<std::string> paths;
+    paths.reserve(files.size());
     for (const DamagedFile& file : files) paths.push_back(file.path);
     return paths;
 }

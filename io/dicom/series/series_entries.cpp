@@ -157,6 +157,7 @@ struct Group {
 
 Result<SliceStack> stackOf(const std::string& folder, const std::vector<SeriesFile>& files) {
     std::vector<SlicePlane> planes;
+    planes.reserve(files.size());
     for (const SeriesFile& file : files) planes.push_back(*file.plane);
     return stackSlices(folder, imagePositionName, planes);
 }

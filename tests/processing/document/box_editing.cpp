@@ -159,7 +159,8 @@ TEST(BoxSection, BoxesMeetWhereTheyHaveAPlaceInCommon) {
             scaled.sizeMm = box.sizeMm * factor;
             constexpr int steps = 24;
             for (int n = 0; n < steps * steps * steps; ++n) {
-                const Vec3 share(n % steps, n / steps % steps, n / steps / steps);
+                const int column = n % steps, row = n / steps % steps, slice = n / steps / steps;
+                const Vec3 share(column, row, slice);
                 const Vec3 at = scaled.inGrid((share * (1.0 / (steps - 1)) - Vec3(0.5, 0.5, 0.5)).mul(scaled.sizeMm));
                 if (at[0] >= 0 && at[0] <= 10 && at[1] >= 0 && at[1] <= 8 && at[2] >= 0 && at[2] <= 6) return true;
             }

@@ -207,11 +207,12 @@ TEST(ScalpelCuts, MoreStrokesThanNumbersAreCutToo) {
     const Volume volume = noise({16, 16, 3}, {1, 1, 1});
     const Camera camera = cameraOf(volume, {}, Projection::parallel);
     std::vector<ScalpelStroke> strokes;
-    for (int i = 0; i < 300; ++i)
-        strokes.push_back({.tool = ScalpelTool::eraser,
-                           .camera = camera,
-                           .places = {{-0.45 + 0.9 * (i % 20) / 19, -0.45 + 0.9 * (i / 20) / 14}},
-                           .radius = 0.03});
+    for (int row = 0; row < 15; ++row)
+        for (int column = 0; column < 20; ++column)
+            strokes.push_back({.tool = ScalpelTool::eraser,
+                               .camera = camera,
+                               .places = {{-0.45 + 0.9 * column / 19, -0.45 + 0.9 * row / 14}},
+                               .radius = 0.03});
     ScalpelCuts cuts(volume.geometry());
     (void)cuts.cut(volume, strokes);
     const std::vector<std::size_t> counts =
