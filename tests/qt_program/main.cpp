@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -56,53 +56,6 @@ bool isChoice(const QStringList& words, Choice& choice) {
     return choice.parts > 0 && choice.part >= 0 && choice.part < choice.parts;
 }
 
-/// Runs this program with these words; 0 if it ends well. (QProcess starts programs by a call that clang 14's thread
-/// sanitizer fails at.)
-int execute(const QString& program, const QStringList& words) {
-    std::vector<QByteArray> texts{program.toLocal8Bit()};
-    for (const QString& word : words) texts.push_back(word.toLocal8Bit());
-    std::vector<char*> arguments;
-    for (QByteArray& text : texts) arguments.push_back(text.data());
-    arguments.push_back(nullptr);
-    pid_t process = 0;
-    int status = 0;
-    if (posix_spawnp(&process, arguments.front(), nullptr, nullptr, arguments.data(), environ) != 0) return 1;
-    while (waitpid(process, &status, 0) < 0)
-        if (errno != EINTR) return 1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
-/// Each class gets a process of its own: theme, style, environment and settings of one never reach another, and the
-/// classes behind one that crashes still run.
-int runEach(const QString& program, const Choice& choice) {
-    QStringList failed;
-    int place = 0, run = 0;
-    if (choice.isLong) qputenv(longRun, "1");
-    for (const auto& [name, testClass] : testClasses()) {
-        if (choice.isLong && testClass.longFunctions.isEmpty()) continue;
-        if (place++ % choice.parts != choice.part) continue;
-        ++run;
-        std::fflush(stdout);
-        QStringList words{QString::fromStdString(name)};
-        if (choice.isLong) words += testClass.longFunctions;
-        if (execute(program, words) != 0) failed << words.first();
-    }
-    if (run == 0) failed << "no class was run";
-    if (!failed.isEmpty()) std::printf("FAILED: %s\n", qPrintable(failed.join(", ")));
-    return failed.isEmpty() ? 0 : 1;
-}
-
-/// Several classes, each with functions of it: `CLASS FUNCTION... CLASS FUNCTION...`, each class in its own process.
-int runNamed(const QString& program, const QStringList& words) {
-    int failed = 0;
-    for (qsizetype first = 0, next = 0; first < words.size(); first = next) {
-        for (next = first + 1; next < words.size() && !testClasses().contains(words[next].toStdString());) ++next;
-        std::fflush(stdout);
-        if (execute(program, words.mid(first, next - first)) != 0) ++failed;
-    }
-    return failed == 0 ? 0 : 1;
-}
-
 int runOne(const std::string& name, int count, char** arguments) {
     const std::unique_ptr<QCoreApplication> application = makeTestApplication(count, arguments);
     application->setAttribute(Qt::AA_Use96Dpi);
@@ -111,6 +64,54 @@ int runOne(const std::string& name, int count, char** arguments) {
     words.removeAt(1);
     nameOfRunningClass = name;
     return QTest::qExec(test.get(), words);
+}
+
+/// Runs a class, or these functions of it, in a process of its own; 0 if it ends well. That process begins as a copy of
+/// this one: all libraries are loaded, which takes a program that is started a quarter of a second.
+int runApart(const char* program, const QStringList& words) {
+    std::fflush(stdout);
+    const pid_t process = fork();
+    if (process == 0) {
+        std::vector<QByteArray> texts{program};
+        for (const QString& word : words) texts.push_back(word.toLocal8Bit());
+        std::vector<char*> arguments;
+        for (QByteArray& text : texts) arguments.push_back(text.data());
+        arguments.push_back(nullptr);
+        std::exit(runOne(words.first().toStdString(), static_cast<int>(arguments.size()) - 1, arguments.data()));
+    }
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0)
+        if (errno != EINTR) return 1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+/// Each class gets a process of its own: theme, style, environment and settings of one never reach another, and the
+/// classes behind one that crashes still run.
+int runEach(const char* program, const Choice& choice) {
+    QStringList failed;
+    int place = 0, run = 0;
+    if (choice.isLong) qputenv(longRun, "1");
+    for (const auto& [name, testClass] : testClasses()) {
+        if (choice.isLong && testClass.longFunctions.isEmpty()) continue;
+        if (place++ % choice.parts != choice.part) continue;
+        ++run;
+        QStringList words{QString::fromStdString(name)};
+        if (choice.isLong) words += testClass.longFunctions;
+        if (runApart(program, words) != 0) failed << words.first();
+    }
+    if (run == 0) failed << "no class was run";
+    if (!failed.isEmpty()) std::printf("FAILED: %s\n", qPrintable(failed.join(", ")));
+    return failed.isEmpty() ? 0 : 1;
+}
+
+/// Several classes, each with functions of it: `CLASS FUNCTION... CLASS FUNCTION...`, each class in its own process.
+int runNamed(const char* program, const QStringList& words) {
+    int failed = 0;
+    for (qsizetype first = 0, next = 0; first < words.size(); first = next) {
+        for (next = first + 1; next < words.size() && !testClasses().contains(words[next].toStdString());) ++next;
+        if (runApart(program, words.mid(first, next - first)) != 0) ++failed;
+    }
+    return failed == 0 ? 0 : 1;
 }
 
 }  // namespace
