@@ -16,10 +16,10 @@ namespace echolucent {
 /// A phase keeps no more voxels than this on any machine: 512 Mi, half of a cube of 1024.
 constexpr std::int64_t mostPhaseVoxels = std::int64_t{1} << 29;
 /// The window takes about so many times the memory of a study's voxels once it is at rest: quiet voxels, masks, the
-/// voxels that the ray caster packs, and planes stand beside them (docs/large-volumes.md).
+/// voxels that the ray caster packs, and planes stand beside them (docs/loading.md).
 constexpr std::uint64_t memoryPerVoxels = 6;
 /// A phase is kept whole where the machine has so many bytes for each of its voxels. For bytes the window takes 7 of
-/// them while speckle is taken away (docs/large-volumes.md); other types and a second pass need more.
+/// them while speckle is taken away (docs/loading.md); other types and a second pass need more.
 constexpr std::uint64_t workingBytesPerVoxel = 18;
 
 /// The most bytes that the voxels of all phases may take: ReadOptions::studyMebibytes, else what fits into this

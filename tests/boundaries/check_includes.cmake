@@ -60,7 +60,7 @@ forbid_files("io's headers carry no type of DCMTK" "${dcmtk}" ${headers})
 list(FILTER headers EXCLUDE REGEX "/io/json_[a-z]+\\.h$")
 forbid_files("io's headers carry no type of JSON" "(nlohmann/|io/json_)" ${headers})
 
-# What parses strangers' files runs in a process of its own (docs/restricted-reader.md): the application calls no reader itself.
+# What parses strangers' files runs in a process of its own (docs/hostile-files.md): the application calls no reader itself.
 file(GLOB_RECURSE callers ${SOURCE_DIR}/app/*.h ${SOURCE_DIR}/app/*.cpp)
 foreach(file IN LISTS callers)
     file(STRINGS ${file} lines
