@@ -177,11 +177,20 @@ QKeySequence keyOf(const QString& action) {
     return {};
 }
 
-QString markdownOf(KeyPlace place) {
-    QString text = QStringLiteral("| %1 | |\n|---|---|\n").arg(titleOf(place).toLower());
-    for (const KeyRow& row : keyTable())
-        if (row.place == place) text += QStringLiteral("| %1 | %2 |\n").arg(row.keys, row.meaning);
-    return text;
+QString keysPage() {
+    QString page = QStringLiteral(
+        "# Mouse and keys\n\n"
+        "The control that has the focus is asked first, then the window. A field keeps its digits, a check box its "
+        "Space, a slider\n"
+        "its arrows. The panel *Explain*, which F1 opens, holds the same tables.\n\n"
+        "<!-- The program writes this page from widgets/key_table.cpp, and TestKeyTable says how. Nobody edits it by "
+        "hand. -->\n");
+    for (const KeyPlace place : allKeyPlaces) {
+        page += QStringLiteral("\n## %1\n| mouse, key | does |\n|---|---|\n").arg(titleOf(place));
+        for (const KeyRow& row : keyTable())
+            if (row.place == place) page += QStringLiteral("| %1 | %2 |\n").arg(row.keys, row.meaning);
+    }
+    return page;
 }
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// Every key and gesture of the window: one table for the menus, the panel of explanations and the README.
+// Every key and gesture of the window: one table for the menus, the panel of explanations and docs/keys.md.
 #pragma once
 
 #include <QKeySequence>
@@ -35,7 +35,7 @@ struct KeyRow {
 /// The key of the action with this object name; an empty one where the table gives it none.
 [[nodiscard]] QKeySequence keyOf(const QString& action);
 
-/// The rows of a place as a table of Markdown, as README.md holds it.
-[[nodiscard]] QString markdownOf(KeyPlace place);
+/// The whole page docs/keys.md as Markdown: a heading and a table for each place, in the order of allKeyPlaces.
+[[nodiscard]] QString keysPage();
 
 }  // namespace echolucent

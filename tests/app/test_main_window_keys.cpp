@@ -142,14 +142,6 @@ private slots:
         QVERIFY(seen > 20);
     }
 
-    void theReadmeHoldsTheTable() {
-        QFile readme(ECHOLUCENT_SOURCE_DIR "/README.md");
-        QVERIFY(readme.open(QIODevice::ReadOnly));
-        const QString text = QString::fromUtf8(readme.readAll());
-        for (const KeyPlace place : allKeyPlaces)
-            QVERIFY2(text.contains(markdownOf(place)), qPrintable(markdownOf(place)));
-    }
-
     void arrowsWithCtrlOrbitThePictureThatHasTheFocus() {
         window().volumeView().setFocus();
         const ViewDirection before = poseOf(document(), 1).direction;
