@@ -2,7 +2,6 @@
 #pragma once
 
 #include <limits>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,14 +26,6 @@ struct ClippingPlane {
     Vec3 point;
     Vec3 normal{0, 0, 1};  ///< any length above 0
     friend bool operator==(const ClippingPlane&, const ClippingPlane&) = default;
-};
-
-/// Where something opaque stands in each pixel: depth along camera.frame.forward from the grid origin, mm; infinity
-/// where nothing stands. Row-major from the top left. A map of another size than the picture's is read at the nearest
-/// place.
-struct DepthMap {
-    int width = 0, height = 0;
-    std::vector<float> depthMm;
 };
 
 /// Another picture that is mixed into one of the direct mode, along the same rays: share parts of it with 1 - share
@@ -63,7 +54,6 @@ struct RayCastSettings {
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
     std::optional<CutSurface> cutSurface;  ///< nothing is shown before it; fixed to the volume, not to the camera
-    std::shared_ptr<const DepthMap> opaqueDepth;  ///< where it is null, rays end at the volume's box only
     double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most that share of white
     bool skipEmptySpace = true;  ///< leaves out regions that the curve makes transparent: the same picture, sooner
     bool findDepth = false;      ///< Picture::depthMm is wanted

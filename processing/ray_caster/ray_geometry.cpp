@@ -50,12 +50,6 @@ void requireSensible(const RayCastSettings& settings) {
         throw std::invalid_argument("castRays: the share of a mixed picture must lie between 0 and 1");
     if (!(settings.brightness > 0.0) || !std::isfinite(settings.brightness))
         throw std::invalid_argument("castRays: the brightness must be finite and above 0");
-    if (settings.opaqueDepth) {
-        const DepthMap& map = *settings.opaqueDepth;
-        if (map.width < 1 || map.height < 1 ||
-            map.depthMm.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height))
-            throw std::invalid_argument("castRays: the depth map's size is not that of its values");
-    }
 }
 
 }  // namespace
@@ -69,8 +63,7 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
       m_forward(settings.camera.frame.forward),
       m_right(settings.camera.frame.right),
       m_down(settings.camera.frame.down),
-      m_cutSurface(settings.cutSurface),
-      m_opaqueDepth(settings.opaqueDepth) {
+      m_cutSurface(settings.cutSurface) {
     requireSensible(settings);
     const Camera& camera = settings.camera;
     for (int axis = 0; axis < 3; ++axis) {

@@ -113,9 +113,6 @@ private:
     template <int lanes>
     __attribute__((always_inline)) inline void clipAtHalfSpaces(RayBundle<lanes>& bundle) const;
     template <int lanes>
-    void endAtOpaque(RayBundle<lanes>& bundle, int column, int row, int columns) const;
-
-    template <int lanes>
     void cutAtSurface(RayBundle<lanes>& bundle) const;
 
     static constexpr double endless = 1e15;  ///< steps
@@ -135,7 +132,6 @@ private:
     Vec3 m_low, m_high;      ///< voxels; what is rendered of the volume's box
     std::vector<HalfSpace> m_halfSpaces;
     std::optional<CutSurface> m_cutSurface;
-    std::shared_ptr<const DepthMap> m_opaqueDepth;
 };
 
 template <int lanes>
@@ -187,7 +183,6 @@ inline void RayGeometry::fill(RayBundle<lanes>& bundle, int column, int row, int
     clip(bundle);
     if (!m_halfSpaces.empty()) clipAtHalfSpaces(bundle);
     if (m_cutSurface) cutAtSurface(bundle);
-    if (m_opaqueDepth) endAtOpaque(bundle, column, row, columns);
     bundle.cut();
 }
 
@@ -249,22 +244,6 @@ void RayGeometry::cutAtSurface(RayBundle<lanes>& bundle) const {
             m_cutSurface->firstLeft(point, direction, {bundle.enter[i] * m_stepMm, bundle.leave[i] * m_stepMm});
         bundle.leave[i] = left ? left->end / m_stepMm : -endless;
         if (left) bundle.enter[i] = left->begin / m_stepMm;
-    }
-}
-
-template <int lanes>
-void RayGeometry::endAtOpaque(RayBundle<lanes>& bundle, int column, int row, int columns) const {
-    const DepthMap& map = *m_opaqueDepth;
-    for (int i = 0; i < lanes; ++i) {
-        const auto place = [](int pixel, int pixels, int size) {
-            return std::clamp(static_cast<int>((pixel + 0.5) * size / pixels), 0, size - 1);
-        };
-        const int x = place(column + i % columns, m_width, map.width),
-                  y = place(row + i / columns, m_height, map.height);
-        const double depth =
-            static_cast<double>(map.depthMm[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
-                                            static_cast<std::size_t>(x)]);
-        bundle.leave[i] = std::min(bundle.leave[i], (depth - bundle.depthMm[i]) / bundle.depthStepMm[i]);
     }
 }
 

@@ -122,7 +122,7 @@ QImage throughTheRayCaster(DrawnScene& drawn, const std::shared_ptr<const Volume
                            const RayCastSettings& settings) {
     drawn.scene.setVolume(volume);
     const auto picture = castRays(*volume, curve, settings);
-    drawn.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture, settings)), settings.camera);
+    drawn.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture)), settings.camera);
     return imageOf(drawn);
 }
 
@@ -244,7 +244,7 @@ private slots:
         compare(volume, PowerCurve{2, 0.5}, settings, shaded ? 8.0 : 1.0);
     }
 
-    void anOpaqueActorCutsTheRaysOnTheCardToo() {
+    void anOpaqueActorCutsTheRaysOnTheCard() {
         const auto volume = volumeOf(geometryOf(40, 40, 40), [](double, double, double) { return 200; });
         const OpacityCurve haze = ManualCurve{{{0.0, 0.03}, {1.0, 0.03}}};
         RayCastSettings settings = settingsFor(*volume, {}, Projection::parallel, 0.2);

@@ -110,7 +110,7 @@ void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperse
         const PictureRequest atQuality{asked->volume, asked->classification, settingsAt(quality, asked->settings)};
         CastResult result = cast(atQuality, progress);
         if (!result.picture) return {};
-        auto screen = std::make_shared<const ScreenPicture>(screenPicture(*result.picture, atQuality.settings));
+        auto screen = std::make_shared<const ScreenPicture>(screenPicture(*result.picture));
         const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
         auto finished = std::make_shared<const CastPicture>(CastPicture{
             *asked, quality, atQuality.settings, std::make_shared<const Picture>(std::move(*result.picture)),

@@ -40,7 +40,6 @@ PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     limits.cutSurface = parts.cutSurface;
     limits.box = parts.box;
     if (parts.volume) request.settings = limitedTo(limits, parts.volume->geometry(), request.settings);
-    request.settings = m_parts->scene.withSceneLimits(request.settings);
     return request;
 }
 
@@ -102,8 +101,6 @@ QString VolumeViewWidget::caption() const { return QString::fromStdString(m_part
 
 VolumeScene& VolumeViewWidget::scene() { return m_parts->scene; }
 
-void VolumeViewWidget::sceneChanged() { schedule(); }
-
 std::shared_ptr<const Picture> VolumeViewWidget::picture() const {
     return m_parts->shown ? m_parts->shown->picture : nullptr;
 }
@@ -113,8 +110,7 @@ bool VolumeViewWidget::pictureIsFine() const { return m_parts->shown && m_parts-
 bool VolumeViewWidget::pictureIsCurrent() const {
     if (!m_parts->shown) return false;
     PictureRequest shown = m_parts->shown->request;
-    // What the scene adds only when a picture is asked for.
-    shown.settings.opaqueDepth.reset();
+    // The scene adds it only when a picture is asked for.
     shown.settings.findDepth = false;
     return samePicture(shown, presentRequest(pixelSize()));
 }
@@ -174,8 +170,6 @@ void VolumeViewWidget::requestPicture() {
         if (parts.scene.rendererFor(request.settings, request.classification) == RendererChoice::graphicsCard) {
             showLive(request);
         } else {
-            request.settings.opaqueDepth =
-                parts.scene.opaqueDepth(request.settings.camera, pixels.width(), pixels.height());
             request.settings.findDepth = parts.scene.wantsDepth();
             parts.caster.request(request);
         }

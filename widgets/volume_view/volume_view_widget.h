@@ -158,10 +158,8 @@ public:
     /// Whether there is a real graphics card. Known once the first picture was delivered.
     [[nodiscard]] bool graphicsCardUsable() const;
 
-    /// For further actors in grid mm, pickers, clipping and cropping of the volume.
+    /// For pickers.
     [[nodiscard]] VolumeScene& scene();
-    /// Tells that something in scene() was changed, so that rays may end elsewhere now.
-    void sceneChanged();
 
     [[nodiscard]] QSize sizeHint() const override { return {800, 640}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }

@@ -205,18 +205,6 @@ TEST(PlainCaster, WholeStepsCountByTheirMiddles) {
                     s.clippingPlanes = {{{0, 0, 6}, {0, 0, 1}}, {{0, 0, 9.5}, {0, 0, -3}}};
                 }),
                 4, few);
-    const auto opaqueAt = [](float depth, int edge) {
-        return [depth, edge](RayCastSettings& settings) {
-            DepthMap map{edge, edge,
-                         std::vector<float>(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge), 1.0f)};
-            map.depthMm[map.depthMm.size() / 2] = depth;
-            settings.opaqueDepth = std::make_shared<const DepthMap>(map);
-        };
-    };
-    EXPECT_NEAR(samplesSeen(opaqueAt(12.5f, 5)), 13, few);
-    EXPECT_NEAR(samplesSeen(opaqueAt(12.0f, 5)), 12, few) << "what lies at it is behind";
-    EXPECT_NEAR(samplesSeen(opaqueAt(INFINITY, 15)), 20, few) << "a finer map is read at the pixel's middle";
-    EXPECT_NEAR(samplesSeen(opaqueAt(INFINITY, 1)), 20, few);
 }
 
 TEST(PlainCaster, CutStepsCountWithTheLengthThatIsLeft) {
@@ -233,11 +221,6 @@ TEST(PlainCaster, CutStepsCountWithTheLengthThatIsLeft) {
         EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.box = RenderBox{{-9, -9, 3.1}, {99, 99, 7.4}}; }), 4.3, 1e-5);
         EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.clippingPlanes = {{{0, 0, 6.2}, {0, 0, 2}}}; }), 13.3, 1e-5);
         EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.clippingPlanes = {{{0, 0, 6.2}, {0, 0, -1}}}; }), 6.7, 1e-5);
-        EXPECT_NEAR(unitsSeen(step,
-                              [](auto& s) {
-                                  s.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{1, 1, {12.25f}});
-                              }),
-                    12.75, 1e-5);
     }
     // Obliquely, the length of every ray within the box is found by its own arithmetic.
     RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 33, 21, 7, 0}, 31, 31);

@@ -76,26 +76,27 @@ TEST(RayCasterKept, EditsOfTheCurveOnBytes) { expectEditsFollowedInEveryView<std
 TEST(RayCasterKept, EditsOfTheCurveOnWords) { expectEditsFollowedInEveryView<std::uint16_t>(); }
 TEST(RayCasterKept, EditsOfTheCurveOnFloats) { expectEditsFollowedInEveryView<float>(); }
 
-// A wall ends the rays that meet it. Beside them are rays that end sooner, at something opaque, and let light through:
-// what lies behind the wall must not be taken as known.
+// A wall ends the rays that meet it. Beside them are rays that end sooner, at a plane, and let light through: what lies
+// behind the wall must not be taken as known.
 TEST(RayCasterKept, RaysThatEndedEarlyGoOnUnderATransparentCurve) {
     const Volume volume = volumeOf<std::uint8_t>({40, 40, 160}, {1, 1, 1}, [](auto x, auto y, auto z) {
         return z >= 60 && z < 65 ? 1.0 : 0.4 + 0.2 * static_cast<double>((x + y + z) % 2);
     });
-    DepthMap map{61, 67, {}};
-    for (int row = 0; row < map.height; ++row)
-        for (int column = 0; column < map.width; ++column)
-            map.depthMm.push_back((row + column) % 3 == 0 ? INFINITY : 20.0f + 3.0f * static_cast<float>(column % 9));
-    for (const double azimuth : {0.0, 20.0, 65.0}) {
-        RayCastSettings settings =
-            settingsFor(volume, Viewpoint{BeamAxis::plusZ, azimuth, 9, 0, 0}, map.width, map.height);
-        settings.opaqueDepth = std::make_shared<const DepthMap>(map);
-        RayCaster caster(held(volume));
-        const OpacityCurve wallAlone = ManualCurve{{{0.0, 0.0}, {0.9, 0.0}, {0.95, 1.0}, {1.0, 1.0}}};
-        for (int i = 0; i < 3; ++i) expectSameAsAlone(caster, wallAlone, settings, "the wall alone");
-        for (int i = 0; i < 2; ++i) expectSameAsAlone(caster, PowerCurve{2, 0.01}, settings, "all of it");
-        expectSameAsAlone(caster, wallAlone, settings, "the wall again");
-    }
+    // Of neighbouring rays one ends this much farther along the view than the other, in steps across and down.
+    const std::pair<double, double> slopes[] = {{1.5, 0.0}, {0.0, 9.0}, {20.0, -35.0}};
+    for (const double azimuth : {0.0, 20.0, 65.0})
+        for (const auto& [across, down] : slopes) {
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, azimuth, 9, 0, 0}, 61, 67);
+            const ViewFrame& frame = settings.camera.frame;
+            const double pixelMm = settings.camera.heightMm / settings.height;
+            settings.clippingPlanes = {{Vec3(19.5, 19.5, 55), frame.right * (across / pixelMm) +
+                                                                  frame.down * (down / pixelMm) - frame.forward}};
+            RayCaster caster(held(volume));
+            const OpacityCurve wallAlone = ManualCurve{{{0.0, 0.0}, {0.9, 0.0}, {0.95, 1.0}, {1.0, 1.0}}};
+            for (int i = 0; i < 3; ++i) expectSameAsAlone(caster, wallAlone, settings, "the wall alone");
+            for (int i = 0; i < 2; ++i) expectSameAsAlone(caster, PowerCurve{2, 0.01}, settings, "all of it");
+            expectSameAsAlone(caster, wallAlone, settings, "the wall again");
+        }
 }
 
 TEST(RayCasterKept, WhatSamplesDoNotDependOnMayChange) {
@@ -148,9 +149,6 @@ TEST(RayCasterKept, WhatSamplesDependOnMakesAnotherView) {
     other("a box", [](Settings& s) { s.box = RenderBox{{5, 5, 5}, {20, 20, 20}}; });
     other("a plane", [](Settings& s) { s.clippingPlanes = {{{15, 15, 15}, {1, 0, 0}}}; });
     other("maximum", [](Settings& s) { s.mode = RenderMode::maximum; });
-    other("an opaque depth", [](Settings& s) {
-        s.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{1, 1, {12.0f}});
-    });
 }
 
 TEST(RayCasterKept, AMoveOfTheCameraForgetsAndAViewIsKeptFromItsSecondPictureOn) {
@@ -278,14 +276,16 @@ TEST(RayCasterKept, AViewAboveTheMemoryLimitKeepsNothing) {
     }
 }
 
-TEST(RayCasterKept, WhatIsHiddenBehindSomethingOpaqueDoesNotLowerTheEstimate) {
+TEST(RayCasterKept, WhatAPlaneCutsOffDoesNotLowerTheEstimate) {
     const Volume volume = constantVolume<std::uint8_t>({32, 32, 32}, 0.5);
     RayCastSettings settings = settingsFor(volume, Viewpoint{}, 2048, 2048);
     settings.step = 0.1;  // half the picture: 1.3 GB
-    settings.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{1, 2, {INFINITY, -1e6f}});
-    EXPECT_EQ(bytesKeptOfTheFirstTiles(volume, settings), 0u);
-    settings.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{1, 2, {INFINITY, -INFINITY}});
-    EXPECT_EQ(bytesKeptOfTheFirstTiles(volume, settings), 0u);
+    const Vec3 up = settings.camera.frame.down * -1.0;
+    // Along the rays, and so nearly along them that those below end far before the volume.
+    for (const double slope : {0.0, 1e-6}) {
+        settings.clippingPlanes = {{volume.geometry().centreMm(), up - settings.camera.frame.forward * slope}};
+        EXPECT_EQ(bytesKeptOfTheFirstTiles(volume, settings), 0u) << slope;
+    }
 }
 
 }  // namespace

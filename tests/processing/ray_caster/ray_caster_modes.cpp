@@ -292,10 +292,6 @@ TEST(RayCasterModes, RefusesRequestsThatMakeNoSense) {
     throws("endless box", [](Settings& s) { s.box = RenderBox{{0, 0, 0}, {1, INFINITY, 1}}; });
     throws("plane without a normal", [](Settings& s) { s.clippingPlanes = {{{0, 0, 0}, {0, 0, 0}}}; });
     throws("plane nowhere", [](Settings& s) { s.clippingPlanes = {{{0, std::nan(""), 0}, {0, 0, 1}}}; });
-    throws("depth map", [](Settings& s) {
-        s.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{3, 2, {1, 2, 3}});
-    });
-    throws("empty depth map", [](Settings& s) { s.opaqueDepth = std::make_shared<const DepthMap>(); });
     throws("reach", [](Settings& s) { s.shading = Shading{.gradientReach = std::nan("")}; });
     throws("no light", [](Settings& s) { s.shading = Shading{.towardsLight = {0, 0, 0}}; });
     throws("termination", [](Settings& s) { s.terminationTransmittance = std::nan(""); });

@@ -34,13 +34,6 @@ inline double noiseTolerance(const Volume& volume, bool shaded) {
     return shaded ? 3e-3 : 2e-4;
 }
 
-/// The depth of the map's pixel that lies behind the middle of this pixel of the picture, mm.
-inline float depthBehind(const DepthMap& map, const RayCastSettings& settings, int column, int row) {
-    const auto mapColumn = static_cast<std::size_t>((2 * column + 1) * map.width / (2 * settings.width));
-    const auto mapRow = static_cast<std::size_t>((2 * row + 1) * map.height / (2 * settings.height));
-    return map.depthMm[mapRow * static_cast<std::size_t>(map.width) + mapColumn];
-}
-
 class ReferenceCaster {
 public:
     ReferenceCaster(const Volume& volume, Classification classification, const RayCastSettings& settings)
@@ -78,9 +71,6 @@ public:
     };
     [[nodiscard]] std::vector<Sample> samplesOf(int column, int row) const {
         m_closestToHalf = 1.0;
-        m_opaqueDepth = std::numeric_limits<double>::infinity();
-        if (const DepthMap* map = m_settings.opaqueDepth.get())
-            m_opaqueDepth = static_cast<double>(depthBehind(*map, m_settings, column, row));
         const Camera& camera = m_settings.camera;
         const Vec3 forward = camera.frame.forward;
         const bool parallel = camera.projection == Projection::parallel;
@@ -134,7 +124,6 @@ private:
         };
         const Vec3 forward = m_settings.camera.frame.forward;
         if (std::isfinite(m_settings.nearPlaneDepthMm)) keepFrom(forward * m_settings.nearPlaneDepthMm, forward);
-        if (std::isfinite(m_opaqueDepth)) keepFrom(forward * m_opaqueDepth, -forward);
         for (const ClippingPlane& plane : m_settings.clippingPlanes) keepFrom(plane.point, plane.normal);
         for (int axis = 0; axis < 3 && m_settings.box; ++axis) {
             Vec3 along{0, 0, 0};
@@ -308,7 +297,7 @@ private:
     Classification m_classification;
     const RayCastSettings& m_settings;
     std::optional<LightVolume> m_light;
-    mutable double m_closestToHalf = 1.0, m_opaqueDepth = 0.0;
+    mutable double m_closestToHalf = 1.0;
 };
 
 /// The largest difference of any channel of any pixel between the reference and a picture.

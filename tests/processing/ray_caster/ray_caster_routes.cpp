@@ -90,12 +90,11 @@ TEST(RayCasterRoutes, CutStepsOfOnePacketMayLieFarApart) {
             settings.step = 0.7;
             settings.mode = mode;
             settings.findDepth = withDepth;
-            std::vector<float> depths(36, INFINITY);
-            for (std::size_t i = 0; i < depths.size(); i += 2) depths[i] = 5.1f;
-            settings.opaqueDepth = std::make_shared<const DepthMap>(DepthMap{6, 6, depths});
+            constexpr double perColumn = 9000.0;  // voxels
+            settings.clippingPlanes = {{{0, 0, 5.1}, {perColumn, 0, -1}}};
             const auto picture = castRays(volume, everywhere(1e-5), settings);
             for (int i = 0; i < 36; ++i) {
-                const double length = i % 2 == 0 ? 5.6 : 40000.0;
+                const double length = std::min(5.6 + perColumn * (i % 6), 40000.0);
                 const double expected = mode == RenderMode::mean ? 1.0 : -std::expm1(length * std::log1p(-1e-5));
                 EXPECT_NEAR(pixelAt(*picture, i % 6, i / 6)[3], expected, 1e-5) << i;
             }

@@ -29,14 +29,9 @@ struct ScreenPicture {
     std::vector<std::uint8_t> rgba;
     /// Picture::depthMm, which VTK's depth buffer is told about the volume; empty where it is told nothing.
     std::vector<float> depthMm{};
-    /// Rays ended at the scene's opaque actors: the picture covers them only where the volume lies before them. Where
-    /// this is false, it is drawn as if all of it lay at the volume's centre.
-    bool endsAtOpaqueProps = false;
 };
 
 /// Rounds each component to the nearest of 256 levels.
 [[nodiscard]] ScreenPicture screenPicture(const Picture& picture);
-/// The same, and it takes over what the settings that the picture was made with say about it.
-[[nodiscard]] ScreenPicture screenPicture(const Picture& picture, const RayCastSettings& settings);
 
 }  // namespace echolucent

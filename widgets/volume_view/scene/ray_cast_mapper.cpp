@@ -1,5 +1,6 @@
 #include "widgets/volume_view/scene/ray_cast_mapper.h"
 
+#include <vtkCamera.h>
 #include <vtkHardwareSelector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -17,8 +18,8 @@
 #include <algorithm>
 #include <array>
 
+#include "processing/volume/geometry.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
-#include "widgets/volume_view/scene/window_depth.h"
 
 namespace echolucent {
 
@@ -38,7 +39,7 @@ uniform sampler2D picture;
 void main() { gl_FragData[0] = texture2D(picture, tcoordVC); }
 )";
 
-// Where the volume's surface is, at its depth (see WindowDepth), in one colour.
+// Where the volume's surface is, in one colour, at its depth: 0 on the camera's near clipping plane, 1 on the far one.
 constexpr const char* surfaceShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 in vec2 tcoordVC;
@@ -179,7 +180,7 @@ void RayCastMapper::drawColours(vtkRenderer* renderer, vtkOpenGLRenderWindow* wi
     if (!prepare(m_openGl->colours, window, colourShader)) return;
     vtkOpenGLState* state = window->GetState();
     state->vtkglDepthMask(GL_FALSE);
-    state->SetEnumState(GL_DEPTH_TEST, !m_picture->endsAtOpaqueProps);
+    state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     vtkTextureObject& picture = *m_openGl->picture;
@@ -199,7 +200,9 @@ void RayCastMapper::drawSurface(vtkRenderer* renderer, vtkOpenGLRenderWindow* wi
     vtkTextureObject& depths = m_picture->depthMm.empty() ? picture : *m_openGl->depths;
     picture.Activate();
     depths.Activate();
-    const WindowDepth scale(*renderer->GetActiveCamera());
+    vtkCamera& camera = *renderer->GetActiveCamera();
+    const double eyeMm = Vec3(camera.GetPosition()).dot(normalized(Vec3(camera.GetDirectionOfProjection())));
+    const double* clippingMm = camera.GetClippingRange();
     vtkHardwareSelector* selector = renderer->GetSelector();
     const bool namesProp = selector && selector->GetCurrentPass() == vtkHardwareSelector::ACTOR_PASS;
     std::array<float, 3> marker{0, 0, 0};  // a pass over cells or points has no marker
@@ -208,10 +211,10 @@ void RayCastMapper::drawSurface(vtkRenderer* renderer, vtkOpenGLRenderWindow* wi
     program.SetUniformi("picture", picture.GetTextureUnit());
     program.SetUniformi("depths", depths.GetTextureUnit());
     program.SetUniformi("hasDepths", !m_picture->depthMm.empty());
-    program.SetUniformi("parallelProjection", scale.parallel());
-    program.SetUniformf("eyeMm", static_cast<float>(scale.eyeMm()));
-    program.SetUniformf("nearMm", static_cast<float>(scale.nearMm()));
-    program.SetUniformf("farMm", static_cast<float>(scale.farMm()));
+    program.SetUniformi("parallelProjection", camera.GetParallelProjection());
+    program.SetUniformf("eyeMm", static_cast<float>(eyeMm));
+    program.SetUniformf("nearMm", static_cast<float>(clippingMm[0]));
+    program.SetUniformf("farMm", static_cast<float>(clippingMm[1]));
     program.SetUniform3f("marker", marker.data());
     drawRectangle(renderer, *m_openGl->surface, depth);
     depths.Deactivate();

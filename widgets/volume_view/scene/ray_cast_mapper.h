@@ -20,9 +20,9 @@ class GraphicsCardVolume;
 /// (vtkRayCastImageDisplayHelper cannot: it stretches n-1 pixels over n, which blurs.) A picture of another size or
 /// shape keeps its centre and fills the height, as its camera saw it.
 ///
-/// A picture with depths is also written into the depth buffer, so that what is drawn later lies behind it and what
-/// reads the depth buffer finds the surface. While a vtkHardwareSelector draws, the volume is where its surface is: at
-/// a depth, or, without depths, where the picture covers at least half.
+/// Its colours are drawn as if all of it lay at the volume's centre. A picture with depths is also written into the
+/// depth buffer, so that what reads the depth buffer finds the surface. While a vtkHardwareSelector draws, the volume
+/// is where its surface is: at a depth, or, without depths, where the picture covers at least half.
 ///
 /// Instead of the picture a GraphicsCardVolume may be drawn in this mapper's place.
 class RayCastMapper : public vtkVolumeMapper {

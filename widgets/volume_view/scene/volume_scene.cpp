@@ -5,13 +5,10 @@
 #include <vtkCommand.h>
 #include <vtkImageData.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkPlane.h>
-#include <vtkPlaneCollection.h>
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
-#include <algorithm>
 #include <array>
 
 #include "widgets/volume_view/scene/ray_cast_mapper.h"
@@ -109,33 +106,6 @@ void VolumeScene::setAnnotationsVisible(bool visible) {
 void VolumeScene::setCaption(const std::string& text) {
     m_caption.setText(text);
     updateVisibility();
-}
-
-bool VolumeScene::hasOpaqueProps() { return !opaqueProps(*m_renderer).empty(); }
-
-std::shared_ptr<const DepthMap> VolumeScene::opaqueDepth(const Camera& camera, int width, int height) {
-    return m_opaqueDepth.read(*m_renderer, camera, width, height);
-}
-
-bool VolumeScene::wantsDepth() { return m_depthWanted || hasOpaqueProps(); }
-
-RayCastSettings VolumeScene::withSceneLimits(RayCastSettings settings) {
-    vtkPlaneCollection* planes = m_mapper->GetClippingPlanes();
-    for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i) {
-        vtkPlane* plane = planes->GetItem(i);
-        settings.clippingPlanes.push_back({Vec3(plane->GetOrigin()), Vec3(plane->GetNormal())});
-    }
-    if (!m_mapper->GetCropping() || m_mapper->GetCroppingRegionFlags() != VTK_CROP_SUBVOLUME) return settings;
-    const double* from = m_mapper->GetCroppingRegionPlanes();
-    RenderBox box{{from[0], from[2], from[4]}, {from[1], from[3], from[5]}};
-    if (settings.box) {
-        for (int axis = 0; axis < 3; ++axis) {
-            box.low[axis] = std::max(box.low[axis], settings.box->low[axis]);
-            box.high[axis] = std::min(box.high[axis], settings.box->high[axis]);
-        }
-    }
-    settings.box = box;
-    return settings;
 }
 
 bool VolumeScene::graphicsCardAtHand() const { return !m_card.renderer.empty() && !isSoftwareOpenGl(m_card.renderer); }

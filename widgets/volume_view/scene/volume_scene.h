@@ -1,4 +1,4 @@
-// The 3D scene: the volume's picture, what is written over it, and room for further VTK actors. Knows no Qt.
+// The 3D scene: the volume's picture and what is written over it. Knows no Qt.
 #pragma once
 
 #include <vtkNew.h>
@@ -13,7 +13,6 @@
 #include "widgets/volume_view/scene/annotation/scale_bar.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
-#include "widgets/volume_view/scene/opaque_depth.h"
 #include "widgets/volume_view/scene/picture_request.h"
 
 class vtkRenderer;
@@ -33,10 +32,9 @@ public:
     VolumeScene(const VolumeScene&) = delete;
     VolumeScene& operator=(const VolumeScene&) = delete;
 
-    /// For a render window; further actors may be added to it, in grid mm.
+    /// For a render window.
     [[nodiscard]] vtkRenderer* renderer();
-    /// The volume's prop, for pickers and widgets: its property carries the curve and the colours in use, its mapper
-    /// the clipping planes and the cropping that withSceneLimits() reads.
+    /// The volume's prop, for pickers: its property carries the curve and the colours in use.
     [[nodiscard]] vtkVolume* volumeProp() { return m_volumeProp; }
     [[nodiscard]] const ScaleBar& scaleBar() const { return m_scaleBar; }
 
@@ -50,7 +48,7 @@ public:
     void show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera);
     /// Looks at the scene with a camera and leaves the volume to the graphics card, which draws it with every drawing
     /// of the window. Only where rendererFor(look) says graphicsCard; the curve is that of setTransfer(). Of the look,
-    /// size and opaqueDepth play no part.
+    /// the size plays no part.
     void showLive(const Camera& camera, const RayCastSettings& look);
     [[nodiscard]] Camera camera();
     void setAnnotationsVisible(bool visible);
@@ -61,20 +59,10 @@ public:
     void setOverlay(const Overlay& overlay) { m_overlay.setOverlay(overlay); }
     [[nodiscard]] const Overlay& overlay() const { return m_overlay.overlay(); }
 
-    // ---- What a picture for this scene needs
-
-    /// True where something opaque with a place in space is visible beside the volume (marker and scale bar have none).
-    [[nodiscard]] bool hasOpaqueProps();
-    /// For RayCastSettings::opaqueDepth: where these actors stand, seen with this camera. See OpaqueDepth::read(): null
-    /// where there are none, the same pointer where nothing changed; needs the window drawn once before.
-    [[nodiscard]] std::shared_ptr<const DepthMap> opaqueDepth(const Camera& camera, int width, int height);
-    /// For RayCastSettings::findDepth: something is hidden by the volume's surface or looks for it.
-    [[nodiscard]] bool wantsDepth();
-    /// For pickers that read the depth buffer (vtkRenderer::GetZ(), vtkWorldPointPicker, vtkHardwareSelector).
+    /// For pickers that read the depth buffer (vtkRenderer::GetZ(), vtkWorldPointPicker, vtkHardwareSelector): whether
+    /// the pictures that are asked for from now on tell the depth of each pixel (RayCastSettings::findDepth).
     void setDepthWanted(bool wanted) { m_depthWanted = wanted; }
-    /// The settings with what VTK limits the volume to: the clipping planes of volumeProp()'s mapper, and its cropping
-    /// where that is on and shows the middle region only (VTK_CROP_SUBVOLUME; other regions are not rendered so).
-    [[nodiscard]] RayCastSettings withSceneLimits(RayCastSettings settings);
+    [[nodiscard]] bool wantsDepth() const { return m_depthWanted; }
 
     // ---- Who renders
 
@@ -112,7 +100,6 @@ private:
     ScaleBar m_scaleBar;
     Caption m_caption;
     OverlayLines m_overlay;
-    OpaqueDepth m_opaqueDepth;
     GraphicsCard m_card;
     GraphicsCardVolume m_cardVolume;
     RendererChoice m_choice = RendererChoice::automatic;
