@@ -8,20 +8,63 @@
 
 namespace echolucent {
 
-/// The same object; whoever drops the last reference to it, a thread made for that lets it go. To give back the voxels
-/// of 512³ takes tens of milliseconds, and the last one who looks at a volume is often the picture, in the GUI thread.
-/// Null stays null.
+/// What waits for a thread that lets go of it. It outlives the thread, for those who still have something to give.
+class WaitingToBeFreed {
+public:
+    WaitingToBeFreed();
+    ~WaitingToBeFreed();
+    WaitingToBeFreed(const WaitingToBeFreed&) = delete;
+    WaitingToBeFreed& operator=(const WaitingToBeFreed&) = delete;
+
+    /// Hands a reference over and waits for nothing. Where the thread has ended, and where there is no memory for one
+    /// reference more, the caller lets it go here.
+    void add(std::shared_ptr<const void> last) noexcept;
+
+private:
+    friend class FreeingThread;
+    struct Parts;
+    void letGoUntilEnd();
+    void end();
+
+    std::unique_ptr<Parts> m_parts;
+};
+
+/// A thread that lets go of what it is given, in the order in which it comes.
+class FreeingThread {
+public:
+    /// Throws std::system_error where the system has no thread for it.
+    FreeingThread();
+    /// Waits until all that was given is let go.
+    ~FreeingThread();
+    FreeingThread(const FreeingThread&) = delete;
+    FreeingThread& operator=(const FreeingThread&) = delete;
+
+    [[nodiscard]] const std::shared_ptr<WaitingToBeFreed>& waiting() const { return m_waiting; }
+
+private:
+    std::shared_ptr<WaitingToBeFreed> m_waiting = std::make_shared<WaitingToBeFreed>();
+    std::thread m_thread;
+};
+
+/// The program's one, which its exit joins. Throws as FreeingThread() does.
+[[nodiscard]] const FreeingThread& freeingThread();
+
+/// The same object; when the last reference to it is dropped, freeingThread() lets it go. To give back the voxels of
+/// 512³ takes tens of milliseconds, and the last one who looks at a volume is often the picture, in the GUI thread.
+/// Null stays null. Where there is no thread for it, the object is let go by whoever drops it.
 template <typename Value>
 [[nodiscard]] std::shared_ptr<Value> freedElsewhere(std::shared_ptr<Value> value) {
     Value* address = value.get();
     if (address == nullptr) return nullptr;
-    return {address, [kept = std::move(value)](Value*) mutable {
-                try {
-                    std::thread([last = std::move(kept)]() mutable { last.reset(); }).detach();
-                } catch (const std::exception&) {
-                    // Without another thread it is let go here.
-                }
-            }};
+    std::shared_ptr<WaitingToBeFreed> waiting;
+    try {
+        waiting = freeingThread().waiting();
+    } catch (const std::exception&) {
+        return value;
+    }
+    // Nothing is left in `value`: the caller destroys it, perhaps after the result.
+    return {address,
+            [kept = std::move(value), waiting = std::move(waiting)](Value*) mutable { waiting->add(std::move(kept)); }};
 }
 
 }  // namespace echolucent

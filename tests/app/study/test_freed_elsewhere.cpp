@@ -1,6 +1,7 @@
 // Memory is given back by another thread than the one that drops the last reference.
 #include <QTest>
 #include <atomic>
+#include <future>
 #include <thread>
 
 #include "app/study/freed_elsewhere.h"
@@ -48,6 +49,50 @@ private slots:
         QVERIFY(freedIn.load() == std::thread::id());
         made.reset();
         QVERIFY2(freedIn.load() == std::this_thread::get_id(), "without it memory is given back by whoever drops it");
+    }
+
+    void whoDropsTheLastReferenceDoesNotWait() {
+        // The first is let go only after all others were dropped: who waited for it would wait for ever.
+        std::promise<void> allDropped;
+        struct Slow {
+            explicit Slow(std::future<void> when) : until(std::move(when)) {}
+            Slow(const Slow&) = delete;
+            Slow& operator=(const Slow&) = delete;
+            ~Slow() { until.wait(); }
+            std::future<void> until;
+        };
+        std::atomic<std::thread::id> freedIn[3]{};
+        freedElsewhere(std::make_shared<const Slow>(allDropped.get_future())).reset();
+        for (auto& each : freedIn) freedElsewhere(std::make_shared<const Watched>(each)).reset();
+        for (const auto& each : freedIn) QVERIFY(each.load() == std::thread::id());
+        allDropped.set_value();
+        QTRY_VERIFY(freedIn[2].load() != std::thread::id());
+        QVERIFY2(freedIn[0].load() == freedIn[2].load(), "one thread lets go of all");
+    }
+
+    void whatHoldsAnotherIsLetGoWithIt() {
+        struct Holder {
+            std::shared_ptr<const Watched> held;
+        };
+        std::atomic<std::thread::id> freedIn{};
+        freedElsewhere(std::make_shared<const Holder>(Holder{freedElsewhere(std::make_shared<const Watched>(freedIn))}))
+            .reset();
+        QTRY_VERIFY(freedIn.load() != std::thread::id());
+    }
+
+    void theEndOfTheThreadWaitsUntilAllIsLetGo() {
+        constexpr int many = 200;
+        std::atomic<std::thread::id> freedIn[many]{}, late{};
+        std::shared_ptr<WaitingToBeFreed> waiting;
+        {
+            const FreeingThread thread;
+            waiting = thread.waiting();
+            for (auto& each : freedIn) waiting->add(std::make_shared<const Watched>(each));
+        }
+        for (const auto& each : freedIn)
+            QVERIFY(each.load() != std::thread::id() && each.load() != std::this_thread::get_id());
+        waiting->add(std::make_shared<const Watched>(late));
+        QVERIFY2(late.load() == std::this_thread::get_id(), "after its end nobody else is there");
     }
 
     void nothingStaysNothing() { QVERIFY(freedElsewhere(std::shared_ptr<const int>()) == nullptr); }
