@@ -12,6 +12,7 @@
 #include "io/voxel_bytes.h"
 #include "processing/beam/probe_view.h"
 #include "processing/one_line.h"
+#include "processing/volume/no_data.h"
 #include "processing/volume/white_level.h"
 
 namespace echolucent {

@@ -13,6 +13,7 @@
 #include "processing/tube_core/surface_reading.h"
 #include "processing/tube_core/tube_grid.h"
 #include "processing/tube_core/tube_weights.h"
+#include "processing/volume/no_data.h"
 
 namespace echolucent {
 

@@ -1,5 +1,7 @@
 // How the outside of the scanned sector is told from true fluid.
 
+#include "processing/volume/no_data.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -9,7 +11,6 @@
 
 #include "processing/parallel.h"
 #include "processing/volume/bit_grid.h"
-#include "processing/volume/volume.h"
 
 namespace echolucent {
 

@@ -5,6 +5,7 @@
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/near_cut.h"
+#include "processing/volume/no_data.h"
 #include "tests/processing/tube_core/plane_volume.h"
 
 namespace echolucent {

@@ -10,6 +10,7 @@
 #include "processing/phantom/phantom.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "processing/volume/gradient_magnitude.h"
+#include "processing/volume/no_data.h"
 #include "tests/processing/tube_core/plane_volume.h"
 
 namespace echolucent {

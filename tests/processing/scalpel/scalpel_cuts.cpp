@@ -14,6 +14,7 @@
 #include "processing/picture/camera_pose.h"
 #include "processing/picture/picture_place.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
+#include "processing/volume/no_data.h"
 #include "tests/inputs.h"
 
 namespace echolucent {

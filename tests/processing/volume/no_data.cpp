@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "processing/phantom/phantom.h"
-#include "processing/volume/volume.h"
+#include "processing/volume/no_data.h"
 
 namespace echolucent {
 namespace {
