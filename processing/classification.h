@@ -12,7 +12,7 @@
 namespace echolucent {
 
 /// A two-dimensional OTF (Levoy 1988; Kindlmann and Durkin 1998): opacities per reference step over the normalised
-/// intensity f in [0,1] and the gradient magnitude g (processing/volume/gradient_magnitude.h), given at equidistant
+/// intensity f in [0,1] and the gradient magnitude g (processing/sampling/gradient_magnitude.h), given at equidistant
 /// nodes, bilinear between them.
 struct TwoDimensionalOtf {
     int intensities = 2;           ///< nodes along f, from 0 to 1; 2 to 1024

@@ -7,12 +7,12 @@
 
 #include "processing/parallel.h"
 #include "processing/progress_count.h"
-#include "processing/ray_caster/empty_space.h"
 #include "processing/ray_caster/kept_views.h"
 #include "processing/ray_caster/kernel_job.h"
 #include "processing/ray_caster/light_reaching.h"
-#include "processing/ray_caster/packed_gradients.h"
-#include "processing/volume/gradient_levels.h"
+#include "processing/ray_caster/packed/empty_space.h"
+#include "processing/ray_caster/packed/packed_gradients.h"
+#include "processing/sampling/gradient_levels.h"
 #include "processing/volume/row_marks.h"
 
 namespace echolucent {

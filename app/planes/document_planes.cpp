@@ -5,7 +5,7 @@
 #include "app/planes/edge_letters.h"
 #include "processing/document/box_editing.h"
 #include "processing/document/shown_measurement.h"
-#include "processing/volume/sampler.h"
+#include "processing/sampling/sampler.h"
 
 namespace echolucent {
 

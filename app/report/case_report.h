@@ -11,7 +11,7 @@
 #include "io/dicom/patient.h"
 #include "io/study.h"
 #include "processing/document/document.h"
-#include "processing/volume/histogram.h"
+#include "processing/intensity/histogram.h"
 
 namespace echolucent {
 

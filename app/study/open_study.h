@@ -19,8 +19,8 @@
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/opening_finds.h"
 #include "processing/document/study_reference.h"
+#include "processing/intensity/histogram.h"
 #include "processing/volume/coarse_grid.h"
-#include "processing/volume/histogram.h"
 #include "widgets/newest_wins_thread.h"
 
 namespace echolucent {

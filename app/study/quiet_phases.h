@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "processing/intensity/histogram.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
-#include "processing/volume/histogram.h"
 #include "processing/volume/volume.h"
 #include "widgets/newest_wins_thread.h"
 

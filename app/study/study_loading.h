@@ -12,8 +12,8 @@
 #include "io/study.h"
 #include "processing/document/opening_finds.h"
 #include "processing/document/study_reference.h"
+#include "processing/intensity/histogram.h"
 #include "processing/progress.h"
-#include "processing/volume/histogram.h"
 
 namespace echolucent {
 

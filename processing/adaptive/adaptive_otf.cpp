@@ -5,15 +5,15 @@
 #include <utility>
 
 #include "processing/adaptive/adapted_curve.h"
-#include "processing/adaptive/choose_detection.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/read_tube_cores.h"
-#include "processing/adaptive/stage_runner.h"
+#include "processing/detection/choose_detection.h"
+#include "processing/intensity/no_data.h"
 #include "processing/tube_core/slabs/tube_samples.h"
+#include "processing/tube_core/stage_runner.h"
 #include "processing/tube_core/surface_reading.h"
 #include "processing/tube_core/tube_grid.h"
 #include "processing/tube_core/tube_weights.h"
-#include "processing/volume/no_data.h"
 
 namespace echolucent {
 

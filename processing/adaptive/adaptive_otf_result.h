@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "processing/adaptive/adaptive_otf_config.h"
-#include "processing/adaptive/stage_times.h"
 #include "processing/opacity_curve.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
+#include "processing/tube_core/stage_times.h"
 #include "processing/tube_core/tube_core.h"
 #include "processing/viewpoint.h"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "processing/adaptive/choose_detection.h"
 #include "processing/adaptive/read_tube_cores.h"
-#include "processing/adaptive/stage_runner.h"
+#include "processing/detection/choose_detection.h"
+#include "processing/tube_core/stage_runner.h"
 #include "processing/tube_core/surface_reading.h"
 
 namespace echolucent {

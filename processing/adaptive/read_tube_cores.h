@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <span>
 
-#include "processing/adaptive/detection.h"
-#include "processing/adaptive/stage_runner.h"
+#include "processing/detection/detection.h"
 #include "processing/tube_core/rules/cell_rule.h"
+#include "processing/tube_core/stage_runner.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

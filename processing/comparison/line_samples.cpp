@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "processing/sampling/sampler.h"
 #include "processing/volume/filled_volume.h"
-#include "processing/volume/sampler.h"
 
 namespace echolucent {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "processing/classification.h"
-#include "processing/volume/gradient_magnitude.h"
+#include "processing/sampling/gradient_magnitude.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

@@ -6,15 +6,15 @@
 #include <variant>
 
 #include "processing/designers/adaptive_design.h"
-#include "processing/designers/contour_spectrum.h"
 #include "processing/designers/design.h"
 #include "processing/designers/designer_config.h"
 #include "processing/designers/fixed_presets.h"
-#include "processing/designers/kindlmann.h"
-#include "processing/designers/levoy.h"
+#include "processing/designers/gradients/contour_spectrum.h"
+#include "processing/designers/gradients/kindlmann.h"
+#include "processing/designers/gradients/levoy.h"
 #include "processing/designers/otsu.h"
 #include "processing/designers/percentile.h"
-#include "processing/designers/template_curve.h"
+#include "processing/designers/template/template_curve.h"
 #include "processing/progress.h"
 
 namespace echolucent {

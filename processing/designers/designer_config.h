@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "processing/choice_names.h"
-#include "processing/designers/template_comparison.h"
-#include "processing/designers/template_reference.h"
+#include "processing/designers/template/template_comparison.h"
+#include "processing/designers/template/template_reference.h"
 
 namespace echolucent {
 

@@ -10,7 +10,7 @@
 #include "processing/designers/config_rows.h"
 #include "processing/designers/designer_contract.h"
 #include "processing/designers/fetal_preset.h"
-#include "processing/volume/intensity_counts.h"
+#include "processing/intensity/intensity_counts.h"
 
 namespace echolucent {
 

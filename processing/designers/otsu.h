@@ -7,9 +7,9 @@
 
 #include "processing/designers/design.h"
 #include "processing/designers/designer_config.h"
+#include "processing/intensity/intensity_counts.h"
 #include "processing/parameter.h"
 #include "processing/progress.h"
-#include "processing/volume/intensity_counts.h"
 
 namespace echolucent {
 

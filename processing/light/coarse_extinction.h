@@ -8,7 +8,7 @@
 #include "processing/classification.h"
 #include "processing/light/light_grid.h"
 #include "processing/progress.h"
-#include "processing/volume/gradient_levels.h"
+#include "processing/sampling/gradient_levels.h"
 #include "processing/volume/row_marks.h"
 #include "processing/volume/volume.h"
 

@@ -11,7 +11,7 @@
 #include "processing/light/rendered_part.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/progress.h"
-#include "processing/volume/gradient_levels.h"
+#include "processing/sampling/gradient_levels.h"
 #include "processing/volume/row_marks.h"
 #include "processing/volume/volume.h"
 

@@ -14,7 +14,7 @@
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/picture/reaching_light.h"
 #include "processing/progress.h"
-#include "processing/volume/sampler.h"
+#include "processing/sampling/sampler.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::light {

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "processing/intensity/histogram.h"
 #include "processing/opacity_curve.h"
-#include "processing/volume/histogram.h"
 
 namespace echolucent {
 

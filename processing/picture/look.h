@@ -12,8 +12,8 @@
 #include "processing/picture/lighting.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/picture/render_mode.h"
+#include "processing/sampling/interpolation.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
-#include "processing/volume/interpolation.h"
 
 namespace echolucent {
 

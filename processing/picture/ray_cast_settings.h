@@ -10,8 +10,8 @@
 #include "processing/picture/colour_map.h"
 #include "processing/picture/render_mode.h"
 #include "processing/picture/shading.h"
+#include "processing/sampling/interpolation.h"
 #include "processing/volume/geometry.h"
-#include "processing/volume/interpolation.h"
 
 namespace echolucent {
 

@@ -8,10 +8,10 @@
 
 #include "processing/picture/picture.h"
 #include "processing/picture/render_mode.h"
-#include "processing/ray_caster/border_space.h"
 #include "processing/ray_caster/light_source.h"
-#include "processing/ray_caster/packed_light.h"
-#include "processing/ray_caster/packed_voxels.h"
+#include "processing/ray_caster/packed/border_space.h"
+#include "processing/ray_caster/packed/packed_light.h"
+#include "processing/ray_caster/packed/packed_voxels.h"
 #include "processing/ray_caster/ray_geometry.h"
 #include "processing/ray_caster/transfer_table.h"
 

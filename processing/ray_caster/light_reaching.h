@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "processing/light/light_sweep.h"
-#include "processing/ray_caster/packed_light.h"
+#include "processing/ray_caster/packed/packed_light.h"
 #include "processing/volume/row_marks.h"
 
 namespace echolucent::ray_casting {

@@ -1,5 +1,5 @@
 // How much light reaches the samples of a packet of rays.
-#include "processing/ray_caster/packed_light.h"
+#include "processing/ray_caster/packed/packed_light.h"
 #include "processing/ray_caster/packet_run-inl.h"
 
 #if defined(ECHOLUCENT_PACKET_REACHING_INL) == defined(HWY_TARGET_TOGGLE)

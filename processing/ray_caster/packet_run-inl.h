@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "processing/ray_caster/brick_grid.h"
+#include "processing/ray_caster/packed/brick_grid.h"
 #include "processing/ray_caster/packet_sampling-inl.h"
 
 #if defined(ECHOLUCENT_PACKET_RUN_INL) == defined(HWY_TARGET_TOGGLE)

@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "processing/sampling/plane_sampling.h"
 #include "processing/viewpoint.h"
-#include "processing/volume/plane_sampling.h"
 
 using namespace echolucent;
 

@@ -11,7 +11,7 @@
 
 #include "io/study.h"
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/volume/no_data.h"
+#include "processing/intensity/no_data.h"
 
 namespace echolucent::bench {
 

@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "app/measuring/bench/command_bench.h"
-#include "processing/tube_core/surface_detection.h"
+#include "processing/detection/variance_surface.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent::bench {

@@ -9,9 +9,9 @@
 #include <limits>
 #include <optional>
 
+#include "processing/sampling/sampler.h"
 #include "processing/tube_core/slabs/tube_samples.h"
 #include "processing/viewpoint.h"
-#include "processing/volume/sampler.h"
 
 namespace echolucent {
 namespace {

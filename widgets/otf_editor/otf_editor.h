@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "processing/volume/histogram.h"
+#include "processing/intensity/histogram.h"
 #include "widgets/otf_editor/otf_editor_model.h"
 #include "widgets/paced_words.h"
 

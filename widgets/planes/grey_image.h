@@ -3,7 +3,7 @@
 
 #include <QImage>
 
-#include "processing/volume/plane_sampling.h"
+#include "processing/sampling/plane_sampling.h"
 
 namespace echolucent {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "processing/document/planes.h"
-#include "processing/volume/plane_sampling.h"
+#include "processing/sampling/plane_sampling.h"
 #include "widgets/newest_wins_thread.h"
 
 namespace echolucent {

@@ -10,7 +10,7 @@
 #include "processing/parallel.h"
 #include "processing/picture/reaching_light.h"
 #include "processing/progress_count.h"
-#include "processing/volume/gradient_magnitude.h"
+#include "processing/sampling/gradient_magnitude.h"
 
 namespace echolucent {
 

@@ -13,8 +13,8 @@
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/progress.h"
 #include "processing/ray_caster/ray_geometry.h"
+#include "processing/sampling/sampler.h"
 #include "processing/volume/filled_volume.h"
-#include "processing/volume/sampler.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

@@ -1,7 +1,7 @@
 // How the cells of a tube core are read.
 #pragma once
 
-#include "processing/volume/interpolation.h"
+#include "processing/sampling/interpolation.h"
 
 namespace echolucent {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "processing/volume/sampler.h"
+#include "processing/sampling/sampler.h"
 
 namespace echolucent {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/intensity/no_data.h"
 #include "processing/near_cut.h"
-#include "processing/volume/no_data.h"
 #include "tests/processing/tube_core/plane_volume.h"
 
 namespace echolucent {

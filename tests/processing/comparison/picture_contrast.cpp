@@ -10,8 +10,8 @@
 #include "processing/adaptive/method_reading.h"
 #include "processing/comparison/classification_measures.h"
 #include "processing/comparison/surface_contrast.h"
+#include "processing/sampling/gradient_magnitude.h"
 #include "processing/volume/filled_volume.h"
-#include "processing/volume/gradient_magnitude.h"
 #include "tests/processing/comparison/small_volumes.h"
 
 namespace echolucent {

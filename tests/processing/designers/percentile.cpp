@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "designer_volumes.h"
-#include "processing/volume/intensity_counts.h"
+#include "processing/intensity/intensity_counts.h"
 
 namespace echolucent {
 namespace {

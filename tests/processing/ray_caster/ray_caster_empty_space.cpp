@@ -1,5 +1,5 @@
 // Where rays jump: distances to the next brick that shows something, and the pictures with and without jumps.
-#include "processing/ray_caster/empty_space.h"
+#include "processing/ray_caster/packed/empty_space.h"
 
 #include <gtest/gtest.h>
 

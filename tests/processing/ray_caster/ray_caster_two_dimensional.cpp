@@ -1,8 +1,8 @@
 // Pictures of two-dimensional OTFs: against the references, and against curves where the gradient plays no part.
 #include <gtest/gtest.h>
 
-#include "processing/ray_caster/empty_space.h"
-#include "processing/ray_caster/packed_gradients.h"
+#include "processing/ray_caster/packed/empty_space.h"
+#include "processing/ray_caster/packed/packed_gradients.h"
 #include "processing/ray_caster/plain/plain_caster.h"
 #include "processing/volume/filled_volume.h"
 #include "ray_caster_scenes.h"

@@ -11,10 +11,10 @@
 #include <numbers>
 #include <random>
 
+#include "processing/intensity/no_data.h"
 #include "processing/picture/camera_pose.h"
 #include "processing/picture/picture_place.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
-#include "processing/volume/no_data.h"
 #include "tests/inputs.h"
 
 namespace echolucent {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "processing/tube_core/scale_space.h"
+#include "processing/detection/scale_space.h"
 
 namespace echolucent {
 

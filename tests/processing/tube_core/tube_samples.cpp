@@ -7,7 +7,7 @@
 #include <random>
 
 #include "processing/adaptive/adaptive_otf_config.h"
-#include "processing/volume/sampler.h"
+#include "processing/sampling/sampler.h"
 #include "tests/processing/grids.h"
 #include "tests/processing/tube_core/view_samples.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "processing/volume/histogram.h"
+#include "processing/intensity/histogram.h"
 #include "widgets/otf_editor/canvas/histogram_backdrop.h"
 #include "widgets/otf_editor/canvas/plot_axes.h"
 #include "widgets/otf_editor/canvas/plot_colours.h"

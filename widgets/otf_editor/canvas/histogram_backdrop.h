@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <array>
 
-#include "processing/volume/histogram.h"
+#include "processing/intensity/histogram.h"
 #include "widgets/otf_editor/canvas/plot_axes.h"
 
 namespace echolucent {

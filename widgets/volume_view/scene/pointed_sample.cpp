@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "processing/ray_caster/plain/plain_caster.h"
-#include "processing/volume/gradient_magnitude.h"
-#include "processing/volume/sampler.h"
+#include "processing/sampling/gradient_magnitude.h"
+#include "processing/sampling/sampler.h"
 
 namespace echolucent {
 

@@ -1,0 +1,54 @@
+// A monotone warp of the intensity axis that carries one distribution of intensities into another
+// (docs/designers/template.md).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "processing/designers/template/template_comparison.h"
+#include "processing/progress.h"
+
+namespace echolucent {
+
+/// t: the intensity of another volume that means what an intensity of the reference means. Both are normalised.
+struct IntensityWarp {
+    /// t at equidistant intensities of the reference from 0 to 1, two or more, ascending, linear between them. Outside
+    /// [0,1] they say that the other volume cuts these intensities off.
+    std::vector<double> values{0.0, 1.0};
+
+    /// t(v); v is clamped into [0,1].
+    [[nodiscard]] double at(double reference) const;
+    /// The intensity of the reference whose t is `other`: 0 below t(0), 1 above t(1).
+    [[nodiscard]] double inverse(double other) const;
+};
+
+struct WarpRule {
+    TemplateComparison comparison = TemplateComparison::logarithm;
+    double leastSlope = 0.25;   ///< of t, [1/8,1]
+    double largestSlope = 4.0;  ///< of t, [1,8]
+};
+
+/// A warp, and how unlike the distributions are without it and with it. A distance is the root of the mean over the
+/// reference's axis of what the comparison asks, without the price of slopes: 0 for equal distributions.
+struct FoundWarp {
+    IntensityWarp warp;
+    double distanceBefore = 0.0;
+    double distance = 0.0;
+};
+
+/// Bins of a histogram of normalised intensities: bin i holds [i/256, (i+1)/256[.
+inline constexpr std::size_t warpBins = 256;
+
+/// The warp of the least distance, by dynamic programming over steps of 2 bins of the reference and eighths of a bin of
+/// the other (in the way of Rezk-Salama and others 2000). Shares are taken between the ends of a step, so that the
+/// warp's own stretching is part of the comparison; what lies beyond an end of either axis is taken together, because
+/// the first and the last bin hold all that was cut off. A small price on slopes other than 1 decides where no voxel
+/// does. Histograms are shares of voxels, warpBins of them, 0 or more, with a sum of 1; anything else, and slopes out
+/// of their range, throw std::invalid_argument. The result is empty only where progress.cancel was raised, and has the
+/// same bits for any number of threads.
+[[nodiscard]] std::optional<FoundWarp> findWarp(std::span<const double> reference, std::span<const double> other,
+                                                const WarpRule& rule, const Progress& progress = {});
+
+}  // namespace echolucent

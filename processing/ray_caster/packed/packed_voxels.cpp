@@ -1,0 +1,60 @@
+#include "processing/ray_caster/packed/packed_voxels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "processing/parallel.h"
+#include "processing/ray_caster/transfer_table.h"
+
+namespace echolucent::ray_casting {
+
+namespace {
+
+/// What the kernel may interpolate of a voxel: a float as its table position. Differences, and the squares of
+/// gradients, of what is packed must be finite.
+template <typename Voxel>
+struct Packing {
+    double floatsToTable;
+
+    Voxel operator()(Voxel value) const {
+        if constexpr (std::is_same_v<Voxel, float>)
+            return static_cast<float>(std::clamp(static_cast<double>(value) * floatsToTable, -1e15, 1e15));
+        return value;
+    }
+};
+
+}  // namespace
+
+template <typename Voxel>
+float PackedVoxels<Voxel>::toTable(double whiteLevel) {
+    if constexpr (std::is_same_v<Voxel, float>) return 1.0f;
+    // More than that makes the smallest stored value white already, less the largest one black; both must be finite and
+    // have an inverse.
+    return static_cast<float>(std::clamp(TransferTable::intervals / whiteLevel, 1e-12, 1e12));
+}
+
+template <typename Voxel>
+PackedVoxels<Voxel>::PackedVoxels(const Volume& filled) : m_order(filled.geometry().size) {
+    const Packing<Voxel> packing{TransferTable::intervals / filled.whiteLevel()};
+    const Voxel* voxels = std::get<VoxelArray<Voxel>>(filled.voxels()).data();
+    m_cubes = std::make_unique_for_overwrite<Voxel[]>(m_order.stored());
+    parallelFor(LoopRange<std::int64_t>(0, m_order.rows * m_order.slices, 64), [&](const auto& range) {
+        for (std::int64_t each = range.begin(); each < range.end(); ++each) {
+            const std::int64_t row = each % m_order.rows, slice = each / m_order.rows;
+            const auto rowOf = [&](std::int64_t y) {
+                return voxels + m_order.size[0] * (y + m_order.size[1] * m_order.lower(slice, 2));
+            };
+            packRow(m_order, rowOf(m_order.lower(row, 1)), rowOf(m_order.upper(row, 1)), 0, m_order.size[0],
+                    m_cubes.get() + m_order.first(row, slice), packing);
+        }
+    });
+}
+
+template class PackedVoxels<std::uint8_t>;
+template class PackedVoxels<std::uint16_t>;
+template class PackedVoxels<float>;
+
+}  // namespace echolucent::ray_casting

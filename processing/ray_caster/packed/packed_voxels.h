@@ -1,0 +1,31 @@
+// The voxels of a volume in the order the kernel reads them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "processing/ray_caster/packed/packed_order.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent::ray_casting {
+
+/// Makes one pass over the volume. Floats are stored as table positions (see transfer_table.h): their white level may
+/// be of any magnitude.
+template <typename Voxel>
+class PackedVoxels {
+public:
+    /// `filled` is FilledVolume::voxels.
+    explicit PackedVoxels(const Volume& filled);
+
+    [[nodiscard]] const Voxel* cubes() const { return m_cubes.get(); }
+    /// The factor from a packed value to its table position.
+    [[nodiscard]] static float toTable(double whiteLevel);
+    [[nodiscard]] std::int64_t rowStride() const { return m_order.rowStride; }      ///< cubes
+    [[nodiscard]] std::int64_t sliceStride() const { return m_order.sliceStride; }  ///< cubes
+
+private:
+    PackedOrder m_order;
+    std::unique_ptr<Voxel[]> m_cubes;
+};
+
+}  // namespace echolucent::ray_casting
