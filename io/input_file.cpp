@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "io/descriptor.h"
 #include "io/file_access.h"
 #include "io/input_problems.h"
 
@@ -35,15 +36,6 @@ Result<void> requireMemory(const std::string& file, const std::string& element, 
                 "Open it on a larger machine, or a smaller part of it.");
 }
 
-/// Closes what it owns.
-struct InputFile::Descriptor {
-    explicit Descriptor(int owned) : number(owned) {}
-    ~Descriptor() { close(number); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number;
-};
-
 InputFile::InputFile(std::string path, std::shared_ptr<const Descriptor> descriptor, std::uint64_t size)
     : m_path(std::move(path)), m_descriptor(std::move(descriptor)), m_size(size) {}
 
@@ -65,7 +57,7 @@ Result<void> InputFile::readAt(std::uint64_t offset, std::span<std::uint8_t> byt
     std::size_t done = 0;
     while (done < bytes.size()) {
         const ssize_t count =
-            pread(m_descriptor->number, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+            pread(m_descriptor->number(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
         if (count < 0 && errno == EINTR) continue;
         if (count < 0)
             return fail(FailureKind::unreadable, m_path, "", "could not be read: " + inputProblem(errno),

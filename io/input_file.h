@@ -13,6 +13,8 @@
 
 namespace echolucent {
 
+class Descriptor;
+
 /// a * b, or no value where the product does not fit into 63 bits. Both factors are at least 0.
 [[nodiscard]] std::optional<std::int64_t> checkedProduct(std::int64_t a, std::int64_t b);
 
@@ -40,7 +42,6 @@ public:
     [[nodiscard]] Result<std::string> beginning(std::size_t limit) const;
 
 private:
-    struct Descriptor;
     InputFile(std::string path, std::shared_ptr<const Descriptor> descriptor, std::uint64_t size);
     std::string m_path;
     std::shared_ptr<const Descriptor> m_descriptor;

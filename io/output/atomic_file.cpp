@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "io/descriptor.h"
 #include "io/output/interruption.h"
 #include "io/output/output_place.h"
 #include "io/output/unfinished_file.h"
@@ -15,32 +16,6 @@
 namespace echolucent {
 
 namespace {
-
-/// Closes what it owns.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : m_number(number) {}
-    ~Descriptor() {
-        if (m_number >= 0) close(m_number);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int number() const { return m_number; }
-
-private:
-    int m_number;
-};
-
-/// Gives 0, or the errno of what went wrong.
-int writeAll(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return errno;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return 0;
-}
 
 /// Whether a file could be made that has no name; then `problem` is 0, or the errno of what went wrong.
 struct Nameless {

@@ -35,16 +35,6 @@ int waitFor(int socket, short what, std::chrono::milliseconds patience) {
     return ready;
 }
 
-bool writeAll(int file, std::span<const char> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(file, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
 /// The bytes in the memory that a packet brought. The sender may still change them, so that they are copied.
 bool readAll(int file, std::uint64_t size, std::string& bytes) {
     struct stat status {};
@@ -84,19 +74,6 @@ std::vector<Descriptor> filesOf(msghdr& packet) {
 
 }  // namespace
 
-Descriptor::~Descriptor() {
-    if (m_number >= 0) close(m_number);
-}
-Descriptor::Descriptor(Descriptor&& other) noexcept : m_number(other.release()) {}
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-    if (this != &other) {
-        if (m_number >= 0) close(m_number);
-        m_number = other.release();
-    }
-    return *this;
-}
-int Descriptor::release() { return std::exchange(m_number, -1); }
-
 Descriptor sharedMemory(std::uint64_t bytes) {
     Descriptor memory(memfd_create("echolucent", MFD_CLOEXEC | MFD_ALLOW_SEALING));
     if (!memory || ftruncate(memory.number(), static_cast<off_t>(bytes)) != 0) return {};
@@ -116,7 +93,7 @@ bool Channel::send(MessageKind kind, const std::string& bytes, const std::vector
     Descriptor memory;
     if (bytes.size() > mostPacketBytes) {
         memory = sharedMemory(0);
-        if (!memory || !writeAll(memory.number(), bytes)) return false;
+        if (!memory || writeAll(memory.number(), bytes) != 0) return false;
         numbers.push_back(memory.number());
         head.inMemory = 1;
     }

@@ -9,27 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "io/descriptor.h"
+
 namespace echolucent::restricted {
-
-/// An open file, closed with the last owner.
-class Descriptor {
-public:
-    Descriptor() = default;
-    explicit Descriptor(int number) : m_number(number) {}
-    ~Descriptor();
-    Descriptor(Descriptor&& other) noexcept;
-    Descriptor& operator=(Descriptor&& other) noexcept;
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    [[nodiscard]] int number() const { return m_number; }  ///< -1 where it owns none
-    [[nodiscard]] explicit operator bool() const { return m_number >= 0; }
-    /// Hands the open file over.
-    [[nodiscard]] int release();
-
-private:
-    int m_number = -1;
-};
 
 /// What a message is about. Questions and answers come in turn; progress comes at any time.
 enum class MessageKind : std::uint32_t {

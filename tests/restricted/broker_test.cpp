@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "io/descriptor.h"
 #include "io/restricted/descriptions.h"
 #include "io/restricted/remote_files.h"
 #include "temporary_folder.h"
@@ -11,7 +12,6 @@
 namespace echolucent {
 namespace {
 
-using restricted::Descriptor;
 using restricted::FileBroker;
 using restricted::Message;
 using restricted::MessageKind;
