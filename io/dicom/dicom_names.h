@@ -1,4 +1,5 @@
-// DICOM's unique identifiers in words a person knows, for reports and refusals.
+// DICOM's unique identifiers in words, for reports and refusals: DCMTK's names of them, written as a sentence needs
+// them.
 #pragma once
 
 #include <string>
@@ -9,7 +10,10 @@ namespace echolucent {
 constexpr std::string_view directorySopClass = "1.2.840.10008.1.3.10";  ///< of a DICOMDIR
 constexpr std::string_view qlabSopClass = "1.2.840.113543.6.6.1.3.10002";
 
-/// A transfer syntax in words: "JPEG-LS, lossless". An unknown UID becomes "a coding that is not known here".
+/// The words of a name that DCMTK writes without blanks: "SOP Class UID" of "SOPClassUID".
+[[nodiscard]] std::string wordsOfName(std::string_view name);
+
+/// A transfer syntax in words: "JPEG-LS Lossless". An unknown UID becomes "a coding that is not known here".
 [[nodiscard]] std::string transferSyntaxName(std::string_view uid);
 
 /// What an object of a SOP class is, with its article: "an ultrasound image", "an encapsulated PDF document". An

@@ -1,6 +1,5 @@
 // What the walk over a DICOM file counts, and which elements it finds twice.
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <utility>
 
@@ -8,6 +7,7 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
+#include "io/dicom/dicom_names.h"
 #include "io/dicom/dicom_scan_result.h"
 #include "io/dicom/dicom_walk.h"
 #include "io/input_problems.h"
@@ -19,16 +19,10 @@ namespace {
 /// Values of this many bytes are kept, to be compared with those of an element that stands twice.
 constexpr std::uint32_t keptValue = 64;
 
-/// "(0028,0030) Pixel Spacing": DCMTK's dictionary writes names without blanks.
+/// "(0028,0030) Pixel Spacing"
 std::string tagAndName(std::uint32_t tag) {
-    std::string name = fmt::format("({:04x},{:04x}) ", tag >> 16, tag & 0xffff);
-    const std::string written = DcmTag(static_cast<Uint16>(tag >> 16), static_cast<Uint16>(tag & 0xffff)).getTagName();
-    for (std::size_t i = 0; i < written.size(); ++i) {
-        const bool begins = i > 0 && std::isupper(static_cast<unsigned char>(written[i])) != 0 &&
-                            std::islower(static_cast<unsigned char>(written[i - 1])) != 0;
-        name += begins ? std::string(" ") + written[i] : std::string(1, written[i]);
-    }
-    return name;
+    DcmTag named(static_cast<Uint16>(tag >> 16), static_cast<Uint16>(tag & 0xffff));
+    return fmt::format("({:04x},{:04x}) {}", tag >> 16, tag & 0xffff, wordsOfName(named.getTagName()));
 }
 
 /// Whether an element describes the picture or its place, so that it must not stand twice with different values.

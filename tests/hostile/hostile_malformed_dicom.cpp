@@ -125,9 +125,10 @@ std::vector<HostileFile> noPictures() {
     text.text(0x0008, 0x0060, "CS", "SR");
     return {
         frames("a-structured-report", text.file("1.2.840.10008.5.1.4.1.1.88.11"),
-               {"is a structured report (text, no picture), and (7fe0,0010) Pixel Data is absent"}),
-        frames("a-pdf", text.file("1.2.840.10008.5.1.4.1.1.104.1"), {"is an encapsulated PDF document"}),
-        frames("a-presentation-state", text.file("1.2.840.10008.5.1.4.1.1.11.1"), {"is a presentation state"}),
+               {"is a basic text structured report, and (7fe0,0010) Pixel Data is absent"}),
+        frames("a-pdf", text.file("1.2.840.10008.5.1.4.1.1.104.1"), {"is an encapsulated PDF document, and"}),
+        frames("a-presentation-state", text.file("1.2.840.10008.5.1.4.1.1.11.1"),
+               {"is a grayscale softcopy presentation state, and"}),
         frames("an-unknown-object", text.file("1.2.3.4"), {"is an object of a kind that is not known here"}),
         frames("empty-pixel-data", framesOf16x8().put(0x7fe0, 0x0010, "OW", "").file(cineClass),
                {"(7fe0,0010) Pixel Data is there but empty"}),
@@ -135,7 +136,7 @@ std::vector<HostileFile> noPictures() {
                {"floating-point numbers"}),
         frames("a-compressed-syntax-of-plain-pixels",
                framesOf16x8().put(0x7fe0, 0x0010, "OW", std::string(256, 'a')).file(cineClass, jpegLsSyntax),
-               {"is not split into fragments, as the transfer syntax (JPEG-LS, lossless) needs"}),
+               {"is not split into fragments, as the transfer syntax (JPEG-LS Lossless) needs"}),
     };
 }
 
@@ -144,9 +145,11 @@ std::vector<HostileFile> unknownCodings() {
     for (const auto& [name, syntax, words] : std::vector<std::array<std::string, 3>>{
              {"jpeg-xl-lossless", "1.2.840.10008.1.2.4.110", "is JPEG XL, lossless, which cannot be read"},
              {"jpeg-xl", "1.2.840.10008.1.2.4.112", "is JPEG XL, which cannot be read"},
-             {"mpeg-2", "1.2.840.10008.1.2.4.100", "is MPEG-2 video, which"},
-             {"h264", "1.2.840.10008.1.2.4.102", "is MPEG-4 (H.264) video, which"},
-             {"h265", "1.2.840.10008.1.2.4.107", "is HEVC (H.265) video, which"},
+             {"mpeg-2", "1.2.840.10008.1.2.4.100", "is MPEG2 Main Profile @ Main Level (video), which"},
+             {"h264", "1.2.840.10008.1.2.4.102", "is MPEG-4 AVC/H.264 High Profile / Level 4.1 (video), which"},
+             {"h264-in-fragments", "1.2.840.10008.1.2.4.102.1",
+              "is MPEG-4 AVC/H.264 High Profile / Level 4.1 (video), which"},
+             {"h265", "1.2.840.10008.1.2.4.107", "is HEVC/H.265 Main Profile / Level 5.1 (video), which"},
              {"high-throughput-jpeg-2000", "1.2.840.10008.1.2.4.201", "is High-Throughput JPEG 2000, lossless, which"},
              {"frames-deflated-one-by-one", "1.2.840.10008.1.2.8.1", "is deflated frame by frame, which"},
              {"an-unknown-coding", "1.2.3.4.5", "is a coding that is not known here, which"}})

@@ -46,11 +46,11 @@ TEST(SharedDicomSentences, SinglePicturesAreCalledThat) {
 TEST(SharedDicomSentences, OthersSayWhatTheyAre) {
     SKIP_WITHOUT_SHARED_DATA();
     for (const auto& [name, words] : std::vector<std::pair<std::string, std::string>>{
-             {"/bad/orthanc_MarekLatin2.dcm", "is a structured report"},
+             {"/bad/orthanc_MarekLatin2.dcm", "is a basic text structured report"},
              {"/bad/orthanc_Issue137.dcm", "is an encapsulated STL model"},
              {"/bad/dcmjs_no-meta-length-test.dcm", "is an ultrasound image, and (7fe0,0010) Pixel Data is absent"},
              {"/bad/fodicom_GH1146.dcm", "(7fe0,0010) Pixel Data is there but empty"},
-             {"/bad/dicomts_20-wrong-transfer-syntax.dcm", "as the transfer syntax (JPEG-LS, lossless) needs"},
+             {"/bad/dicomts_20-wrong-transfer-syntax.dcm", "as the transfer syntax (JPEG-LS Lossless) needs"},
              {"/bad/fodicom_GH179B.dcm", "ends after 2848 bytes in the middle of an element"},
              {"/bad/pydicom_no_meta.dcm", "does not begin as a DICOM file does"},
              {"/bad/pydicom_DICOMDIR-bigEnd", "is a DICOMDIR, and none of the 31 files that it names is in its folder"},
