@@ -1,5 +1,6 @@
-// The program of one fuzz target for clang's libFuzzer; ECHOLUCENT_FUZZ_TARGET names it.
+// The program of all fuzz targets for clang's libFuzzer; ECHOLUCENT_FUZZ_TARGET in the environment names one.
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 
 #include "fuzz_target.h"
@@ -8,7 +9,10 @@
 namespace {
 
 const echolucent::FuzzTarget& target() {
-    static const echolucent::FuzzTarget& named = echolucent::fuzzTargetNamed(ECHOLUCENT_FUZZ_TARGET);
+    static const echolucent::FuzzTarget& named = []() -> const echolucent::FuzzTarget& {
+        const char* name = std::getenv("ECHOLUCENT_FUZZ_TARGET");
+        return echolucent::fuzzTargetNamed(name == nullptr ? "" : name);
+    }();
     return named;
 }
 
