@@ -1,25 +1,18 @@
-#include <array>
-#include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "io/curve_file.h"
 #include "io/data_files.h"
 #include "io/dicom/dicom_reader.h"
-#include "io/dicom/dicom_scan.h"
 #include "io/document/preset_file.h"
 #include "io/file_access.h"
-#include "io/file_format.h"
+#include "io/file_formats.h"
 #include "io/gzip_file.h"
-#include "io/headers/header_text.h"
-#include "io/headers/meta_image.h"
-#include "io/headers/nrrd.h"
 #include "io/headers/raw_volume.h"
 #include "io/input_problems.h"
-#include "io/kretz/kretz_items.h"
-#include "io/kretz/kretz_reader.h"
 #include "io/nifti/nifti_header.h"
 #include "io/nifti/nifti_reader.h"
 #include "io/stored_volume_reader.h"
@@ -30,33 +23,19 @@ namespace echolucent {
 
 namespace {
 
-FileFormat formatFromName(const std::string& path) {
-    const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
-    if (extension == ".mha" || extension == ".mhd") return FileFormat::metaImage;
-    if (extension == ".nrrd" || extension == ".nhdr") return FileFormat::nrrd;
-    if (extension == ".nii") return FileFormat::nifti;
-    if (extension == ".dcm" || extension == ".dicom" || extension == ".ima") return FileFormat::dicom;
-    return FileFormat::unknown;
+/// Whether a file ends within the first bytes of a gzip file.
+bool isCutGzip(std::string_view beginning) {
+    return !beginning.empty() && beginning.size() < gzipSignature.size() && gzipSignature.starts_with(beginning);
 }
 
 /// A sentence for files that end within the first bytes of a known format; no value for all others.
 std::optional<Failure> cutWithinItsBeginning(const std::string& path, std::string_view beginning) {
-    struct Signature {
-        std::string_view bytes;
-        const char* format;
-    };
-    constexpr std::array<Signature, 4> signatures{{{"NRRD000", "an NRRD file"},
-                                                   {kretzSignature, "a GE Voluson volume (Kretz)"},
-                                                   {"ObjectType", "a MetaImage"},
-                                                   {gzipSignature, "a gzip file"}}};
-    const char* format = beginsLikeNifti(beginning) ? "a NIfTI header" : nullptr;
-    for (const Signature& signature : signatures)
-        if (!beginning.empty() && beginning.size() < signature.bytes.size() && signature.bytes.starts_with(beginning))
-            format = signature.format;
-    if (format == nullptr) return std::nullopt;
+    std::string_view cut = isCutGzip(beginning) ? "a gzip file" : "";
+    for (const FileFormat& format : fileFormats())
+        if (format.mayBeCutAt(beginning)) cut = format.oneOfThem;
+    if (cut.empty()) return std::nullopt;
     return fail(FailureKind::unreadable, path, "",
-                fmt::format("ends after {} bytes, within the beginning of {}", beginning.size(), format),
-                incompleteFile)
+                fmt::format("ends after {} bytes, within the beginning of {}", beginning.size(), cut), incompleteFile)
         .value();
 }
 
@@ -124,12 +103,11 @@ Result<Study> readUnknown(const InputFile& file, std::string_view beginning, con
     if (!*known) {
         if (auto refused = cutWithinItsBeginning(path, beginning)) return tl::unexpected(*refused);
         if (auto refused = knownButNotRead(path, beginning)) return tl::unexpected(*refused);
-        auto unknown =
-            fail(FailureKind::unreadable, path, "",
-                 beginning.empty() ? "is empty" : "is no MetaImage, NRRD, NIfTI, DICOM or GE Voluson (Kretz) file",
-                 "If it is a raw volume without a header, describe it with --raw-size XxYxZ, --raw-type, "
-                 "--raw-byte-order, --raw-header-bytes and --raw-spacing, or, where it holds beams, with "
-                 "--raw-polar, --raw-range, --raw-lines and --raw-planes instead of the spacing.");
+        auto unknown = fail(FailureKind::unreadable, path, "",
+                            beginning.empty() ? "is empty" : "is no " + namesOfFormats() + " file",
+                            "If it is a raw volume without a header, describe it with --raw-size XxYxZ, --raw-type, "
+                            "--raw-byte-order, --raw-header-bytes and --raw-spacing, or, where it holds beams, with "
+                            "--raw-polar, --raw-range, --raw-lines and --raw-planes instead of the spacing.");
         unknown.value().layoutUnknown = !beginning.empty();
         return unknown;
     }
@@ -140,11 +118,13 @@ Result<Study> readUnknown(const InputFile& file, std::string_view beginning, con
 }
 
 /// Half the way is unpacking the voxels, where they are packed in a file of their own.
-Result<Study> readNifti(const InputFile& file, const Packing& packing, const ReadOptions& options,
-                        const Progress& progress) {
+Result<Study> readAs(const FileFormat& format, const InputFile& file, const Packing& packing,
+                     const ReadOptions& options, const Progress& progress) {
+    if (const auto* readStudy = std::get_if<FileFormat::StudyReader>(&format.reader))
+        return (*readStudy)(file, options, progress);
     double reached = 0;
-    auto stored = readNiftiHeader(file, options.framesAsSlices,
-                                  {[&](double share) { progress.at(reached = 0.5 * share); }, progress.cancel});
+    auto stored = std::get<FileFormat::HeaderReader>(format.reader)(
+        file, options.framesAsSlices, {[&](double share) { progress.at(reached = 0.5 * share); }, progress.cancel});
     return readStored(
         std::move(stored), packing, options,
         {[&](double share) { progress.at(reached + (1 - reached) * share); }, progress.cancel, progress.coarse});
@@ -155,21 +135,10 @@ Result<Study> readOpened(const InputFile& file, const Packing& packing, const Re
                          const Progress& progress) {
     const auto beginning = file.beginning(4096);
     if (!beginning) return tl::unexpected(beginning.error());
-    FileFormat format = formatFromContent(*beginning);
-    const bool cutGzip =
-        !beginning->empty() && beginning->size() < gzipSignature.size() && gzipSignature.starts_with(*beginning);
-    if (format == FileFormat::unknown && !cutGzip && !knownButNotRead(file.path(), *beginning))
+    const FileFormat* format = formatFromContent(*beginning);
+    if (format == nullptr && !isCutGzip(*beginning) && !knownButNotRead(file.path(), *beginning))
         format = formatFromName(withoutGzipEnding(file.path()));
-    switch (format) {
-        case FileFormat::metaImage:
-            return readStored(readMetaImageHeader(file, options.framesAsSlices), packing, options, progress);
-        case FileFormat::nrrd:
-            return readStored(readNrrdHeader(file, options.framesAsSlices), packing, options, progress);
-        case FileFormat::nifti: return readNifti(file, packing, options, progress);
-        case FileFormat::dicom: return readDicom(file, options, progress);
-        case FileFormat::kretz: return readKretz(kretzSource(file), options, progress);
-        case FileFormat::unknown: break;
-    }
+    if (format != nullptr) return readAs(*format, file, packing, options, progress);
     return readUnknown(file, *beginning, packing, options, progress);
 }
 
@@ -210,7 +179,7 @@ Result<std::optional<InputFile>> headerOfPair(const InputFile& voxels, const Rea
     if (!layout) return tl::unexpected(layout.error());
     const auto own = voxels.beginning(4096);
     if (!own) return tl::unexpected(own.error());
-    if (layout->has_value() || formatFromContent(*own) != FileFormat::unknown) return std::optional<InputFile>();
+    if (layout->has_value() || formatFromContent(*own) != nullptr) return std::optional<InputFile>();
     // A link may lead anywhere; what is read lies in the folder that was named.
     if (auto inside = requireInItsFolder(*beside); !inside) return tl::unexpected(inside.error());
     auto header = InputFile::open(*beside);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/cli/option_text.h"
+#include "io/file_formats.h"
 #include "io/headers/header_text.h"
 #include "io/output/movie_file.h"
 
@@ -19,8 +20,8 @@ constexpr std::array<std::string_view, 21> pictureEndings{".bmp", ".exr", ".gif"
                                                           ".ppm", ".svg", ".tga", ".tif",  ".tiff", ".webp", ".xpm"};
 constexpr std::array<std::string_view, 10> movieEndings{".avi",  ".m4v", ".mkv", ".mov",  ".mp4",
                                                         ".mpeg", ".mpg", ".ogv", ".webm", ".wmv"};
-constexpr std::array<std::string_view, 12> volumeEndings{".dcm", ".dicom", ".gipl", ".gz",  ".hdr",  ".img",
-                                                         ".mha", ".mhd",   ".nhdr", ".nii", ".nrrd", ".vtk"};
+/// Beside those of the formats that are read.
+constexpr std::array<std::string_view, 5> volumeEndings{".gipl", ".gz", ".hdr", ".img", ".vtk"};
 
 template <std::size_t count>
 bool holds(const std::array<std::string_view, count>& endings, std::string_view ending) {
@@ -55,7 +56,7 @@ Result<void> checkMovieName(const std::string& path, const std::string& option) 
 
 Result<void> checkMetaImageName(const std::string& path, const std::string& option) {
     const std::string ending = endingOf(path);
-    const bool known = isPictureOrMovie(ending) || holds(volumeEndings, ending);
+    const bool known = isPictureOrMovie(ending) || holds(volumeEndings, ending) || formatFromName(path) != nullptr;
     if (!known || ending == ".mha" || ending == ".mhd") return {};
     return refused(path, option, "volumes are written as MetaImage", "Give it a name that ends in .mha.");
 }

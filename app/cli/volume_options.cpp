@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/command.h"
+#include "io/file_formats.h"
 #include "io/headers/header_text.h"
 #include "io/output/output_place.h"
 #include "io/restricted/restricted_reader.h"
@@ -97,10 +98,9 @@ Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::ve
 
 void VolumeOptions::addTo(CLI::App& command) {
     command
-        .add_option(
-            "VOLUME", path,
-            "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .hdr with .img), GE Voluson (.vol), DICOM "
-            "file, folder or DICOMDIR, or raw with --raw-size; any of these files packed with gzip")
+        .add_option("VOLUME", path,
+                    namesAndEndingsOfFormats() +
+                        ", a folder of DICOM, or raw with --raw-size; any of these files packed with gzip")
         ->required();
     command.add_option("--series", series,
                        "Series of a folder or DICOMDIR: its number in info's list; what is no number is its UID");

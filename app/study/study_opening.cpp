@@ -9,6 +9,7 @@
 
 #include "app/study/recent_pictures.h"
 #include "app/study/study_names.h"
+#include "io/file_formats.h"
 #include "io/gzip_file.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/raw_layout_dialog.h"
@@ -107,9 +108,8 @@ void StudyOpening::open(const QString& path, const ReadOptions& options) {
 
 void StudyOpening::chooseFile() {
     open(QFileDialog::getOpenFileName(&m_parts.window, tr("Open volume"), m_parts.settings.lastFolder(),
-                                      tr("3D ultrasound volumes and sessions (*.dcm *.vol *.v0? *.mha *.mhd *.nrrd "
-                                         "*.nhdr *.nii *.hdr *.img *.raw *.gz DICOMDIR* *.session.json);;"
-                                         "All files (*)")));
+                                      tr("3D ultrasound volumes and sessions (%1 *.session.json);;All files (*)")
+                                          .arg(QString::fromStdString(namesOfVolumes()))));
 }
 
 void StudyOpening::chooseFolder() {

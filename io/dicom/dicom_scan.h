@@ -1,6 +1,7 @@
 // A first walk over a DICOM file, before the DICOM library sees it: flat, without recursion, bounded by the file.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,9 @@
 #include "processing/result.h"
 
 namespace echolucent {
+
+/// How names of DICOM files end, in lower case; many have no ending.
+constexpr std::array<std::string_view, 3> dicomEndings{".dcm", ".dicom", ".ima"};
 
 /// Whether the beginning of a file (132 bytes or more, or all of it) looks like DICOM, with or without preamble and
 /// meta header.

@@ -384,7 +384,7 @@ Result<void> NrrdHeader::readSkips() {
 
 }  // namespace
 
-bool looksLikeNrrd(std::string_view beginning) { return beginning.starts_with("NRRD000"); }
+bool looksLikeNrrd(std::string_view beginning) { return beginning.starts_with(nrrdSignature); }
 
 Result<StoredVolume> readNrrdHeader(const InputFile& file, bool framesAsSlices) {
     return NrrdHeader(file, framesAsSlices).read();

@@ -5,6 +5,9 @@
 
 namespace echolucent {
 
+/// What every NRRD file begins with, before the digit of its version.
+constexpr std::string_view nrrdSignature = "NRRD000";
+
 /// Whether a file begins as NRRD files do.
 [[nodiscard]] bool looksLikeNrrd(std::string_view beginning);
 

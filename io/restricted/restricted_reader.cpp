@@ -9,7 +9,7 @@
 
 #include "io/dicom/series/dicom_directory.h"
 #include "io/file_access.h"
-#include "io/file_format.h"
+#include "io/file_formats.h"
 #include "io/input_file.h"
 #include "io/input_problems.h"
 #include "io/restricted/reader_process.h"
@@ -161,8 +161,8 @@ std::string beginningOf(const std::string& path) {
 /// Whether a file or folder may be DICOM, whose tables have to be loaded before anything is read.
 bool mayBeDicom(const std::string& path) {
     if (fileAccess().kindOf(path) != FileKind::file) return true;
-    const FileFormat format = formatFromContent(beginningOf(path));
-    return format == FileFormat::dicom || format == FileFormat::unknown;
+    const FileFormat* format = formatFromContent(beginningOf(path));
+    return format == nullptr || format->needsDicomTables;
 }
 
 }  // namespace

@@ -27,3 +27,9 @@ foreach(file bin/echolucent share/applications/echolucent.desktop share/mime/pac
         message(FATAL_ERROR "${file} is missing")
     endif()
 endforeach()
+# The desktop knows the files of all formats that have a MIME type.
+file(READ ${PREFIX}/share/applications/echolucent.desktop entry)
+file(READ ${PREFIX}/share/mime/packages/echolucent-mime.xml types)
+if(NOT entry MATCHES "\nMimeType=application/x-metaimage" OR NOT types MATCHES "NRRD000.*\\*\\.nhdr")
+    message(FATAL_ERROR "The desktop entry or the MIME types lack formats:\n${entry}\n${types}")
+endif()

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fuzz_target.h"
+#include "io/file_formats.h"
 #include "io/study.h"
 #include "mutations/dicom_elements.h"
 #include "samples/dicom_samples.h"
@@ -72,6 +73,15 @@ TEST(Samples, OfFragmentsOpenInTheHeaderTheyAreWrappedIn) {
         const auto study = readStudy(folder.write("v.dcm", dicomOfFragment(form, sample.bytes.substr(1))));
         EXPECT_TRUE(study) << sample.name << ": " << study.error().sentence();
     }
+}
+
+// A new format comes with its target.
+TEST(Samples, BeginAsEveryFormatThatIsRead) {
+    std::set<const FileFormat*> begun;
+    for (const FuzzTarget* target : fuzzTargets())
+        for (const FuzzSample& sample : target->samples())
+            begun.insert(formatFromContent(sample.bytes.substr(0, 4096)));
+    for (const FileFormat& format : fileFormats()) EXPECT_TRUE(begun.contains(&format)) << format.name;
 }
 
 /// How many of 300 mutations of the first sample still open as a study.

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <tbb/global_control.h>
 
+#include "io/dicom/dicom_scan.h"
 #include "io/dicom/series/dicom_directory.h"
 #include "io/dicom/series/image_header.h"
 #include "io/dicom/series/large_stack.h"
@@ -65,7 +66,7 @@ std::string namePattern(const std::string& path) {
 /// Files that are meant to be DICOM and are none.
 bool hasDicomEnding(const std::string& path) {
     const std::string name = lowerCase(path);
-    return name.ends_with(".dcm") || name.ends_with(".dicom") || name.ends_with(".ima");
+    return std::ranges::any_of(dicomEndings, [&](std::string_view ending) { return name.ends_with(ending); });
 }
 
 /// What all files of a folder turned out to be.

@@ -1,0 +1,61 @@
+// The file formats that volumes are read from. A new format is its reader and its row in the list of file_formats.cpp.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "io/stored_volume.h"
+#include "io/study.h"
+
+namespace echolucent {
+
+/// One format: how its files are called and told, and who reads them.
+struct FileFormat {
+    /// Reads and checks the header of an opened file; no voxel is read. Where `framesAsSlices` is set, 2D frames over
+    /// time are accepted as a volume of unknown spacing.
+    using HeaderReader = Result<StoredVolume> (*)(const InputFile& file, bool framesAsSlices, const Progress& progress);
+    /// Reads an opened file from its header to its voxels.
+    using StudyReader = Result<Study> (*)(const InputFile& file, const ReadOptions& options, const Progress& progress);
+
+    std::string_view name;       ///< in lists: "NRRD"; its heading in docs/formats-read.md begins so
+    std::string_view oneOfThem;  ///< in sentences: "an NRRD file"
+    /// Lower-case endings, ".gz" behind them aside: where its content tells nothing, a file that ends so is of this
+    /// format.
+    std::vector<std::string_view> endings;
+    /// Patterns of other names that such files, or those beside them, often have. They tell nothing; dialogs show them.
+    std::vector<std::string_view> otherNames;
+    /// Whether the first 4096 bytes of a file, or all of them where it is shorter, are of this format.
+    bool (*isBegunBy)(std::string_view beginning);
+    /// Whether a file that isBegunBy() does not know and that ends behind these bytes may have been cut within the
+    /// beginning of this format.
+    bool (*mayBeCutAt)(std::string_view whole);
+    /// Who reads it. readStoredVolume() reads the voxels behind a header alone, in the file's order, with coarse voxels
+    /// first where that is asked for.
+    std::variant<HeaderReader, StudyReader> reader;
+    bool needsDicomTables = false;  ///< whether DCMTK's dictionary and tables of characters must be loaded before
+    std::string_view mimeType;      ///< for desktops; empty where there is none
+    /// Whether the desktop's list of MIME types gets this one from us, and what all files begin with; no such
+    /// beginning where it is empty.
+    bool definesMimeType = false;
+    std::string_view mimeMagic;
+};
+
+/// All formats, in the order in which refusals name them. Of several that bytes might be of, the first counts.
+[[nodiscard]] std::span<const FileFormat> fileFormats();
+
+/// The format that a file's first 4096 bytes, or all of them where it is shorter, give away; null where none does.
+[[nodiscard]] const FileFormat* formatFromContent(std::string_view beginning);
+/// The format that the ending of a name says, whatever its case; null where none does.
+[[nodiscard]] const FileFormat* formatFromName(const std::string& path);
+
+/// The names of all formats: "MetaImage, NRRD or DICOM".
+[[nodiscard]] std::string namesOfFormats();
+/// The same with what their files' names end with: "MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr)".
+[[nodiscard]] std::string namesAndEndingsOfFormats();
+/// Patterns of the names of all files that open as volumes, raw and packed ones too, for file dialogs: "*.mha *.nrrd".
+[[nodiscard]] std::string namesOfVolumes();
+
+}  // namespace echolucent
