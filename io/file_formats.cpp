@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "io/dicom/dicom_reader.h"
-#include "io/dicom/dicom_scan.h"
-#include "io/headers/header_text.h"
+#include "io/dicom/elements/dicom_scan.h"
+#include "io/files/header_text.h"
 #include "io/headers/meta_image.h"
 #include "io/headers/nrrd.h"
 #include "io/kretz/kretz_items.h"

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "io/stored_volume.h"
-#include "io/study.h"
+#include "io/stored/stored_volume.h"
+#include "io/study/study.h"
 
 namespace echolucent {
 

@@ -4,20 +4,20 @@
 
 #include <fmt/format.h>
 
-#include "io/curve_file.h"
-#include "io/data_files.h"
 #include "io/dicom/dicom_reader.h"
+#include "io/document/curve_file.h"
 #include "io/document/preset_file.h"
-#include "io/file_access.h"
 #include "io/file_formats.h"
-#include "io/gzip_file.h"
+#include "io/files/data_files.h"
+#include "io/files/file_access.h"
+#include "io/files/input_problems.h"
 #include "io/headers/raw_volume.h"
-#include "io/input_problems.h"
 #include "io/nifti/nifti_header.h"
 #include "io/nifti/nifti_reader.h"
-#include "io/stored_volume_reader.h"
-#include "io/study.h"
-#include "io/study_assembly.h"
+#include "io/stored/stored_volume_reader.h"
+#include "io/study/study.h"
+#include "io/study/study_assembly.h"
+#include "io/voxels/gzip_file.h"
 
 namespace echolucent {
 

@@ -12,8 +12,8 @@
 
 #include "app/cli/option_text.h"
 #include "app/cli/polar_options.h"
-#include "io/series_list.h"
-#include "io/study.h"
+#include "io/study/series_list.h"
+#include "io/study/study.h"
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/parameter.h"
 #include "processing/result.h"

@@ -13,10 +13,10 @@
 
 #include "app/cli/command.h"
 #include "app/cli/report_json.h"
-#include "io/headers/header_text.h"
-#include "io/import_report.h"
+#include "io/files/header_text.h"
 #include "io/output/atomic_file.h"
 #include "io/output/overwriting.h"
+#include "io/study/import_report.h"
 #include "processing/beam/beam_guess.h"
 #include "processing/one_line.h"
 

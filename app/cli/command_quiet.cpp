@@ -6,7 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/look_options.h"
 #include "app/cli/output_names.h"
-#include "io/output/meta_image_writer.h"
+#include "io/writers/meta_image_writer.h"
 
 namespace echolucent::cli {
 

@@ -11,9 +11,9 @@
 #include "app/cli/output_names.h"
 #include "app/cli/picture_words.h"
 #include "app/cli/sweep_report.h"
-#include "io/import_report.h"
 #include "io/output/atomic_file.h"
-#include "io/output/movie_file.h"
+#include "io/study/import_report.h"
+#include "io/writers/movie_file.h"
 #include "processing/adaptive/adaptive_otf.h"
 
 namespace echolucent::cli {

@@ -7,11 +7,11 @@
 #include <cstdio>
 
 #include "io/document/session_file.h"
-#include "io/import_report.h"
 #include "io/output/overwriting.h"
 #include "io/restricted/restricted_reader.h"
-#include "io/simulated_study.h"
-#include "io/study_checksum.h"
+#include "io/study/import_report.h"
+#include "io/study/simulated_study.h"
+#include "io/study/study_checksum.h"
 
 namespace echolucent::cli {
 

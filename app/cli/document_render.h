@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/document/view_picture.h"
 
 namespace echolucent::cli {

@@ -8,8 +8,8 @@
 
 #include "io/output/overwriting.h"
 #include "io/restricted/restricted_reader.h"
-#include "io/study.h"
-#include "io/study_assembly.h"
+#include "io/study/study.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent::cli {
 

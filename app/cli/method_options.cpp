@@ -7,7 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/parameter_page.h"
-#include "io/curve_file.h"
+#include "io/document/curve_file.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "io/headers/header_text.h"
+#include "io/files/header_text.h"
 
 namespace echolucent::cli {
 

@@ -7,8 +7,8 @@
 
 #include "app/cli/option_text.h"
 #include "io/file_formats.h"
-#include "io/headers/header_text.h"
-#include "io/output/movie_file.h"
+#include "io/files/header_text.h"
+#include "io/writers/movie_file.h"
 
 namespace echolucent::cli {
 

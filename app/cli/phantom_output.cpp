@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include "app/cli/option_text.h"
-#include "io/headers/header_text.h"
-#include "io/output/enhanced_us_writer.h"
-#include "io/output/meta_image_writer.h"
-#include "io/output/nifti_writer.h"
+#include "io/files/header_text.h"
+#include "io/writers/enhanced_us_writer.h"
+#include "io/writers/meta_image_writer.h"
+#include "io/writers/nifti_writer.h"
 
 namespace echolucent::cli {
 

@@ -4,11 +4,11 @@
 
 #include "app/cli/option_text.h"
 #include "app/cli/polar_options.h"
-#include "io/headers/header_text.h"
+#include "io/files/header_text.h"
 #include "io/headers/raw_volume.h"
 #include "io/output/atomic_file.h"
-#include "io/output/kretz_writer.h"
-#include "io/study.h"
+#include "io/study/study.h"
+#include "io/writers/kretz_writer.h"
 #include "processing/phantom/phantom.h"
 #include "processing/phantom/polar_sampling.h"
 

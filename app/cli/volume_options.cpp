@@ -7,7 +7,7 @@
 
 #include "app/cli/command.h"
 #include "io/file_formats.h"
-#include "io/headers/header_text.h"
+#include "io/files/header_text.h"
 #include "io/output/output_place.h"
 #include "io/restricted/restricted_reader.h"
 

@@ -9,11 +9,11 @@
 #include <iterator>
 
 #include "app/picture/picture_caption.h"
-#include "io/output/movie_file.h"
 #include "io/output/output_place.h"
 #include "io/output/overwriting.h"
-#include "io/output/picture_file.h"
 #include "io/output/unfinished_file.h"
+#include "io/writers/movie_file.h"
+#include "io/writers/picture_file.h"
 #include "processing/document/shown_measurement.h"
 #include "processing/picture/picture.h"
 #include "widgets/picture_labels/measurement_drawing.h"

@@ -8,7 +8,7 @@
 
 #include "app/study/study_names.h"
 #include "app/window/save_dialog.h"
-#include "io/import_report.h"
+#include "io/study/import_report.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/panel_controls.h"
 

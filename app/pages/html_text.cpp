@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/output/picture_file.h"
+#include "io/writers/picture_file.h"
 
 namespace echolucent {
 

@@ -5,7 +5,7 @@
 
 #include "app/otf/view_designs.h"
 #include "app/picture/picture_caption.h"
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/document.h"
 

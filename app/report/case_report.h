@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/dicom/patient.h"
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/document/document.h"
 #include "processing/intensity/histogram.h"
 

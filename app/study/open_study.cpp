@@ -7,7 +7,7 @@
 #include "app/study/freed_elsewhere.h"
 #include "io/document/session_file.h"
 #include "io/restricted/restricted_reader.h"
-#include "io/simulated_study.h"
+#include "io/study/simulated_study.h"
 
 namespace echolucent {
 

@@ -8,7 +8,7 @@
 
 #include "app/picture/picture_image.h"
 #include "app/window/settings.h"
-#include "io/output/picture_file.h"
+#include "io/writers/picture_file.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {

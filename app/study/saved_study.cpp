@@ -10,7 +10,7 @@
 #include "io/document/session_file.h"
 #include "io/headers/raw_volume.h"
 #include "io/restricted/restricted_reader.h"
-#include "io/simulated_study.h"
+#include "io/study/simulated_study.h"
 
 namespace echolucent {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "io/output/overwriting.h"
-#include "io/series_list.h"
-#include "io/study.h"
-#include "io/study_checksum.h"
+#include "io/study/series_list.h"
+#include "io/study/study.h"
+#include "io/study/study_checksum.h"
 #include "processing/document/saved_session.h"
 
 namespace echolucent {

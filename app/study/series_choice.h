@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "io/series_list.h"
+#include "io/study/series_list.h"
 #include "widgets/newest_wins_thread.h"
 
 class QWidget;

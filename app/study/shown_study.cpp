@@ -5,7 +5,7 @@
 
 #include "app/otf/shown_design.h"
 #include "app/study/study_names.h"
-#include "io/import_report.h"
+#include "io/study/import_report.h"
 #include "processing/box_section.h"
 #include "processing/document/view_caster.h"
 #include "processing/picture/empty_picture.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/study/saved_study.h"
-#include "io/series_list.h"
-#include "io/study.h"
+#include "io/study/series_list.h"
+#include "io/study/study.h"
 #include "processing/document/opening_finds.h"
 #include "processing/document/study_reference.h"
 #include "processing/intensity/histogram.h"

@@ -10,7 +10,7 @@
 #include "app/study/recent_pictures.h"
 #include "app/study/study_names.h"
 #include "io/file_formats.h"
-#include "io/gzip_file.h"
+#include "io/voxels/gzip_file.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/raw_layout_dialog.h"
 

@@ -1,10 +1,10 @@
 #include "io/dicom/dicom_reader.h"
 
-#include "io/dicom/dicom_study.h"
-#include "io/dicom/philips_volume.h"
+#include "io/dicom/frames/dicom_study.h"
 #include "io/dicom/series/dicom_directory.h"
 #include "io/dicom/series/large_stack.h"
-#include "io/series_list.h"
+#include "io/dicom/volumes/philips_volume.h"
+#include "io/study/series_list.h"
 
 namespace echolucent {
 

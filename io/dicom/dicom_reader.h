@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "io/input_file.h"
-#include "io/study.h"
+#include "io/files/input_file.h"
+#include "io/study/study.h"
 
 namespace echolucent {
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
-#include "io/dicom/dicom_attributes.h"
-#include "io/dicom/dicom_file.h"
-#include "io/dicom/dicom_scan.h"
+#include "io/dicom/elements/dicom_attributes.h"
+#include "io/dicom/elements/dicom_file.h"
+#include "io/dicom/elements/dicom_scan.h"
 #include "io/dicom/series/large_stack.h"
 
 namespace echolucent {

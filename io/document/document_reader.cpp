@@ -2,10 +2,10 @@
 #include <nlohmann/json.hpp>
 
 #include "io/document/session_file.h"
-#include "io/input_file.h"
-#include "io/json_design.h"
-#include "io/json_document.h"
-#include "io/json_values.h"
+#include "io/files/input_file.h"
+#include "io/json/json_design.h"
+#include "io/json/json_document.h"
+#include "io/json/json_values.h"
 
 namespace echolucent {
 

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "io/document/session_file.h"
-#include "io/json_design.h"
-#include "io/json_document.h"
-#include "io/json_values.h"
+#include "io/json/json_design.h"
+#include "io/json/json_document.h"
+#include "io/json/json_values.h"
 #include "io/output/atomic_file.h"
 
 namespace echolucent {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "io/input_file.h"
-#include "io/json_document.h"
+#include "io/files/input_file.h"
+#include "io/json/json_document.h"
 #include "io/output/atomic_file.h"
 
 namespace echolucent {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/input_file.h"
+#include "io/files/input_file.h"
 #include "io/output/overwriting.h"
 
 namespace echolucent {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "io/document/document_file.h"
-#include "io/study_checksum.h"
+#include "io/study/study_checksum.h"
 #include "processing/document/saved_session.h"
 #include "processing/result.h"
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "io/headers/header_text.h"
+#include "io/files/header_text.h"
 
 namespace echolucent {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/stored_volume.h"
+#include "io/stored/stored_volume.h"
 
 namespace echolucent {
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "io/files/header_text.h"
 #include "io/headers/frames_over_time.h"
-#include "io/headers/header_text.h"
 #include "io/headers/meta_image_keys.h"
-#include "io/study_assembly.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent {
 

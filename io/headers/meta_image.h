@@ -1,7 +1,7 @@
 // Reads MetaImage (.mha, .mhd): docs/formats-read.md says what is understood and what is refused.
 #pragma once
 
-#include "io/stored_volume.h"
+#include "io/stored/stored_volume.h"
 
 namespace echolucent {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/input_file.h"
-#include "io/input_problems.h"
+#include "io/files/input_file.h"
+#include "io/files/input_problems.h"
 #include "processing/result.h"
 
 namespace echolucent {

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "io/files/header_text.h"
+#include "io/files/input_problems.h"
 #include "io/headers/frames_over_time.h"
-#include "io/headers/header_text.h"
 #include "io/headers/nrrd_axes.h"
 #include "io/headers/nrrd_fields.h"
-#include "io/input_problems.h"
-#include "io/study_assembly.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent {
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "io/files/header_text.h"
+#include "io/files/input_problems.h"
 #include "io/headers/frames_over_time.h"
-#include "io/headers/header_text.h"
-#include "io/input_problems.h"
 
 namespace echolucent {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "io/headers/header_text.h"
-#include "io/input_file.h"
-#include "io/input_problems.h"
+#include "io/files/header_text.h"
+#include "io/files/input_file.h"
+#include "io/files/input_problems.h"
 
 namespace echolucent {
 

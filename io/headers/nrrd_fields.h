@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/input_file.h"
-#include "io/voxel_types.h"
+#include "io/files/input_file.h"
+#include "io/voxels/voxel_types.h"
 #include "processing/result.h"
 #include "processing/volume/geometry.h"
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/file_access.h"
-#include "io/headers/header_text.h"
-#include "io/input_file.h"
-#include "io/json_values.h"
+#include "io/files/file_access.h"
+#include "io/files/header_text.h"
+#include "io/files/input_file.h"
+#include "io/json/json_values.h"
 #include "io/output/atomic_file.h"
-#include "io/study_assembly.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/stored_volume.h"
+#include "io/stored/stored_volume.h"
 
 namespace echolucent {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "io/input_problems.h"
-#include "io/voxel_types.h"
+#include "io/files/input_problems.h"
+#include "io/voxels/voxel_types.h"
 
 namespace echolucent {
 

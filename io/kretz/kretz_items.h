@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/input_file.h"
-#include "io/input_problems.h"
+#include "io/files/input_file.h"
+#include "io/files/input_problems.h"
 #include "io/kretz/kretz_tags.h"
 #include "processing/progress.h"
 #include "processing/result.h"

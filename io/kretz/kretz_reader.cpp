@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "io/input_problems.h"
+#include "io/files/input_problems.h"
 #include "io/kretz/kretz_tags.h"
-#include "io/polar_study.h"
-#include "io/study_assembly.h"
+#include "io/study/polar_study.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "io/kretz/kretz_items.h"
-#include "io/study.h"
+#include "io/study/study.h"
 
 namespace echolucent {
 

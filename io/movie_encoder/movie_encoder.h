@@ -1,4 +1,4 @@
-// What the movie module offers, in plain C: it is loaded only when a movie is written (io/output/movie_file.h).
+// What the movie module offers, in plain C: it is loaded only when a movie is written (io/writers/movie_file.h).
 #pragma once
 
 #include <cstdint>

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "io/input_problems.h"
-#include "io/study_assembly.h"
+#include "io/files/input_problems.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/nifti/nifti_header.h"
-#include "io/stored_volume.h"
+#include "io/stored/stored_volume.h"
 
 namespace echolucent {
 

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "io/file_access.h"
-#include "io/gzip_file.h"
+#include "io/files/file_access.h"
+#include "io/files/header_text.h"
+#include "io/files/input_problems.h"
 #include "io/headers/frames_over_time.h"
-#include "io/headers/header_text.h"
-#include "io/input_problems.h"
 #include "io/nifti/nifti_geometry.h"
-#include "io/study_assembly.h"
+#include "io/study/study_assembly.h"
+#include "io/voxels/gzip_file.h"
 
 namespace echolucent {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/nifti/nifti_header.h"
-#include "io/stored_volume.h"
+#include "io/stored/stored_volume.h"
 
 namespace echolucent {
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "io/descriptor.h"
+#include "io/files/descriptor.h"
 #include "io/output/interruption.h"
 #include "io/output/output_place.h"
 #include "io/output/unfinished_file.h"

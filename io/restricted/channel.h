@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/descriptor.h"
+#include "io/files/descriptor.h"
 
 namespace echolucent::restricted {
 

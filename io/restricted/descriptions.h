@@ -2,10 +2,10 @@
 #pragma once
 
 #include "io/dicom/patient.h"
-#include "io/file_access.h"
+#include "io/files/file_access.h"
 #include "io/restricted/message.h"
-#include "io/series_list.h"
-#include "io/study.h"
+#include "io/study/series_list.h"
+#include "io/study/study.h"
 #include "processing/document/read_options.h"
 
 namespace echolucent {

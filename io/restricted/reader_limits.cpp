@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "io/input_file.h"
-#include "io/reading_memory.h"
+#include "io/files/input_file.h"
+#include "io/files/reading_memory.h"
 
 namespace echolucent::restricted {
 

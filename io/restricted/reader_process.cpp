@@ -18,7 +18,7 @@
 
 #include <fmt/format.h>
 
-#include "io/input_problems.h"
+#include "io/files/input_problems.h"
 #include "io/restricted/message.h"
 #include "io/restricted/reader_limits.h"
 #include "io/restricted/shared_study.h"

@@ -20,13 +20,13 @@
 #include <string>
 #include <thread>
 
-#include "io/dicom/dicom_tables.h"
-#include "io/input_problems.h"
+#include "io/dicom/elements/dicom_tables.h"
+#include "io/files/input_problems.h"
 #include "io/restricted/confinement.h"
 #include "io/restricted/remote_files.h"
 #include "io/restricted/request.h"
 #include "io/restricted/shared_study.h"
-#include "io/voxel_bytes.h"
+#include "io/voxels/voxel_bytes.h"
 
 namespace echolucent::restricted {
 

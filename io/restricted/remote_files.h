@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/file_access.h"
+#include "io/files/file_access.h"
 #include "io/restricted/channel.h"
 
 namespace echolucent::restricted {

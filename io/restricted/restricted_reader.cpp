@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "io/dicom/series/dicom_directory.h"
-#include "io/file_access.h"
 #include "io/file_formats.h"
-#include "io/input_file.h"
-#include "io/input_problems.h"
+#include "io/files/file_access.h"
+#include "io/files/input_file.h"
+#include "io/files/input_problems.h"
 #include "io/restricted/reader_process.h"
 #include "io/restricted/request.h"
 #include "io/restricted/shared_study.h"

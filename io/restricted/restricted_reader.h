@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "io/dicom/patient.h"
-#include "io/series_list.h"
-#include "io/study.h"
+#include "io/study/series_list.h"
+#include "io/study/study.h"
 
 namespace echolucent::restricted {
 

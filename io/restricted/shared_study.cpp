@@ -13,9 +13,9 @@
 #include <optional>
 #include <utility>
 
-#include "io/input_file.h"
+#include "io/files/input_file.h"
 #include "io/restricted/descriptions.h"
-#include "io/study_assembly.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent::restricted {
 

@@ -8,7 +8,7 @@
 
 #include "io/restricted/channel.h"
 #include "io/restricted/shared_voxel_memory.h"
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/volume/coarse_grid.h"
 
 namespace echolucent::restricted {

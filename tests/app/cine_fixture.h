@@ -1,7 +1,7 @@
 // 4D studies of small phantoms in the real main window.
 #pragma once
 
-#include "io/output/nifti_writer.h"
+#include "io/writers/nifti_writer.h"
 #include "tests/app/window_fixture.h"
 
 namespace echolucent {

@@ -9,7 +9,7 @@
 
 #include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
-#include "tests/io/dicom_files.h"
+#include "tests/io/written_files/dicom_files.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
 

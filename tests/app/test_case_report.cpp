@@ -9,7 +9,7 @@
 #include "app/picture/picture_image.h"
 #include "app/report/report_saving.h"
 #include "app/window/review_room.h"
-#include "io/output/enhanced_us_writer.h"
+#include "io/writers/enhanced_us_writer.h"
 #include "processing/picture/look.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"

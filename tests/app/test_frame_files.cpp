@@ -13,7 +13,7 @@
 
 #include "app/motion/frame_files.h"
 #include "app/picture/picture_image.h"
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/document/view_picture.h"
 #include "tests/qt_program/test_classes.h"
 

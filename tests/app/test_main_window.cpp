@@ -11,7 +11,7 @@
 #include <cmath>
 #include <new>
 
-#include "io/output/meta_image_writer.h"
+#include "io/writers/meta_image_writer.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
 #include "processing/ray_caster.h"

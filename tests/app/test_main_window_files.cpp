@@ -11,7 +11,7 @@
 
 #include "app/window/settings.h"
 #include "app/window/theme.h"
-#include "io/curve_file.h"
+#include "io/document/curve_file.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/otf_editor/otf_editor.h"

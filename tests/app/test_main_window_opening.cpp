@@ -1,7 +1,7 @@
 // What opening finds of a scan: it is shown, said in the picture, and taken back by one step or one key.
 #include <QComboBox>
 
-#include "io/output/enhanced_us_writer.h"
+#include "io/writers/enhanced_us_writer.h"
 #include "processing/document/opening_finds.h"
 #include "tests/app/window_fixture.h"
 #include "tests/processing/beam/turned_volume.h"

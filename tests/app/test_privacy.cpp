@@ -12,7 +12,7 @@
 
 #include "app/motion/movie_files.h"
 #include "app/sessions/session_keeping.h"
-#include "io/output/enhanced_us_writer.h"
+#include "io/writers/enhanced_us_writer.h"
 #include "tests/app/marked_dicom.h"
 #include "tests/app/telling_names.h"
 #include "tests/app/window_fixture.h"

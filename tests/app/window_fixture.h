@@ -13,7 +13,7 @@
 
 #include "app/window/main_window.h"
 #include "app/window/settings.h"
-#include "io/output/meta_image_writer.h"
+#include "io/writers/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/otf_editor/otf_editor.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/designers/designer.h"
 #include "processing/document/document.h"
 #include "processing/document/opening_finds.h"

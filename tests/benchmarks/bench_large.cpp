@@ -15,7 +15,7 @@
 
 #include "io/restricted/restricted_reader.h"
 #include "process_memory.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/written_files/temporary_folder.h"
 
 namespace {
 

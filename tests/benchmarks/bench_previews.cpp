@@ -10,7 +10,7 @@
 
 #include "app/measuring/measures/picture_difference.h"
 #include "app/measuring/render/study_render.h"
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/document.h"
 #include "processing/document/opening_finds.h"

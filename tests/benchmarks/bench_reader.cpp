@@ -10,7 +10,7 @@
 
 #include "io/restricted/restricted_reader.h"
 #include "io/restricted/shared_voxel_memory.h"
-#include "io/voxel_bytes.h"
+#include "io/voxels/voxel_bytes.h"
 
 namespace {
 

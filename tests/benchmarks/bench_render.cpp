@@ -12,7 +12,7 @@
 #include <set>
 #include <thread>
 
-#include "io/input_file.h"
+#include "io/files/input_file.h"
 #include "io/output/atomic_file.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/render_report.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/intensity/no_data.h"
 

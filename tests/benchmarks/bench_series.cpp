@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "io/series_list.h"
+#include "io/study/series_list.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "io/input_file.h"
+#include "io/files/input_file.h"
 #include "io/output/atomic_file.h"
 #include "processing/median.h"
 #include "tests/benchmarks/measured_cost.h"

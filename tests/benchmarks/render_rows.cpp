@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core/saturate.hpp>
 
-#include "io/output/picture_file.h"
+#include "io/writers/picture_file.h"
 #include "processing/ray_caster.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"

@@ -7,7 +7,7 @@
 #include <QTextStream>
 
 #include "app/window/theme.h"
-#include "io/output/meta_image_writer.h"
+#include "io/writers/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "tests/benchmarks_window/large_study.h"
 #include "tests/benchmarks_window/movie_under_way.h"

@@ -57,8 +57,23 @@ forbid("measures know the numeric core only" "(io|widgets|app/cli)/" app/measuri
 # DCMTK and JSON stay in the .cpp files of io: no header carries their types but those that serve these files alone.
 file(GLOB_RECURSE headers ${SOURCE_DIR}/io/*.h)
 forbid_files("io's headers carry no type of DCMTK" "${dcmtk}" ${headers})
-list(FILTER headers EXCLUDE REGEX "/io/json_[a-z]+\\.h$")
-forbid_files("io's headers carry no type of JSON" "(nlohmann/|io/json_)" ${headers})
+list(FILTER headers EXCLUDE REGEX "/io/json/[a-z_]+\\.h$")
+forbid_files("io's headers carry no type of JSON" "(nlohmann/|io/json/)" ${headers})
+
+# The rooms of io, each of which knows none behind it; ROOT stands for io itself.
+set(rooms files output json voxels study stored headers nifti kretz dicom/elements dicom/frames dicom/pixels dicom/volumes
+    dicom/series dicom document writers ROOT restricted)
+while(rooms)
+    list(POP_FRONT rooms room)
+    if(room STREQUAL "ROOT")
+        set(room .)
+    endif()
+    file(GLOB files ${SOURCE_DIR}/io/${room}/*.h ${SOURCE_DIR}/io/${room}/*.cpp)
+    foreach(behind IN LISTS rooms)
+        string(REGEX REPLACE "^ROOT/" "" behind "${behind}/")
+        forbid_files("io/${room} stands before what it knows" "io/${behind}[a-z0-9_]+\\.h" ${files})
+    endforeach()
+endwhile()
 
 # What parses strangers' files runs in a process of its own (docs/hostile-files.md): the application calls no reader itself.
 file(GLOB_RECURSE callers ${SOURCE_DIR}/app/*.h ${SOURCE_DIR}/app/*.cpp)

@@ -4,7 +4,7 @@
 
 #include "program.h"
 #include "scan_slices.h"
-#include "tests/io/dicom_files.h"
+#include "tests/io/written_files/dicom_files.h"
 
 namespace echolucent {
 namespace {

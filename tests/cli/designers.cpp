@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/designers/designer.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "tests/cli/program.h"

@@ -8,7 +8,7 @@
 #include "io/document/document_file.h"
 #include "program.h"
 #include "scan_slices.h"
-#include "tests/io/dicom_files.h"
+#include "tests/io/written_files/dicom_files.h"
 
 namespace echolucent {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/io/python_script.h"
+#include "tests/io/written_files/python_script.h"
 
 namespace {
 

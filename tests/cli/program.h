@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/io/temporary_folder.h"
+#include "tests/io/written_files/temporary_folder.h"
 
 namespace echolucent {
 

@@ -1,7 +1,7 @@
 // The real program's `quiet`, and --reduction of `otf`, `study contrast` and `study quiet`.
 #include <algorithm>
 
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "tests/cli/otf_of.h"
 #include "tests/cli/program.h"

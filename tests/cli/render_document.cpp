@@ -5,8 +5,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "io/document/session_file.h"
-#include "io/study.h"
-#include "io/study_checksum.h"
+#include "io/study/study.h"
+#include "io/study/study_checksum.h"
 #include "processing/document/compared_panes.h"
 #include "processing/document/pane_measures.h"
 #include "processing/document/view_frames.h"

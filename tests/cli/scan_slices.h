@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "tests/io/dicom_files.h"
+#include "tests/io/written_files/dicom_files.h"
 
 namespace echolucent {
 

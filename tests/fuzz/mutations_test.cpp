@@ -7,7 +7,7 @@
 
 #include "fuzz_target.h"
 #include "io/file_formats.h"
-#include "io/study.h"
+#include "io/study/study.h"
 #include "mutations/dicom_elements.h"
 #include "samples/dicom_samples.h"
 #include "temporary_folder.h"

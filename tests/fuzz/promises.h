@@ -1,7 +1,7 @@
 // What every reader promises of what it gives, whatever the file holds.
 #pragma once
 
-#include "io/study.h"
+#include "io/study/study.h"
 
 namespace echolucent {
 

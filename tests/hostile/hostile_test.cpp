@@ -6,7 +6,7 @@
 #include <set>
 
 #include "hostile_file.h"
-#include "io/study.h"
+#include "io/study/study.h"
 #include "largest_request.h"
 #include "temporary_folder.h"
 

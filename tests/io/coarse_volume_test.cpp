@@ -13,8 +13,8 @@
 
 #include <fmt/format.h>
 
-#include "io/output/meta_image_writer.h"
-#include "io/study.h"
+#include "io/study/study.h"
+#include "io/writers/meta_image_writer.h"
 #include "processing/volume/coarse_grid.h"
 #include "temporary_folder.h"
 

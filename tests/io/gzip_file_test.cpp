@@ -1,5 +1,5 @@
 // Files packed with gzip as a whole.
-#include "io/gzip_file.h"
+#include "io/voxels/gzip_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

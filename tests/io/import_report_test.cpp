@@ -1,14 +1,14 @@
 // The import report: every number says where it came from, whatever the format.
-#include "io/import_report.h"
+#include "io/study/import_report.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "io/output/enhanced_us_writer.h"
-#include "io/output/kretz_writer.h"
-#include "io/output/meta_image_writer.h"
-#include "io/output/nifti_writer.h"
+#include "io/writers/enhanced_us_writer.h"
+#include "io/writers/kretz_writer.h"
+#include "io/writers/meta_image_writer.h"
+#include "io/writers/nifti_writer.h"
 #include "processing/scan_conversion/polar_geometry.h"
 #include "shared_data.h"
 #include "temporary_folder.h"

@@ -1,5 +1,5 @@
 // Volumes beyond the memory that a study may take: which they are, and what is read of them.
-#include "io/large_volumes.h"
+#include "io/voxels/large_volumes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "dicom_files.h"
-#include "io/input_file.h"
+#include "io/files/input_file.h"
 #include "processing/volume/block_mean.h"
 #include "temporary_folder.h"
 #include "tests/inputs.h"

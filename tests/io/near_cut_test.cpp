@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/study.h"
+#include "io/study/study.h"
 #include "processing/near_cut.h"
 #include "shared_data.h"
 

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "io/output/meta_image_writer.h"
-#include "io/output/nifti_writer.h"
+#include "io/writers/meta_image_writer.h"
+#include "io/writers/nifti_writer.h"
 #include "temporary_folder.h"
 
 namespace echolucent {

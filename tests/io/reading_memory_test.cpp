@@ -1,5 +1,5 @@
 // How much memory small files may take, and how the system's refusals are worded.
-#include "io/reading_memory.h"
+#include "io/files/reading_memory.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "io/input_problems.h"
-#include "io/stored_volume.h"
+#include "io/files/input_problems.h"
+#include "io/stored/stored_volume.h"
 #include "temporary_folder.h"
 
 namespace echolucent {

@@ -1,12 +1,12 @@
 // Checksums of studies: those of xxHash's own program, and a study that moved is found by them.
-#include "io/study_checksum.h"
+#include "io/study/study_checksum.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "tests/io/temporary_folder.h"
+#include "tests/io/written_files/temporary_folder.h"
 
 namespace echolucent {
 namespace {

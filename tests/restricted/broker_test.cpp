@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "io/descriptor.h"
+#include "io/files/descriptor.h"
 #include "io/restricted/descriptions.h"
 #include "io/restricted/remote_files.h"
 #include "temporary_folder.h"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "io/restricted/shared_study.h"
-#include "io/voxel_bytes.h"
+#include "io/voxels/voxel_bytes.h"
 
 namespace echolucent::restricted {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-#include "io/dicom/dicom_attributes.h"
+#include "io/dicom/elements/dicom_attributes.h"
 #include "io/dicom/pixels/dicom_fragments.h"
 #include "io/dicom/pixels/dicom_rle.h"
 #include "io/dicom/pixels/jpeg.h"

@@ -8,7 +8,7 @@
 
 #include <tl/expected.hpp>
 
-#include "io/dicom/dicom_grey.h"
+#include "io/dicom/pixels/dicom_grey.h"
 
 class DcmDataset;
 class DcmPixelData;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "io/dicom/dicom_attributes.h"
+#include "io/dicom/elements/dicom_attributes.h"
 
 namespace echolucent {
 

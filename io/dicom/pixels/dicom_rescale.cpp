@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "io/dicom/dicom_attributes.h"
-#include "io/dicom/functional_groups.h"
-#include "io/headers/header_text.h"
+#include "io/dicom/elements/dicom_attributes.h"
+#include "io/dicom/frames/functional_groups.h"
+#include "io/files/header_text.h"
 
 namespace echolucent {
 

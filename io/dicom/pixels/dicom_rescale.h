@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "io/dicom/dicom_grey.h"
+#include "io/dicom/pixels/dicom_grey.h"
 
 namespace echolucent {
 

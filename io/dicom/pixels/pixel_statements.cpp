@@ -3,7 +3,7 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include "io/dicom/dicom_attributes.h"
+#include "io/dicom/elements/dicom_attributes.h"
 
 namespace echolucent {
 

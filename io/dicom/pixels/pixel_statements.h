@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/study_assembly.h"
+#include "io/study/study_assembly.h"
 
 class DcmDataset;
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "io/dicom/dicom_grey.h"
+#include "io/dicom/pixels/dicom_grey.h"
 #include "io/dicom/pixels/jpeg2000.h"
 
 namespace echolucent {

@@ -8,11 +8,11 @@
 #include <map>
 #include <set>
 
-#include "io/dicom/dicom_attributes.h"
-#include "io/dicom/dicom_file.h"
-#include "io/dicom/dicom_names.h"
-#include "io/file_access.h"
-#include "io/headers/header_text.h"
+#include "io/dicom/elements/dicom_attributes.h"
+#include "io/dicom/elements/dicom_file.h"
+#include "io/dicom/elements/dicom_names.h"
+#include "io/files/file_access.h"
+#include "io/files/header_text.h"
 
 namespace echolucent {
 

@@ -5,19 +5,19 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
-#include "io/dicom/dicom_attributes.h"
-#include "io/dicom/dicom_names.h"
-#include "io/dicom/dicom_pixels.h"
-#include "io/dicom/dicom_study.h"
-#include "io/dicom/picture_scale.h"
+#include "io/dicom/elements/dicom_attributes.h"
+#include "io/dicom/elements/dicom_names.h"
+#include "io/dicom/frames/dicom_study.h"
+#include "io/dicom/frames/picture_scale.h"
+#include "io/dicom/pixels/dicom_pixels.h"
 #include "io/dicom/pixels/pixel_statements.h"
 #include "io/dicom/series/large_stack.h"
 #include "io/dicom/series/series_entries.h"
-#include "io/files_below.h"
-#include "io/input_file.h"
-#include "io/large_volumes.h"
-#include "io/phase_slices.h"
-#include "io/series_list.h"
+#include "io/files/files_below.h"
+#include "io/files/input_file.h"
+#include "io/study/series_list.h"
+#include "io/voxels/large_volumes.h"
+#include "io/voxels/phase_slices.h"
 #include "processing/volume/block_mean.h"
 
 namespace echolucent {

@@ -5,18 +5,18 @@
 #include <fmt/ranges.h>
 #include <tbb/global_control.h>
 
-#include "io/dicom/dicom_scan.h"
+#include "io/dicom/elements/dicom_scan.h"
 #include "io/dicom/series/dicom_directory.h"
 #include "io/dicom/series/image_header.h"
 #include "io/dicom/series/large_stack.h"
 #include "io/dicom/series/series_entries.h"
-#include "io/file_access.h"
-#include "io/files_below.h"
-#include "io/headers/header_text.h"
-#include "io/input_file.h"
-#include "io/input_problems.h"
-#include "io/series_list.h"
-#include "io/study_assembly.h"
+#include "io/files/file_access.h"
+#include "io/files/files_below.h"
+#include "io/files/header_text.h"
+#include "io/files/input_file.h"
+#include "io/files/input_problems.h"
+#include "io/study/series_list.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent {
 

@@ -6,18 +6,18 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
-#include "io/dicom/dicom_attributes.h"
-#include "io/dicom/dicom_file.h"
-#include "io/dicom/dicom_geometry.h"
-#include "io/dicom/dicom_grey.h"
-#include "io/dicom/frame_layout.h"
-#include "io/dicom/philips_volume.h"
-#include "io/dicom/picture_scale.h"
+#include "io/dicom/elements/dicom_attributes.h"
+#include "io/dicom/elements/dicom_file.h"
+#include "io/dicom/frames/dicom_geometry.h"
+#include "io/dicom/frames/frame_layout.h"
+#include "io/dicom/frames/picture_scale.h"
+#include "io/dicom/pixels/dicom_grey.h"
 #include "io/dicom/pixels/dicom_rescale.h"
 #include "io/dicom/series/series_description.h"
-#include "io/gzip_file.h"
-#include "io/headers/header_text.h"
-#include "io/input_problems.h"
+#include "io/dicom/volumes/philips_volume.h"
+#include "io/files/header_text.h"
+#include "io/files/input_problems.h"
+#include "io/voxels/gzip_file.h"
 
 namespace echolucent {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "io/input_file.h"
-#include "io/series_list.h"
+#include "io/files/input_file.h"
+#include "io/study/series_list.h"
 
 namespace echolucent {
 

@@ -7,13 +7,13 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
-#include "io/dicom/dicom_pixels.h"
-#include "io/dicom/dicom_study.h"
-#include "io/dicom/frame_layout.h"
-#include "io/dicom/philips_volume.h"
+#include "io/dicom/frames/dicom_study.h"
+#include "io/dicom/frames/frame_layout.h"
+#include "io/dicom/pixels/dicom_pixels.h"
 #include "io/dicom/series/large_stack.h"
-#include "io/input_file.h"
-#include "io/series_list.h"
+#include "io/dicom/volumes/philips_volume.h"
+#include "io/files/input_file.h"
+#include "io/study/series_list.h"
 
 namespace echolucent {
 

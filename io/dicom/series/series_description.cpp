@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "io/dicom/dicom_attributes.h"
-#include "io/headers/header_text.h"
+#include "io/dicom/elements/dicom_attributes.h"
+#include "io/files/header_text.h"
 
 namespace echolucent {
 

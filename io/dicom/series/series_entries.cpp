@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "io/dicom/dicom_study.h"
-#include "io/files_below.h"
-#include "io/slice_stack.h"
+#include "io/dicom/frames/dicom_study.h"
+#include "io/files/files_below.h"
+#include "io/study/slice_stack.h"
 
 namespace echolucent {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/dicom/series/image_header.h"
-#include "io/series_list.h"
+#include "io/study/series_list.h"
 
 namespace echolucent {
 

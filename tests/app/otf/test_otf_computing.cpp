@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "app/otf/otf_computing.h"
-#include "io/output/meta_image_writer.h"
+#include "io/writers/meta_image_writer.h"
 #include "tests/app/otf/first_view.h"
 #include "tests/qt_program/test_classes.h"
 

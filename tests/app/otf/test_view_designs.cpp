@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "app/otf/view_designs.h"
-#include "io/output/meta_image_writer.h"
+#include "io/writers/meta_image_writer.h"
 #include "tests/app/otf/first_view.h"
 #include "tests/qt_program/test_classes.h"
 

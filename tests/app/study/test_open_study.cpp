@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "app/study/open_study.h"
-#include "io/output/meta_image_writer.h"
+#include "io/writers/meta_image_writer.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "tests/qt_program/test_classes.h"
 

@@ -22,7 +22,7 @@
 #include <QTimer>
 
 #include "app/sessions/session_keeping.h"
-#include "io/output/enhanced_us_writer.h"
+#include "io/writers/enhanced_us_writer.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 

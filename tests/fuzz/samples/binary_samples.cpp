@@ -1,7 +1,7 @@
 #include "tests/fuzz/samples/binary_samples.h"
 
 #include "enhanced_us_files.h"
-#include "io/output/nifti_writer.h"
+#include "io/writers/nifti_writer.h"
 #include "kretz_files.h"
 #include "nifti_files.h"
 #include "tests/fuzz/samples/dicom_samples.h"

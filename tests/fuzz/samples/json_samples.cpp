@@ -1,10 +1,10 @@
 #include "tests/fuzz/samples/json_samples.h"
 
-#include "io/curve_file.h"
+#include "io/document/curve_file.h"
 #include "io/document/document_file.h"
 #include "io/document/preset_file.h"
 #include "io/document/session_file.h"
-#include "io/study.h"
+#include "io/study/study.h"
 #include "tests/fuzz/samples/written_file.h"
 #include "tests/io/document/unusual_document.h"
 

@@ -4,7 +4,7 @@
 
 #include "bzip2_bytes.h"
 #include "enhanced_us_files.h"
-#include "io/output/meta_image_writer.h"
+#include "io/writers/meta_image_writer.h"
 #include "tests/fuzz/samples/written_file.h"
 #include "zlib_bytes.h"
 

@@ -2,7 +2,7 @@
 #include "dicom_bytes.h"
 #include "fuzz_target.h"
 #include "fuzzed_folder.h"
-#include "io/series_list.h"
+#include "io/study/series_list.h"
 #include "mutations/dicom_mutation.h"
 #include "promises.h"
 #include "samples/dicom_samples.h"

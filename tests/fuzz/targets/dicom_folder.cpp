@@ -1,7 +1,7 @@
 // Fuzz target: one file among the slices of a folder, listed, shown small and read.
 #include "fuzz_target.h"
 #include "fuzzed_folder.h"
-#include "io/series_list.h"
+#include "io/study/series_list.h"
 #include "mutations/dicom_mutation.h"
 #include "promises.h"
 #include "samples/dicom_samples.h"

@@ -1,7 +1,7 @@
 // Fuzz targets: the JSON files of the program, opacity curves, presets, documents and sessions.
 #include "fuzz_target.h"
 #include "fuzzed_folder.h"
-#include "io/curve_file.h"
+#include "io/document/curve_file.h"
 #include "io/document/document_file.h"
 #include "io/document/preset_file.h"
 #include "io/document/session_file.h"

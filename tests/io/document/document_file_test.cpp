@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/io/document/unusual_document.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/written_files/temporary_folder.h"
 
 namespace echolucent {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/study.h"
-#include "tests/io/temporary_folder.h"
+#include "io/study/study.h"
+#include "tests/io/written_files/temporary_folder.h"
 
 namespace echolucent {
 namespace {

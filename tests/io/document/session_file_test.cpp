@@ -12,7 +12,7 @@
 #include "tests/inputs.h"
 #include "tests/io/document/mutations.h"
 #include "tests/io/document/unusual_document.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/written_files/temporary_folder.h"
 
 namespace echolucent {
 namespace {

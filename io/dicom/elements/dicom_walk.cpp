@@ -1,0 +1,399 @@
+#include "io/dicom/elements/dicom_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <iterator>
+#include <utility>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <fmt/format.h>
+
+#include "io/dicom/elements/dicom_names.h"
+#include "io/files/header_text.h"
+#include "io/files/input_problems.h"
+#include "io/kretz/kretz_items.h"
+#include "io/kretz/kretz_reader.h"
+#include "io/voxels/gzip_file.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::uint32_t itemTag = 0xfffee000U;
+constexpr std::uint32_t sopClassTag = 0x00080016U;
+constexpr std::uint32_t kretzGroup = 0x7fe1;
+constexpr std::string_view kretzCreator = "KRETZ_US";
+
+constexpr std::uint32_t itemTags[] = {itemTag, 0xfffee00dU, 0xfffee0ddU};
+/// Elements out of order are sorted in one by one, each past those that come behind it.
+constexpr std::uint64_t mostDisorder = 10000000;
+/// What DCMTK makes of two letters; it reads lengths by it.
+DcmVR vrOf(std::string_view letters) { return DcmVR(std::string(letters.substr(0, 2)).c_str()); }
+
+DcmTag tagOf(std::uint32_t tag) { return {static_cast<Uint16>(tag >> 16), static_cast<Uint16>(tag & 0xffff)}; }
+
+std::uint32_t swapped(std::uint32_t tag) {
+    return (tag >> 24 & 0xff) << 16 | (tag >> 16 & 0xff) << 24 | (tag & 0xff) << 8 | (tag >> 8 & 0xff);
+}
+
+/// How a data set is written.
+struct Writing {
+    bool implicitVr = false, bigEndian = false, deflated = false;
+};
+
+/// As DCMTK guesses it from the first tag (as little endian reads it) and the two bytes behind, where no transfer
+/// syntax says so.
+Writing guessedWriting(std::uint32_t tag, std::string_view letters) {
+    Writing writing;
+    writing.implicitVr = std::isalpha(static_cast<unsigned char>(letters[0])) == 0 ||
+                         std::isalpha(static_cast<unsigned char>(letters[1])) == 0 || !vrOf(letters).isStandard();
+    const std::uint32_t big = swapped(tag);
+    const bool knownAsLittle = tagOf(tag).error().good(), knownAsBig = tagOf(big).error().good();
+    if (knownAsLittle != knownAsBig)
+        writing.bigEndian = knownAsBig;
+    else
+        writing.bigEndian = tag >> 16 > 0xff && big >> 16 <= 0xff;
+    return writing;
+}
+
+}  // namespace
+
+void DicomWalk::run(bool headerOnly) {
+    m_scan.fileBytes = m_file.size();
+    if (!readMeta()) {
+        m_scan.end = DicomScanEnd::inMeta;
+        m_scan.endPosition = m_stream.position();
+        return;
+    }
+    const auto goesOn = [&] { return !m_progress.cancelled() && !harm(); };
+    // The lengths that QLAB declares are often false: what follows may be voxels.
+    const auto enough = [&] {
+        return (headerOnly && m_behindKretz) || (m_scan.hasPixelData && m_scan.sopClass == qlabSopClass);
+    };
+    while (goesOn() && !enough() && step()) {
+    }
+    // All that the library could be given is measured.
+    if (goesOn() && m_stream.inflates()) m_stream.skip(endless);
+    if (goesOn()) measureEnd(enough());
+}
+
+/// Says how far the walk came.
+void DicomWalk::measureEnd(bool enough) {
+    m_scan.unpackedBytes = m_stream.inflated();
+    m_scan.endPosition = m_stepStart;
+    if (m_stream.inflates() && !m_stream.inflatesToItsEnd()) {
+        m_scan.end = DicomScanEnd::deflate;
+        m_scan.endPosition = m_stream.inflated();
+        measureWhatLacks();
+        return;
+    }
+    if (enough) return;
+    if (m_lost)
+        m_scan.end = DicomScanEnd::damaged;
+    else if (m_stepStart != m_stream.end() || !closeAtEnd())
+        m_scan.end = DicomScanEnd::cut;
+    if (m_scan.end == DicomScanEnd::cut) measureWhatLacks();
+}
+
+/// Notes the element for which the library would take much memory that the file does not hold.
+void DicomWalk::measureWhatLacks() {
+    constexpr std::uint64_t little = std::uint64_t{1} << 20;
+    const std::uint64_t held = m_stream.position() - m_lastStart;
+    if (m_lastIsPixels || m_lastLength == undefinedLength || m_lastLength <= held + little) return;
+    const DicomTag tag{static_cast<std::uint16_t>(m_lastTag >> 16), static_cast<std::uint16_t>(m_lastTag & 0xffff)};
+    m_scan.lacking = LackingElement{tag, m_lastLength, held};
+}
+
+std::optional<DicomWalk::Harm> DicomWalk::harm() const {
+    if (m_harm) return m_harm;
+    const auto harmful = [](std::string problem) { return Harm{"", std::move(problem), doNotOpen}; };
+    if (m_sequences > deepestSequence) return harmful(nestedTooDeep());
+    if (m_elements > mostElements) return harmful(tooManyElements());
+    if (!m_levels.empty() && m_levels.back().elements > mostElementsOfOne)
+        return harmful(fmt::format(
+            "holds more than {} elements in one data set or item, which no true DICOM object does", mostElementsOfOne));
+    if (m_disorder > mostDisorder)
+        return harmful("holds too many elements that are out of order, which no true DICOM object does");
+    if (m_scan.repairs.size() > mostRepairs)
+        return harmful(
+            fmt::format("holds more than {} items outside sequences, which no true DICOM object does", mostRepairs));
+    if (m_stream.inflatesTooMuch())
+        return harmful(fmt::format("unpacks to more than {} bytes out of {}, which no volume does",
+                                   mostUnpackedBytes(m_file.size()), m_file.size()));
+    return std::nullopt;
+}
+
+std::optional<std::uint32_t> DicomWalk::read16() {
+    std::array<std::uint8_t, 2> b{};
+    if (!m_stream.read(b.data(), b.size())) return std::nullopt;
+    return isBigEndian() ? b[0] << 8 | b[1] : b[1] << 8 | b[0];
+}
+
+std::optional<std::uint32_t> DicomWalk::read32() {
+    const auto first = read16();
+    const auto second = read16();
+    if (!first || !second) return std::nullopt;
+    return isBigEndian() ? *first << 16 | *second : *second << 16 | *first;
+}
+
+std::optional<std::uint32_t> DicomWalk::readTag() {
+    if (m_pendingTag) return std::exchange(m_pendingTag, std::nullopt);
+    const auto group = read16();
+    const auto element = read16();
+    if (!group || !element) return std::nullopt;
+    return *group << 16 | *element;
+}
+
+/// Reads preamble and meta header, and from there how the data set is written. False where the file is too short.
+bool DicomWalk::readMeta() {
+    const auto beginning = m_file.beginning(132);
+    if (!beginning || beginning->size() < 8) return false;
+    const bool preamble = beginning->size() == 132 && beginning->substr(128) == "DICM";
+    m_stream.skip(preamble ? 132 : 0);
+    std::optional<std::uint32_t> tag;
+    while ((tag = readTag()) && *tag >> 16 == 0x0002) {
+        std::array<std::uint8_t, 2> vr{};
+        if (!m_stream.read(vr.data(), 2)) return false;
+        const DcmVR kind = vrOf({reinterpret_cast<const char*>(vr.data()), 2});
+        const bool isLong = kind.usesExtendedLengthEncoding();
+        if (isLong) m_stream.skip(2);
+        const auto length = isLong ? read32() : read16();
+        if (!length) return false;
+        if (kind.getEVR() == EVR_SQ || *length == undefinedLength) {
+            m_harm = Harm{fmt::format("(0002,{:04x})", *tag & 0xffff),
+                          "stands in the meta header with a sequence, which no true DICOM object has there", doNotOpen};
+            return true;
+        }
+        const bool wanted = *tag == 0x00020010 || *tag == 0x00020002;
+        if (wanted && *length <= 128) {
+            std::string value(*length, '\0');
+            if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
+            value = trimmed(value.substr(0, value.find('\0')));
+            (*tag == 0x00020010 ? m_scan.transferSyntax : m_scan.sopClass) = value;
+        } else if (m_stream.skip(*length) != *length) {
+            return false;
+        }
+    }
+    if (!tag) return false;
+    std::array<std::uint8_t, 2> letters{};
+    if (!m_file.readAt(m_stream.position(), letters)) return false;
+    const DcmXfer syntax(m_scan.transferSyntax.c_str());
+    // DCMTK has a syntax whose identifier is empty.
+    const Writing writing = m_scan.transferSyntax.empty() || syntax.getXfer() == EXS_Unknown
+                                ? guessedWriting(*tag, {reinterpret_cast<const char*>(letters.data()), 2})
+                                : Writing{syntax.isImplicitVR() != OFFalse, syntax.isBigEndian() != OFFalse,
+                                          syntax.getStreamCompression() == ESC_zlib};
+    if (writing.deflated) {
+        // The tag just read was already deflated data: go back to it.
+        ByteStream again(m_file, m_progress);
+        again.skip(m_stream.position() - 4);
+        m_stream = std::move(again);
+        m_stream.inflateFromHere();
+    } else {
+        m_pendingTag = writing.bigEndian ? swapped(*tag) : *tag;
+    }
+    m_bigEndian = writing.bigEndian;
+    Level dataset;
+    dataset.implicitVr = writing.implicitVr;
+    dataset.bigEndian = writing.bigEndian;
+    m_levels.push_back(dataset);
+    return true;
+}
+
+void DicomWalk::push(LevelKind kind, std::uint32_t length, bool implicitVr) {
+    const std::uint64_t start = m_stream.position() - (m_pendingTag ? 4 : 0);
+    Level level;
+    level.kind = kind;
+    level.start = start;
+    level.end = length == undefinedLength ? endless : start + length;
+    level.implicitVr = implicitVr;
+    // What a value of VR UN holds is little endian, whatever the data set is.
+    level.bigEndian = m_levels.back().bigEndian && !(implicitVr && !m_levels.back().implicitVr);
+    m_levels.push_back(std::move(level));
+    m_sequences += kind == LevelKind::sequence ? 1 : 0;
+}
+
+void DicomWalk::pop() {
+    m_scan.pixelsEnd = m_scan.pixelsEnd || m_levels.back().pixels;
+    m_sequences -= m_levels.back().kind == LevelKind::sequence ? 1 : 0;
+    m_levels.pop_back();
+}
+
+/// Leaves what cannot be understood at the nearest end that is known; false where no end is known.
+bool DicomWalk::recover() {
+    m_pendingTag.reset();
+    while (m_levels.size() > 1) {
+        const std::uint64_t end = m_levels.back().end;
+        pop();
+        if (end == endless || end < m_stream.position()) continue;
+        const std::uint64_t rest = end - m_stream.position();
+        return m_stream.skip(rest) == rest;
+    }
+    m_lost = true;
+    return false;
+}
+
+bool DicomWalk::step() {
+    const std::uint64_t position = m_stream.position() - (m_pendingTag ? 4 : 0);
+    m_stepStart = position;
+    if (m_levels.size() > 1 && position >= m_levels.back().end) {
+        pop();
+        return true;
+    }
+    const auto tag = readTag();
+    if (!tag) return false;
+    if (std::ranges::find(itemTags, *tag) != std::end(itemTags)) return readDelimiter(*tag);
+    const LevelKind kind = m_levels.back().kind;
+    if (m_levels.back().falseLength) {
+        m_pendingTag = tag;
+        writeLength();
+        return true;
+    }
+    if (kind == LevelKind::sequence || kind == LevelKind::fragments) return recover();
+    return readElement(*tag);
+}
+
+bool DicomWalk::readDelimiter(std::uint32_t tag) {
+    const auto length = read32();
+    if (!length) return false;
+    const LevelKind kind = m_levels.back().kind;
+    if (tag == itemTag) {
+        if (kind == LevelKind::fragments) ++m_elements;
+        if (kind == LevelKind::fragments) return *length != undefinedLength && m_stream.skip(*length) == *length;
+        if (kind != LevelKind::sequence && !m_stream.inflates() && m_levels.size() == 1 &&
+            m_stream.position() - 8 == m_emptySequenceEnd) {
+            // The items of a sequence follow although its length is declared as 0.
+            push(LevelKind::sequence, undefinedLength, false);
+            m_levels.back().start = m_emptySequenceEnd;
+            m_levels.back().falseLength = m_emptySequenceEnd - 4;
+        } else if (kind != LevelKind::sequence) {
+            return leaveOutItem(*length) || recover();
+        }
+        ++m_elements;
+        push(LevelKind::item, *length, m_levels.back().implicitVr);
+        return true;
+    }
+    if (tag == itemEndTag && kind == LevelKind::item) {
+        pop();
+        return true;
+    }
+    if (tag == sequenceEndTag && (kind == LevelKind::sequence || kind == LevelKind::fragments)) {
+        if (m_levels.back().falseLength) repairLength(m_levels.back(), undefinedLength);
+        pop();
+        return true;
+    }
+    return recover();
+}
+
+bool DicomWalk::readElement(std::uint32_t tag) {
+    countElement(tag);
+    if (m_levels.back().implicitVr) {
+        const auto length = read32();
+        return length && enterValue(tag, "", *length);
+    }
+    std::array<std::uint8_t, 2> bytes{};
+    if (!m_stream.read(bytes.data(), 2)) return false;
+    const std::string_view vr(reinterpret_cast<const char*>(bytes.data()), 2);
+    const bool isLong = vrOf(vr).usesExtendedLengthEncoding();
+    if (isLong && m_stream.skip(2) != 2) return false;
+    const auto length = isLong ? read32() : read16();
+    return length && enterValue(tag, vr, *length);
+}
+
+void DicomWalk::notePixelData(std::uint32_t length) {
+    m_scan.hasPixelData = true;
+    m_scan.pixelStart = m_stream.inflates() ? 0 : m_stream.position();
+    if (length == undefinedLength) return;
+    m_scan.pixelBytesDeclared = length;
+    // What deflated data hold is known once they are passed.
+    m_scan.pixelBytesHeld =
+        m_stream.inflates() ? length : std::min<std::uint64_t>(length, m_file.size() - m_stream.position());
+}
+
+/// Passes an element of the group in which GE keeps volumes: the one behind a creator's block that begins as Kretz
+/// volumes do is one. Other elements are not passed here, which gives false.
+bool DicomWalk::readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
+    const std::uint32_t element = tag & 0xffff;
+    std::string value;
+    const auto readValue = [&](std::size_t count) {
+        value.resize(count);
+        return m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), count);
+    };
+    const bool creator = element >= 0x10 && element <= 0xff && length >= kretzCreator.size() && length <= 64;
+    if (creator && m_kretzBlock == 0) {
+        if (!readValue(length)) return false;
+        if (trimmed(value.substr(0, value.find('\0'))) == kretzCreator) m_kretzBlock = element;
+        return true;
+    }
+    const bool bytes = vr.empty() || vr == "OB" || vr == "OW" || vr == "UN";
+    const bool volume = m_kretzBlock != 0 && element == (m_kretzBlock << 8 | 0x01) && bytes;
+    if (!volume || length == undefinedLength || length < kretzSignature.size()) return false;
+    if (!readValue(kretzSignature.size())) return false;
+    m_scan.holdsKretz = looksLikeKretz(value);
+    const std::uint64_t skipped = m_stream.skip(length - value.size());
+    if (m_scan.holdsKretz) m_scan.kretzBytesHeld = value.size() + skipped;
+    return true;
+}
+
+bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
+    const bool pixels = tag == pixelDataTag && m_levels.size() == 1;
+    m_lastTag = tag;
+    m_lastLength = length;
+    m_lastStart = m_stream.position();
+    m_lastIsPixels = pixels;
+    refuseLongRecordType(tag, length);
+    if (m_harm) return true;
+    m_behindKretz = m_behindKretz || (m_levels.size() == 1 && tag >> 16 > kretzGroup);
+    if (m_levels.size() == 1 && tag >> 16 == kretzGroup && readKretz(tag, vr, length)) return true;
+    if (pixels) notePixelData(length);
+    const DcmEVR stated = m_levels.back().implicitVr || vr == "UN" ? tagOf(tag).getEVR() : vrOf(vr).getEVR();
+    const bool plain =
+        stated != EVR_SQ && stated != EVR_UNKNOWN && stated != EVR_UNKNOWN2B && stated != EVR_UN && !pixels;
+    bool passed = false;
+    if (!describe(tag, length, plain, passed)) return false;
+    if (passed || m_harm) return true;
+    if (tag == sopClassTag && m_levels.size() == 1 && m_scan.sopClass.empty() && length <= 64) {
+        std::string value(length, '\0');
+        if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
+        m_scan.sopClass = trimmed(value.substr(0, value.find('\0')));
+        return true;
+    }
+    const bool implicitVr = m_levels.back().implicitVr;
+    if (length == undefinedLength) {
+        const DcmEVR kind = implicitVr ? EVR_UNKNOWN : vrOf(vr).getEVR();
+        const bool fragments = kind != EVR_SQ && kind != EVR_UN && kind != EVR_UNKNOWN && kind != EVR_UNKNOWN2B;
+        push(fragments ? LevelKind::fragments : LevelKind::sequence, length, implicitVr || vr == "UN");
+        m_levels.back().pixels = pixels;
+        return true;
+    }
+    if (vr == "SQ") {
+        if (length == 0) m_emptySequenceEnd = m_stream.position();
+        push(LevelKind::sequence, length, false);
+        return true;
+    }
+    const bool unknown = implicitVr || vr == "UN";
+    if (unknown && tagOf(tag).getEVR() == EVR_SQ) {
+        push(LevelKind::sequence, length, true);
+        return true;
+    }
+    if (unknown) return enterIfItem(length);
+    const std::uint64_t skipped = m_stream.skip(length);
+    if (pixels && m_stream.inflates()) m_scan.pixelBytesHeld = skipped;
+    m_scan.pixelsEnd = m_scan.pixelsEnd || (pixels && skipped == length);
+    return skipped == length;
+}
+
+/// A value of unknown kind is a sequence where it begins with an item.
+bool DicomWalk::enterIfItem(std::uint32_t length) {
+    if (length < 8) return m_stream.skip(length) == length;
+    const auto tag = readTag();
+    if (!tag) return false;
+    if (*tag != itemTag) return m_stream.skip(length - 4) == length - 4;
+    m_pendingTag = tag;
+    push(LevelKind::sequence, length, true);
+    return true;
+}
+
+}  // namespace echolucent

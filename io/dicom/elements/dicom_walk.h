@@ -1,0 +1,110 @@
+// The walk over a DICOM file's elements that scanDicom() makes: what it keeps in mind on the way.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/dicom/elements/byte_stream.h"
+#include "io/dicom/elements/dicom_scan_result.h"
+#include "io/files/input_file.h"
+#include "processing/progress.h"
+
+namespace echolucent {
+
+/// (7fe0,0010) Pixel Data: group and element in one number.
+inline constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
+
+/// The walk over one file, element by element. File and progress must outlive it.
+class DicomWalk {
+public:
+    DicomWalk(const InputFile& file, DicomScan& scan, const Progress& progress)
+        : m_file(file), m_stream(file, progress), m_scan(scan), m_progress(progress) {}
+
+    /// Ends early where the person cancels, and where it finds harm.
+    void run(bool headerOnly);
+    /// Why the file must not be read any further; no value where nothing was found.
+    struct Harm {
+        std::string element, problem, remedy;  ///< as in Failure
+    };
+    [[nodiscard]] std::optional<Harm> harm() const;
+
+private:
+    static constexpr std::uint64_t endless = std::numeric_limits<std::uint64_t>::max();
+    static constexpr std::uint32_t undefinedLength = 0xffffffffU;
+    static constexpr std::uint32_t itemEndTag = 0xfffee00dU;
+    static constexpr std::uint32_t sequenceEndTag = 0xfffee0ddU;
+    enum class LevelKind { dataset, sequence, item, fragments };
+    /// One of the elements of a level that describe the picture or its place.
+    struct Described {
+        std::uint32_t tag = 0;
+        std::string value;  // empty where it was not kept
+        bool isKept = false;
+    };
+    struct Level {
+        LevelKind kind = LevelKind::dataset;
+        std::uint64_t end = endless;
+        bool implicitVr = false;
+        bool bigEndian = false;
+        std::size_t elements = 0;
+        std::uint32_t lastTag = 0;      // the largest so far
+        bool ascends = true;            // whether the last one was larger than all before
+        std::uint32_t previousTag = 0;  // of the element before
+        std::vector<Described> described = {};
+        bool pixels = false;                            // whether it is the pixel data
+        std::optional<std::uint64_t> falseLength = {};  // where a length stands that has to be written anew
+        std::uint64_t start = 0;
+    };
+    bool readMeta();
+    bool step();
+    bool readElement(std::uint32_t tag);
+    void countElement(std::uint32_t tag);
+    bool describe(std::uint32_t tag, std::uint32_t length, bool plain, bool& passed);
+    void measureEnd(bool enough);
+    void measureWhatLacks();
+    void refuseLongRecordType(std::uint32_t tag, std::uint32_t length);
+    [[nodiscard]] bool isBigEndian() const { return m_levels.empty() ? m_bigEndian : m_levels.back().bigEndian; }
+    bool readDelimiter(std::uint32_t tag);
+    bool enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length);
+    bool enterIfItem(std::uint32_t length);
+    bool recover();
+    bool leaveOutItem(std::uint32_t length);
+    void repair(std::uint64_t offset, std::string bytes, const char* note);
+    void repairLength(const Level& level, std::uint32_t length);
+    bool readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t length);
+    bool closeAtEnd();
+    void writeLength();
+    void push(LevelKind kind, std::uint32_t length, bool implicitVr);
+    void pop();
+    void notePixelData(std::uint32_t length);
+
+    std::optional<std::uint32_t> readTag();
+    std::optional<std::uint32_t> read32();
+    std::optional<std::uint32_t> read16();
+
+    const InputFile& m_file;
+    ByteStream m_stream;
+    DicomScan& m_scan;
+    const Progress& m_progress;
+    std::vector<Level> m_levels;
+    int m_sequences = 0;
+    bool m_bigEndian = false;  // of the data set
+    bool m_lost = false;       // whether something that is no element was met
+    std::size_t m_elements = 0;
+    std::uint64_t m_disorder = 0;  // how many elements DCMTK passes to sort in those that are out of order
+    std::optional<Harm> m_harm;
+    std::optional<std::uint32_t> m_pendingTag;   // a tag that was read ahead
+    std::uint64_t m_emptySequenceEnd = endless;  // where a sequence ended that is declared to be empty
+    bool m_behindKretz = false;                  // whether the group in which GE keeps volumes is passed
+    std::uint32_t m_kretzBlock = 0;              // the first block of elements that GE's creator has reserved; 0: none
+    std::uint64_t m_stepStart = 0;               // where the last step began
+    std::uint32_t m_lastTag = 0;                 // of the element whose value was entered last
+    std::uint32_t m_lastLength = 0;              // that it declares
+    std::uint64_t m_lastStart = 0;               // where its value begins
+    bool m_lastIsPixels = false;
+};
+
+}  // namespace echolucent

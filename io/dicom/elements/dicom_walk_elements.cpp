@@ -1,0 +1,86 @@
+// What the walk over a DICOM file counts, and which elements it finds twice.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <fmt/format.h>
+
+#include "io/dicom/elements/dicom_names.h"
+#include "io/dicom/elements/dicom_scan_result.h"
+#include "io/dicom/elements/dicom_walk.h"
+#include "io/files/input_problems.h"
+
+namespace echolucent {
+
+namespace {
+
+/// Values of this many bytes are kept, to be compared with those of an element that stands twice.
+constexpr std::uint32_t keptValue = 64;
+
+/// "(0028,0030) Pixel Spacing"
+std::string tagAndName(std::uint32_t tag) {
+    DcmTag named(static_cast<Uint16>(tag >> 16), static_cast<Uint16>(tag & 0xffff));
+    return fmt::format("({:04x},{:04x}) {}", tag >> 16, tag & 0xffff, wordsOfName(named.getTagName()));
+}
+
+/// Whether an element describes the picture or its place, so that it must not stand twice with different values.
+bool describesPicture(std::uint32_t tag) {
+    const std::uint32_t group = tag >> 16;
+    if (tag == 0x00280120 || tag == 0x00280121) return false;  // the value of padding, which is not asked for
+    return group == 0x0018 || group == 0x0020 || group == 0x0028 || group == 0x3001 || group == 0x3004 ||
+           group == 0x5200 || tag == pixelDataTag;
+}
+
+}  // namespace
+
+/// DCMTK 3.6.7 throws over a longer type while it reads a directory record, and loses what it had read.
+void DicomWalk::refuseLongRecordType(std::uint32_t tag, std::uint32_t length) {
+    constexpr std::uint32_t recordTypeTag = 0x00041430, longestCodeString = 16;
+    if (tag != recordTypeTag || length <= longestCodeString) return;
+    m_harm =
+        Harm{tagAndName(tag),
+             fmt::format("is {} bytes long, and a directory record's type has at most {}", length, longestCodeString),
+             doNotOpen};
+}
+
+/// Counts an element, and what DCMTK takes to sort it in. One that stands twice is dropped there.
+void DicomWalk::countElement(std::uint32_t tag) {
+    Level& level = m_levels.back();
+    ++m_elements;
+    const bool again = level.elements > 0 && tag == level.previousTag;
+    level.ascends = level.elements == 0 || tag > level.lastTag;
+    level.previousTag = tag;
+    if (level.elements > 0 && tag < level.lastTag) m_disorder += level.elements;
+    level.lastTag = std::max(level.lastTag, tag);
+    if (!again) ++level.elements;
+}
+
+/// Keeps the short values of what describes the picture, and looks whether it stands twice. `passed` becomes true
+/// where the value, which holds no items where it is `plain`, was read on the way; false where the file ends before.
+bool DicomWalk::describe(std::uint32_t tag, std::uint32_t length, bool plain, bool& passed) {
+    if (!describesPicture(tag)) return true;
+    Level& level = m_levels.back();
+    Described described{tag, {}, plain && length <= keptValue};
+    if (described.isKept) {
+        described.value.resize(length);
+        if (!m_stream.read(reinterpret_cast<std::uint8_t*>(described.value.data()), length)) return false;
+        passed = true;
+    }
+    const auto before =
+        level.ascends ? level.described.end() : std::ranges::find(level.described, tag, &Described::tag);
+    if (before == level.described.end()) {
+        level.described.push_back(std::move(described));
+        return true;
+    }
+    const std::string name = tagAndName(tag);
+    if (!before->isKept || !described.isKept || before->value != described.value)
+        m_harm = Harm{name, "stands twice, with different values", "Export it again: it cannot be told which is true."};
+    else
+        m_scan.notes.push_back(name + " stands twice, with the same value.");
+    if (m_scan.notes.size() > mostRepairs) m_harm = Harm{name, "stands twice, as do many others", doNotOpen};
+    return true;
+}
+
+}  // namespace echolucent

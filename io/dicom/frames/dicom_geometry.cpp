@@ -1,0 +1,102 @@
+#include "io/dicom/frames/dicom_geometry.h"
+
+#include <cmath>
+#include <utility>
+
+#include "io/study/study_assembly.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr DicomTag positionPatient{0x0020, 0x0032};
+constexpr DicomTag orientationPatient{0x0020, 0x0037};
+
+bool framesFollowInTime(DcmItem& dataset) {
+    const std::string pointer = dicomText(dataset, {0x0028, 0x0009});
+    return pointer.find("0018,1063") != std::string::npos || pointer.find("0018,1065") != std::string::npos;
+}
+
+}  // namespace
+
+std::optional<Vec3> dicomPoint(DcmItem& item, DicomTag tag) {
+    const auto values = dicomNumbers(item, tag, 3);
+    if (values.empty()) return std::nullopt;
+    return Vec3(values[0], values[1], values[2]);
+}
+
+std::optional<std::array<Vec3, 2>> dicomOrientation(DcmItem& item, DicomTag tag) {
+    const auto values = dicomNumbers(item, tag, 6);
+    if (values.empty()) return std::nullopt;
+    const Vec3 alongRow(values[0], values[1], values[2]);
+    const Vec3 alongColumn(values[3], values[4], values[5]);
+    // Rounded to one digit, a cosine is off by 0.05. The largest numbers have no length that a double could hold.
+    const auto isDirection = [](const Vec3& vector) { return std::abs(length(vector) - 1.0) <= 0.05; };
+    if (!isDirection(alongRow) || !isDirection(alongColumn)) return std::nullopt;
+    const Vec3 row = normalized(alongRow);
+    const Vec3 column = normalized(alongColumn);
+    if (!(std::abs(row.dot(column)) <= 0.01)) return std::nullopt;
+    return std::array<Vec3, 2>{row, normalized(column - row * row.dot(column))};
+}
+
+std::optional<std::array<double, 2>> dicomPixelSpacing(DcmItem& item) {
+    const auto values = dicomNumbers(item, pixelSpacingTag, 2);
+    if (values.empty() || !(values[0] > 0) || !(values[1] > 0)) return std::nullopt;
+    return std::array<double, 2>{values[1], values[0]};  // the tag holds the distance between rows first
+}
+
+std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset) {
+    FramePlacement placement;
+    placement.position = dicomPoint(dataset, positionPatient);
+    placement.orientation = dicomOrientation(dataset, orientationPatient);
+    placement.orientationInPatient = true;
+    placement.pixelSpacing = dicomPixelSpacing(dataset);
+    if (!placement.position || !placement.orientation) return std::nullopt;
+    return placement;
+}
+
+Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::string& path, std::size_t frames) {
+    constexpr DicomTag offsetsTag{0x3004, 0x000c}, betweenTag{0x0018, 0x0088};
+    const auto refuse = [&](const std::string& element, const std::string& problem) {
+        auto refused = fail(FailureKind::unreadable, path, element, problem,
+                            "Export it again, or add --frames-as-slices to take its pictures as slices of unknown "
+                            "distance.");
+        refused.value().framesCouldBeSlices = true;
+        return refused;
+    };
+    const auto isStated = [&](DicomTag tag) { return !dicomText(dataset, tag).empty(); };
+    const bool byOffsets = isStated(offsetsTag);
+    if (framesFollowInTime(dataset) || !(byOffsets || isStated(betweenTag)) || !isStated(pixelSpacingTag))
+        return std::optional<ClassicPlaces>();
+    ClassicPlaces places;
+    if (byOffsets) {
+        places.name = tagText(offsetsTag) + " Grid Frame Offset Vector";
+        places.offsets = dicomNumbers(dataset, offsetsTag, frames);
+        if (places.offsets.empty())
+            return refuse(places.name, "is not one number for each of " + std::to_string(frames) + " frames");
+    } else {
+        places.name = tagText(betweenTag) + " Spacing Between Slices";
+        const auto between = dicomNumbers(dataset, betweenTag, 1);
+        if (between.empty()) return refuse(places.name, "is no number");
+        if (between[0] == 0.0) return std::optional<ClassicPlaces>();
+        places.between = between[0];
+    }
+    const auto spacing = dicomPixelSpacing(dataset);
+    if (!spacing) return refuse(tagText(pixelSpacingTag) + " Pixel Spacing", "is not two numbers above 0");
+    const auto orientation = dicomOrientation(dataset, orientationPatient);
+    if (!orientation && isStated(orientationPatient))
+        return refuse(tagText(orientationPatient) + " Image Orientation (Patient)",
+                      "is no pair of perpendicular directions");
+    const auto position = dicomPoint(dataset, positionPatient);
+    if (!position && isStated(positionPatient))
+        return refuse(tagText(positionPatient) + " Image Position (Patient)",
+                      "is no position: three numbers that are finite");
+    const auto directions = orientation.value_or(std::array{Vec3(1, 0, 0), Vec3(0, 1, 0)});
+    places.start = {position.value_or(Vec3(0, 0, 0)), directions[0], directions[1]};
+    if (!isPosition(places.start.position)) places.name = tagText(positionPatient) + " Image Position";
+    places.orientationInPatient = orientation.has_value();
+    places.pixelSpacing = *spacing;
+    return std::optional(std::move(places));
+}
+
+}  // namespace echolucent

@@ -1,0 +1,54 @@
+// What the functional groups of a DICOM multi-frame object say of its frames.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/dicom/elements/dicom_attributes.h"
+#include "processing/progress.h"
+#include "processing/result.h"
+#include "processing/volume/geometry.h"
+
+class DcmItem;
+
+namespace echolucent {
+
+inline constexpr DicomTag sharedGroupsTag{0x5200, 0x9229};
+inline constexpr DicomTag perFrameGroupsTag{0x5200, 0x9230};
+inline constexpr DicomTag indexValuesTag{0x0020, 0x9157};
+inline constexpr DicomTag timeOffsetTag{0x0020, 0x930d};
+inline constexpr DicomTag temporalIndexTag{0x0020, 0x9128};
+inline constexpr DicomTag dataTypeTag{0x0018, 0x9808};
+inline constexpr DicomTag positionVolumeTag{0x0020, 0x9301};
+inline constexpr DicomTag positionPatientTag{0x0020, 0x0032};
+
+/// Where a picture lies in one frame of reference.
+struct StatedPlane {
+    std::optional<Vec3> position;                    ///< mm, of the centre of the first pixel
+    std::optional<std::array<Vec3, 2>> orientation;  ///< unit vectors along a row, along a column; perpendicular
+
+    [[nodiscard]] bool isComplete() const { return position && orientation; }
+};
+
+/// What is said of one frame: by its own groups, else by those of all frames. What nobody says is empty.
+struct FrameGroups {
+    StatedPlane inVolume;                               ///< Plane Position and Orientation (Volume)
+    StatedPlane inPatient;                              ///< Plane Position and Orientation (Patient), LPS
+    std::optional<std::array<double, 2>> pixelSpacing;  ///< mm along x (between columns) and y (between rows)
+    std::optional<double> betweenSlices;                ///< (0018,0088), mm
+    std::optional<double> timeOffset;                   ///< Temporal Position Time Offset, seconds
+    std::optional<std::int64_t> temporalIndex;          ///< Temporal Position Index
+    std::string dataType;                               ///< (0018,9808): TISSUE_INTENSITY, FLOW_VELOCITY, ...
+    std::vector<std::uint32_t> indexValues;             ///< Dimension Index Values, one a dimension
+};
+
+/// The groups of all `frames` frames, in the order of the file; none where the object has no groups of single frames.
+/// Fails (unreadable, about the file at `path`) where there are groups for more or fewer frames, or where one holds a
+/// position, an orientation, a spacing or a time that is none, NaN among them. `progress` is polled for cancel.
+[[nodiscard]] Result<std::vector<FrameGroups>> readFunctionalGroups(DcmItem& dataset, const std::string& path,
+                                                                    std::size_t frames, const Progress& progress);
+
+}  // namespace echolucent

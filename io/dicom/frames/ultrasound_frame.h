@@ -1,0 +1,47 @@
+// What a DICOM object's Ultrasound Frame of Reference says of the probe.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/dicom/elements/dicom_attributes.h"
+#include "io/study/study.h"
+#include "processing/volume/stated_probe.h"
+#include "processing/volume/volume.h"
+
+class DcmItem;
+
+namespace echolucent {
+
+/// The Ultrasound Frame of Reference module (PS3.3 C.8.24.2), each part where it is stated and makes sense.
+struct UltrasoundFrame {
+    std::string acquisitionGeometry;                  ///< APEX, PATIENT, or what else stands there
+    std::optional<Vec3> apexMm;                       ///< in the volume's frame of reference
+    std::optional<cv::Matx44d> transducerFromVolume;  ///< rigid; y is normal to the transducer's face, x its marker
+    std::string relationship;                         ///< FIXED, POSITION_VAR, ORIENTATION_VAR, ...; may be empty
+    std::vector<ImportFact> facts;
+    std::vector<std::string> warnings;  ///< what makes no sense and was left out
+};
+[[nodiscard]] UltrasoundFrame readUltrasoundFrame(DcmItem& dataset);
+
+/// A grid in the volume's frame of reference.
+struct GridInVolumeFrame {
+    Vec3 originMm{0, 0, 0};        ///< of the centre of voxel (0,0,0)
+    Mat3 direction = Mat3::eye();  ///< columns: unit vectors along the grid's axes
+};
+
+/// A probe on the axes of a grid.
+struct FoundProbe {
+    StatedProbe probe;
+    std::string source;  ///< the attributes that gave it
+};
+/// The probe on the grid's axes. Sound runs from the apex to the middle of the grid, or along the normal of the
+/// transducer's face where no apex is stated or the spacing of the grid is not known. In the picture from there, the
+/// transducer's marker is on the right; where no matrix is stated, the picture is turned least against that along the
+/// nearest grid axis. No value where neither apex nor matrix says a direction; `warnings` then tells why, where
+/// something was stated.
+[[nodiscard]] std::optional<FoundProbe> probeOf(const UltrasoundFrame& frame, const GridInVolumeFrame& grid,
+                                                const VolumeGeometry& geometry, std::vector<std::string>& warnings);
+
+}  // namespace echolucent

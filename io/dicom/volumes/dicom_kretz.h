@@ -1,0 +1,15 @@
+// GE Voluson (Kretz) volumes in DICOM files.
+#pragma once
+
+#include <optional>
+
+#include "io/dicom/elements/dicom_file.h"
+#include "io/kretz/kretz_items.h"
+
+namespace echolucent {
+
+/// The Kretz volume that a file holds in element (7FE1,xx01) of the private creator KRETZ_US; no value where it holds
+/// none. The source reads from the file, which must outlive it.
+[[nodiscard]] std::optional<KretzSource> kretzVolumeIn(const DicomFile& file);
+
+}  // namespace echolucent

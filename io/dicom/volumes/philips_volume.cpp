@@ -1,0 +1,395 @@
+#include "io/dicom/volumes/philips_volume.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "io/dicom/elements/dicom_names.h"
+#include "io/dicom/frames/dicom_study.h"
+#include "io/dicom/pixels/dicom_pixels.h"
+#include "io/dicom/pixels/pixel_statements.h"
+#include "io/files/header_text.h"
+#include "io/files/input_problems.h"
+#include "io/study/study_assembly.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr DicomTag slicesTag{0x3001, 0x1001};
+constexpr DicomTag sliceSpacingTag{0x3001, 0x1003};
+constexpr std::uint16_t scannerGroup = 0x200d;
+constexpr const char* shapeCreator = "Philips US Imaging DD 036";
+constexpr const char* voxelCreator = "Philips US Imaging DD 033";
+/// Ultrasound reaches no farther; a volume that is longer was not written in the unit that it names.
+constexpr double farthestReachMm = 1000;
+
+using Volume3 = std::array<std::int64_t, 3>;
+
+bool allAbove0(const Volume3& size) {
+    return std::all_of(size.begin(), size.end(), [](std::int64_t edge) { return edge > 0; });
+}
+
+std::optional<std::int64_t> voxelsOf(const Volume3& size) {
+    const auto slice = checkedProduct(size[0], size[1]);
+    return slice ? checkedProduct(*slice, size[2]) : slice;
+}
+
+bool isSpacing(const Vec3& spacing) {
+    return std::all_of(spacing.val, spacing.val + 3, [](double mm) { return std::isfinite(mm) && mm > 0; });
+}
+
+double longestEdge(const Vec3& spacing, const Volume3& size) {
+    double longest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        longest = std::max(longest, spacing[axis] * static_cast<double>(size[static_cast<std::size_t>(axis)]));
+    return longest;
+}
+
+/// Seconds from Frame Time (ms).
+std::optional<double> frameSeconds(DcmItem& dataset) {
+    const auto milliseconds = dicomNumbers(dataset, {0x0018, 0x1063}, 1);
+    if (milliseconds.empty() || !(milliseconds[0] > 0)) return std::nullopt;
+    return milliseconds[0] / 1000;
+}
+
+bool isOrAbsent(DcmItem& dataset, DicomTag tag, std::int64_t value) {
+    return dicomText(dataset, tag).empty() || dicomWholeNumber(dataset, tag) == value;
+}
+
+void takeQlabSpacing(DcmItem& dataset, PhilipsVolume& volume) {
+    const auto x = dicomNumbers(dataset, {0x0018, 0x602c}, 1);
+    const auto y = dicomNumbers(dataset, {0x0018, 0x602e}, 1);
+    const auto z = dicomNumbers(dataset, sliceSpacingTag, 1);
+    const bool centimetre = isOrAbsent(dataset, {0x0018, 0x6024}, 3) && isOrAbsent(dataset, {0x0018, 0x6026}, 3);
+    if (x.empty() || y.empty() || z.empty() || !centimetre) return;
+    const Vec3 centimetres(std::abs(x[0]), std::abs(y[0]), std::abs(z[0]));
+    if (!isSpacing(centimetres * 10.0)) return;
+    volume.spacing = centimetres * 10.0;
+    volume.spacingSource = "(0018,602c), (0018,602e), (3001,1003) in cm";
+    if (longestEdge(*volume.spacing, volume.size) <= farthestReachMm) return;
+    volume.warning = fmt::format(
+        "The spacing in cm, as this format has it, would make a volume {:.3g} m long, farther than ultrasound reaches; "
+        "its numbers are taken as mm, which is a guess.",
+        longestEdge(*volume.spacing, volume.size) / 1000);
+    volume.spacing = centimetres;
+    volume.spacingSource.clear();
+}
+
+Result<std::optional<PhilipsVolume>> qlabVolume(const DicomFile& file) {
+    DcmItem& dataset = file.dataset();
+    const auto refuse = [&](const std::string& element, const std::string& problem) {
+        return fail(FailureKind::unreadable, file.path(), element, problem, "Export it from QLAB again, uncompressed.");
+    };
+    PhilipsVolume volume;
+    volume.size = {dicomWholeNumber(dataset, {0x0028, 0x0011}).value_or(0),
+                   dicomWholeNumber(dataset, {0x0028, 0x0010}).value_or(0),
+                   dicomWholeNumber(dataset, slicesTag).value_or(0)};
+    if (volume.size[0] < 1) return refuse("(0028,0011) Columns", "is missing or not above 0");
+    if (volume.size[1] < 1) return refuse("(0028,0010) Rows", "is missing or not above 0");
+    if (volume.size[2] < 1) return refuse("(3001,1001) Number of Slices", "is missing or not above 0");
+    volume.sizeSource = "(0028,0011), (0028,0010), (3001,1001)";
+    if (!dicomText(dataset, {0x0028, 0x0008}).empty()) {
+        volume.phases = dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(0);
+        if (volume.phases < 1) return refuse("(0028,0008) Number of Frames", "is not above 0");
+    }
+    if (!isOrAbsent(dataset, {0x0028, 0x0100}, 8))
+        return refuse("(0028,0100) Bits Allocated", "is not 8, as QLAB writes it");
+    if (!isOrAbsent(dataset, {0x0028, 0x0002}, 1))
+        return refuse("(0028,0002) Samples per Pixel", "is not 1, as QLAB writes it");
+    const DicomScan& scan = file.scan();
+    const bool encapsulated = DcmXfer(scan.transferSyntax.c_str()).isEncapsulated();
+    if (!scan.hasPixelData || scan.pixelStart == 0 || scan.pixelBytesDeclared == 0 || encapsulated)
+        return refuse(
+            "", "is a Philips QLAB Cartesian volume, and (7fe0,0010) Pixel Data is absent, deflated or compressed");
+    const std::uint64_t held = scan.fileBytes - std::min(scan.pixelStart, scan.fileBytes);
+    const std::optional<std::int64_t> one = voxelsOf(volume.size);
+    // The end of the last row may be missing; it is no data then.
+    if (!one || held + static_cast<std::uint64_t>(volume.size[0]) <= static_cast<std::uint64_t>(*one))
+        return fail(FailureKind::unreadable, file.path(), "(7fe0,0010) Pixel Data",
+                    fmt::format("holds {} bytes where one volume of {} voxels needs {}", held, sizeText(volume.size),
+                                one ? std::to_string(*one) : "more than can be counted"),
+                    incompleteFile);
+    takeQlabSpacing(dataset, volume);
+    volume.phaseSeconds = frameSeconds(dataset);
+    return std::optional(volume);
+}
+
+/// The text of a private element, whatever value representation it has.
+std::string privateText(DcmItem& dataset, DicomTag tag) {
+    DcmElement* element = nullptr;
+    Uint8* bytes = nullptr;
+    if (dataset.findAndGetElement(DcmTagKey(tag.group, tag.element), element).bad() || element == nullptr) return {};
+    const bool raw = element->getVR() == EVR_UN || element->getVR() == EVR_OB;
+    if (!raw) return dicomText(dataset, tag);
+    if (element->getUint8Array(bytes).bad() || bytes == nullptr) return {};
+    const std::string text(reinterpret_cast<const char*>(bytes), element->getLength());
+    return trimmed(text.substr(0, text.find('\0')));
+}
+
+/// The block (0x10 to 0xff) that a maker's elements of the scanner's group stand in; no value where there is none.
+std::optional<std::uint16_t> blockOf(DcmItem& dataset, const std::string& creator) {
+    for (DcmObject* one = dataset.nextInContainer(nullptr); one != nullptr; one = dataset.nextInContainer(one)) {
+        const std::uint16_t element = one->getETag();
+        const bool creatorTag = one->getGTag() == scannerGroup && element >= 0x10 && element <= 0xff;
+        if (creatorTag && privateText(dataset, {scannerGroup, element}) == creator) return element;
+    }
+    return std::nullopt;
+}
+
+DicomTag inBlock(std::uint16_t block, std::uint16_t element) {
+    return {scannerGroup, static_cast<std::uint16_t>(block << 8 | element)};
+}
+
+/// Three numbers above 0 with backslashes between them; no value where there are others.
+std::optional<Vec3> threeNumbers(const std::string& text) {
+    std::string spaced = text;
+    std::replace(spaced.begin(), spaced.end(), '\\', ' ');
+    const auto numbers = realNumbers(spaced);
+    if (!numbers || numbers->size() != 3) return std::nullopt;
+    const Vec3 values((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    if (!isSpacing(values)) return std::nullopt;
+    return values;
+}
+
+/// The size that a scanner says its volume has; all 0 where it says none.
+Volume3 scannerSize(DcmItem& dataset, DicomTag tag) {
+    Volume3 size{0, 0, 0};
+    const auto numbers = threeNumbers(privateText(dataset, tag));
+    if (!numbers) return size;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double edge = (*numbers)[static_cast<int>(axis)];
+        if (edge > 100000 || edge != std::floor(edge)) return {0, 0, 0};
+        size[axis] = static_cast<std::int64_t>(edge);
+    }
+    return size;
+}
+
+/// Finds where the voxels of a scanner's volume are; false where no element holds them plainly.
+bool placeVoxels(const DicomFile& file, PhilipsVolume& volume) {
+    DcmItem& dataset = file.dataset();
+    const auto frames = dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1);
+    const bool asFrames = dicomWholeNumber(dataset, {0x0028, 0x0011}) == volume.size[0] &&
+                          dicomWholeNumber(dataset, {0x0028, 0x0010}) == volume.size[1] && frames >= volume.size[2] &&
+                          frames % volume.size[2] == 0;
+    if (asFrames && file.scan().hasPixelData) {
+        volume.kind = PhilipsVolume::Kind::frames;
+        volume.phases = frames / volume.size[2];
+        return true;
+    }
+    const auto block = blockOf(dataset, voxelCreator);
+    const auto voxels = voxelsOf(volume.size);
+    if (!block || !voxels) return false;
+    volume.voxels = inBlock(*block, 0x0b);
+    DcmElement* element = nullptr;
+    const DcmTagKey key(volume.voxels.group, volume.voxels.element);
+    if (dataset.findAndGetElement(key, element).bad() || element == nullptr) return false;
+    const auto held = static_cast<std::int64_t>(element->getLength());
+    if (held < *voxels || held > *voxels + 1) return false;
+    volume.kind = PhilipsVolume::Kind::privateElement;
+    return true;
+}
+
+Result<std::optional<PhilipsVolume>> scannerVolume(const DicomFile& file) {
+    DcmItem& dataset = file.dataset();
+    const auto block = blockOf(dataset, shapeCreator);
+    if (!block) return std::optional<PhilipsVolume>();
+    PhilipsVolume volume;
+    volume.size = scannerSize(dataset, inBlock(*block, 0x01));
+    if (!allAbove0(volume.size) || volume.size[2] < 2) return std::optional<PhilipsVolume>();
+    volume.sizeSource = tagText(inBlock(*block, 0x01)) + " Philips private";
+    if (const auto spacing = threeNumbers(privateText(dataset, inBlock(*block, 0x03)))) {
+        volume.spacing = *spacing;
+        volume.spacingSource = tagText(inBlock(*block, 0x03)) + " Philips private";
+    }
+    if (placeVoxels(file, volume)) return std::optional(volume);
+    const auto pictures = dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1);
+    auto refused = fail(
+        FailureKind::unreadable, file.path(), tagText(inBlock(*block, 0x01)),
+        fmt::format("declares a 3D volume of {} voxels, which is kept in Philips's own coding", sizeText(volume.size)),
+        pictures > 1
+            ? "Export it from QLAB as a Cartesian volume, or add --frames-as-slices to take the pictures beside "
+              "it as slices of unknown distance."
+            : "Export it from QLAB as a Cartesian volume.");
+    refused.value().framesCouldBeSlices = pictures > 1;
+    return refused;
+}
+
+/// The voxels of all phases, and what is missing of them.
+struct PhilipsVoxels {
+    std::vector<VoxelBytes> phases;
+    StoredType type = StoredType::uint8;
+    std::int64_t missing = 0;  ///< voxels at the end of the last phase that the file does not hold
+};
+
+Result<void> readBytes(const InputFile& input, std::uint64_t offset, std::span<std::uint8_t> bytes,
+                       const Progress& progress) {
+    constexpr std::size_t pieceBytes = std::size_t{4} << 20;
+    for (std::size_t done = 0; done < bytes.size(); done += pieceBytes) {
+        if (progress.cancelled()) return fail(FailureKind::cancelled, input.path(), "", "was not read: cancelled");
+        const auto piece = bytes.subspan(done, std::min(pieceBytes, bytes.size() - done));
+        if (auto read = input.readAt(offset + done, piece); !read) return read;
+    }
+    return {};
+}
+
+Result<PhilipsVoxels> qlabVoxels(const InputFile& input, const DicomFile& file, const PhilipsVolume& volume,
+                                 std::vector<std::string>& warnings, const Progress& progress) {
+    const DicomScan& scan = file.scan();
+    const std::int64_t declared = volume.phases;
+    // qlabVolume() has seen that the file holds one volume, but for the end of its last row.
+    const std::optional<std::int64_t> one = voxelsOf(volume.size);
+    // The declared length is often false: what the file holds counts.
+    const auto held = static_cast<std::int64_t>(input.size() - std::min(scan.pixelStart, input.size()));
+    const std::int64_t whole = one ? held / *one : 0;
+    const std::int64_t rest = one ? held % *one : held;
+    // The cut of a few bytes leaves all but the end of the last row.
+    const bool almost = one && whole < declared && *one - rest < volume.size[0];
+    PhilipsVoxels voxels;
+    const std::int64_t phases = std::min(declared, whole + (almost ? 1 : 0));
+    voxels.missing = std::max<std::int64_t>(0, phases * *one - held);
+    if (auto memory = requireMemory(input.path(), volume.sizeSource, static_cast<std::uint64_t>(phases * *one));
+        !memory)
+        return tl::unexpected(memory.error());
+    for (std::int64_t phase = 0; phase < phases; ++phase) {
+        VoxelBytes bytes(static_cast<std::size_t>(*one));
+        const auto there = static_cast<std::size_t>(std::min(*one, held - phase * *one));
+        const auto read = readBytes(input, scan.pixelStart + static_cast<std::uint64_t>(phase * *one),
+                                    std::span(bytes).first(there), progress);
+        if (!read) return tl::unexpected(read.error());
+        progress.at(0.9 * static_cast<double>(phase + 1) / static_cast<double>(phases));
+        voxels.phases.push_back(std::move(bytes));
+    }
+    if (phases < declared)
+        warnings.push_back(
+            fmt::format("The file declares {} volumes and holds {}, which were read.", declared, phases));
+    if (voxels.missing > 0)
+        warnings.push_back(
+            fmt::format("The last volume ends {} bytes early; the voxels there are no data.", voxels.missing));
+    if (static_cast<std::int64_t>(scan.pixelBytesDeclared) != held)
+        warnings.push_back(
+            fmt::format("(7fe0,0010) Pixel Data declares {} bytes, the file holds {}.", scan.pixelBytesDeclared, held));
+    return voxels;
+}
+
+Result<PhilipsVoxels> framesVoxels(const DicomFile& file, const PhilipsVolume& volume, StudyParts& parts,
+                                   const Progress& progress) {
+    auto frames = DicomFrames::open(file.dataset(), file.path(), file.scan());
+    if (!frames) return tl::unexpected(frames.error());
+    const auto bytes = checkedProduct(frames->frameBytes(), frames->frames());
+    const auto memory =
+        requireMemory(file.path(), volume.sizeSource, bytes ? static_cast<std::uint64_t>(*bytes) : ~std::uint64_t{0});
+    if (!memory) return tl::unexpected(memory.error());
+    if (const auto checked = frames->check(progress); !checked) return tl::unexpected(checked.error());
+    PhilipsVoxels voxels;
+    voxels.type = frames->type();
+    const auto frameBytes = static_cast<std::size_t>(frames->frameBytes());
+    const auto phaseBytes = frameBytes * static_cast<std::size_t>(volume.size[2]);
+    for (std::int64_t index = 0; index < frames->frames(); ++index) {
+        if (progress.cancelled()) return fail(FailureKind::cancelled, file.path(), "", "was not read: cancelled");
+        progress.at(0.9 * static_cast<double>(index) / static_cast<double>(frames->frames()));
+        const auto slice = static_cast<std::size_t>(index % volume.size[2]);
+        if (slice == 0) voxels.phases.emplace_back(phaseBytes);
+        const auto out = std::span(voxels.phases.back()).subspan(slice * frameBytes, frameBytes);
+        if (const auto read = frames->readGrey(index, out); !read) return tl::unexpected(read.error());
+    }
+    frames->sayWhite(parts);
+    for (auto&& fact : frames->facts()) parts.facts.push_back(std::move(fact));
+    for (auto&& warning : frames->warnings()) parts.warnings.push_back(std::move(warning));
+    return voxels;
+}
+
+Result<PhilipsVoxels> privateVoxels(const DicomFile& file, const PhilipsVolume& volume) {
+    DcmElement* element = nullptr;
+    Uint8* bytes = nullptr;
+    const DcmTagKey key(volume.voxels.group, volume.voxels.element);
+    const auto count = static_cast<std::size_t>(*voxelsOf(volume.size));
+    if (file.dataset().findAndGetElement(key, element).bad() || element->getUint8Array(bytes).bad() ||
+        bytes == nullptr || element->getLength() < count)
+        return fail(FailureKind::unreadable, file.path(), tagText(volume.voxels), "could not be read", copyAgain);
+    PhilipsVoxels voxels;
+    voxels.phases.emplace_back(bytes, bytes + count);
+    return voxels;
+}
+
+/// Voxels that are missing hold 0, which the guess takes for outside: a mask from here would keep it from guessing.
+void markMissing(const PhilipsVoxels& voxels, const ReadOptions& options, StudyParts& parts) {
+    if (voxels.missing == 0 || options.guessNoData) return;
+    std::vector<std::uint8_t> mask(voxels.phases.front().size(), std::uint8_t{1});
+    std::fill(mask.end() - static_cast<std::ptrdiff_t>(voxels.missing), mask.end(), std::uint8_t{0});
+    parts.dataMask = std::make_shared<const DataMask>(std::move(mask));
+    parts.dataMaskSource = "the end of the file";
+}
+
+}  // namespace
+
+Result<std::optional<PhilipsVolume>> philipsVolumeOf(const DicomFile& file) {
+    return file.scan().sopClass == qlabSopClass ? qlabVolume(file) : scannerVolume(file);
+}
+
+Result<GreySlice> readPhilipsSlice(const InputFile& input, const DicomFile& file, const PhilipsVolume& volume,
+                                   std::int64_t index, const Progress& progress) {
+    GreySlice slice{volume.size[0], volume.size[1], StoredType::uint8, {}};
+    if (volume.kind == PhilipsVolume::Kind::frames) {
+        auto frames = DicomFrames::open(file.dataset(), file.path(), file.scan());
+        if (!frames) return tl::unexpected(frames.error());
+        slice.type = frames->type();
+        slice.bytes.resize(static_cast<std::size_t>(frames->frameBytes()));
+        if (const auto read = frames->readGrey(index, slice.bytes); !read) return tl::unexpected(read.error());
+        return slice;
+    }
+    const auto pixels = static_cast<std::uint64_t>(volume.size[0] * volume.size[1]);
+    const std::uint64_t start = static_cast<std::uint64_t>(index) * pixels;
+    slice.bytes.resize(static_cast<std::size_t>(pixels));
+    if (volume.kind == PhilipsVolume::Kind::qlab) {
+        const auto read = readBytes(input, file.scan().pixelStart + start, slice.bytes, progress);
+        return read ? Result<GreySlice>(std::move(slice)) : tl::unexpected(read.error());
+    }
+    DcmElement* element = nullptr;
+    const DcmTagKey key(volume.voxels.group, volume.voxels.element);
+    if (file.dataset().findAndGetElement(key, element).bad() ||
+        element
+            ->getPartialValue(slice.bytes.data(), static_cast<Uint32>(start), static_cast<Uint32>(pixels), nullptr,
+                              EBO_LittleEndian)
+            .bad())
+        return fail(FailureKind::unreadable, file.path(), tagText(volume.voxels), "could not be read", copyAgain);
+    return slice;
+}
+
+Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file, const PhilipsVolume& volume,
+                                const ReadOptions& options, const Progress& progress) {
+    StudyParts parts;
+    parts.path = file.path();
+    parts.files = {file.path()};
+    const bool qlab = volume.kind == PhilipsVolume::Kind::qlab;
+    parts.facts = {{"format",
+                    qlab ? "DICOM, Philips QLAB Cartesian volume" : "DICOM, private volume of a Philips scanner",
+                    volume.sizeSource}};
+    auto voxels = qlab ? qlabVoxels(input, file, volume, parts.warnings, progress)
+                  : volume.kind == PhilipsVolume::Kind::frames ? framesVoxels(file, volume, parts, progress)
+                                                               : privateVoxels(file, volume);
+    if (!voxels) return tl::unexpected(voxels.error());
+    parts.geometry.size = volume.size;
+    parts.geometry.spacingKnown = volume.spacing && !volume.spacingSource.empty();
+    parts.geometry.spacing = volume.spacing.value_or(Vec3(1, 1, 1));
+    parts.spacingSource = volume.spacingSource;
+    parts.sizeSource = volume.sizeSource;
+    parts.typeSource = volume.kind == PhilipsVolume::Kind::privateElement
+                           ? "the length of " + tagText(volume.voxels) + " Philips private: one byte a voxel"
+                           : "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
+    parts.phaseSeconds = volume.phaseSeconds;
+    if (volume.phaseSeconds) parts.phaseSource = "(0018,1063) Frame Time";
+    sayLoss(file.dataset(), parts);
+    sayBurnedInText(file.dataset(), true, parts);
+    markMissing(*voxels, options, parts);
+    parts.voxels = convertVoxels(std::move(voxels->phases), voxels->type);
+    for (auto&& fact : equipmentFacts(file.dataset())) parts.facts.push_back(std::move(fact));
+    if (!volume.warning.empty()) parts.warnings.push_back(volume.warning);
+    return assembleStudy(std::move(parts), options, progress);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,86 @@
+#include "io/files/header_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::string_view whiteSpace = " \t\r\n\f\v";
+
+template <typename T>
+std::optional<T> numberFrom(std::string_view word) {
+    if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
+    T value{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+    return value;
+}
+
+template <typename T>
+std::optional<std::vector<T>> numbersFrom(std::string_view text) {
+    std::vector<T> values;
+    for (const std::string& word : wordsOf(text)) {
+        const auto value = numberFrom<T>(word);
+        if (!value) return std::nullopt;
+        values.push_back(*value);
+    }
+    return values;
+}
+
+}  // namespace
+
+std::string trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(whiteSpace);
+    if (first == std::string_view::npos) return {};
+    return std::string(text.substr(first, text.find_last_not_of(whiteSpace) - first + 1));
+}
+
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& character : lower)
+        if (character >= 'A' && character <= 'Z') character = static_cast<char>(character - 'A' + 'a');
+    return lower;
+}
+
+std::vector<std::string> wordsOf(std::string_view text) {
+    std::vector<std::string> words;
+    std::size_t position = 0;
+    while ((position = text.find_first_not_of(whiteSpace, position)) != std::string_view::npos) {
+        const auto end = std::min(text.find_first_of(whiteSpace, position), text.size());
+        words.emplace_back(text.substr(position, end - position));
+        position = end;
+    }
+    return words;
+}
+
+std::optional<std::int64_t> wholeNumber(std::string_view word) { return numberFrom<std::int64_t>(word); }
+std::optional<double> realNumber(std::string_view word) { return numberFrom<double>(word); }
+std::optional<double> positiveNumber(std::string_view word) {
+    const auto value = realNumber(word);
+    return value && std::isfinite(*value) && *value > 0.0 ? value : std::nullopt;
+}
+std::optional<std::vector<std::int64_t>> wholeNumbers(std::string_view text) { return numbersFrom<std::int64_t>(text); }
+std::optional<std::vector<double>> realNumbers(std::string_view text) { return numbersFrom<double>(text); }
+
+std::string quotedText(std::string_view text) {
+    std::string plain = "\"";
+    for (const char character : text.substr(0, 60)) {
+        const bool printable = character >= 0x20 && character < 0x7f;
+        plain += printable ? character : '?';
+    }
+    return plain + (text.size() > 60 ? "...\"" : "\"");
+}
+
+std::optional<std::string_view> nextLine(std::string_view& rest) {
+    if (rest.empty()) return std::nullopt;
+    const auto end = rest.find('\n');
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+}
+
+}  // namespace echolucent

@@ -1,0 +1,79 @@
+#include "io/json/json_document.h"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/json/json_parameters.h"
+#include "io/json/json_values.h"
+#include "processing/adaptive/method_parameters.h"
+
+namespace echolucent {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* withoutTubesKey = "without_tubes";
+
+}  // namespace
+
+double largestScale() {
+    static const double largest = parameterNamed(methodParameters(), "opacity_scale")->range.largest;
+    return largest;
+}
+
+ordered_json lookJson(const Look& look) { return parametersJson(lookParameters(), look); }
+
+Look lookIn(JsonFields& fields) {
+    Look look = lookAtStart();
+    fields.parameters(lookParameters(), look);
+    return look;
+}
+
+ordered_json curvesJson(const CurveSet& curves) {
+    return {
+        {"manual", manualCurveJson(curves.manual)},
+        {"linear", {{"lower", curves.linear.lower}, {"slope", curves.linear.slope}, {"upper", curves.linear.upper}}},
+        {"parabolic", {{"scale", curves.parabolic.scale}}},
+        {"quartic", {{"scale", curves.quartic.scale}}},
+        {"adjustment", {{"threshold", curves.adjustment.threshold}, {"transparency", curves.adjustment.transparency}}}};
+}
+
+CurveSet curvesIn(JsonFields fields) {
+    CurveSet curves;
+    curves.manual = manualCurveIn(fields, "manual");
+    JsonFields linear = fields.object("linear");
+    curves.linear.lower = linear.number("lower", 0, 1);
+    curves.linear.slope = linear.number("slope", 0, largestScale());
+    curves.linear.upper = linear.number("upper", curves.linear.lower, 1);
+    curves.parabolic.scale = fields.object("parabolic").number("scale", 0, largestScale());
+    curves.quartic.scale = fields.object("quartic").number("scale", 0, largestScale());
+    JsonFields adjustment = fields.object("adjustment");
+    curves.adjustment.threshold = adjustment.number("threshold", -largestThreshold, largestThreshold);
+    curves.adjustment.transparency = adjustment.number("transparency", -largestTransparency, largestTransparency);
+    return curves;
+}
+
+ordered_json methodJson(const MethodChoice& method) {
+    ordered_json parameters = parametersJson(methodParameters(), method.config);
+    parameters.erase("opacity_scale");  // of the initial function, which stands beside the config
+    if (const auto& without = method.config.grid.withoutTubes; !without.empty()) parameters[withoutTubesKey] = without;
+    return {{"initial", nameOf(method.initial)}, {"initial_scale", method.initialScale}, {"parameters", parameters}};
+}
+
+MethodChoice methodIn(JsonFields& fields) {
+    MethodChoice method;
+    method.initial = fields.choice("initial", &initialKindFromName);
+    method.initialScale = fields.number("initial_scale", 0, largestScale());
+    JsonFields parameters = fields.object("parameters");
+    parameters.parameters(methodParameters(), method.config);
+    if (parameters.has(withoutTubesKey)) {
+        const auto without = parameters.wholes(withoutTubesKey, 0, std::numeric_limits<int>::max());
+        method.config.grid.withoutTubes.assign(without.begin(), without.end());
+    }
+    method.config.initial = AdaptiveOtfConfig{}.initial;
+    if (const std::string problem = problemOf(method.config); !problem.empty()) fields.wrong("parameters", problem);
+    return method;
+}
+
+}  // namespace echolucent

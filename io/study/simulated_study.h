@@ -1,0 +1,14 @@
+// The scan that the program makes itself, as a study.
+#pragma once
+
+#include "io/study/study.h"
+#include "processing/document/study_reference.h"
+#include "processing/progress.h"
+#include "processing/result.h"
+
+namespace echolucent {
+
+/// The simulated scan as a study of one phase. Fails (cancelled) where the person ended it.
+[[nodiscard]] Result<Study> simulatedStudy(const SimulatedScan& scan, const Progress& progress = {});
+
+}  // namespace echolucent

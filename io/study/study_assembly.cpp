@@ -1,0 +1,366 @@
+#include "io/study/study_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "io/voxels/voxel_bytes.h"
+#include "processing/beam/probe_view.h"
+#include "processing/intensity/no_data.h"
+#include "processing/intensity/white_level.h"
+#include "processing/one_line.h"
+
+namespace echolucent {
+
+namespace {
+
+/// The stored value of white, where one is known, and what gave it.
+struct ChosenWhite {
+    std::optional<double> level;
+    std::string source;
+};
+
+std::string windowNotTaken(const WindowWhite& window, DeclaredWhite judged, const WhiteLevel& measured) {
+    const char* why = judged == DeclaredWhite::tooHigh
+                          ? "the values in the data lie so far below it that the picture would be black"
+                      : judged == DeclaredWhite::tooLow ? "most values in the data lie above it"
+                                                        : "it is not above 0";
+    return fmt::format("The window of the file ({}) puts white at {:.6g}, which is not taken: {} (they reach {:.6g}).",
+                       window.words, window.white, why, measured.level);
+}
+
+ChosenWhite whiteFromData(const WhiteLevel& measured, std::vector<std::string>& warnings) {
+    ChosenWhite white{std::nullopt, "largest value in the data"};
+    if (measured.level > 0) white.level = measured.level;
+    if (measured.above == 0) return white;
+    white.source = "largest value in the data but for hot voxels";
+    warnings.push_back(
+        fmt::format("{} voxels hold values up to {:.6g}, far above all others: the white level is {:.6g} without "
+                    "them, and they are shown as white.",
+                    measured.above, measured.largest, measured.level));
+    return white;
+}
+
+/// The white level of all phases: what the file declares as such, 255 for 8 bits, the file's window where it suits the
+/// voxels, else what the voxels say.
+ChosenWhite chooseWhite(const StudyParts& parts, std::vector<std::string>& warnings) {
+    if (parts.whiteLevel) return {parts.whiteLevel, parts.whiteLevelSource};
+    if (std::holds_alternative<VoxelArray<std::uint8_t>>(parts.voxels.phases.front()))
+        return {std::nullopt, "8-bit voxels"};
+    const WhiteLevel measured = whiteLevelOf(parts.voxels.phases);
+    if (parts.window) {
+        const DeclaredWhite judged = judgeDeclaredWhite(parts.window->white, measured);
+        if (judged == DeclaredWhite::suits)
+            return {parts.window->white, parts.window->source + ": " + parts.window->words};
+        warnings.push_back(windowNotTaken(*parts.window, judged, measured));
+    }
+    return whiteFromData(measured, warnings);
+}
+
+/// The volume with the mask that its format knows, else with a guess where one is wanted. What is not finite is no data
+/// in any case.
+Volume withMask(const Volume& volume, const StudyParts& parts, const ReadOptions& options) {
+    if (parts.dataMask) {
+        if (volume.dataMask().empty()) return volume.withDataMask(parts.dataMask);
+        std::vector<std::uint8_t> both = volume.dataMask().toVector();
+        std::transform(both.begin(), both.end(), parts.dataMask->begin(), both.begin(), std::bit_and<>());
+        return volume.withDataMask(std::move(both));
+    }
+    return options.guessNoData ? volume.withDataMask(guessDataMask(volume, voxelMemory())) : volume;
+}
+
+/// Sets every voxel of some slices.
+template <typename T>
+void fillSlices(std::vector<T>& values, const std::vector<std::size_t>& slices, const VolumeGeometry& geometry,
+                T value) {
+    const std::int64_t count = geometry.size[0] * geometry.size[1];
+    for (const std::size_t slice : slices)
+        std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(slice) * count, count, value);
+}
+
+/// The same where slices are missing.
+Volume withoutMissing(const Volume& volume, const StudyParts& parts, const ReadOptions& options) {
+    // Zeros of a slice that is missing would join fluid to what lies outside.
+    Voxels filled = std::visit(
+        [&]<typename T>(const VoxelArray<T>& given) -> Voxels {
+            std::vector<T> all = given.toVector();
+            fillSlices(all, parts.missingSlices, parts.geometry, T{1});
+            return all;
+        },
+        volume.voxels());
+    std::vector<std::uint8_t> mask =
+        withMask(Volume(parts.geometry, std::move(filled), volume.whiteLevel()), parts, options).dataMask().toVector();
+    mask.resize(static_cast<std::size_t>(parts.geometry.voxelCount()), 1);
+    fillSlices(mask, parts.missingSlices, parts.geometry, std::uint8_t{0});
+    return volume.withDataMask(std::move(mask));
+}
+
+std::string maskSource(const StudyParts& parts, const ReadOptions& options) {
+    if (parts.dataMask) return parts.dataMaskSource + "; or not finite";
+    return options.guessNoData ? "guess: 0 and connected to the border; or not finite"
+                               : "only voxels that are not finite";
+}
+
+std::string vectorText(const Vec3& vector) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", vector[0], vector[1], vector[2]);
+}
+
+/// What the file says of the probe, in words. What the echo says is found after reading.
+void addProbeFacts(const StudyParts& parts, Study& study) {
+    const auto& probe = parts.geometry.probe;
+    if (!probe) return;
+    const Viewpoint view = viewFromProbe(*probe);
+    const bool leans = view.azimuthDegrees != 0.0 || view.elevationDegrees != 0.0;
+    study.facts.push_back({"beam",
+                           std::string(nameOf(view.beamAxis)) + " of the voxel grid" +
+                               (leans ? ", leaning: direction " + vectorText(probe->forward) : ""),
+                           parts.probeSource});
+    if (probe->apexMm)
+        study.facts.push_back(
+            {"apex of the beams", vectorText(*probe->apexMm) + " mm from the first voxel", parts.probeSource});
+}
+
+/// One box for all phases, so that the picture of a beating heart keeps still.
+void shareDataBox(std::vector<std::shared_ptr<const Volume>>& phases) {
+    if (phases.size() < 2) return;
+    DataBox box = phases.front()->dataBox();
+    for (const auto& phase : phases) box = box.joined(phase->dataBox());
+    for (auto& phase : phases) phase = std::make_shared<const Volume>(phase->withDataBox(box));
+}
+
+double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
+    double outside = 0.0;
+    double total = 0.0;
+    for (const auto& phase : phases) {
+        outside += static_cast<double>(std::count(phase->dataMask().begin(), phase->dataMask().end(), 0));
+        total += static_cast<double>(phase->geometry().voxelCount());
+    }
+    return outside / total;
+}
+
+void addGeometryFacts(const StudyParts& parts, Study& study) {
+    study.facts.push_back({"size", sizeText(parts.geometry.size) + " voxels", parts.sizeSource});
+    if (parts.reduction)
+        study.facts.push_back({"reduced",
+                               fmt::format("means of {} of {} voxels", factorsText(parts.reduction->reduction),
+                                           sizeText(parts.reduction->reduction.storedSize)),
+                               parts.reduction->reason});
+    std::string source = parts.spacingSource.empty() ? "assumed" : parts.spacingSource;
+    if (parts.inPlaneSpacingKnown) source += "; distance of slices assumed";
+    study.facts.push_back({"spacing", spacingText(parts.geometry.spacing), source});
+    study.facts.push_back({"voxel type", parts.voxels.story, parts.typeSource});
+}
+
+void addPhaseFacts(const StudyParts& parts, Study& study) {
+    if (study.phases.size() < 2) return;
+    study.facts.push_back({"phases", std::to_string(study.phases.size()),
+                           parts.phasesSource.empty() ? parts.sizeSource : parts.phasesSource});
+    study.facts.push_back({"time between phases",
+                           parts.phaseSeconds ? fmt::format("{:.6g} s", *parts.phaseSeconds) : "unknown",
+                           parts.phaseSource.empty() ? "the file does not say it" : parts.phaseSource});
+}
+
+}  // namespace
+
+std::string sizeText(const std::array<std::int64_t, 3>& size) {
+    return fmt::format("{} x {} x {}", size[0], size[1], size[2]);
+}
+
+std::string spacingText(const Vec3& spacing) {
+    return fmt::format("{:.6g} x {:.6g} x {:.6g} mm", spacing[0], spacing[1], spacing[2]);
+}
+
+Result<void> requirePhases(const std::string& file, const std::string& element, std::int64_t phases) {
+    if (phases <= mostPhases) return {};
+    return fail(FailureKind::unreadable, file, element,
+                fmt::format("makes {} phases, and no more than {} can be opened", phases, mostPhases),
+                "Save a shorter part of the recording.");
+}
+
+std::string nameFromPath(const std::string& path) {
+    std::filesystem::path file(path);
+    if (!file.has_filename()) file = file.parent_path();
+    return file.has_filename() ? file.filename().string() : path;
+}
+
+bool isPosition(const Vec3& position) {
+    constexpr double farthestMm = 1e7;
+    // Each coordinate is asked whether it lies inside, because every comparison with NaN is false.
+    return std::abs(position[0]) <= farthestMm && std::abs(position[1]) <= farthestMm &&
+           std::abs(position[2]) <= farthestMm;
+}
+
+namespace {
+
+constexpr double largestSpacingRatio = 1000;
+
+bool areLengthsOfVoxels(const Vec3& spacing) {
+    constexpr double smallestMm = 1e-4, largestMm = 1e4;
+    // Each spacing is asked whether it lies inside, because every comparison with NaN is false.
+    return std::all_of(spacing.val, spacing.val + 3, [](double mm) { return mm >= smallestMm && mm <= largestMm; });
+}
+
+}  // namespace
+
+bool isSensibleSpacing(const Vec3& spacing) {
+    const auto [smallest, largest] = std::minmax({spacing[0], spacing[1], spacing[2]});
+    return areLengthsOfVoxels(spacing) && largest <= largestSpacingRatio * smallest;
+}
+
+bool isSensibleWhite(double level) {
+    using Float = std::numeric_limits<float>;
+    return level >= static_cast<double>(Float::min()) && level <= static_cast<double>(Float::max());
+}
+
+bool normalizeDirection(Mat3& direction) {
+    for (int column = 0; column < 3; ++column) {
+        const Vec3 axis(direction(0, column), direction(1, column), direction(2, column));
+        const double size = length(axis);
+        if (!std::isfinite(size) || size < 1e-9) return false;
+        for (int row = 0; row < 3; ++row) direction(row, column) = axis[row] / size;
+    }
+    return std::abs(cv::determinant(direction)) > 1e-3;
+}
+
+bool saysMoreThanItsAxes(const Mat3& direction) {
+    const Mat3 axesOfRas = Mat3::diag({-1, -1, 1});
+    return cv::norm(direction - Mat3::eye()) > 1e-6 && cv::norm(direction - axesOfRas) > 1e-6;
+}
+
+std::string skewWarning(const Mat3& direction) {
+    const Mat3 products = direction.t() * direction;
+    const double skew = std::max({std::abs(products(0, 1)), std::abs(products(0, 2)), std::abs(products(1, 2))});
+    if (skew < 1e-3) return {};
+    return fmt::format(
+        "The grid axes are not perpendicular (off by up to {:.2g} degrees); they are shown as if they were.",
+        std::asin(std::min(1.0, skew)) * 180.0 / CV_PI);
+}
+
+namespace {
+
+/// Refuses a line of voxels: along it rays and tube cores would have millions of samples, and around it the packed
+/// voxels of the ray caster would take a hundred times the memory of the volume.
+Result<void> checkLength(const StudyParts& parts) {
+    constexpr double mostUnits = 100'000;
+    const auto& [size, spacing] = std::tie(parts.geometry.size, parts.geometry.spacing);
+    const double unit = std::min({spacing[0], spacing[1], spacing[2]});
+    for (int axis = 0; axis < 3; ++axis) {
+        const double units = static_cast<double>(size[static_cast<std::size_t>(axis)]) * spacing[axis] / unit;
+        if (units <= mostUnits) continue;
+        return fail(FailureKind::unreadable, parts.path, parts.sizeSource,
+                    fmt::format("gives a volume of {} voxels, which is {:.0f} times as long as its smallest spacing; "
+                                "the most is {:.0f}",
+                                sizeText(size), units, mostUnits),
+                    "Cut it into shorter volumes, or correct its size or spacing.");
+    }
+    return {};
+}
+
+/// Refuses more phases than are taken, a spacing that no scanner has, and an origin that is no position.
+Result<void> checkGeometry(const StudyParts& parts) {
+    if (auto few = requirePhases(parts.path, parts.phasesSource.empty() ? parts.sizeSource : parts.phasesSource,
+                                 static_cast<std::int64_t>(parts.voxels.phases.size()));
+        !few)
+        return few;
+    const Vec3& spacing = parts.geometry.spacing;
+    const std::string element = parts.spacingSource.empty() ? "the spacing" : parts.spacingSource;
+    if (!areLengthsOfVoxels(spacing))
+        return fail(FailureKind::unreadable, parts.path, element,
+                    fmt::format("gives voxels of {}, which no scanner makes", spacingText(parts.geometry.spacing)),
+                    "Give the spacing in mm.");
+    if (!isSensibleSpacing(spacing))
+        return fail(FailureKind::unreadable, parts.path, element,
+                    fmt::format("gives voxels of {}, more than {} times as long as wide",
+                                spacingText(parts.geometry.spacing), largestSpacingRatio),
+                    "Correct the spacing.");
+    if (auto sensible = checkLength(parts); !sensible) return sensible;
+    if (!isPosition(parts.geometry.origin))
+        return fail(FailureKind::unreadable, parts.path, "the origin",
+                    "lies farther from 0 than 10 km, or is no number", "Correct the position of the volume.");
+    return {};
+}
+
+/// Refuses a white level that float32 cannot hold.
+Result<void> checkWhite(const StudyParts& parts) {
+    if (!parts.whiteLevel || isSensibleWhite(*parts.whiteLevel)) return {};
+    return fail(FailureKind::unreadable, parts.path, parts.whiteLevelSource,
+                fmt::format("puts white at {:.6g}, which no voxel can show", *parts.whiteLevel),
+                "Correct the white level or leave it out.");
+}
+
+/// What a file says of itself may hold any bytes, and any number of them; a line of the report has so many at most.
+constexpr std::size_t longestFact = 300;
+
+void addLossFact(const StudyParts& parts, Study& study) {
+    const char* value = "unknown";
+    if (parts.lossyCompression != LossyCompression::unknown)
+        value = parts.lossyCompression == LossyCompression::yes ? "yes" : "no";
+    study.facts.push_back(
+        {"lossy compression", value, parts.lossSource.empty() ? "the format has no entry for it" : parts.lossSource});
+}
+
+/// Only formats that have an entry for burnt-in text tell of it in the report.
+void addBurnedInTextFact(const StudyParts& parts, Study& study) {
+    if (parts.burnedInTextSource.empty()) return;
+    const char* value = "unknown";
+    if (parts.burnedInText != BurnedInText::unknown) value = parts.burnedInText == BurnedInText::yes ? "yes" : "no";
+    study.facts.push_back({"burnt-in text", value, parts.burnedInTextSource});
+}
+
+}  // namespace
+
+Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
+    if (auto sensible = checkGeometry(parts); !sensible) return tl::unexpected(sensible.error());
+    if (auto sensible = checkWhite(parts); !sensible) return tl::unexpected(sensible.error());
+    Study study;
+    study.name = nameFromPath(parts.path);
+    study.files = std::move(parts.files);
+    // Times that are far apart overflow; no time is better than one that no clock can wait for.
+    if (parts.phaseSeconds && !(*parts.phaseSeconds > 0 && std::isfinite(*parts.phaseSeconds)))
+        parts.phaseSeconds.reset();
+    study.phaseSeconds = parts.phaseSeconds;
+    study.lossyCompression = parts.lossyCompression;
+    study.burnedInText = parts.burnedInText;
+    study.facts = std::move(parts.facts);
+    for (ImportFact& fact : study.facts) fact.value = oneLine(fact.value, longestFact);
+    study.warnings = std::move(parts.warnings);
+
+    const ChosenWhite white = chooseWhite(parts, study.warnings);
+    for (Voxels& voxels : parts.voxels.phases) {
+        if (progress.cancelled()) return fail(FailureKind::cancelled, parts.path, "", "was not read: cancelled");
+        const Volume volume(parts.geometry, std::move(voxels), white.level);
+        study.phases.push_back(std::make_shared<const Volume>(
+            parts.missingSlices.empty() ? withMask(volume, parts, options) : withoutMissing(volume, parts, options)));
+        progress.at(0.9 +
+                    0.1 * static_cast<double>(study.phases.size()) / static_cast<double>(parts.voxels.phases.size()));
+    }
+
+    shareDataBox(study.phases);
+    addGeometryFacts(parts, study);
+    study.facts.push_back({"white level", fmt::format("{}", study.phases.front()->whiteLevel()), white.source});
+    addPhaseFacts(parts, study);
+    study.facts.push_back(
+        {"voxels without data", fmt::format("{:.1f} %", 100.0 * noDataShare(study.phases)),
+         (parts.missingSlices.empty() ? "" : "slices that could not be read; ") + maskSource(parts, options)});
+    addProbeFacts(parts, study);
+    addLossFact(parts, study);
+    addBurnedInTextFact(parts, study);
+    if (parts.reduction) study.warnings.push_back(reductionWarning(*parts.reduction));
+    if (!parts.voxels.warning.empty()) study.warnings.push_back(parts.voxels.warning);
+    if (parts.inPlaneSpacingKnown && !parts.geometry.spacingKnown)
+        study.warnings.push_back(
+            fmt::format("The distance of the slices is unknown; {:.6g} mm is assumed, so lengths "
+                        "across them cannot be trusted. Within a slice the spacing is known.",
+                        parts.geometry.spacing[parts.sliceAxis]));
+    else if (!parts.geometry.spacingKnown)
+        study.warnings.push_back("The spacing of the voxels is unknown; " + spacingText(parts.geometry.spacing) +
+                                 " is assumed, so lengths and proportions cannot be trusted.");
+    return study;
+}
+
+}  // namespace echolucent

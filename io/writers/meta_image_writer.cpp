@@ -1,0 +1,88 @@
+#include "io/writers/meta_image_writer.h"
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "io/output/atomic_file.h"
+#include "io/writers/deflate_stream.h"
+
+namespace echolucent {
+
+namespace {
+
+std::string plain(const std::vector<std::shared_ptr<const Volume>>& phases) {
+    std::string bytes;
+    for (const auto& phase : phases)
+        std::visit(
+            [&](const auto& values) {
+                bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+            },
+            phase->voxels());
+    return bytes;
+}
+
+std::string compressed(const std::vector<std::shared_ptr<const Volume>>& phases) {
+    DeflateStream compressor(DeflateFormat::zlib);
+    for (const auto& phase : phases)
+        std::visit(
+            [&](const auto& values) {
+                compressor.add(reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(values[0]));
+            },
+            phase->voxels());
+    return compressor.finish();
+}
+
+/// The transform matrix as text: its rows are the directions of the grid axes; a time axis stands alone.
+std::string matrixText(const Mat3& direction, int dimensions) {
+    std::string text;
+    for (int axis = 0; axis < dimensions; ++axis)
+        for (int row = 0; row < dimensions; ++row) {
+            const bool space = axis < 3 && row < 3;
+            text += fmt::format(" {}", space ? direction(row, axis) : (axis == row ? 1.0 : 0.0));
+        }
+    return text;
+}
+
+/// `compressedBytes` is not set where the voxels are plain.
+std::string headerText(const Volume& volume, std::size_t phases, std::optional<std::size_t> compressedBytes) {
+    constexpr std::array<const char*, 3> types{"MET_UCHAR", "MET_USHORT", "MET_FLOAT"};
+    const VolumeGeometry& geometry = volume.geometry();
+    const bool moving = phases > 1;
+    const int dimensions = moving ? 4 : 3;
+    std::string text = "ObjectType = Image\n";
+    text += fmt::format("NDims = {}\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = {}\n",
+                        dimensions, compressedBytes ? "True" : "False");
+    if (compressedBytes) text += fmt::format("CompressedDataSize = {}\n", *compressedBytes);
+    text += fmt::format("TransformMatrix ={}\n", matrixText(geometry.direction, dimensions));
+    text += fmt::format("Offset = {} {} {}{}\n", geometry.origin[0], geometry.origin[1], geometry.origin[2],
+                        moving ? " 0" : "");
+    text += fmt::format("ElementSpacing = {} {} {}{}\n", geometry.spacing[0], geometry.spacing[1], geometry.spacing[2],
+                        moving ? " 1" : "");
+    if (!geometry.spacingKnown) text += "SpacingKnown = False\n";
+    text += fmt::format("DimSize = {} {} {}", geometry.size[0], geometry.size[1], geometry.size[2]);
+    text += moving ? fmt::format(" {}\n", phases) : "\n";
+    text += fmt::format("WhiteLevel = {}\n", volume.whiteLevel());
+    return text + fmt::format("ElementType = {}\nElementDataFile = LOCAL\n", types[volume.voxels().index()]);
+}
+
+}  // namespace
+
+Result<void> writeMetaImage(const std::string& path, const std::vector<std::shared_ptr<const Volume>>& phases,
+                            MetaImageVoxels voxels) {
+    if (phases.empty()) throw std::invalid_argument("writeMetaImage: no volume");
+    for (const auto& phase : phases)
+        if (phase->geometry().size != phases.front()->geometry().size ||
+            phase->voxels().index() != phases.front()->voxels().index())
+            throw std::invalid_argument("writeMetaImage: phases of different size or type");
+    const bool isPlain = voxels == MetaImageVoxels::plain;
+    const std::string body = isPlain ? plain(phases) : compressed(phases);
+    std::string bytes =
+        headerText(*phases.front(), phases.size(), isPlain ? std::nullopt : std::optional<std::size_t>(body.size()));
+    bytes += body;
+    return writeFileAtomically(path, bytes);
+}
+
+}  // namespace echolucent
