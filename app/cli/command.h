@@ -41,8 +41,6 @@ void addRenderCommand(CLI::App& program, Action& action);
 void addCompareCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
 void addQuietCommand(CLI::App& program, Action& action);
-void addBenchCommand(CLI::App& program, Action& action);
-void addStudyCommand(CLI::App& program, Action& action);
 void addSweepCommand(CLI::App& program, Action& action);
 
 /// Options of commands that read a volume: VOLUME, --series, --phase, raw layout, --conversion-memory,

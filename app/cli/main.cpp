@@ -1,93 +1,15 @@
-#include <tbb/global_control.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
-#include <new>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <thread>
-#include <vector>
 
-#include "app/cli/command.h"
-#include "io/output/interruption.h"
+#include "app/cli/program.h"
+#include "app/cli/study_program.h"
 
 namespace {
 
-/// "--beam-axis -y" as "--beam-axis=-y": else the axis would be taken for an option of its own. Reversed, as CLI11
-/// wants it.
-std::vector<std::string> joinedArguments(int count, char** arguments) {
-    std::vector<std::string> joined;
-    for (int i = 1; i < count; ++i) {
-        if (!joined.empty() && joined.back() == "--beam-axis")
-            joined.back() += std::string("=") + arguments[i];
-        else
-            joined.emplace_back(arguments[i]);
-    }
-    std::reverse(joined.begin(), joined.end());
-    return joined;
-}
-
-/// A command, or the program itself, that needs another command after it.
-struct NeedsCommand {
-    const CLI::App* command;
-    std::string word;  ///< that stands where the command should; empty where the line ends there
-};
-
-/// What is wrong with the commands of a command line; no value where each is one that exists.
-std::optional<NeedsCommand> wrongCommand(const CLI::App& program, int count, char** arguments) {
-    const CLI::App* command = &program;
-    for (int i = 1; i < count; ++i) {
-        if (command->get_require_subcommand_min() == 0) return std::nullopt;
-        const std::string word = arguments[i];
-        if (word == "--threads") ++i;
-        if (word.starts_with("-")) continue;
-        const auto named = command->get_subcommands([&](const CLI::App* other) { return other->check_name(word); });
-        if (named.empty()) return NeedsCommand{command, word};
-        command = named.front();
-    }
-    if (command->get_require_subcommand_min() == 0) return std::nullopt;
-    return NeedsCommand{command, ""};
-}
-
-/// The commands of a program, or of a command: "info, otf or render".
-std::string commandsOf(const CLI::App& program) {
-    std::vector<std::string_view> names;
-    for (const CLI::App* command : program.get_subcommands({})) names.emplace_back(command->get_name());
-    return echolucent::cli::listed(names);
-}
-
-std::string sentenceOn(const NeedsCommand& wrong, const CLI::App& program) {
-    const bool top = wrong.command == &program;
-    const std::string use = ": use " + commandsOf(*wrong.command) + ".";
-    if (!wrong.word.empty())
-        return "\"" + (top ? "" : wrong.command->get_name() + " ") + wrong.word + "\" is not a command" + use;
-    if (top) return "No command is given" + use;
-    return "\"" + wrong.command->get_name() + "\" is only the beginning of a command" + use;
-}
-
-}  // namespace
-
-int main(int count, char** arguments) {
+void addCommands(CLI::App& program, echolucent::cli::Action& action) {
     using namespace echolucent::cli;
-    echolucent::removeUnfinishedOnSignals();
-    CLI::App program{"Echolucent: adaptive opacity transfer functions for 3D ultrasound. Not a medical device."};
-    program.set_version_flag("--version", std::string("echolucent-cli ") + ECHOLUCENT_VERSION);
-    program.require_subcommand(1);
     program.footer(
         "Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive --shade -o chest.png");
-    // One sentence and no more: CLI11 would add a line about --help.
-    program.failure_message([](const CLI::App*, const CLI::Error& error) {
-        std::string sentence = error.what();
-        if (!sentence.empty() && sentence.back() != '.') sentence += '.';
-        return sentence + '\n';
-    });
-    program.fallthrough();
-    int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    program.add_option("--threads", threads, "Number of threads")->check(CLI::Range(1, 1024))->capture_default_str();
-
-    Action action;
     addInfoCommand(program, action);
     addFilesCommand(program, action);
     addOtfCommand(program, action);
@@ -96,28 +18,19 @@ int main(int count, char** arguments) {
     addCompareCommand(program, action);
     addQuietCommand(program, action);
     addPhantomCommand(program, action);
-    addBenchCommand(program, action);
-    addStudyCommand(program, action);
+    addStudyProgram(program);
     addSweepCommand(program, action);
-    try {
-        program.parse(joinedArguments(count, arguments));
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() != 0)
-            if (const auto wrong = wrongCommand(program, count, arguments)) {
-                std::fprintf(stderr, "%s\n", sentenceOn(*wrong, program).c_str());
-                return 2;
-            }
-        return program.exit(error) == 0 ? 0 : 2;
-    }
+}
 
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    try {
-        const auto done = action();
-        if (done) return 0;
-        std::fprintf(stderr, "%s\n", done.error().sentence().c_str());
-        return exitStatus(done.error());
-    } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "This needs more memory than the machine has.\n");
-        return 3;
+}  // namespace
+
+int main(int count, char** arguments) {
+    using namespace echolucent::cli;
+    if (isForStudyProgram(count, arguments)) {
+        const auto failed = becomeStudyProgram(count, arguments);
+        std::fprintf(stderr, "%s\n", failed.error().sentence().c_str());
+        return exitStatus(failed.error());
     }
+    CLI::App program{"Echolucent: adaptive opacity transfer functions for 3D ultrasound. Not a medical device."};
+    return runProgram(program, std::string("echolucent-cli ") + ECHOLUCENT_VERSION, addCommands, count, arguments);
 }

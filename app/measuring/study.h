@@ -12,6 +12,10 @@
 
 namespace echolucent::cli {
 
+/// The commands of echolucent-study, which echolucent-cli starts.
+void addBenchCommand(CLI::App& program, Action& action);
+void addStudyCommand(CLI::App& program, Action& action);
+
 /// Each adds one subcommand of `study` and sets `action` when it was chosen.
 void addStudyOtfCommand(CLI::App& study, Action& action);
 void addStudyContrastCommand(CLI::App& study, Action& action);

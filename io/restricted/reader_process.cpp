@@ -13,12 +13,12 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <mutex>
 
 #include <fmt/format.h>
 
 #include "io/files/input_problems.h"
+#include "io/program_beside.h"
 #include "io/restricted/message.h"
 #include "io/restricted/reader_limits.h"
 #include "io/restricted/shared_study.h"
@@ -97,12 +97,7 @@ std::string readerProgram() {
     ProgramPath& known = programPath();
     const std::lock_guard alone(known.access);
     if (!known.path.empty()) return known.path;
-    std::error_code error;
-    const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-    const std::filesystem::path beside = here / ECHOLUCENT_READER;
-    known.path = std::filesystem::exists(beside, error)
-                     ? beside.string()
-                     : (here / ECHOLUCENT_LIBRARY_FOLDER / ECHOLUCENT_READER).lexically_normal().string();
+    known.path = programBeside("echolucent-reader");
     return known.path;
 }
 

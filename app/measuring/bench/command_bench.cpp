@@ -12,7 +12,7 @@
 #include <span>
 #include <string>
 
-#include "app/cli/command.h"
+#include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/median.h"
