@@ -67,11 +67,11 @@ std::vector<Row> gridAndCells() {
                                    {0, 1e6}, ParameterRange{0, 1000}),
         number<&CellRule::size>({"cell_size", "Cell size", "Edge of the cells along a tube core", "units", published},
                                 {2, largestCellSize}),
-        choice<&CellRule::sampling, samplings>({"sampling", "Sampling", "How samples that lie on no voxel are taken",
-                                                "", "docs/reports/otf.html, sampling"}),
+        choice<&CellRule::sampling, samplings>(
+            {"sampling", "Sampling", "How samples that lie on no voxel are taken", "", "docs/cli-study.md, study otf"}),
         choice<&CellRule::precision, precisions>({"precision", "Precision",
                                                   "Arithmetic of samples, moments and interface function", "",
-                                                  "docs/reports/otf.html, precision"}),
+                                                  "docs/cli-study.md, study otf"}),
     };
 }
 

@@ -209,7 +209,7 @@ const std::array<Parameter<Look>, 17>& rows() {
          "Interpolation",
          "How intensities between voxels are taken",
          "",
-         "docs/reports/render.html, interpolation",
+         "docs/cli-study.md, study render",
          {},
          {nameOf(Interpolation::trilinear), nameOf(Interpolation::nearest)},
          &getChoice<&Look::interpolation>,

@@ -2,7 +2,7 @@
 # is there. ROOT is the repository's root.
 cmake_minimum_required(VERSION 3.25)
 
-file(GLOB pages "${ROOT}/*.md" "${ROOT}/docs/*.md" "${ROOT}/docs/reports/*.md" "${ROOT}/docs/designers/*.md")
+file(GLOB pages "${ROOT}/*.md" "${ROOT}/docs/*.md" "${ROOT}/docs/designers/*.md")
 if(NOT pages)
     message(FATAL_ERROR "there is no page under ${ROOT}")
 endif()
