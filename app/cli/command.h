@@ -119,8 +119,8 @@ struct MethodOptions {
     std::optional<double> opacityScale;
     /// Adds the options to a command. They must stay where they are from here to get().
     void addTo(CLI::App& command);
-    /// Fails (wrong usage) where a value is out of range, or where an option belongs to a detection or a form that is
-    /// not chosen.
+    /// The default reading for a command without these options. Fails (wrong usage) where a value is out of range, or
+    /// where an option belongs to a detection or a form that is not chosen.
     [[nodiscard]] Result<AdaptiveOtfConfig> get() const;
 
 private:

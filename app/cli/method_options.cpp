@@ -142,7 +142,7 @@ Result<AdaptiveOtfConfig> MethodOptions::get() const {
     const auto without = gridWithout(withoutTubes, chosen.grid);
     if (!without) return tl::unexpected<Failure>(without.error());
     chosen.grid = *without;
-    if (m_initialOption->count() > 0 || opacityScale) {
+    if ((m_initialOption != nullptr && m_initialOption->count() > 0) || opacityScale) {
         const auto curve = curveFromName(initial, opacityScale);
         if (!curve) return tl::unexpected<Failure>(curve.error());
         chosen.initial = *curve;

@@ -1,14 +1,18 @@
-// The studies of the command line (`echolucent-cli study ...`) and what they share: an output folder, tables as CSV.
+// The frame of the studies (`echolucent-cli study ...`): options that many take, what is read, what is written.
 #pragma once
 
-#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
-#include <string_view>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/measuring/study_output.h"
+#include "app/measuring/study_phantoms.h"
+#include "processing/opacity_curve.h"
 #include "processing/result.h"
+#include "processing/volume/volume.h"
 
 namespace echolucent::cli {
 
@@ -16,54 +20,82 @@ namespace echolucent::cli {
 void addBenchCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
 
-/// Each adds one subcommand of `study` and sets `action` when it was chosen.
-void addStudyOtfCommand(CLI::App& study, Action& action);
-void addStudyContrastCommand(CLI::App& study, Action& action);
-void addStudyMotionCommand(CLI::App& study, Action& action);
-void addStudyStabilityCommand(CLI::App& study, Action& action);
-void addStudyRenderCommand(CLI::App& study, Action& action);
-void addStudyLightCommand(CLI::App& study, Action& action);
-void addStudyQuietCommand(CLI::App& study, Action& action);
-void addStudyCutCommand(CLI::App& study, Action& action);
-void addStudyDesignersCommand(CLI::App& study, Action& action);
-
-/// Where a study writes its files.
-class StudyFolder {
-public:
-    /// Makes the folder, and those above it, where they are missing. `names` are all files that the study may write
-    /// into it, so that paths() can be compared with what is read. Fails (unwritable) where the folder cannot be made.
-    [[nodiscard]] static Result<StudyFolder> at(const std::string& path, std::vector<std::string> names);
-    /// Writes one of the files whole or not at all, over a file of that name. Throws std::invalid_argument where `name`
-    /// was not given to at().
-    [[nodiscard]] Result<void> write(const std::string& name, std::string_view bytes) const;
-    [[nodiscard]] std::string pathOf(const std::string& name) const;
-    /// The paths of all files that the study may write.
-    [[nodiscard]] std::vector<std::string> paths() const;
-
-private:
-    StudyFolder(std::string path, std::vector<std::string> names)
-        : m_path(std::move(path)), m_names(std::move(names)) {}
-    std::string m_path;
-    std::vector<std::string> m_names;
+/// What a study is called, and what its help says; `example` stands after "echolucent-cli study ".
+struct StudyWords {
+    std::string name, meaning, example;
 };
 
-/// A number is written with the digits that tell doubles apart, and one that is not finite as an empty cell.
-using CsvCell = std::variant<std::string, double, std::int64_t>;
-
-/// Comma-separated values (RFC 4180, lines end in a line feed): the columns' names first, then row by row.
-class CsvTable {
-public:
-    explicit CsvTable(const std::vector<std::string>& columns);
-    /// Adds a row of one cell a column; throws std::invalid_argument where there are more or fewer.
-    void row(const std::vector<CsvCell>& cells);
-    [[nodiscard]] const std::string& text() const { return m_text; }
-
-private:
-    std::size_t m_columns;
-    std::string m_text;
+/// What a study found, as it leaves it.
+struct StudyFindings {
+    std::vector<std::pair<std::string, std::string>> files;  ///< name and contents
+    std::string summary;                                     ///< for the standard output
 };
 
-/// "1,2,5" or "3" or "1-4": whole numbers from 0, in the order given. Fails (wrong usage) with `option` named.
-[[nodiscard]] Result<std::vector<std::uint64_t>> parseSeeds(const std::string& text, const std::string& option);
+/// The command of a study. A study states what is its own; this does the rest: options that others take too, checks
+/// before anything long begins, files that are written whole or not at all.
+class StudyCommand {
+public:
+    explicit StudyCommand(StudyWords words) : m_words(std::move(words)) {}
+    virtual ~StudyCommand() = default;
+    StudyCommand(const StudyCommand&) = delete;
+    StudyCommand& operator=(const StudyCommand&) = delete;
+
+    /// Adds the study's command to `study`, which sets `action` when it was chosen.
+    static void add(const std::shared_ptr<StudyCommand>& own, CLI::App& study, Action& action);
+
+protected:
+    virtual void addOptions(CLI::App& command) = 0;
+    /// The names of all files that it may write into the folder.
+    [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
+    /// What is wrong with options of its own; asked before the folder is made.
+    [[nodiscard]] virtual Result<void> check() { return {}; }
+    /// Throws std::invalid_argument where a file was not among files().
+    [[nodiscard]] virtual Result<StudyFindings> measure() = 0;
+
+    /// Adds VOLUME and its options; it may be left out.
+    void addVolume(CLI::App& command);
+    /// Adds -o, which may be left out where `folder` names one.
+    void addFolder(CLI::App& command, const std::string& meaning);
+    /// Adds a whole number from `least` to `most`, whose default the help names.
+    static void addCount(CLI::App& command, const std::string& name, int& value, int least, int most,
+                         const std::string& meaning);
+    /// Adds --otf.
+    void addOtf(CLI::App& command);
+
+    /// The volume that was asked for, whose files no output may be.
+    [[nodiscard]] Result<std::shared_ptr<const Volume>> readVolume() const { return volume.readPhase(m_outputs); }
+    [[nodiscard]] Result<Study> readPhases() const { return volume.readAll(m_outputs); }
+    /// The view of a volume that was read, or of a simulated one where none was asked for.
+    [[nodiscard]] Result<Viewpoint> viewOf(const Volume& shown) const;
+    /// The curve of --otf; the adaptive one says on stderr why it is the initial function.
+    [[nodiscard]] OpacityCurve curveFor(const Volume& shown, const Viewpoint& from) const;
+    [[nodiscard]] std::string pathOf(const std::string& file) const;
+
+    VolumeOptions volume;
+    PhantomChoice phantoms;
+    ViewOptions view;
+    MethodOptions method;
+    AdaptiveOtfConfig config;          ///< the method's, from check() on
+    std::vector<PhantomConfig> bases;  ///< of the phantoms' options, from check() on; at least one
+    std::string otf = "adaptive";
+    std::string folder;  ///< where the files go; where none is named, -o is required
+
+private:
+    [[nodiscard]] Result<void> run();
+
+    StudyWords m_words;
+    std::vector<std::string> m_outputs;
+    std::optional<OpacityCurve> m_curve;
+};
+
+[[nodiscard]] std::shared_ptr<StudyCommand> otfStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> contrastStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> motionStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> stabilityStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> renderStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> lightStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> quietStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> cutStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> designersStudy();
 
 }  // namespace echolucent::cli

@@ -1,28 +1,14 @@
+#include "app/measuring/study_output.h"
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <stdexcept>
-
-#include "app/measuring/study.h"
-#include "io/output/atomic_file.h"
 
 namespace echolucent::cli {
 
 namespace {
-
-std::string csvText(const CsvCell& cell) {
-    if (const auto* number = std::get_if<double>(&cell))
-        return std::isfinite(*number) ? fmt::format("{}", *number) : std::string();
-    if (const auto* whole = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *whole);
-    const auto& text = std::get<std::string>(cell);
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-}
 
 bool parseWhole(std::string_view text, std::uint64_t& value) {
     const auto [stop, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -31,30 +17,13 @@ bool parseWhole(std::string_view text, std::uint64_t& value) {
 
 }  // namespace
 
-Result<StudyFolder> StudyFolder::at(const std::string& path, std::vector<std::string> names) {
-    std::error_code error;
-    std::filesystem::create_directories(path, error);
-    if (error || !std::filesystem::is_directory(path))
-        return fail(FailureKind::unwritable, path, "",
-                    error ? "could not be made a folder: " + error.message() : "is not a folder",
-                    "Choose another name.");
-    return StudyFolder(path, std::move(names));
-}
+CsvCell::CsvCell(double number) : m_text(std::isfinite(number) ? fmt::format("{}", number) : std::string()) {}
 
-std::string StudyFolder::pathOf(const std::string& name) const {
-    return (std::filesystem::path(m_path) / name).string();
-}
-
-Result<void> StudyFolder::write(const std::string& name, std::string_view bytes) const {
-    if (std::find(m_names.begin(), m_names.end(), name) == m_names.end())
-        throw std::invalid_argument("StudyFolder::write: " + name + " was not announced");
-    return writeFileAtomically(pathOf(name), bytes);
-}
-
-std::vector<std::string> StudyFolder::paths() const {
-    std::vector<std::string> paths;
-    for (const std::string& name : m_names) paths.push_back(pathOf(name));
-    return paths;
+std::string CsvCell::quoted(std::string_view text) {
+    if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
 }
 
 CsvTable::CsvTable(const std::vector<std::string>& columns) : m_columns(columns.size()) {
@@ -63,8 +32,60 @@ CsvTable::CsvTable(const std::vector<std::string>& columns) : m_columns(columns.
 
 void CsvTable::row(const std::vector<CsvCell>& cells) {
     if (cells.size() != m_columns) throw std::invalid_argument("CsvTable::row: as many cells as columns are needed");
-    for (std::size_t i = 0; i < cells.size(); ++i) m_text += (i == 0 ? "" : ",") + csvText(cells[i]);
+    for (std::size_t i = 0; i < cells.size(); ++i) m_text += (i == 0 ? "" : ",") + cells[i].text();
     m_text += '\n';
+}
+
+std::string plainText(const TextTable& table) {
+    const auto characters = [](const std::string& text) {
+        return static_cast<std::size_t>(
+            std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    };
+    std::vector<std::size_t> widths;
+    for (const std::string& column : table.columns) widths.push_back(characters(column));
+    for (const auto& row : table.rows)
+        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], characters(row[c]));
+    std::string text;
+    const auto add = [&](const std::vector<std::string>& row) {
+        for (std::size_t c = 0; c < row.size(); ++c)
+            text += row[c] + std::string(c + 1 < row.size() ? widths[c] - characters(row[c]) + 2 : 0, ' ');
+        text += '\n';
+    };
+    add(table.columns);
+    for (const auto& row : table.rows) add(row);
+    return text;
+}
+
+void addTable(HtmlPage& page, const TextTable& table, const std::string& caption) {
+    page.table(table.columns, table.rows, caption);
+}
+
+std::string shown(const std::optional<double>& value, const std::string& unknown) {
+    return value ? fmt::format("{:.2f}", *value) : unknown;
+}
+
+PlotSeries curveSeries(const std::string& name, const std::vector<double>& opacities) {
+    PlotSeries series{.name = name, .x = {}, .y = opacities, .labels = {}};
+    for (std::size_t i = 0; i < opacities.size(); ++i)
+        series.x.push_back(static_cast<double>(i) / static_cast<double>(opacities.size() - 1));
+    return series;
+}
+
+PlotSeries frontSeries(std::vector<std::pair<double, double>> points) {
+    std::ranges::sort(points);
+    PlotSeries series{.name = "front", .x = {}, .y = {}, .labels = {}};
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [time, error] : points) {
+        if (!(error < least)) continue;
+        if (!series.x.empty()) {
+            series.x.push_back(time);
+            series.y.push_back(least);
+        }
+        least = error;
+        series.x.push_back(time);
+        series.y.push_back(error);
+    }
+    return series;
 }
 
 Result<std::vector<std::uint64_t>> parseSeeds(const std::string& text, const std::string& option) {

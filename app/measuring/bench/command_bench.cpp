@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
+#include "app/measuring/run_time.h"
 #include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
@@ -37,12 +37,6 @@ struct BenchOptions {
 constexpr double defaultAzimuth = 20.0, defaultElevation = -12.0;
 /// Before any run counts, one run fills caches and page tables.
 constexpr int warmUps = 3;
-
-double millisecondsOf(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 double leastOf(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 

@@ -13,11 +13,6 @@ namespace echolucent::cli {
 
 namespace {
 
-struct CutOptions {
-    std::vector<std::string> paths;
-    double turn = 8.0;
-};
-
 constexpr BeamAxis allAxes[] = {BeamAxis::plusX,  BeamAxis::minusX, BeamAxis::plusY,
                                 BeamAxis::minusY, BeamAxis::plusZ,  BeamAxis::minusZ};
 
@@ -56,33 +51,42 @@ std::string rowOf(const Volume& volume, BeamAxis axis, double turn) {
                        found->sure ? "yes" : "no", moved(volume, view, *found, turn));
 }
 
-Result<void> tabulateCuts(const CutOptions& options) {
-    for (const std::string& path : options.paths) {
-        VolumeOptions reading;
-        reading.path = path;
-        const auto volume = reading.readPhase({});
-        if (!volume) return tl::unexpected<Failure>(volume.error());
-        std::string text =
-            fmt::format("{}\n{:<5}{:<19}{:>8}{:>12}{:>10}{:>13}{:>12}{:>7}{:>6}{:>9}\n", path, "axis", "answer",
-                        "near mm", "behind data", "of depth", "tube cores", "curved cut", "conf.", "sure", "moves mm");
-        for (const BeamAxis axis : allAxes) text += rowOf(**volume, axis, options.turn);
-        if (auto written = writeFileAtomically("-", text); !written) return written;
+class CutStudy final : public StudyCommand {
+public:
+    CutStudy()
+        : StudyCommand(
+              {"cut", "What the search for the near cut answers along all six axes", "cut chest.mha heart.nrrd"}) {}
+
+private:
+    void addOptions(CLI::App& command) override {
+        command.add_option("VOLUME", m_paths, "Files to read (of 4D, the first phase)")->required();
+        command.add_option("--turn", m_turn, "Degrees by which the view is turned to four sides")
+            ->type_name("DEG")
+            ->check(CLI::Range(0.0, 45.0))
+            ->capture_default_str();
     }
-    return {};
-}
+
+    Result<StudyFindings> measure() override {
+        for (const std::string& path : m_paths) {
+            volume.path = path;
+            const auto read = readVolume();
+            if (!read) return tl::unexpected<Failure>(read.error());
+            std::string text = fmt::format("{}\n{:<5}{:<19}{:>8}{:>12}{:>10}{:>13}{:>12}{:>7}{:>6}{:>9}\n", path,
+                                           "axis", "answer", "near mm", "behind data", "of depth", "tube cores",
+                                           "curved cut", "conf.", "sure", "moves mm");
+            for (const BeamAxis axis : allAxes) text += rowOf(**read, axis, m_turn);
+            if (auto written = writeFileAtomically("-", text); !written)
+                return tl::unexpected<Failure>(written.error());
+        }
+        return StudyFindings{};
+    }
+
+    std::vector<std::string> m_paths;
+    double m_turn = 8.0;
+};
 
 }  // namespace
 
-void addStudyCutCommand(CLI::App& study, Action& action) {
-    auto options = std::make_shared<CutOptions>();
-    CLI::App& command = *study.add_subcommand("cut", "What the search for the near cut answers along all six axes");
-    command.add_option("VOLUME", options->paths, "Files to read (of 4D, the first phase)")->required();
-    command.add_option("--turn", options->turn, "Degrees by which the view is turned to four sides")
-        ->type_name("DEG")
-        ->check(CLI::Range(0.0, 45.0))
-        ->capture_default_str();
-    command.footer("Example: echolucent-cli study cut chest.mha heart.nrrd");
-    command.callback([options, &action] { action = [options] { return tabulateCuts(*options); }; });
-}
+std::shared_ptr<StudyCommand> cutStudy() { return std::make_shared<CutStudy>(); }
 
 }  // namespace echolucent::cli

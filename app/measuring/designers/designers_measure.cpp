@@ -1,8 +1,8 @@
-#include <chrono>
 #include <utility>
 
 #include "app/measuring/designers/study_designers.h"
-#include "app/measuring/otf/study_phantoms.h"
+#include "app/measuring/run_time.h"
+#include "app/measuring/study_phantoms.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/designers/designer.h"
 #include "processing/median.h"
@@ -12,13 +12,6 @@
 namespace echolucent::cli {
 
 namespace {
-
-template <typename Work>
-double millisecondsOf(const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 Design designOnce(const ComparedDesigner& designer, const DesignerInput& input) {
     if (!designer.config) return Design{parabolaCurve()};

@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "app/measuring/designers/study_designers.h"
-#include "app/measuring/otf/study_otf.h"
-#include "app/measuring/study.h"
-#include "app/pages/html_page.h"
+#include "app/measuring/study_output.h"
+#include "app/measuring/study_phantoms.h"
 #include "processing/median.h"
 
 namespace echolucent::cli {
@@ -16,17 +15,6 @@ namespace {
 std::string labelOfName(const std::string& name) {
     const auto designer = designerFromName(name);
     return designer ? std::string(labelOf(*designer)) : "x²";
-}
-
-std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.2f}", *value) : "-"; }
-
-/// Names in the order in which they come first.
-template <typename NameOf>
-std::vector<std::string> namesIn(const std::vector<ContrastRow>& rows, const NameOf& nameOfRow) {
-    std::vector<std::string> names;
-    for (const ContrastRow& row : rows)
-        if (std::ranges::find(names, nameOfRow(row)) == names.end()) names.push_back(nameOfRow(row));
-    return names;
 }
 
 /// CNR_S by designer and condition, mean over the seeds; the last columns are the mean over the conditions and ms.
@@ -78,23 +66,16 @@ Plot curvesPlot(const DesignersStudy::Shown& one) {
               .xLabel = "normalised intensity",
               .yLabel = "opacity",
               .series = {}};
-    for (const DesignerPicture& each : one.pictures) {
-        PlotSeries series{.name = each.designer, .x = {}, .y = {}, .labels = {}};
-        const OpacityCurve curve = upperCurveOf(each.made.design.classification);
-        for (int i = 0; i <= 255; ++i) {
-            series.x.push_back(i / 255.0);
-            series.y.push_back(opacityAt(curve, i / 255.0));
-        }
-        plot.series.push_back(std::move(series));
-    }
+    for (const DesignerPicture& each : one.pictures)
+        plot.series.push_back(
+            curveSeries(each.designer, sampledOpacities(upperCurveOf(each.made.design.classification), 256)));
     return plot;
 }
 
 void addShown(HtmlPage& page, const DesignersStudy::Shown& one) {
     page.heading(one.name);
     for (const DesignerPicture& each : one.pictures) page.picture(each.picture, labelOfName(each.designer));
-    const TextTable table = shownTable(one);
-    page.table(table.columns, table.rows);
+    addTable(page, shownTable(one));
     page.plot(curvesPlot(one));
     for (const DesignerPicture& each : one.pictures) {
         std::string text = labelOfName(each.designer) + ":";
@@ -109,13 +90,11 @@ void addShown(HtmlPage& page, const DesignersStudy::Shown& one) {
 std::string designersCsv(const DesignersStudy& study) {
     CsvTable csv({"designer", "condition", "seed", "contrast", "ms"});
     for (const ContrastRow& row : study.contrasts)
-        csv.row({row.designer, row.condition, static_cast<std::int64_t>(row.seed), row.contrast.value_or(NAN),
-                 row.milliseconds});
+        csv.row({row.designer, row.condition, row.seed, row.contrast, row.milliseconds});
     for (const DesignersStudy::Shown& one : study.shown)
         for (const DesignerPicture& each : one.pictures)
-            csv.row({each.designer, one.name, NAN,
-                     each.measures ? each.measures->contrast.contrastToNoise().value_or(NAN) : NAN,
-                     each.made.milliseconds});
+            csv.row({each.designer, one.name, std::optional<double>(),
+                     each.measures ? each.measures->contrast.contrastToNoise() : std::nullopt, each.made.milliseconds});
     return csv.text();
 }
 
@@ -127,8 +106,7 @@ std::string designersPage(const DesignersStudy& study) {
             "(docs/experiments.md). The table holds means over the seeds {} of the simulated shapes, speckle reduction "
             "{}; ms are wall time of the designer, the median of {} runs each, on whatever machine made this page.",
             study.seeds, nameOf(study.reduction), study.repeats));
-        const TextTable table = contrastTable(study);
-        page.table(table.columns, table.rows);
+        addTable(page, contrastTable(study));
     }
     page.paragraph(
         "Pictures are lit by light that reaches. Their time is the median of pictures that are cast anew, also as "

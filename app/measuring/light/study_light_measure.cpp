@@ -1,20 +1,13 @@
 #include <algorithm>
-#include <chrono>
-#include <functional>
 #include <utility>
 
 #include "app/measuring/light/study_light.h"
+#include "app/measuring/run_time.h"
 #include "processing/median.h"
 
 namespace echolucent::cli {
 
 namespace {
-
-double millisecondsOf(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// A curve that is drawn as the given one and is not equal to it.
 OpacityCurve changed(const OpacityCurve& curve, int turn) {

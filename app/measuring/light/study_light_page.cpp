@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/measuring/light/study_light.h"
-#include "app/measuring/study.h"
+#include "app/measuring/study_output.h"
 
 namespace echolucent::cli {
 
@@ -63,10 +63,10 @@ std::string lightCsv(const std::vector<LightStudy>& studies) {
     for (const LightStudy& study : studies)
         for (const LightResult& result : study.results) {
             const LightScene& scene = result.variant.scene;
-            table.row({study.name, result.variant.parameter, result.variant.value, std::int64_t{scene.coarseness},
-                       static_cast<std::int64_t>(scene.keyDirections),
-                       static_cast<std::int64_t>(scene.aroundDirections), result.error.rmse, result.error.largest,
-                       result.error.ssim, result.milliseconds, result.turnedMilliseconds, result.keyMilliseconds});
+            table.row({study.name, result.variant.parameter, result.variant.value, scene.coarseness,
+                       static_cast<int>(scene.keyDirections), static_cast<int>(scene.aroundDirections),
+                       result.error.rmse, result.error.largest, result.error.ssim, result.milliseconds,
+                       result.turnedMilliseconds, result.keyMilliseconds});
         }
     return table.text();
 }

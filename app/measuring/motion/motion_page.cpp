@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/measuring/study.h"
-#include "app/pages/html_page.h"
+#include "app/measuring/study_output.h"
 #include "processing/adaptive/adaptive_otf_result.h"
 
 namespace echolucent::cli {
@@ -93,8 +92,8 @@ void addDifferences(HtmlPage& page, const MotionFigures& figures) {
                 "one OTF and the initial function: RMS {}, of the pictures {}.",
                 number(figures.adaptation), number(figures.adaptationPicture)));
     page.paragraph(
-        fmt::format("Pictures with one OTF for all frames against pictures with each frame's own OTF: RMS {} over "
-                    "all frames, {} in the frame that differs most.",
+        fmt::format("Pictures with one OTF for all frames against pictures with each frame's own OTF: RMS {} over all "
+                    "frames, {} in the frame that differs most.",
                     number(figures.staticPictureRms), number(figures.worstStaticPictureRms)));
 }
 
@@ -105,17 +104,12 @@ void addCurves(HtmlPage& page, const MotionFigures& figures) {
               .yLabel = "opacity per unit",
               .series = {}};
     const std::size_t last = figures.frames.size() - 1;
-    const auto add = [&](const std::string& name, const SampledCurve& curve) {
-        PlotSeries series{.name = name, .x = {}, .y = curve.opacities, .labels = {}};
-        for (std::size_t i = 0; i < curve.opacities.size(); ++i)
-            series.x.push_back(static_cast<double>(i) / static_cast<double>(curve.opacities.size() - 1));
-        plot.series.push_back(std::move(series));
-    };
     for (const std::size_t index : {std::size_t{0}, last / 2, last})
-        add((probeMoves(figures) ? "" : "frame ") + fmt::format("{:g}", frameValue(figures, index)) +
-                (probeMoves(figures) ? "°" : ""),
-            figures.frames[index].unsmoothed);
-    add("initial function", figures.initial);
+        plot.series.push_back(curveSeries((probeMoves(figures) ? "" : "frame ") +
+                                              fmt::format("{:g}", frameValue(figures, index)) +
+                                              (probeMoves(figures) ? "°" : ""),
+                                          figures.frames[index].unsmoothed.opacities));
+    plot.series.push_back(curveSeries("initial function", figures.initial.opacities));
     page.plot(plot);
 }
 
@@ -242,8 +236,8 @@ std::string motionFiguresTable(const std::vector<MotionFigures>& cases) {
     for (const MotionFigures& figures : cases) {
         const ModeFigures& none = unsmoothed(figures);
         for (const ModeFigures& mode : figures.modes)
-            table.row({figures.motionCase.name, nameOf(mode.mode), static_cast<std::int64_t>(figures.frames.size()),
-                       mode.otfFlicker, mode.otfFlicker / none.otfFlicker, mode.pictures.flicker,
+            table.row({figures.motionCase.name, nameOf(mode.mode), figures.frames.size(), mode.otfFlicker,
+                       mode.otfFlicker / none.otfFlicker, mode.pictures.flicker,
                        mode.pictures.flicker / none.pictures.flicker, mode.pictures.change,
                        mode.pictures.change / none.pictures.change, mode.mode ? lagOf(*mode.mode).ramp : 0.0,
                        mode.lowest, mode.highest, figures.staticPictureRms, figures.domains.opacity,

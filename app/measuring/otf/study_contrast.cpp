@@ -5,20 +5,12 @@
 #include <memory>
 
 #include "app/cli/look_options.h"
-#include "app/measuring/otf/study_phantoms.h"
 #include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
 
 namespace echolucent::cli {
 
 namespace {
-
-struct ContrastOptions {
-    PhantomChoice phantoms;
-    ViewOptions view;
-    LookOptions look;
-    std::string csv;
-};
 
 using Values = std::vector<std::optional<double>>;
 
@@ -39,52 +31,58 @@ Values columnMeans(const std::vector<Values>& rows) {
     return means;
 }
 
-Result<void> measureContrast(const ContrastOptions& options) {
-    const auto bases = options.phantoms.bases();
-    if (!bases) return tl::unexpected<Failure>(bases.error());
-    const auto view = options.view.getOfSimulatedScan();
-    if (!view) return tl::unexpected<Failure>(view.error());
-    const auto look = options.look.get();
-    if (!look) return tl::unexpected<Failure>(look.error());
-    const std::vector<std::string> names = contrastCurveNames();
-    std::string text = fmt::format("CNR_S, mean of {} seed(s), speckle reduction {}\n{:<22}", bases->size(),
-                                   nameOf(look->reduction), "condition");
-    for (const std::string& name : names) text += fmt::format("{:>{}}", name, 11);
-    text += '\n';
-    CsvTable csv({"condition", "seed", "curve", "cnr_s"});
-    std::vector<Values> conditions;
-    const std::size_t count = contrastConditions(bases->front()).size();
-    for (std::size_t c = 0; c < count; ++c) {
-        std::vector<Values> seeds;
-        std::string name;
-        for (const PhantomConfig& base : *bases) {
-            const NamedPhantom phantom = contrastConditions(base)[c];
-            name = phantom.name;
-            seeds.push_back(contrastsOf(StudyPhantom(phantom.config), *view, look->reduction));
-            for (std::size_t i = 0; i < names.size(); ++i)
-                csv.row({name, static_cast<std::int64_t>(base.seed), names[i], seeds.back()[i].value_or(NAN)});
-        }
-        conditions.push_back(columnMeans(seeds));
-        text += line(name, conditions.back());
+class ContrastStudy final : public StudyCommand {
+public:
+    ContrastStudy()
+        : StudyCommand({"contrast", "How well the curves set known surfaces off from haze and leakage (CNR_S)",
+                        "contrast --seeds 1-4"}) {}
+
+private:
+    void addOptions(CLI::App& command) override {
+        phantoms.addTo(command);
+        view.addTo(command, ViewOf::simulatedScan);
+        m_look.addTo(command, {"reduction"});
+        command.add_option("--csv", m_csv, "Also writes every value")->type_name("FILE");
     }
-    text += line("mean", columnMeans(conditions));
-    if (!options.csv.empty())
-        if (auto written = writeFileAtomically(options.csv, csv.text()); !written) return written;
-    return writeFileAtomically("-", text);
-}
+
+    Result<StudyFindings> measure() override {
+        const auto from = view.getOfSimulatedScan();
+        if (!from) return tl::unexpected<Failure>(from.error());
+        const auto look = m_look.get();
+        if (!look) return tl::unexpected<Failure>(look.error());
+        const std::vector<std::string> names = contrastCurveNames();
+        std::string text = fmt::format("CNR_S, mean of {} seed(s), speckle reduction {}\n{:<22}", bases.size(),
+                                       nameOf(look->reduction), "condition");
+        for (const std::string& name : names) text += fmt::format("{:>{}}", name, 11);
+        text += '\n';
+        CsvTable csv({"condition", "seed", "curve", "cnr_s"});
+        std::vector<Values> conditions;
+        const std::size_t count = contrastConditions(bases.front()).size();
+        for (std::size_t c = 0; c < count; ++c) {
+            std::vector<Values> seeds;
+            std::string name;
+            for (const PhantomConfig& base : bases) {
+                const NamedPhantom phantom = contrastConditions(base)[c];
+                name = phantom.name;
+                seeds.push_back(contrastsOf(StudyPhantom(phantom.config), *from, look->reduction));
+                for (std::size_t i = 0; i < names.size(); ++i) csv.row({name, base.seed, names[i], seeds.back()[i]});
+            }
+            conditions.push_back(columnMeans(seeds));
+            text += line(name, conditions.back());
+        }
+        text += line("mean", columnMeans(conditions));
+        if (!m_csv.empty())
+            if (auto written = writeFileAtomically(m_csv, csv.text()); !written)
+                return tl::unexpected<Failure>(written.error());
+        return StudyFindings{{}, text};
+    }
+
+    LookOptions m_look;
+    std::string m_csv;
+};
 
 }  // namespace
 
-void addStudyContrastCommand(CLI::App& study, Action& action) {
-    auto options = std::make_shared<ContrastOptions>();
-    CLI::App& command =
-        *study.add_subcommand("contrast", "How well the curves set known surfaces off from haze and leakage (CNR_S)");
-    options->phantoms.addTo(command);
-    options->view.addTo(command, ViewOf::simulatedScan);
-    options->look.addTo(command, {"reduction"});
-    command.add_option("--csv", options->csv, "Also writes every value")->type_name("FILE");
-    command.footer("Example: echolucent-cli study contrast --seeds 1-4");
-    command.callback([options, &action] { action = [options] { return measureContrast(*options); }; });
-}
+std::shared_ptr<StudyCommand> contrastStudy() { return std::make_shared<ContrastStudy>(); }
 
 }  // namespace echolucent::cli

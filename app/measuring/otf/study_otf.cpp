@@ -2,28 +2,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <memory>
-
 #include "app/measuring/otf/study_otf.h"
 #include "app/measuring/study.h"
-#include "io/output/atomic_file.h"
 #include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 
 namespace {
-
-struct OtfStudyOptions {
-    VolumeOptions volume;
-    PhantomChoice phantoms;
-    ViewOptions view;
-    std::string folder;
-    bool onPhantoms = false;
-    int repeats = 9;
-};
-
-/// The view lies away from every grid axis, so that the tubes' samples must be interpolated.
-const Viewpoint oblique{.azimuthDegrees = 20, .elevationDegrees = -12};
 
 struct GroupedPhantom {
     std::string group;
@@ -69,7 +54,7 @@ void addContrast(const StudyPhantom& phantom, const std::string& condition, std:
 void measurePhantom(const GroupedPhantom& grouped, int repeats, OtfStudy& study) {
     const StudyPhantom phantom(grouped.phantom.config);
     const std::string& condition = grouped.phantom.name;
-    for (const Viewpoint& view : {Viewpoint{}, oblique}) {
+    for (const Viewpoint& view : {Viewpoint{}, obliqueView}) {
         const OtfCase one{condition, &phantom.volume, view, &phantom.truth};
         const std::size_t first = study.readings.size();
         for (const MethodReading reading : allReadings) {
@@ -84,92 +69,88 @@ void measurePhantom(const GroupedPhantom& grouped, int repeats, OtfStudy& study)
     }
 }
 
-Result<OtfStudy> studyPhantoms(const OtfStudyOptions& options) {
-    const auto bases = options.phantoms.bases();
-    if (!bases) return tl::unexpected<Failure>(bases.error());
-    OtfStudy study;
-    study.truthKnown = true;
-    study.repeats = options.repeats;
-    const auto& size = bases->front().size;
-    study.subject = fmt::format(
-        "Simulated scans with known surfaces (scene shapes, {}x{}x{} voxels, seeds {}), along the beam and obliquely.",
-        size[0], size[1], size[2], options.phantoms.seeds);
-    for (const PhantomConfig& base : *bases)
-        for (const GroupedPhantom& grouped : allConditions(base)) measurePhantom(grouped, options.repeats, study);
-    return study;
-}
-
 std::string paretoFile(const std::string& function) { return "otf-pareto-" + function + ".svg"; }
 
-std::vector<std::string> namesOfFiles() {
-    std::vector<std::string> names{"otf-settings.csv", "otf-readings.csv", "otf.html"};
-    for (const std::string& function : interfaceFunctions) names.push_back(paretoFile(function));
-    return names;
-}
+class OtfStudyCommand final : public StudyCommand {
+public:
+    OtfStudyCommand() : StudyCommand({"otf", "Error against run time of the adaptive OTF", "otf --phantoms -o study"}) {
+        phantoms.seeds = "1";
+    }
 
-Result<OtfStudy> studyVolume(const OtfStudyOptions& options, const std::vector<std::string>& outputs) {
-    if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
-    const auto volume = options.volume.readPhase(outputs);
-    if (!volume) return tl::unexpected<Failure>(volume.error());
-    const auto view = options.view.get(**volume);
-    if (!view) return tl::unexpected<Failure>(view.error());
-    OtfStudy study;
-    study.repeats = options.repeats;
-    const auto& size = (*volume)->geometry().size;
-    study.subject = fmt::format(
-        "{} ({}x{}x{} voxels), beam axis {}, azimuth {}°, elevation {}°, near cut {} mm. Its true surfaces "
-        "are not known: there is no detection error, only the curve's.",
-        options.volume.path, size[0], size[1], size[2], nameOf(view->beamAxis), view->azimuthDegrees,
-        view->elevationDegrees, view->nearCutMm);
-    const OtfCase one{options.volume.path, volume->get(), *view, nullptr};
-    for (const MethodReading reading : allReadings) study.readings.push_back(measureReading(one, reading));
-    measureErrors(one, study.variants);
-    measureTimes(one, options.repeats, study.variants);
-    return study;
-}
+private:
+    void addOptions(CLI::App& command) override {
+        addVolume(command);
+        view.addTo(command);
+        command.add_flag("--phantoms", m_onPhantoms, "On simulated scans with known surfaces instead of a VOLUME");
+        phantoms.addTo(command);
+        addCount(command, "--repeats", m_repeats, 1, 1000, "Runs of each setting; the median counts");
+        addFolder(command, "Folder for the page, the tables and the plots");
+    }
 
-Result<void> writeStudy(const StudyFolder& folder, const OtfStudy& study) {
-    std::vector<std::pair<std::string, std::string>> files{{"otf-settings.csv", variantsCsv(study)},
-                                                           {"otf-readings.csv", readingsCsv(study)},
-                                                           {"otf.html", otfPage(study)}};
-    for (const std::string& function : interfaceFunctions)
-        files.emplace_back(paretoFile(function), svgOf(paretoPlot(study, function, false)));
-    for (const auto& [name, bytes] : files)
-        if (auto written = folder.write(name, bytes); !written) return written;
-    return writeFileAtomically("-", summaryText(study) + "\n" + folder.pathOf("otf.html") + "\n");
-}
+    std::vector<std::string> files() const override {
+        std::vector<std::string> names{"otf-settings.csv", "otf-readings.csv", "otf.html"};
+        for (const std::string& function : interfaceFunctions) names.push_back(paretoFile(function));
+        return names;
+    }
 
-Result<void> studyOtf(const OtfStudyOptions& options) {
-    if (options.onPhantoms == !options.volume.path.empty())
-        return fail(FailureKind::wrongUsage, "", "", "either a VOLUME or --phantoms is needed");
-    // This comes before the long work, so that a folder that cannot be is said at once.
-    const auto folder = StudyFolder::at(options.folder, namesOfFiles());
-    if (!folder) return tl::unexpected<Failure>(folder.error());
-    auto study = options.onPhantoms ? studyPhantoms(options) : studyVolume(options, folder->paths());
-    if (!study) return tl::unexpected<Failure>(study.error());
-    markFront(study->variants);
-    return writeStudy(*folder, *study);
-}
+    Result<void> check() override {
+        if (m_onPhantoms == !volume.path.empty())
+            return fail(FailureKind::wrongUsage, "", "", "either a VOLUME or --phantoms is needed");
+        return {};
+    }
+
+    void measurePhantoms(OtfStudy& study) const {
+        study.truthKnown = true;
+        const auto& size = bases.front().size;
+        study.subject = fmt::format(
+            "Simulated scans with known surfaces (scene shapes, {}x{}x{} voxels, seeds {}), along the beam and "
+            "obliquely.",
+            size[0], size[1], size[2], phantoms.seeds);
+        for (const PhantomConfig& base : bases)
+            for (const GroupedPhantom& grouped : allConditions(base)) measurePhantom(grouped, m_repeats, study);
+    }
+
+    Result<void> measureVolume(OtfStudy& study) const {
+        const auto read = readVolume();
+        if (!read) return tl::unexpected<Failure>(read.error());
+        const auto from = viewOf(**read);
+        if (!from) return tl::unexpected<Failure>(from.error());
+        const auto& size = (*read)->geometry().size;
+        study.subject = fmt::format(
+            "{} ({}x{}x{} voxels), beam axis {}, azimuth {}°, elevation {}°, near cut {} mm. Its true surfaces "
+            "are not known: there is no detection error, only the curve's.",
+            volume.path, size[0], size[1], size[2], nameOf(from->beamAxis), from->azimuthDegrees,
+            from->elevationDegrees, from->nearCutMm);
+        const OtfCase one{volume.path, read->get(), *from, nullptr};
+        for (const MethodReading reading : allReadings) study.readings.push_back(measureReading(one, reading));
+        measureErrors(one, study.variants);
+        measureTimes(one, m_repeats, study.variants);
+        return {};
+    }
+
+    Result<StudyFindings> measure() override {
+        OtfStudy study;
+        study.repeats = m_repeats;
+        if (m_onPhantoms)
+            measurePhantoms(study);
+        else if (auto measured = measureVolume(study); !measured)
+            return tl::unexpected<Failure>(measured.error());
+        markFront(study.variants);
+        StudyFindings found{{{"otf-settings.csv", variantsCsv(study)},
+                             {"otf-readings.csv", readingsCsv(study)},
+                             {"otf.html", otfPage(study)}},
+                            summaryText(study) + "\n" + pathOf("otf.html") + "\n"};
+        for (const std::string& function : interfaceFunctions)
+            found.files.emplace_back(paretoFile(function), svgOf(paretoPlot(study, function, false)));
+        return found;
+    }
+
+    bool m_onPhantoms = false;
+    int m_repeats = 9;
+};
 
 }  // namespace
 
-void addStudyOtfCommand(CLI::App& study, Action& action) {
-    auto options = std::make_shared<OtfStudyOptions>();
-    CLI::App& command = *study.add_subcommand("otf", "Error against run time of the adaptive OTF");
-    options->volume.addTo(command);
-    command.get_option("VOLUME")->required(false);
-    options->view.addTo(command);
-    command.add_flag("--phantoms", options->onPhantoms, "On simulated scans with known surfaces instead of a VOLUME");
-    options->phantoms.seeds = "1";
-    options->phantoms.addTo(command);
-    command.add_option("--repeats", options->repeats, "Runs of each setting; the median counts")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command.add_option("-o,--output", options->folder, "Folder for the page, the tables and the plots")
-        ->required()
-        ->type_name("DIR");
-    command.footer("Example: echolucent-cli study otf --phantoms -o study");
-    command.callback([options, &action] { action = [options] { return studyOtf(*options); }; });
-}
+std::shared_ptr<StudyCommand> otfStudy() { return std::make_shared<OtfStudyCommand>(); }
 
 }  // namespace echolucent::cli

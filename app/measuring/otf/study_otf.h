@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/measuring/otf/study_phantoms.h"
-#include "app/pages/html_page.h"
+#include "app/measuring/study_output.h"
+#include "app/measuring/study_phantoms.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/comparison/surface_light.h"
@@ -104,11 +104,6 @@ struct OtfStudy {
 [[nodiscard]] Plot paretoPlot(const OtfStudy& study, const std::string& function, bool ofDetection);
 [[nodiscard]] std::string otfPage(const OtfStudy& study);
 
-/// A table of text: the names of its columns, then its rows.
-struct TextTable {
-    std::vector<std::string> columns;
-    std::vector<std::vector<std::string>> rows;
-};
 [[nodiscard]] TextTable variantTable(const OtfStudy& study);
 /// Detection of the readings side by side, by condition and by group.
 [[nodiscard]] TextTable detectionTable(const OtfStudy& study);
@@ -116,7 +111,5 @@ struct TextTable {
 [[nodiscard]] TextTable contrastTable(const OtfStudy& study);
 /// What is known of a volume without truth: tube cores, weight, surface light.
 [[nodiscard]] TextTable volumeTable(const OtfStudy& study);
-/// A table for the terminal, its columns padded with spaces.
-[[nodiscard]] std::string plainText(const TextTable& table);
 
 }  // namespace echolucent::cli

@@ -105,11 +105,8 @@ void measureTimes(const OtfCase& one, int repeats, std::vector<VariantResult>& r
 void markFront(std::vector<VariantResult>& results) {
     for (VariantResult& result : results) {
         const auto beats = [&](const VariantResult& other) {
-            if (other.variant.isReference || other.variant.interfaceFunction != result.variant.interfaceFunction)
-                return false;
-            const double time = other.timeRatio() - result.timeRatio();
-            const double error = other.rmsDifference() - result.rmsDifference();
-            return time <= 0 && error <= 0 && (time < 0 || error < 0);
+            return !other.variant.isReference && other.variant.interfaceFunction == result.variant.interfaceFunction &&
+                   isBeaten(result.timeRatio(), result.rmsDifference(), other.timeRatio(), other.rmsDifference());
         };
         result.onFront = !result.variant.isReference && std::none_of(results.begin(), results.end(), beats);
     }

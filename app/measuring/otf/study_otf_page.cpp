@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "app/measuring/otf/study_otf.h"
 
@@ -27,48 +26,17 @@ PlotSeries seriesOf(const std::vector<const VariantResult*>& results, const std:
     return series;
 }
 
-/// This line marks where nothing that is faster is nearer: there is nothing below and left of its steps.
-PlotSeries frontSeries(std::vector<const VariantResult*> results, bool ofDetection) {
-    std::sort(results.begin(), results.end(),
-              [](const auto* a, const auto* b) { return a->timeRatio() < b->timeRatio(); });
-    PlotSeries series;
-    series.name = "front";
-    double least = std::numeric_limits<double>::infinity();
-    for (const VariantResult* result : results) {
-        const double error = errorOf(*result, ofDetection);
-        if (result->variant.isReference || !(error < least)) continue;
-        if (!series.x.empty()) {
-            series.x.push_back(result->timeRatio());
-            series.y.push_back(least);
-        }
-        series.x.push_back(result->timeRatio());
-        series.y.push_back(error);
-        least = error;
-    }
-    return series;
-}
-
 Plot curvesPlot(const OtfStudy& study) {
     Plot plot{"Opacity curves", "normalised intensity", "opacity per unit", false, false, {}};
-    const auto sampled = [](const OpacityCurve& curve) {
-        return SampledCurve{sampledOpacities(curve, AdaptiveOtf::sampleCount)};
+    const auto add = [&](const std::string& name, const std::vector<double>& opacities) {
+        plot.series.push_back(curveSeries(name, opacities));
     };
-    std::vector<std::pair<std::string, SampledCurve>> curves;
     const std::size_t count = std::min(study.readings.size(), allReadings.size());
     for (std::size_t i = count; i-- > 0;)
-        curves.emplace_back((i + 1 == count ? "adaptive, " : "") + std::string(nameOf(study.readings[i].reading)),
-                            study.readings[i].curve);
-    curves.emplace_back("parabolic, x²", sampled(parabolaCurve()));
-    curves.emplace_back("linear, eq. 1 with L_L = 20/255, a = 0.5", sampled(linearCurve()));
-    for (const auto& [name, curve] : curves) {
-        PlotSeries series;
-        series.name = name;
-        for (std::size_t i = 0; i < curve.opacities.size(); ++i) {
-            series.x.push_back(static_cast<double>(i) / static_cast<double>(curve.opacities.size() - 1));
-            series.y.push_back(curve.opacities[i]);
-        }
-        plot.series.push_back(std::move(series));
-    }
+        add((i + 1 == count ? "adaptive, " : "") + std::string(nameOf(study.readings[i].reading)),
+            study.readings[i].curve.opacities);
+    add("parabolic, x²", sampledOpacities(parabolaCurve(), AdaptiveOtf::sampleCount));
+    add("linear, eq. 1 with L_L = 20/255, a = 0.5", sampledOpacities(linearCurve(), AdaptiveOtf::sampleCount));
     return plot;
 }
 
@@ -78,9 +46,8 @@ void addReadings(const OtfStudy& study, HtmlPage& page) {
         "Published is the paper taken literally, with the erratum of eq. 5. Settled has its open points settled by "
         "experiment (docs/experiments.md). Default is what the program uses where nobody asks for another.");
     if (!study.truthKnown) {
-        const TextTable table = volumeTable(study);
-        page.table(
-            table.columns, table.rows,
+        addTable(
+            page, volumeTable(study),
             "Light from the surfaces is, for the rays along the tube cores' axes, the share of the composited "
             "intensity that comes from within 3 units of the surface found. It is given for the reading's own curve "
             "and for the curves that no tube core shapes.");
@@ -89,16 +56,14 @@ void addReadings(const OtfStudy& study, HtmlPage& page) {
         page.plot(curvesPlot(study));
         return;
     }
-    const TextTable detection = detectionTable(study);
-    page.table(detection.columns, detection.rows,
-               "Right is the share of the weight Σd on tube cores whose surface is within 3 units of the first "
-               "interface from fluid; on none is the share on tube cores without such an interface. Found is the "
-               "share of the tube cores with an interface that found it. A volume without fluid should have no Σd.");
-    const TextTable contrast = contrastTable(study);
-    page.table(contrast.columns, contrast.rows,
-               "CNR_S compares the light from 2 units before to 6 behind the true surface of objects with all other "
-               "light, over the root of the sum of both variances. Rays are parallel along the beam, with step 1 and "
-               "without shading.");
+    addTable(page, detectionTable(study),
+             "Right is the share of the weight Σd on tube cores whose surface is within 3 units of the first "
+             "interface from fluid; on none is the share on tube cores without such an interface. Found is the "
+             "share of the tube cores with an interface that found it. A volume without fluid should have no Σd.");
+    addTable(page, contrastTable(study),
+             "CNR_S compares the light from 2 units before to 6 behind the true surface of objects with all other "
+             "light, over the root of the sum of both variances. Rays are parallel along the beam, with step 1 and "
+             "without shading.");
     page.plot(curvesPlot(study));
 }
 
@@ -112,15 +77,14 @@ Plot paretoPlot(const OtfStudy& study, const std::string& function, bool ofDetec
     plot.logX = true;
     plot.logY = !ofDetection;
     std::vector<const VariantResult*> own;
-    std::vector<std::string> parameters;
+    std::vector<std::pair<double, double>> front;
     for (const VariantResult& result : study.variants) {
         if (result.variant.interfaceFunction != function) continue;
         own.push_back(&result);
-        if (std::find(parameters.begin(), parameters.end(), result.variant.parameter) == parameters.end())
-            parameters.push_back(result.variant.parameter);
+        if (!result.variant.isReference) front.emplace_back(result.timeRatio(), errorOf(result, ofDetection));
     }
-    plot.series.push_back(frontSeries(own, ofDetection));
-    for (const std::string& parameter : parameters) {
+    plot.series.push_back(frontSeries(std::move(front)));
+    for (const std::string& parameter : namesIn(own, [](const auto* result) { return result->variant.parameter; })) {
         // Its error is 0 by definition, which has no place on a logarithmic axis.
         if (parameter == "reference" && !ofDetection) continue;
         std::vector<const VariantResult*> some;
@@ -153,9 +117,8 @@ std::string otfPage(const OtfStudy& study) {
         if (ofDetection && !study.truthKnown) continue;
         for (const std::string& function : interfaceFunctions) page.plot(paretoPlot(study, function, ofDetection));
     }
-    const TextTable settings = variantTable(study);
-    page.table(settings.columns, settings.rows,
-               "● marks the front of the curve's error: nothing else is both faster and nearer to the reference.");
+    addTable(page, variantTable(study),
+             "● marks the front of the curve's error: nothing else is both faster and nearer to the reference.");
     addReadings(study, page);
     return page.text();
 }

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "app/measuring/otf/study_otf.h"
-#include "app/measuring/study.h"
 #include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
@@ -12,18 +12,8 @@ namespace {
 
 std::string percent(double share) { return fmt::format("{:.2f}", 100.0 * share); }
 
-std::string value(const std::optional<double>& number) { return number ? fmt::format("{:.2f}", *number) : "—"; }
-
-/// The names come in the order in which they first occur.
-template <typename Items, typename NameOf>
-std::vector<std::string> namesIn(const Items& items, NameOf nameOfItem) {
-    std::vector<std::string> names;
-    for (const auto& item : items) {
-        const std::string name = nameOfItem(item);
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-    return names;
-}
+/// CNR_S, or a dash.
+std::string value(const std::optional<double>& number) { return shown(number, "—"); }
 
 /// The figures are pooled over the results of a reading that `belongs` picks.
 template <typename Belongs>
@@ -86,11 +76,9 @@ TextTable detectionTable(const OtfStudy& study) {
             table.columns.push_back(reading == allReadings.front() ? fmt::format("{}: {}", what, nameOf(reading))
                                                                    : std::string(nameOf(reading)));
     for (const std::string& group : namesIn(study.readings, [](const auto& result) { return result.group; })) {
-        std::vector<std::string> conditions;
-        for (const ReadingResult& result : study.readings)
-            if (result.group == group &&
-                std::find(conditions.begin(), conditions.end(), result.condition) == conditions.end())
-                conditions.push_back(result.condition);
+        const auto conditions = namesIn(
+            study.readings | std::views::filter([&](const ReadingResult& result) { return result.group == group; }),
+            [](const ReadingResult& result) { return result.condition; });
         for (const std::string& condition : conditions)
             table.rows.push_back(detectionRow(study, condition, [&](const ReadingResult& result) {
                 return result.group == group && result.condition == condition;
@@ -139,26 +127,6 @@ TextTable volumeTable(const OtfStudy& study) {
     return table;
 }
 
-std::string plainText(const TextTable& table) {
-    const auto characters = [](const std::string& text) {
-        return static_cast<std::size_t>(
-            std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-    };
-    std::vector<std::size_t> widths;
-    for (const std::string& column : table.columns) widths.push_back(characters(column));
-    for (const auto& row : table.rows)
-        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], characters(row[c]));
-    std::string text;
-    const auto add = [&](const std::vector<std::string>& row) {
-        for (std::size_t c = 0; c < row.size(); ++c)
-            text += row[c] + std::string(c + 1 < row.size() ? widths[c] - characters(row[c]) + 2 : 0, ' ');
-        text += '\n';
-    };
-    add(table.columns);
-    for (const auto& row : table.rows) add(row);
-    return text;
-}
-
 std::string variantsCsv(const OtfStudy& study) {
     CsvTable csv({"interface_function", "parameter", "value", "reference", "front", "time_ratio", "time_ms",
                   "rms_difference", "max_difference", "right_weight_share", "empty_weight_share", "found_share",
@@ -168,10 +136,9 @@ std::string variantsCsv(const OtfStudy& study) {
         const auto known = [&](double number) { return study.truthKnown ? number : NAN; };
         const DetectionQuality& detection = result.detection;
         csv.row({result.variant.interfaceFunction, result.variant.parameter, result.variant.value,
-                 std::int64_t{result.variant.isReference}, std::int64_t{result.onFront}, result.timeRatio(),
-                 result.time(), result.rmsDifference(), result.largestDifference, known(detection.rightShare()),
-                 known(detection.emptyShare()), known(detection.foundShare()), known(detection.meanDistanceUnits()),
-                 std::int64_t{detection.tubesWithInterface}});
+                 result.variant.isReference, result.onFront, result.timeRatio(), result.time(), result.rmsDifference(),
+                 result.largestDifference, known(detection.rightShare()), known(detection.emptyShare()),
+                 known(detection.foundShare()), known(detection.meanDistanceUnits()), detection.tubesWithInterface});
     }
     return csv.text();
 }
@@ -182,12 +149,12 @@ std::string readingsCsv(const OtfStudy& study) {
                   "surface_light_share", "parabola_light_share", "linear_light_share", "message"});
     for (const ReadingResult& result : study.readings) {
         const auto known = [&](double number) { return study.truthKnown ? number : NAN; };
-        csv.row({std::string(nameOf(result.reading)), result.group, result.condition,
-                 static_cast<std::int64_t>(result.seed), result.view.azimuthDegrees, result.view.elevationDegrees,
-                 known(result.detection.rightShare()), known(result.detection.emptyShare()),
-                 known(result.detection.foundShare()), known(result.detection.meanDistanceUnits()), result.sumOfWeights,
-                 std::int64_t{result.tubesWithWeight}, result.contrast.value_or(NAN), result.light.meanShare,
-                 result.parabolaLight.meanShare, result.linearLight.meanShare, result.message});
+        csv.row({nameOf(result.reading), result.group, result.condition, result.seed, result.view.azimuthDegrees,
+                 result.view.elevationDegrees, known(result.detection.rightShare()),
+                 known(result.detection.emptyShare()), known(result.detection.foundShare()),
+                 known(result.detection.meanDistanceUnits()), result.sumOfWeights, result.tubesWithWeight,
+                 result.contrast, result.light.meanShare, result.parabolaLight.meanShare, result.linearLight.meanShare,
+                 result.message});
     }
     return csv.text();
 }

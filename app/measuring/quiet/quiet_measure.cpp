@@ -1,11 +1,11 @@
 #include "app/measuring/quiet/quiet_measure.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "app/measuring/run_time.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/median.h"
 #include "processing/phantom/speckle.h"
@@ -99,13 +99,8 @@ Volume sector(const Volume& volume) {
 }
 
 double medianTime(const Volume& volume, const QuietFilter& filter, int repeats) {
-    using Clock = std::chrono::steady_clock;
     std::vector<double> times;
-    for (int i = 0; i < repeats; ++i) {
-        const auto start = Clock::now();
-        const Volume quiet = filter.run(volume);
-        times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-    }
+    for (int i = 0; i < repeats; ++i) times.push_back(millisecondsOf([&] { (void)filter.run(volume); }));
     return medianOf(times) / (static_cast<double>(volume.geometry().voxelCount()) * 1e-6);
 }
 

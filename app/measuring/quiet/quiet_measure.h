@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/measuring/otf/study_phantoms.h"
+#include "app/measuring/study_phantoms.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::cli {

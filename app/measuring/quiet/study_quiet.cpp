@@ -4,21 +4,12 @@
 
 #include <memory>
 
-#include "app/measuring/otf/study_otf.h"
 #include "app/measuring/quiet/quiet_measure.h"
 #include "app/measuring/study.h"
-#include "app/pages/html_page.h"
-#include "io/output/atomic_file.h"
 
 namespace echolucent::cli {
 
 namespace {
-
-struct QuietStudyOptions {
-    PhantomChoice phantoms{.seeds = "11,12", .size = {}};
-    std::string folder = ".";
-    int timedEdge = 199, repeats = 5;
-};
 
 /// What is known of one filter.
 struct QuietResult {
@@ -56,8 +47,6 @@ void measureContrasts(const std::vector<PhantomConfig>& bases, PhantomScene scen
     }
 }
 
-std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.2f}", *value) : "-"; }
-
 TextTable filterTable(const std::vector<QuietResult>& results) {
     TextTable table{{"filter", "reduction", "plane moves", "sphere moves", "membrane left", "finger left",
                      "CNR_S shapes", "CNR_S fetus", "ms/M voxels", "with mask"},
@@ -94,13 +83,13 @@ std::string csvOf(const std::vector<QuietResult>& results) {
                                    result.error.sphereShift, result.error.membrane, result.error.finger,
                                    result.times.whole,       result.times.masked};
         for (const auto* values : {&result.shapes, &result.fetus})
-            for (const auto& value : *values) cells.emplace_back(value.value_or(NAN));
+            cells.insert(cells.end(), values->begin(), values->end());
         csv.row(cells);
     }
     return csv.text();
 }
 
-std::string pageOf(const std::vector<QuietResult>& results, const QuietStudyOptions& options) {
+std::string pageOf(const std::vector<QuietResult>& results, const std::string& seeds) {
     HtmlPage page("Speckle reduction: what each filter brings and costs");
     page.paragraph(
         "Surfaces are a plane and a sphere with a radius of 12 units, both with a ramp of 4 units; they move by as "
@@ -109,54 +98,51 @@ std::string pageOf(const std::vector<QuietResult>& results, const QuietStudyOpti
         "object in fluid): the share of their contrast that is left. Times are wall time in ms per million voxels of 8 "
         "bits, the median of several runs, without and with a data mask. CNR_S is that of the default curve, which is "
         "meant for the voxels that are shown, of the fetus on all its first surfaces; mean over the seeds " +
-        options.phantoms.seeds + " and six conditions.");
-    const TextTable filters = filterTable(results);
-    page.table(filters.columns, filters.rows);
+        seeds + " and six conditions.");
+    addTable(page, filterTable(results));
     for (const bool ofShapes : {true, false}) {
         page.heading(ofShapes ? "CNR_S by condition, scene shapes" : "CNR_S by condition, scene fetus");
-        const TextTable table = contrastTable(results, ofShapes);
-        page.table(table.columns, table.rows);
+        addTable(page, contrastTable(results, ofShapes));
     }
     return page.text();
 }
 
-Result<void> studyQuiet(const QuietStudyOptions& options) {
-    const auto bases = options.phantoms.bases();
-    if (!bases) return tl::unexpected<Failure>(bases.error());
-    const auto folder = StudyFolder::at(options.folder, {"quiet.html", "quiet.csv"});
-    if (!folder) return tl::unexpected<Failure>(folder.error());
-    std::vector<QuietResult> results;
-    for (const QuietFilter& filter : quietFilters())
-        results.push_back({filter,
-                           structureErrorOf(filter, bases->front().seed),
-                           quietTimesOf(filter, options.timedEdge, options.repeats),
-                           {},
-                           {}});
-    for (const PhantomScene scene : {PhantomScene::shapes, PhantomScene::fetus})
-        measureContrasts(*bases, scene, results);
-    if (auto done = folder->write("quiet.html", pageOf(results, options)); !done) return done;
-    if (auto done = folder->write("quiet.csv", csvOf(results)); !done) return done;
-    return writeFileAtomically("-", plainText(filterTable(results)) + "\n" + plainText(contrastTable(results, true)) +
-                                        "\n" + plainText(contrastTable(results, false)));
-}
+class QuietStudy final : public StudyCommand {
+public:
+    QuietStudy() : StudyCommand({"quiet", "What each filter of speckle reduction brings and costs", "quiet -o study"}) {
+        phantoms.seeds = "11,12";
+        folder = ".";
+    }
+
+private:
+    void addOptions(CLI::App& command) override {
+        phantoms.addTo(command);
+        addCount(command, "--timed-edge", m_timedEdge, 8, 512, "Voxels an edge of the volume that is timed");
+        addCount(command, "--repeats", m_repeats, 1, 1000, "Runs that are timed");
+        addFolder(command, "Folder for the page and the table");
+    }
+    std::vector<std::string> files() const override { return {"quiet.html", "quiet.csv"}; }
+
+    Result<StudyFindings> measure() override {
+        std::vector<QuietResult> results;
+        for (const QuietFilter& filter : quietFilters())
+            results.push_back({filter,
+                               structureErrorOf(filter, bases.front().seed),
+                               quietTimesOf(filter, m_timedEdge, m_repeats),
+                               {},
+                               {}});
+        for (const PhantomScene scene : {PhantomScene::shapes, PhantomScene::fetus})
+            measureContrasts(bases, scene, results);
+        return StudyFindings{{{"quiet.html", pageOf(results, phantoms.seeds)}, {"quiet.csv", csvOf(results)}},
+                             plainText(filterTable(results)) + "\n" + plainText(contrastTable(results, true)) + "\n" +
+                                 plainText(contrastTable(results, false))};
+    }
+
+    int m_timedEdge = 199, m_repeats = 5;
+};
 
 }  // namespace
 
-void addStudyQuietCommand(CLI::App& study, Action& action) {
-    auto options = std::make_shared<QuietStudyOptions>();
-    CLI::App& command = *study.add_subcommand("quiet", "What each filter of speckle reduction brings and costs");
-    options->phantoms.addTo(command);
-    command.add_option("--timed-edge", options->timedEdge, "Voxels an edge of the volume that is timed")
-        ->check(CLI::Range(8, 512))
-        ->capture_default_str();
-    command.add_option("--repeats", options->repeats, "Runs that are timed")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command.add_option("-o,--output", options->folder, "Folder for the page and the table")
-        ->type_name("DIR")
-        ->capture_default_str();
-    command.footer("Example: echolucent-cli study quiet -o study");
-    command.callback([options, &action] { action = [options] { return studyQuiet(*options); }; });
-}
+std::shared_ptr<StudyCommand> quietStudy() { return std::make_shared<QuietStudy>(); }
 
 }  // namespace echolucent::cli

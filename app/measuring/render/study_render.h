@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "app/measuring/measures/picture_difference.h"
-#include "app/measuring/otf/study_otf.h"
-#include "app/pages/html_page.h"
+#include "app/measuring/study_output.h"
 #include "processing/ray_caster.h"
 #include "processing/ray_caster/plain/plain_caster.h"
 

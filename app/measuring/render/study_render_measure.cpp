@@ -1,11 +1,11 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "app/measuring/render/study_render.h"
+#include "app/measuring/run_time.h"
 #include "processing/median.h"
 #include "processing/ray_caster.h"
 
@@ -34,12 +34,6 @@ Picture castOnce(const RenderVariant& variant, const RenderCase& one, RayCaster&
     settings.camera = turned(settings.camera, turnedDegrees);
     if (!variant.plain) return *caster.cast(one.curve, settings);
     return *castRaysPlainly(*one.volume, one.curve, settings, *variant.plain);
-}
-
-double millisecondsOf(const RenderVariant& variant, const RenderCase& one, RayCaster& caster, double turnedDegrees) {
-    const auto start = std::chrono::steady_clock::now();
-    const Picture picture = castOnce(variant, one, caster, turnedDegrees);
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 Picture convergedPicture(const RenderCase& one) {
@@ -89,7 +83,7 @@ void measureTimes(const RenderCase& one, RayCaster& caster, RenderStudy& study) 
                 if (variant.plain.has_value() != plain) continue;
                 const double degrees = hairDegrees * (round + 1);
                 if (!plain) (void)castOnce(variant, one, caster, -degrees);
-                times[i].push_back(millisecondsOf(variant, one, caster, degrees));
+                times[i].push_back(millisecondsOf([&] { (void)castOnce(variant, one, caster, degrees); }));
             }
     };
     runAll(false, study.repeats);
@@ -135,9 +129,7 @@ RenderStudy measureRendering(const RenderCase& one, int repeats) {
     study.plainRepeats = std::min(repeats, mostPlainRepeats);
     study.threads = tbb::this_task_arena::max_concurrency();
     study.shaded = one.reference.shading.has_value();
-    const auto start = std::chrono::steady_clock::now();
-    study.converged = convergedPicture(one);
-    study.referenceSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    study.referenceSeconds = 1e-3 * millisecondsOf([&] { study.converged = convergedPicture(one); });
     RayCaster caster(one.volume);
     measureErrors(one, caster, study);
     checkSameRays(one, caster, study);
@@ -149,9 +141,8 @@ RenderStudy measureRendering(const RenderCase& one, int repeats) {
 void markFront(std::vector<RenderResult>& results) {
     for (RenderResult& result : results) {
         const auto beats = [&](const RenderResult& other) {
-            if (other.variant.plain) return false;
-            const double time = other.milliseconds - result.milliseconds, error = other.error.rmse - result.error.rmse;
-            return time <= 0 && error <= 0 && (time < 0 || error < 0);
+            return !other.variant.plain &&
+                   isBeaten(result.milliseconds, result.error.rmse, other.milliseconds, other.error.rmse);
         };
         result.onFront = !result.variant.plain && std::none_of(results.begin(), results.end(), beats);
     }

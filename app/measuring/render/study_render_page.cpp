@@ -28,46 +28,20 @@ PlotSeries seriesOf(const std::vector<RenderResult>& results, const std::string&
     return series;
 }
 
-/// The steps below and left of which there is no setting.
-PlotSeries frontSeries(const std::vector<RenderResult>& results) {
-    std::vector<const RenderResult*> front;
-    for (const RenderResult& result : results)
-        if (result.onFront) front.push_back(&result);
-    std::sort(front.begin(), front.end(), [](const auto* a, const auto* b) { return a->timeRatio < b->timeRatio; });
-    PlotSeries series;
-    series.name = "front";
-    for (std::size_t i = 0; i < front.size(); ++i) {
-        if (i > 0) {
-            series.x.push_back(front[i]->timeRatio);
-            series.y.push_back(front[i - 1]->error.rmse);
-        }
-        series.x.push_back(front[i]->timeRatio);
-        series.y.push_back(front[i]->error.rmse);
-    }
-    return series;
-}
-
 /// RMSE over the step.
 Plot stepPlot(const RenderStudy& study) {
     Plot plot{"Error over the step", "step, units", "RMSE, 8-bit levels", true, true, {}};
-    const auto add = [&](const std::string& name, const std::string& axis) {
-        std::vector<const RenderResult*> along;
-        for (const RenderResult& result : study.results)
-            if (result.variant.axis == axis || (axis == "step" && result.variant.axis == "reference"))
-                along.push_back(&result);
-        std::sort(along.begin(), along.end(),
-                  [](const auto* a, const auto* b) { return a->variant.settings.step < b->variant.settings.step; });
-        if (along.empty()) return;
-        PlotSeries series;
-        series.name = name;
-        series.markers = true;
-        for (const RenderResult* result : along) {
-            series.x.push_back(result->variant.settings.step);
-            series.y.push_back(result->error.rmse);
-        }
-        plot.series.push_back(std::move(series));
-    };
-    add("one sample a step", "step");
+    std::vector<std::pair<double, double>> along;
+    for (const RenderResult& result : study.results)
+        if (result.variant.axis == "step" || result.variant.axis == "reference")
+            along.emplace_back(result.variant.settings.step, result.error.rmse);
+    std::ranges::sort(along);
+    PlotSeries series{.name = "one sample a step", .x = {}, .y = {}, .markers = true, .labels = {}};
+    for (const auto& [step, error] : along) {
+        series.x.push_back(step);
+        series.y.push_back(error);
+    }
+    plot.series.push_back(std::move(series));
     return plot;
 }
 
@@ -150,11 +124,14 @@ Plot frontPlot(const RenderStudy& study) {
               true,
               true,
               {}};
-    plot.series.push_back(frontSeries(study.results));
+    std::vector<std::pair<double, double>> front;
     std::vector<std::string> axes;
     for (const RenderResult& result : study.results)
-        if (!result.variant.plain && std::find(axes.begin(), axes.end(), result.variant.axis) == axes.end())
-            axes.push_back(result.variant.axis);
+        if (!result.variant.plain) {
+            if (result.onFront) front.emplace_back(result.timeRatio, result.error.rmse);
+            if (std::ranges::find(axes, result.variant.axis) == axes.end()) axes.push_back(result.variant.axis);
+        }
+    plot.series.push_back(frontSeries(std::move(front)));
     for (const std::string& axis : axes) plot.series.push_back(seriesOf(study.results, axis));
     return plot;
 }
@@ -165,19 +142,16 @@ std::string renderPage(const RenderStudy& study, const RenderCase& one) {
     page.heading("Error against run time");
     page.plot(frontPlot(study));
     page.plot(stepPlot(study));
-    const TextTable bounds = boundsTable(study);
-    page.table(bounds.columns, bounds.rows,
-               "The fastest setting of the kernel within each bound; frames/s are those of the casting alone.");
+    addTable(page, boundsTable(study),
+             "The fastest setting of the kernel within each bound; frames/s are those of the casting alone.");
     addPictures(page, study, one);
     page.heading("All settings");
-    const TextTable settings = settingsTable(study);
-    page.table(settings.columns, settings.rows,
-               "● marks the front: no other setting of the kernel is both faster and nearer to the reference. A "
-               "combination ends its rays at a transmittance of 1/128.");
+    addTable(page, settingsTable(study),
+             "● marks the front: no other setting of the kernel is both faster and nearer to the reference. A "
+             "combination ends its rays at a transmittance of 1/128.");
     page.heading("Compositing precision, and whole steps only");
-    const TextTable precisions = precisionTable(study);
-    page.table(
-        precisions.columns, precisions.rows,
+    addTable(
+        page, precisionTable(study),
         fmt::format(
             "How colour and transmittance are stored after every sample, by the plain route; all between "
             "is double. Its run times (the median of {} runs, as a ratio to double at step 1) compare "

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/measuring/render/study_render.h"
-#include "app/measuring/study.h"
 
 namespace echolucent::cli {
 
@@ -31,8 +30,6 @@ std::vector<std::string> rowOf(const RenderResult& result) {
 const std::vector<std::string> variantColumns{"",     "parameter", "value", "time, ms", "time ratio",
                                               "RMSE", "maximum",   "SSIM",  "front"};
 
-std::int64_t flag(bool value) { return value ? 1 : 0; }
-
 }  // namespace
 
 std::string renderCsv(const RenderStudy& study) {
@@ -44,28 +41,28 @@ std::string renderCsv(const RenderStudy& study) {
     for (const RenderResult& result : study.results) {
         const RenderVariant& variant = result.variant;
         const RayCastSettings& settings = variant.settings;
-        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        const auto& fromDouble = result.precisionError;
         table.row({result.letter,
-                   std::string(variant.plain ? "plain" : "kernel"),
+                   variant.plain ? "plain" : "kernel",
                    variant.axis,
                    variant.value,
                    settings.step,
-                   std::string(settings.interpolation == Interpolation::nearest ? "nearest" : "trilinear"),
-                   std::string(nameOf(variant.plain ? variant.plain->precision : CompositingPrecision::single)),
+                   settings.interpolation == Interpolation::nearest ? "nearest" : "trilinear",
+                   nameOf(variant.plain ? variant.plain->precision : CompositingPrecision::single),
                    settings.terminationTransmittance,
-                   flag(settings.skipEmptySpace),
-                   flag(variant.plain && variant.plain->wholeSteps),
+                   settings.skipEmptySpace,
+                   variant.plain && variant.plain->wholeSteps,
                    variant.reduction,
-                   std::int64_t{settings.width},
-                   std::int64_t{settings.height},
+                   settings.width,
+                   settings.height,
                    result.milliseconds,
                    result.timeRatio,
                    result.error.rmse,
                    result.error.largest,
                    result.error.ssim,
-                   result.precisionError ? result.precisionError->rmse : unknown,
-                   result.precisionError ? result.precisionError->largest : unknown,
-                   flag(result.onFront)});
+                   fromDouble ? std::optional(fromDouble->rmse) : std::nullopt,
+                   fromDouble ? std::optional(fromDouble->largest) : std::nullopt,
+                   result.onFront});
     }
     return table.text();
 }

@@ -8,24 +8,20 @@
 #include <cmath>
 #include <memory>
 
-#include "app/measuring/otf/study_phantoms.h"
 #include "app/measuring/study.h"
-#include "app/pages/html_page.h"
-#include "io/output/atomic_file.h"
 #include "processing/adaptive/method_reading.h"
 
 namespace echolucent::cli {
 
 namespace {
 
-std::string shown(double value) { return fmt::format("{:.3g}", value); }
+std::string digits(double value) { return fmt::format("{:.3g}", value); }
 
 std::string numbersCsv(const std::vector<NumericCheck>& checks) {
     CsvTable csv({"quantity", "condition", "way", "value", "reference", "error", "allowed"});
     for (const NumericCheck& check : checks)
         csv.row({check.quantity, check.condition, check.way, check.value, check.reference,
-                 std::isfinite(check.error) ? CsvCell(check.error) : CsvCell("infinite"),
-                 check.allowed ? CsvCell(*check.allowed) : CsvCell("")});
+                 std::isfinite(check.error) ? CsvCell(check.error) : CsvCell("infinite"), check.allowed});
     return csv.text();
 }
 
@@ -33,9 +29,8 @@ std::string casesCsv(const std::vector<ExtremeResult>& results) {
     CsvTable csv({"case", "reading", "tubes", "surfaces", "finite", "least_opacity", "largest_opacity",
                   "largest_difference_from_initial", "sound", "message"});
     for (const ExtremeResult& result : results)
-        csv.row({result.name, result.reading, std::int64_t{result.tubes}, std::int64_t{result.surfaces},
-                 std::int64_t{result.finite}, result.leastOpacity, result.mostOpacity, result.deviation,
-                 std::int64_t{result.isSound()}, result.message});
+        csv.row({result.name, result.reading, result.tubes, result.surfaces, result.finite, result.leastOpacity,
+                 result.mostOpacity, result.deviation, result.isSound(), result.message});
     return csv.text();
 }
 
@@ -58,11 +53,11 @@ Plot basisPlot(const std::vector<NumericCheck>& checks) {
 }
 
 /// As many digits of a reference as tell it from a double; the tables as CSV hold all 50.
-std::string shortened(const std::string& digits) {
+std::string shortened(const std::string& reference) {
     constexpr std::size_t shownDigits = 24;
-    const auto exponent = std::min(digits.find('e'), digits.size());
-    if (exponent <= shownDigits) return digits;
-    return digits.substr(0, shownDigits) + "…" + digits.substr(exponent);
+    const auto exponent = std::min(reference.find('e'), reference.size());
+    if (exponent <= shownDigits) return reference;
+    return reference.substr(0, shownDigits) + "…" + reference.substr(exponent);
 }
 
 void addNumbers(const std::vector<NumericCheck>& checks, HtmlPage& page) {
@@ -79,8 +74,8 @@ void addNumbers(const std::vector<NumericCheck>& checks, HtmlPage& page) {
         std::vector<std::vector<std::string>> rows;
         for (auto check = first; check != last; ++check)
             rows.push_back({check->condition, check->way, fmt::format("{:.17g}", check->value),
-                            shortened(check->reference), shown(check->error),
-                            check->allowed ? shown(*check->allowed) : "",
+                            shortened(check->reference), digits(check->error),
+                            check->allowed ? digits(*check->allowed) : "",
                             !check->isOurs() ? ""
                             : check->fails() ? "fails"
                                              : "holds"});
@@ -100,46 +95,45 @@ void addCases(const std::vector<ExtremeResult>& results, HtmlPage& page) {
         rows.push_back({result.name, result.reading, std::to_string(result.tubes), std::to_string(result.surfaces),
                         result.finite ? "yes" : "no",
                         fmt::format("{:.4g} to {:.4g}", result.leastOpacity, result.mostOpacity),
-                        shown(result.deviation), result.isSound() ? "sound" : "unsound",
+                        digits(result.deviation), result.isSound() ? "sound" : "unsound",
                         result.message.empty() ? "a curve" : result.message});
     page.table({"case", "reading", "T", "surfaces with weight", "finite", "opacities", "difference", "", "result"},
                rows);
 }
 
-Result<void> studyStability(const std::string& path) {
-    const auto folder = StudyFolder::at(path, {"stability.html", "stability-numbers.csv", "stability-cases.csv"});
-    if (!folder) return tl::unexpected<Failure>(folder.error());
-    const std::vector<NumericCheck> checks = numericChecks();
-    std::vector<ExtremeResult> results;
-    for (const ExtremeCase& extreme : extremeCases())
-        for (const MethodReading reading : allReadings)
-            results.push_back(resultOf(extreme, std::string(nameOf(reading)), configOf(reading)));
+class StabilityStudy final : public StudyCommand {
+public:
+    StabilityStudy()
+        : StudyCommand({"stability", "Extreme cases, each with its result and its reference", "stability -o study"}) {}
 
-    HtmlPage page("Stability of the adaptive opacity transfer function");
-    addNumbers(checks, page);
-    addCases(results, page);
-    for (const auto& [name, text] : {std::pair{"stability.html", page.text()},
-                                     {"stability-numbers.csv", numbersCsv(checks)},
-                                     {"stability-cases.csv", casesCsv(results)}})
-        if (auto done = folder->write(name, text); !done) return done;
-    const auto failing = std::count_if(checks.begin(), checks.end(), [](const auto& check) { return check.fails(); });
-    const auto unsound =
-        std::count_if(results.begin(), results.end(), [](const auto& result) { return !result.isSound(); });
-    const auto held = std::count_if(checks.begin(), checks.end(), [](const auto& check) { return check.isOurs(); });
-    return writeFileAtomically(
-        "-", fmt::format("{} of {} numbers hold their bound, {} of {} extreme cases are sound: {}\n", held - failing,
-                         held, static_cast<std::ptrdiff_t>(results.size()) - unsound, results.size(),
-                         folder->pathOf("stability.html")));
-}
+private:
+    void addOptions(CLI::App& command) override { addFolder(command, "Folder for the page and the tables"); }
+    std::vector<std::string> files() const override {
+        return {"stability.html", "stability-numbers.csv", "stability-cases.csv"};
+    }
+
+    Result<StudyFindings> measure() override {
+        const std::vector<NumericCheck> checks = numericChecks();
+        std::vector<ExtremeResult> results;
+        for (const ExtremeCase& extreme : extremeCases())
+            for (const MethodReading reading : allReadings)
+                results.push_back(resultOf(extreme, std::string(nameOf(reading)), configOf(reading)));
+        HtmlPage page("Stability of the adaptive opacity transfer function");
+        addNumbers(checks, page);
+        addCases(results, page);
+        const auto held = std::ranges::count_if(checks, &NumericCheck::isOurs);
+        return StudyFindings{{{"stability.html", page.text()},
+                              {"stability-numbers.csv", numbersCsv(checks)},
+                              {"stability-cases.csv", casesCsv(results)}},
+                             fmt::format("{} of {} numbers hold their bound, {} of {} extreme cases are sound: {}\n",
+                                         held - std::ranges::count_if(checks, &NumericCheck::fails), held,
+                                         std::ranges::count_if(results, &ExtremeResult::isSound), results.size(),
+                                         pathOf("stability.html"))};
+    }
+};
 
 }  // namespace
 
-void addStudyStabilityCommand(CLI::App& study, Action& action) {
-    auto folder = std::make_shared<std::string>();
-    CLI::App& command = *study.add_subcommand("stability", "Extreme cases, each with its result and its reference");
-    command.add_option("-o,--output", *folder, "Folder for the page and the tables")->required()->type_name("DIR");
-    command.footer("Example: echolucent-cli study stability -o study");
-    command.callback([folder, &action] { action = [folder] { return studyStability(*folder); }; });
-}
+std::shared_ptr<StudyCommand> stabilityStudy() { return std::make_shared<StabilityStudy>(); }
 
 }  // namespace echolucent::cli

@@ -1,10 +1,10 @@
-#include "app/measuring/otf/study_phantoms.h"
+#include "app/measuring/study_phantoms.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
-#include "app/measuring/study.h"
+#include "app/measuring/study_output.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
 
@@ -38,6 +38,15 @@ Result<std::vector<PhantomConfig>> PhantomChoice::bases() const {
         all.push_back(base);
     }
     return all;
+}
+
+PhantomConfig scaledPhantom(PhantomScene scene, int edge) {
+    PhantomConfig config = defaultPhantom(scene);
+    if (edge == 0) return config;
+    const double extentMm = static_cast<double>(config.size[0]) * config.spacing[0];
+    config.size.fill(edge);
+    config.spacing = Vec3::all(extentMm / edge);
+    return config;
 }
 
 std::vector<NamedPhantom> contrastConditions(const PhantomConfig& base) {

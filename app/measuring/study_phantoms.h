@@ -24,6 +24,12 @@ struct PhantomChoice {
     [[nodiscard]] Result<std::vector<PhantomConfig>> bases() const;
 };
 
+/// A scan of its usual extent on a grid of `edge` voxels each way; on its usual grid where `edge` is 0.
+[[nodiscard]] PhantomConfig scaledPhantom(PhantomScene scene, int edge);
+
+/// A view away from every grid axis, so that samples lie between voxel centres.
+inline const Viewpoint obliqueView{.azimuthDegrees = 20, .elevationDegrees = -12};
+
 /// The six conditions of CNR_S (docs/experiments.md, "The curve"): base, specular, little_speckle, attenuation_shadow,
 /// hard_full_speckle, hard_log_compressed.
 [[nodiscard]] std::vector<NamedPhantom> contrastConditions(const PhantomConfig& base);
@@ -42,8 +48,8 @@ struct StudyPhantom {
 
 inline constexpr std::array<MethodReading, 3> allReadings{MethodReading::asPublished, MethodReading::settled,
                                                           MethodReading::standard};
-/// The curves whose contrast is measured: parabolaCurve(), linearCurve(), and the adaptive curves of allReadings.
-/// The adaptive ones are meant for the voxels that are shown.
+/// The curves whose contrast is measured: parabolaCurve(), linearCurve(), and the adaptive curves of allReadings. The
+/// adaptive ones are meant for the voxels that are shown.
 [[nodiscard]] std::vector<OpacityCurve> contrastCurvesOf(const Volume& volume, const Viewpoint& view,
                                                          const QuietVoxels& shown = {});
 /// Their names, in the same order.
