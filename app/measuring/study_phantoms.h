@@ -9,6 +9,7 @@
 
 #include "app/cli/command.h"
 #include "app/measuring/measures/detection_quality.h"
+#include "app/measuring/measures/phantom_conditions.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/adaptive/quiet_reading.h"
 #include "processing/comparison/surface_contrast.h"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/measuring/measures/compositing_precision.h"
 #include "app/measuring/measures/picture_difference.h"
 #include "app/measuring/study_output.h"
 #include "processing/ray_caster.h"
@@ -19,8 +20,9 @@ struct RenderVariant {
     std::string axis;   ///< "step", "interpolation", ...; "combination": several changed at once
     std::string value;  ///< what differs from the reference setting
     RayCastSettings settings;
-    double reduction = 1.0;             ///< width and height of the whole picture over those that are cast, 1 and above
-    std::optional<PlainCasting> plain;  ///< by the plain route; none: by the kernel
+    double reduction = 1.0;  ///< width and height of the whole picture over those that are cast, 1 and above
+    std::optional<PlainCasting> plain{};                            ///< by the plain route; none: by the kernel
+    CompositingPrecision precision = CompositingPrecision::single;  ///< of stored pixels; single is the kernel's
     [[nodiscard]] std::string name() const { return axis + " " + value; }
 };
 

@@ -48,7 +48,7 @@ std::string renderCsv(const RenderStudy& study) {
                    variant.value,
                    settings.step,
                    settings.interpolation == Interpolation::nearest ? "nearest" : "trilinear",
-                   nameOf(variant.plain ? variant.plain->precision : CompositingPrecision::single),
+                   nameOf(variant.precision),
                    settings.terminationTransmittance,
                    settings.skipEmptySpace,
                    variant.plain && variant.plain->wholeSteps,

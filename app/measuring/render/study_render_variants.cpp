@@ -14,12 +14,12 @@ std::string shareText(double share) { return share > 0.0 ? fmt::format("1/{:g}",
 class VariantList {
 public:
     explicit VariantList(const RayCastSettings& reference) : m_reference(reference) {
-        m_variants.push_back({"reference", "step 1", reference, 1.0, std::nullopt});
+        m_variants.push_back({"reference", "step 1", reference});
     }
 
     template <typename Change>
     void add(const std::string& axis, const std::string& value, Change change) {
-        RenderVariant variant{axis, value, m_reference, 1.0, std::nullopt};
+        RenderVariant variant{axis, value, m_reference};
         change(variant);
         variant.settings = reduced(variant.settings, variant.reduction);
         const bool known = std::any_of(m_variants.begin(), m_variants.end(), [&](const RenderVariant& other) {
@@ -59,6 +59,7 @@ void addPrecisions(VariantList& list) {
             list.add("precision", fmt::format("{}, step {:g}", nameOf(precision), step), [&](RenderVariant& v) {
                 v.settings.step = step;
                 v.plain = asTheKernel(step, precision);
+                v.precision = precision;
             });
 }
 
@@ -69,6 +70,7 @@ void addEnds(VariantList& list) {
             v.settings.step = step;
             v.plain = asTheKernel(step);
             v.plain->wholeSteps = true;
+            v.precision = CompositingPrecision::twofold;
         });
 }
 
@@ -91,7 +93,7 @@ void addCombinations(VariantList& list) {
 }  // namespace
 
 PlainCasting asTheKernel(double step, CompositingPrecision precision) {
-    return {.precision = precision, .leastLitOpacity = std::min(1.0, step) / 128, .wholeSteps = false};
+    return {.rounded = roundingOf(precision), .leastLitOpacity = std::min(1.0, step) / 128, .wholeSteps = false};
 }
 
 RayCastSettings reduced(RayCastSettings settings, double reduction) {

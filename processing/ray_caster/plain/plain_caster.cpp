@@ -18,23 +18,8 @@ namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 
-double roundedToHalf(double value) {
-    if (value == 0.0) return 0.0;
-    constexpr int significantBits = 11, leastExponent = -13;  // as std::frexp() counts: 2^-14 is the least normal
-    int exponent = 0;
-    (void)std::frexp(value, &exponent);
-    const double spacing = std::ldexp(1.0, std::max(exponent, leastExponent) - significantBits);
-    return std::nearbyint(value / spacing) * spacing;
-}
-
-double stored(double value, CompositingPrecision precision) {
-    switch (precision) {
-        case CompositingPrecision::eightBit: return std::nearbyint(value * 255.0) / 255.0;
-        case CompositingPrecision::half: return roundedToHalf(value);
-        case CompositingPrecision::single: return static_cast<double>(static_cast<float>(value));
-        case CompositingPrecision::twofold: return value;
-    }
-    return value;
+double stored(double value, const PlainCasting& casting) {
+    return casting.rounded == nullptr ? value : casting.rounded(value);
 }
 
 }  // namespace
@@ -163,8 +148,8 @@ PlainPixel PlainCaster::composited(const ray_casting::Ray& ray) const {
         if (m_settings.shading) colour = lit({colour, voxel, ray.direction, seen, unlitHere});
         if (m_settings.depthColouring) colour = colour.mul(tintAt(depthOf(voxel)));
         for (int channel = 0; channel < 3; ++channel)
-            pixel.colour[channel] = stored(pixel.colour[channel] + seen * colour[channel], m_casting.precision);
-        transmittance = stored(transmittance * (1.0 - step.alpha), m_casting.precision);
+            pixel.colour[channel] = stored(pixel.colour[channel] + seen * colour[channel], m_casting);
+        transmittance = stored(transmittance * (1.0 - step.alpha), m_casting);
         if (pixel.depthMm == nowhere && transmittance <= 0.5) pixel.depthMm = depthOf(voxel);
         return transmittance >= m_settings.terminationTransmittance;
     });
@@ -273,16 +258,6 @@ std::vector<RaySample> samplesAlongRay(const Volume& volume, const RayCastSettin
         return true;
     });
     return samples;
-}
-
-std::string_view nameOf(CompositingPrecision precision) {
-    switch (precision) {
-        case CompositingPrecision::eightBit: return "8 bit";
-        case CompositingPrecision::half: return "half";
-        case CompositingPrecision::single: return "single";
-        case CompositingPrecision::twofold: return "double";
-    }
-    return "";
 }
 
 namespace {

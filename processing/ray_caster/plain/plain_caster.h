@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "processing/classification.h"
@@ -19,19 +18,9 @@
 
 namespace echolucent {
 
-/// How a pixel's colour and transmittance are stored after every sample; all that is computed in between is double.
-enum class CompositingPrecision {
-    eightBit,  ///< a frame buffer's bytes: rounded to the nearest 1/255, as graphics cards blended around 2000
-    half,      ///< IEEE 754 binary16, round to nearest even
-    single,    ///< binary32
-    twofold,   ///< binary64
-};
-
-/// "8 bit", "half", "single", "double".
-[[nodiscard]] std::string_view nameOf(CompositingPrecision precision);
-
 struct PlainCasting {
-    CompositingPrecision precision = CompositingPrecision::twofold;
+    /// How a pixel's colour and transmittance are rounded after every sample; null: they stay in double.
+    double (*rounded)(double) = nullptr;
     /// A step that adds less than this to its pixel's opacity is lit as if there were no surface (w = 0 of Shading).
     /// Where it is 0, every step is lit by its gradient, so that pictures converge; castRays() uses min(1, step) / 128.
     double leastLitOpacity = 0.0;

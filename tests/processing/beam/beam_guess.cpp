@@ -5,6 +5,7 @@
 #include <atomic>
 #include <random>
 
+#include "app/measuring/measures/phantom_conditions.h"
 #include "processing/phantom/phantom.h"
 #include "tests/inputs.h"
 #include "tests/processing/beam/turned_volume.h"

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "app/measuring/measures/phantom_conditions.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/comparison/classification_measures.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/measuring/measures/detection_quality.h"
+#include "app/measuring/measures/phantom_conditions.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
 

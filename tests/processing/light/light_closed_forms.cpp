@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "processing/light/reference_light.h"
+#include "app/measuring/measures/reference_light.h"
 #include "tests/processing/light/lit_volumes.h"
 
 namespace echolucent {

@@ -1,4 +1,4 @@
-#include "processing/light/reference_light.h"
+#include "app/measuring/measures/reference_light.h"
 
 #include <gtest/gtest.h>
 

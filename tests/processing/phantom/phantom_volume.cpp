@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "app/measuring/measures/phantom_conditions.h"
 #include "processing/phantom/phantom.h"
 #include "tests/processing/phantom/bare_phantom.h"
 

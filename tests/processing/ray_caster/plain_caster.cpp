@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/measuring/measures/compositing_precision.h"
 #include "plain_caster_volumes.h"
 
 namespace echolucent {
@@ -262,7 +263,7 @@ TEST(PlainCaster, CoarsePrecisionsRoundAfterEverySample) {
     RayCastSettings settings = greySettings(volume);
     constexpr double opacity = 0.31;
     const auto rounded = [&](CompositingPrecision precision, auto round) {
-        const Picture picture = cast(volume, everywhere(opacity), settings, {.precision = precision});
+        const Picture picture = cast(volume, everywhere(opacity), settings, {.rounded = roundingOf(precision)});
         const double first = round(opacity), through = round(1 - opacity);
         EXPECT_NEAR(centreOf(picture)[0], round(first + through * opacity), 1e-7);
         EXPECT_NEAR(centreOf(picture)[3], 1 - round(through * (1 - opacity)), 1e-7);
@@ -278,7 +279,8 @@ TEST(PlainCaster, HalfPrecisionIsThatOfTheStandardDownToItsSmallestValues) {
     const Volume volume = slab(1, 255);
     const RayCastSettings settings = greySettings(volume);
     for (double opacity = 1.0; opacity > 1e-9; opacity *= 0.73) {
-        const Picture picture = cast(volume, everywhere(opacity), settings, {.precision = CompositingPrecision::half});
+        const Picture picture =
+            cast(volume, everywhere(opacity), settings, {.rounded = roundingOf(CompositingPrecision::half)});
         EXPECT_EQ(centreOf(picture)[0], static_cast<float>(cv::float16_t(static_cast<float>(opacity)))) << opacity;
     }
 }
@@ -288,7 +290,8 @@ TEST(PlainCaster, EightBitsLoseWhatIsFaint) {
     const RayCastSettings settings = greySettings(volume);
     const OpacityCurve faint = everywhere(0.001);
     EXPECT_NEAR(centreOf(cast(volume, faint, settings))[3], 1 - std::pow(0.999, 40), floatError);
-    EXPECT_EQ(centreOf(cast(volume, faint, settings, {.precision = CompositingPrecision::eightBit}))[3], 0.0f);
+    EXPECT_EQ(centreOf(cast(volume, faint, settings, {.rounded = roundingOf(CompositingPrecision::eightBit)}))[3],
+              0.0f);
 }
 
 TEST(PlainCaster, EndsARayWhereItIsAsked) {

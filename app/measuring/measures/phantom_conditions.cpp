@@ -1,5 +1,4 @@
-// The conditions of docs/experiments.md by name, so that tests and studies share them.
-#include "processing/phantom/phantom.h"
+#include "app/measuring/measures/phantom_conditions.h"
 
 namespace echolucent {
 
@@ -18,18 +17,6 @@ PhantomConfig baseCondition(const PhantomConfig& given) {
 }
 
 }  // namespace
-
-PhantomConfig defaultPhantom(PhantomScene scene) {
-    PhantomConfig config;
-    config.scene = scene;
-    if (scene == PhantomScene::fetus) {
-        config.speckle = 0.3;
-        config.attenuation = 0.002;
-        config.shadow = 0.02;
-        config.specular = 0.25;
-    }
-    return config;
-}
 
 std::vector<NamedPhantom> ordinaryConditions(const PhantomConfig& given) {
     const PhantomConfig base = baseCondition(given);

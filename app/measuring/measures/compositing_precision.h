@@ -1,0 +1,23 @@
+// What is lost where a pixel is not stored in double while it is composited.
+#pragma once
+
+#include <string_view>
+
+namespace echolucent {
+
+/// How a pixel's colour and transmittance are stored after every sample; all that is computed in between is double.
+enum class CompositingPrecision {
+    eightBit,  ///< a frame buffer's bytes: rounded to the nearest 1/255, as graphics cards blended around 2000
+    half,      ///< IEEE 754 binary16, round to nearest even
+    single,    ///< binary32
+    twofold,   ///< binary64
+};
+
+/// "8 bit", "half", "single", "double".
+[[nodiscard]] std::string_view nameOf(CompositingPrecision precision);
+
+/// What it makes of a number, for PlainCasting::rounded; null where it keeps all of a double.
+using Rounding = double (*)(double);
+[[nodiscard]] Rounding roundingOf(CompositingPrecision precision);
+
+}  // namespace echolucent

@@ -1,0 +1,31 @@
+// The conditions of docs/experiments.md by name, so that tests and studies share them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "processing/phantom/phantom_config.h"
+
+namespace echolucent {
+
+/// One of the conditions of the studies behind the method, by name.
+struct NamedPhantom {
+    std::string name;
+    PhantomConfig config;
+};
+
+/// Each takes scene, size, spacing, seed and whatever else is not part of the condition from `base`.
+/// "base", "ramp2", "little_speckle", "attenuation_shadow", "specular".
+[[nodiscard]] std::vector<NamedPhantom> ordinaryConditions(
+    const PhantomConfig& base = defaultPhantom(PhantomScene::shapes));
+/// "hard_full_speckle", "hard_uncorrelated", "hard_ramp8", "hard_low_contrast", "hard_log_compressed".
+[[nodiscard]] std::vector<NamedPhantom> hardConditions(
+    const PhantomConfig& base = defaultPhantom(PhantomScene::shapes));
+/// "front_wall".
+[[nodiscard]] std::vector<NamedPhantom> frontWallConditions(
+    const PhantomConfig& base = defaultPhantom(PhantomScene::shapes));
+/// "empty".
+[[nodiscard]] std::vector<NamedPhantom> emptyConditions(
+    const PhantomConfig& base = defaultPhantom(PhantomScene::shapes));
+
+}  // namespace echolucent
