@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/option_text.h"
-#include "app/cli/polar_options.h"
+#include "app/cli/options/option_text.h"
+#include "app/cli/options/polar_options.h"
 #include "io/study/series_list.h"
 #include "io/study/study.h"
 #include "processing/adaptive/adaptive_otf_config.h"

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/file_table.h"
+#include "app/cli/report/file_table.h"
 #include "io/output/atomic_file.h"
 
 namespace echolucent::cli {

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/design_report.h"
-#include "app/cli/designer_options.h"
-#include "app/cli/look_options.h"
-#include "app/cli/otf_report.h"
+#include "app/cli/options/designer_options.h"
+#include "app/cli/options/look_options.h"
+#include "app/cli/report/design_report.h"
+#include "app/cli/report/otf_report.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/designers/designer.h"

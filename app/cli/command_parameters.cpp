@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/parameter_page.h"
+#include "app/cli/report/parameter_page.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/method_parameters.h"
 

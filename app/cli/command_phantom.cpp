@@ -6,7 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/phantom_output.h"
 #include "app/cli/phantom_polar.h"
-#include "app/cli/phantom_report.h"
+#include "app/cli/report/phantom_report.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/phantom/phantom.h"

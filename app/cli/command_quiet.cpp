@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/look_options.h"
+#include "app/cli/options/look_options.h"
 #include "app/cli/output_names.h"
 #include "io/writers/meta_image_writer.h"
 

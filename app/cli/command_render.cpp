@@ -3,11 +3,11 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/designer_options.h"
 #include "app/cli/document_render.h"
-#include "app/cli/look_options.h"
+#include "app/cli/options/designer_options.h"
+#include "app/cli/options/look_options.h"
 #include "app/cli/output_names.h"
-#include "app/cli/picture_words.h"
+#include "app/cli/report/picture_words.h"
 #include "io/study/import_report.h"
 #include "io/writers/picture_file.h"
 #include "processing/designers/designer.h"

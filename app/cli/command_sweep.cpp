@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/look_options.h"
+#include "app/cli/options/look_options.h"
 #include "app/cli/output_names.h"
-#include "app/cli/picture_words.h"
-#include "app/cli/sweep_report.h"
+#include "app/cli/report/picture_words.h"
+#include "app/cli/report/sweep_report.h"
 #include "io/output/atomic_file.h"
 #include "io/study/import_report.h"
 #include "io/writers/movie_file.h"

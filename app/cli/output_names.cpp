@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "app/cli/option_text.h"
+#include "app/cli/options/option_text.h"
 #include "io/file_formats.h"
 #include "io/files/header_text.h"
 #include "io/writers/movie_file.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "app/cli/option_text.h"
+#include "app/cli/options/option_text.h"
 #include "io/files/header_text.h"
 #include "io/writers/enhanced_us_writer.h"
 #include "io/writers/meta_image_writer.h"

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "app/cli/option_text.h"
-#include "app/cli/polar_options.h"
+#include "app/cli/options/option_text.h"
+#include "app/cli/options/polar_options.h"
 #include "io/files/header_text.h"
 #include "io/headers/raw_volume.h"
 #include "io/output/atomic_file.h"

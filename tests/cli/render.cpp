@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/picture_words.h"
+#include "app/cli/report/picture_words.h"
 #include "program.h"
 
 namespace echolucent {

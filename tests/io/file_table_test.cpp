@@ -1,5 +1,5 @@
 // The table of files that open and files that do not, on files of its own and on real ones beside the source tree.
-#include "app/cli/file_table.h"
+#include "app/cli/report/file_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "app/cli/look_options.h"
+#include "app/cli/options/look_options.h"
 #include "app/measuring/study.h"
 #include "processing/picture/view_limits.h"
 

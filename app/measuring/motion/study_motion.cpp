@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "app/cli/sweep_report.h"
+#include "app/cli/report/sweep_report.h"
 #include "app/measuring/motion/motion_page.h"
 #include "app/measuring/study.h"
 #include "processing/phantom/phantom.h"

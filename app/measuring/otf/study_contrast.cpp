@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "app/cli/look_options.h"
+#include "app/cli/options/look_options.h"
 #include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
 

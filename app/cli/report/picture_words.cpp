@@ -1,4 +1,4 @@
-#include "app/cli/picture_words.h"
+#include "app/cli/report/picture_words.h"
 
 #include <algorithm>
 #include <opencv2/core.hpp>

@@ -1,4 +1,4 @@
-#include "app/cli/report_json.h"
+#include "app/cli/report/report_json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
-#include "app/cli/polar_options.h"
+#include "app/cli/options/polar_options.h"
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/option_text.h"
+#include "app/cli/options/option_text.h"
 
 namespace echolucent::cli {
 

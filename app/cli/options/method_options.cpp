@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/cli/command.h"
-#include "app/cli/parameter_page.h"
+#include "app/cli/report/parameter_page.h"
 #include "io/document/curve_file.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"

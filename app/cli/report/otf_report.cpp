@@ -1,4 +1,4 @@
-#include "app/cli/otf_report.h"
+#include "app/cli/report/otf_report.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/report_json.h"
+#include "app/cli/report/report_json.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/tube_core/tube_grid.h"

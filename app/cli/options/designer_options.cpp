@@ -1,11 +1,11 @@
-#include "app/cli/designer_options.h"
+#include "app/cli/options/designer_options.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <charconv>
 
-#include "app/cli/option_text.h"
+#include "app/cli/options/option_text.h"
 #include "processing/designers/designer.h"
 
 namespace echolucent::cli {

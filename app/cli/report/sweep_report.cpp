@@ -1,10 +1,10 @@
-#include "app/cli/sweep_report.h"
+#include "app/cli/report/sweep_report.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "app/cli/report_json.h"
+#include "app/cli/report/report_json.h"
 #include "processing/adaptive/adaptive_otf_result.h"
 
 namespace echolucent::cli {

@@ -1,4 +1,4 @@
-#include "app/cli/option_text.h"
+#include "app/cli/options/option_text.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
-#include "app/cli/design_report.h"
+#include "app/cli/report/design_report.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "app/cli/report_json.h"
+#include "app/cli/report/report_json.h"
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/designers/designer.h"
 

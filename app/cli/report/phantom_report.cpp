@@ -1,8 +1,8 @@
-#include "app/cli/phantom_report.h"
+#include "app/cli/report/phantom_report.h"
 
 #include <nlohmann/json.hpp>
 
-#include "app/cli/report_json.h"
+#include "app/cli/report/report_json.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent::cli {

@@ -1,11 +1,11 @@
-#include "app/cli/look_options.h"
+#include "app/cli/options/look_options.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 
-#include "app/cli/option_text.h"
+#include "app/cli/options/option_text.h"
 
 namespace echolucent::cli {
 

@@ -1,4 +1,4 @@
-#include "app/cli/file_table.h"
+#include "app/cli/report/file_table.h"
 
 #include <algorithm>
 #include <filesystem>
