@@ -7,6 +7,7 @@
 #include "app/cli/document_render.h"
 #include "io/output/atomic_file.h"
 #include "processing/document/pane_measures.h"
+#include "processing/document/panes.h"
 
 namespace echolucent::cli {
 
@@ -18,33 +19,31 @@ struct CompareOptions {
 
 /// The row of a pane up to what is measured of it.
 std::string paneCells(const Document& document, std::size_t place) {
-    const int id = document.comparison.panes[place];
-    const View& view = viewOf(document, id);
-    const DesignerConfig* config = designOf(document, id);
+    const Pane& pane = document.panes.at(place);
+    const DesignerConfig* config = designerConfigOf(document, place);
     std::string tubes;
-    for (const int tube : view.withoutTubes) tubes += fmt::format("{}{}", tubes.empty() ? "" : " ", tube);
+    for (const int tube : pane.withoutTubes) tubes += fmt::format("{}{}", tubes.empty() ? "" : " ", tube);
     return fmt::format("{},{},{},{},{}", place + 1, config != nullptr ? "designer" : "curve",
-                       config != nullptr ? echolucent::nameOf(designerOf(*config)) : echolucent::nameOf(view.curve),
-                       tubes, phaseOf(document, id));
+                       config != nullptr ? echolucent::nameOf(designerOf(*config)) : echolucent::nameOf(pane.curve),
+                       tubes, phaseOf(document, place));
 }
 
 Result<void> compare(const CompareOptions& options) {
-    const auto read = readDocumentStudy(options.document, VolumeOptions{}, options.csv);
+    const auto read = readDocumentStudy(options.document, VolumeOptions{}, options.csv, 1);
     if (!read) return tl::unexpected<Failure>(read.error());
     const Document& document = read->document;
-    const std::vector<int>& panes = document.comparison.panes;
-    if (panes.empty())
-        return fail(FailureKind::wrongUsage, options.document, "comparison",
-                    "is missing: the document compares nothing",
+    const std::size_t panes = document.panes.size();
+    if (!isCompared(document))
+        return fail(FailureKind::wrongUsage, options.document, "panes", "are one only: the document compares nothing",
                     "Save a session of the workstation while OTFs are compared (F5).");
-    for (const int pane : panes)
+    for (std::size_t pane = 0; pane < panes; ++pane)
         if (phaseOf(document, pane) >= static_cast<int>(read->study.phases.size()))
-            return fail(FailureKind::wrongUsage, options.document, "phases",
+            return fail(FailureKind::wrongUsage, options.document, "scene.phase",
                         fmt::format("shows phase {}, but the volume has {} phase(s)", phaseOf(document, pane),
                                     read->study.phases.size()));
     const auto measured = *measuresOfPanes(document, {.scans = read->study.phases});
     std::string table = "pane,kind,otf,without_tubes,phase,cnr_s,light_near_surfaces\n";
-    for (std::size_t place = 0; place < panes.size(); ++place) {
+    for (std::size_t place = 0; place < panes; ++place) {
         const auto contrast = measured[place] ? measured[place]->contrast.contrastToNoise() : std::nullopt;
         table += paneCells(document, place) + "," + (contrast ? fmt::format("{}", *contrast) : "") + "," +
                  (measured[place] ? fmt::format("{}", measured[place]->light.meanShare) : "") + "\n";

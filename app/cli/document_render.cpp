@@ -59,15 +59,6 @@ Result<Study> studyOf(const Document& document, const std::string& path, const V
                 "Give the volume on the command line.");
 }
 
-/// The view of --view, or the first one.
-Result<int> viewIn(const Document& document, const DocumentOptions& options) {
-    if (!options.view) return document.views.front().id;
-    const bool found = std::ranges::any_of(document.views, [&](const View& view) { return view.id == *options.view; });
-    if (found) return *options.view;
-    return wrongUsage("--view", fmt::format("is {}, but the document has no view of this id", *options.view),
-                      fmt::format("The first is {}.", document.views.front().id));
-}
-
 }  // namespace
 
 void DocumentOptions::addTo(CLI::App& command) {
@@ -76,8 +67,10 @@ void DocumentOptions::addTo(CLI::App& command) {
                     "A document of the workstation: renders what its view shows at rest; the study is the document's "
                     "where no VOLUME is given")
         ->type_name("FILE.json");
-    command.add_option("--view", view, "Id of the document's view; the first where not given")
-        ->type_name("ID")
+    command
+        .add_option("--view", view,
+                    "Number of the document's pane, or id of a view of version 1; the first where not given")
+        ->type_name("NUMBER")
         ->needs("--document");
 }
 
@@ -93,31 +86,31 @@ Result<void> DocumentOptions::checkAlone(const CLI::App& command) const {
     return {};
 }
 
-Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOptions& volume,
-                                        const std::string& output) {
+Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOptions& volume, const std::string& output,
+                                        std::optional<int> number) {
     keepFromOverwriting({path});
     if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
-    auto document = readDocument(path);
-    if (!document) return tl::unexpected<Failure>(document.error());
-    auto study = studyOf(*document, path, volume, output);
+    auto read = readDocumentPane(path, number);
+    if (!read) return tl::unexpected<Failure>(read.error());
+    Document& document = read->document;
+    auto study = studyOf(document, path, volume, output);
     if (!study) return tl::unexpected<Failure>(study.error());
-    return DocumentStudy{std::move(*document), std::move(*study)};
+    document.scene =
+        withFrontAcrossPose(std::move(document.scene), document.beam.axis, study->phases.front()->geometry());
+    return DocumentStudy{std::move(document), std::move(*study), read->pane};
 }
 
 Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeOptions& volume,
                                    const std::array<int, 2>& size, const std::string& output) {
-    const auto read = readDocumentStudy(options.path, volume, output);
+    const auto read = readDocumentStudy(options.path, volume, output, options.view);
     if (!read) return tl::unexpected<Failure>(read.error());
-    const Document* document = &read->document;
-    const Study* study = &read->study;
-    const auto view = viewIn(*document, options);
-    if (!view) return tl::unexpected<Failure>(view.error());
-    sayNote(burnedInTextNote(*study));
-    const int phase = phaseOf(*document, *view);
-    if (phase < 0 || phase >= static_cast<int>(study->phases.size()))
-        return fail(FailureKind::wrongUsage, options.path, "phases",
-                    fmt::format("shows phase {}, but the volume has {} phase(s)", phase, study->phases.size()));
-    return *viewPicture(*document, *view, study->phases, size[0], size[1]);
+    const Study& study = read->study;
+    sayNote(burnedInTextNote(study));
+    const int phase = phaseOf(read->document, read->pane);
+    if (phase < 0 || phase >= static_cast<int>(study.phases.size()))
+        return fail(FailureKind::wrongUsage, options.path, "scene.phase",
+                    fmt::format("shows phase {}, but the volume has {} phase(s)", phase, study.phases.size()));
+    return *viewPicture(read->document, read->pane, study.phases, size[0], size[1]);
 }
 
 }  // namespace echolucent::cli

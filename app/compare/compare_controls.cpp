@@ -9,7 +9,7 @@ CompareControls::CompareControls(DocumentModel& model, OpenStudy& openStudy, Han
         m_model.edit(withPaneCount(m_model.document(), static_cast<std::size_t>(count)), tr("number of panes"),
                      m_hand.current());
     });
-    connect(&m_panel, &ComparePanel::paneChosen, this, [this](int place, const PaneChoice& choice) {
+    connect(&m_panel, &ComparePanel::paneChosen, this, [this](int place, const Pane& choice) {
         m_model.edit(withPane(m_model.document(), static_cast<std::size_t>(place), choice),
                      tr("OTF of pane %1").arg(place + 1), m_hand.current());
     });
@@ -24,20 +24,16 @@ CompareControls::CompareControls(DocumentModel& model, OpenStudy& openStudy, Han
 }
 
 void CompareControls::begin() {
-    if (m_model.document().comparison.panes.empty())
-        m_model.edit(withPaneCount(m_model.document(), mostPanes), tr("compare"));
+    if (!isCompared(m_model.document())) m_model.edit(withPaneCount(m_model.document(), mostPanes), tr("compare"));
 }
 
 void CompareControls::show() {
     const Document& document = m_model.document();
-    std::vector<PaneChoice> panes;
-    for (std::size_t place = 0; place < document.comparison.panes.size(); ++place)
-        panes.push_back(paneChoiceOf(document, place));
     const TubeGrid grid = configOf(document).grid;
     const Study* study = m_openStudy.study();
     m_panel.setLimits(study != nullptr ? static_cast<int>(study->phases.size()) : 1, grid.columns * grid.rows);
     m_panel.setComparison(document.comparison);
-    m_panel.setPanes(panes);
+    m_panel.setPanes(isCompared(document) ? document.panes : std::vector<Pane>{});
 }
 
 }  // namespace echolucent

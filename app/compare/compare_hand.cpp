@@ -37,21 +37,21 @@ void CompareHand::moveCamera(
     const QSize size = m_grid.pictureSize();
     if (!volume || size.isEmpty()) return;
     const Document& document = m_model.document();
-    const Pose shown = shownPose(document, mainView);
+    const Pose shown = shownPose(document);
     const double aspect = static_cast<double>(size.width()) / size.height();
-    const CameraPose before = cameraPoseOf(shown, document.beam.axis, cutOf(document, mainView).nearCutMm,
-                                           volume->dataBox(), lookOf(document, mainView).projection, aspect);
+    const CameraPose before = cameraPoseOf(shown, document.beam.axis, document.scene.front.depthMm, volume->dataBox(),
+                                           document.scene.look.projection, aspect);
     const CameraPose after = move(before, zoomLimits(volume->geometry()));
     const Pose moved = movedPose(shown, before, after, volume->dataBox(), aspect);
     if (moved == shown) return;
-    const CameraStep step = cameraStep(document, mainView, moved);
+    const CameraStep step = cameraStep(document, moved);
     take(step.next, step.what);
     emit cameraMoved();
 }
 
 void CompareHand::moveLight(double right, double down) {
     Document next = m_model.document();
-    Look& look = lookOf(next, mainView);
+    Look& look = next.scene.look;
     if (look.lighting == Lighting::flat || look.mode != RenderMode::direct) return;
     look.light = moved(look.light, right, down);
     take(next, tr("move light"));

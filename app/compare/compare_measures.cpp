@@ -34,12 +34,12 @@ CompareMeasures::CompareMeasures(DocumentModel& model, OpenStudy& openStudy, Com
 
 std::optional<CompareMeasures::Asked> CompareMeasures::wanted() const {
     const Document& document = m_model.document();
-    if (!m_views.shown() || document.comparison.panes.empty() || !m_openStudy.volume()) return std::nullopt;
+    if (!m_views.shown() || !isCompared(document) || !m_openStudy.volume()) return std::nullopt;
     const auto otf = m_openStudy.otf();
     if (!otf || m_openStudy.computingOtf()) return std::nullopt;
     Asked asked{.shown = m_openStudy.voxelsOfOtf(), .otf = otf, .classifications = {}, .places = {}};
-    for (std::size_t place = 0; place < document.comparison.panes.size(); ++place) {
-        const ComparedViews::Pane pane = m_views.paneAt(place);
+    for (std::size_t place = 0; place < document.panes.size(); ++place) {
+        const ComparedViews::ComparedPane pane = m_views.paneAt(place);
         if (!pane.newest) return std::nullopt;
         if (pane.request.volume != asked.shown) continue;
         asked.classifications.push_back(pane.request.classification);
@@ -79,8 +79,8 @@ void CompareMeasures::showRows(const std::optional<Asked>& asked) {
     std::vector<CompareRow> rows;
     const bool measured = asked && asked == m_measured;
     const bool flickers = m_flickerOf && m_flickerOf == flickerWanted(asked);
-    for (std::size_t place = 0; place < document.comparison.panes.size(); ++place) {
-        CompareRow row{.name = nameOfPane(paneChoiceOf(document, place))};
+    for (std::size_t place = 0; place < document.panes.size(); ++place) {
+        CompareRow row{.name = nameOfPane(document.panes[place])};
         m_views.addTimes(place, row);
         for (std::size_t i = 0; measured && i < asked->places.size(); ++i) {
             if (asked->places[i] != place || m_measures[i].light.rays == 0) continue;
@@ -99,22 +99,20 @@ void CompareMeasures::showRows(const std::optional<Asked>& asked) {
 std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted(const std::optional<Asked>& asked) const {
     if (!asked) return std::nullopt;
     const Document& document = m_model.document();
-    const std::vector<int>& views = document.comparison.panes;
     const bool motionsCompared =
-        std::ranges::any_of(views, [&](int view) { return viewOf(document, view).motionOtf.has_value(); });
+        std::ranges::any_of(document.panes, [](const Pane& pane) { return pane.motionOtf.has_value(); });
     FlickerAsked flicker{.raw = m_openStudy.rawVoxelsOf(m_openStudy.phaseOfOtf()), .shown = asked->shown};
     if (flicker.raw != flicker.shown) flicker.reduction = m_openStudy.quietPhases().reduction();
-    flicker.start = motionStartOf(document, mainView);
+    flicker.start = motionStartOf(document);
     flicker.axis = document.motion.axis;
     flicker.adjustment = document.curves.adjustment;
     for (const std::size_t place : asked->places) {
-        const int view = views[place];
-        FlickeringPane pane{.place = place, .config = AdaptiveConfig{}, .method = configOf(document, view)};
-        const DesignerConfig* config = designOf(document, view);
+        FlickeringPane pane{.place = place, .config = AdaptiveConfig{}, .method = configOf(document, place)};
+        const DesignerConfig* config = designerConfigOf(document, place);
         if (config != nullptr) pane.config = *config;
         const bool changes =
-            config != nullptr ? readsTubeCores(*config) : viewOf(document, view).curve == CurveKind::adaptive;
-        const MotionOtf mode = viewOf(document, view).motionOtf.value_or(document.motion.otf);
+            config != nullptr ? readsTubeCores(*config) : document.panes[place].curve == CurveKind::adaptive;
+        const MotionOtf mode = document.panes[place].motionOtf.value_or(document.motion.otf);
         // Where nobody compares motions, it is measured what an OTF for each view would do.
         pane.steady = !changes || (mode == MotionOtf::oneOtf && motionsCompared);
         if (!pane.steady) pane.smoothing = smoothingOf(mode).value_or(OtfSmoothing::none);

@@ -28,11 +28,11 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
       m_measures(parts.model, parts.openStudy, m_views, parts.player),
       m_writing("comparison page") {
     // What fails for the main view is said of the 3D view already.
-    connect(&m_parts.designs, &ViewDesigns::failed, this, [this](int view, const QString& sentence) {
-        if (view != mainView) m_parts.messages.showMessage(MessageKind::error, sentence);
+    connect(&m_parts.designs, &ViewDesigns::failed, this, [this](std::size_t pane, const QString& sentence) {
+        if (pane != firstPane) m_parts.messages.showMessage(MessageKind::error, sentence);
     });
     connect(&m_parts.model, &DocumentModel::changed, this, [this] {
-        if (m_parts.model.document().comparison.panes.empty()) setShown(false);  // it was taken back
+        if (!isCompared(m_parts.model.document())) setShown(false);  // it was taken back
     });
     connect(&m_hand, &CompareHand::cameraMoved, this, &CompareRoom::cameraMoved);
     connect(&m_views, &ComparedViews::busyChanged, this, &CompareRoom::busyChanged);
@@ -200,10 +200,9 @@ void CompareRoom::writeWaitingPage() {
     const std::vector<CompareRow>& rows = m_measures.rows();
     for (std::size_t i = 0; i < frame->request.places.size(); ++i) {
         const std::size_t place = frame->request.places[i];
-        if (place >= document.comparison.panes.size() || place >= rows.size()) continue;
+        if (place >= document.panes.size() || place >= rows.size()) continue;
         ComparePage::Pane pane{place, rows[place], frame->panes[i].image, frame->request.panes[i].classification};
-        if (const auto design = m_parts.designs.of(document.comparison.panes[place]))
-            pane.explanation = design->design.explanation;
+        if (const auto design = m_parts.designs.of(place)) pane.explanation = design->design.explanation;
         page.panes.push_back(std::move(pane));
     }
     m_writing.begin(

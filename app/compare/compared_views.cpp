@@ -14,10 +14,10 @@ namespace echolucent {
 namespace {
 
 /// A curve has its colour and dashes wherever it is shown; a designer's OTF has none.
-PaneFace faceOf(std::size_t place, const PaneChoice& choice) {
+PaneFace faceOf(std::size_t place, const Pane& choice) {
     PaneFace face{.name = QStringLiteral("%1  %2").arg(place + 1).arg(nameOfPane(choice))};
-    const bool adaptive = choice.design && designerOf(*choice.design) == Designer::adaptive;
-    if (choice.design && !adaptive) return face;
+    const bool adaptive = choice.designer && designerOf(*choice.designer) == Designer::adaptive;
+    if (choice.designer && !adaptive) return face;
     const CurveKind kind = adaptive ? CurveKind::adaptive : choice.curve;
     // Panes are on black in both themes.
     face.frame = curveColor(kind, Theme::dark);
@@ -52,34 +52,35 @@ void ComparedViews::setShown(bool shown) {
 }
 
 /// Whether what a pane shows is computed for it alone: by its designer, or as the adaptive OTF of a phase or of frames
-/// that are not the main view's.
-bool ComparedViews::isComputedForItself(int view) const {
+/// that are not the 3D view's.
+bool ComparedViews::isComputedForItself(std::size_t place) const {
     const Document& document = m_parts.model.document();
-    if (designOf(document, view) != nullptr) return true;
-    const View& pane = viewOf(document, view);
-    return pane.curve == CurveKind::adaptive && (pane.motionOtf || pane.phase != viewOf(document, mainView).phase ||
-                                                 pane.withoutTubes != viewOf(document, mainView).withoutTubes);
+    const Pane& pane = document.panes.at(place);
+    if (pane.designer) return true;
+    return pane.curve == CurveKind::adaptive &&
+           (pane.motionOtf || pane.phase || pane.withoutTubes != document.panes.front().withoutTubes);
 }
 
 void ComparedViews::askForDesigns() {
-    std::vector<int> views;
-    if (m_shown)
-        for (const int view : m_parts.model.document().comparison.panes)
-            if (isComputedForItself(view)) views.push_back(view);
-    if (views == m_askedViews) return;
-    m_askedViews = views;
-    m_parts.designs.setExtraViews(std::move(views));
+    std::vector<std::size_t> panes;
+    if (m_shown && isCompared(m_parts.model.document()))
+        for (std::size_t place = 0; place < m_parts.model.document().panes.size(); ++place)
+            if (isComputedForItself(place)) panes.push_back(place);
+    if (panes == m_askedPanes) return;
+    m_askedPanes = panes;
+    m_parts.designs.setExtraPanes(std::move(panes));
 }
 
-void ComparedViews::takeDesign(int view) {
+void ComparedViews::takeDesign(std::size_t pane) {
     const Document& document = m_parts.model.document();
     const Study* study = m_parts.openStudy.study();
-    const auto design = m_parts.designs.of(view);
-    if (m_shown && design && study != nullptr && isComputedForItself(view) && viewOf(document, view).motionOtf) {
+    const auto design = m_parts.designs.of(pane);
+    if (m_shown && design && study != nullptr && isComputedForItself(pane) && document.panes.at(pane).motionOtf) {
         const auto phases = static_cast<int>(study->phases.size());
-        const CourseFrame frame{static_cast<int>(std::lround(document.motionAngle)), phaseOf(document, view), phases};
-        const CourseKey key = courseKeyOf(document, view, configOf(document, view), frame);
-        Course& kept = m_courses[view];
+        const CourseFrame frame{static_cast<int>(std::lround(document.scene.motionAngle)), phaseOf(document, pane),
+                                phases};
+        const CourseKey key = courseKeyOf(document, configOf(document, pane), frame);
+        Course& kept = m_courses[pane];
         if (kept.course.newest(MotionOtf::eachView).opacities.empty() || kept.key != key) {
             kept.key = key;
             kept.course.forgetPast();
@@ -98,46 +99,44 @@ std::vector<std::size_t> ComparedViews::placesWanted() const {
     return {static_cast<std::size_t>(comparison.first), static_cast<std::size_t>(comparison.second)};
 }
 
-ComparedViews::Pane ComparedViews::paneAt(std::size_t place) const {
+ComparedViews::ComparedPane ComparedViews::paneAt(std::size_t place) const {
     const Document& document = m_parts.model.document();
     OpenStudy& openStudy = m_parts.openStudy;
-    const int view = document.comparison.panes.at(place);
     const int phases = static_cast<int>(openStudy.study()->phases.size());
-    const int phase = std::min(phaseOf(document, view), phases - 1);
-    Pane pane{.request = {openStudy.newestVoxelsOf(phase)}};
+    const int phase = std::min(phaseOf(document, place), phases - 1);
+    ComparedPane pane{.request = {openStudy.newestVoxelsOf(phase)}};
     ViewOtf otf;
-    if (isComputedForItself(view)) {
-        const auto design = m_parts.designs.of(view);
-        pane.newest = m_parts.designs.isNewest(view);
+    if (isComputedForItself(place)) {
+        const auto design = m_parts.designs.of(place);
+        pane.newest = m_parts.designs.isNewest(place);
         // What was made of the same voxels is shown until the next is there; what was made of others only where the
         // next does not come. Another study's never is.
-        const int otfPhase = std::min(otfPhaseOf(document, view, phases), phases - 1);
-        pane.refused = !pane.newest && m_parts.designs.isRefused(view);
+        const int otfPhase = std::min(otfPhaseOf(document, place, phases), phases - 1);
+        pane.refused = !pane.newest && m_parts.designs.isRefused(place);
         pane.usable = pane.newest || pane.refused || (design && design->raw == openStudy.rawVoxelsOf(otfPhase));
         if (design && pane.usable) {
             Classification made = design->design.classification;
-            const auto motionOtf = viewOf(document, view).motionOtf;
-            const auto course = m_courses.find(view);
-            const CourseFrame frame{static_cast<int>(std::lround(document.motionAngle)), phaseOf(document, view),
+            const auto motionOtf = document.panes.at(place).motionOtf;
+            const auto course = m_courses.find(place);
+            const CourseFrame frame{static_cast<int>(std::lround(document.scene.motionAngle)), phaseOf(document, place),
                                     phases};
-            const bool ofThisMotion =
-                course != m_courses.end() &&
-                course->second.key == courseKeyOf(document, view, configOf(document, view), frame);
+            const bool ofThisMotion = course != m_courses.end() &&
+                                      course->second.key == courseKeyOf(document, configOf(document, place), frame);
             if (motionOtf && *motionOtf != MotionOtf::oneOtf && ofThisMotion)
                 made = course->second.course.newest(*motionOtf);
             if (const auto* curve = std::get_if<SampledCurve>(&made.curve())) otf.curve = *curve;
             otf.designed = std::move(made);
         }
-    } else if (viewOf(document, view).curve == CurveKind::adaptive) {
+    } else if (document.panes.at(place).curve == CurveKind::adaptive) {
         pane.newest = openStudy.otf() != nullptr && !openStudy.computingOtf();
         pane.usable = openStudy.otf() != nullptr || !openStudy.computingOtf();
         if (openStudy.otf()) otf.curve = m_parts.adaptive();
     }
-    if (!needsComputedOtf(document, view)) {
+    if (!needsComputedOtf(document, place)) {
         pane.newest = pane.usable = true;
         pane.refused = false;
     }
-    pane.request.classification = classificationOf(document, view, otf);
+    pane.request.classification = classificationOf(document, place, otf);
     return pane;
 }
 
@@ -146,22 +145,21 @@ void ComparedViews::follow() {
     const Comparison& comparison = document.comparison;
     askForDesigns();
     m_waits = false;
-    if (!m_shown || comparison.panes.empty() || !m_parts.openStudy.volume()) return clear();
-    m_parts.grid.arrange(comparison.layout, comparison.panes.size());
+    if (!m_shown || !isCompared(document) || !m_parts.openStudy.volume()) return clear();
+    m_parts.grid.arrange(comparison.layout, document.panes.size());
     const QSize size = m_parts.grid.pictureSize();
     if (size.isEmpty()) return m_caster.clear();
     m_places = placesWanted();
     CompareRequest request{.places = m_places};
     bool usable = true;
     for (const std::size_t place : m_places) {
-        Pane pane = paneAt(place);
+        ComparedPane pane = paneAt(place);
         usable = usable && pane.usable;
         request.panes.push_back(std::move(pane.request));
     }
     // The camera is that of the first pane, also where another one has the whole room.
     const auto first = paneAt(0).request.volume;
-    request.settings = castSettingsOf(document, comparison.panes.front(), first->geometry(), first->dataBox(),
-                                      size.width(), size.height());
+    request.settings = castSettingsOf(document, first->geometry(), first->dataBox(), size.width(), size.height());
     // Before a frame's OTFs are there, what was shown stays: a pane without one would be black.
     m_waits = !usable && m_frame && m_frame->request.places == m_places && m_study == m_parts.openStudy.study();
     m_study = m_parts.openStudy.study();
@@ -196,14 +194,14 @@ void ComparedViews::forgetStudy() {
 bool ComparedViews::settled() const {
     const Document& document = m_parts.model.document();
     if (!m_shown || !m_frame || !m_frame->converged() || !frameIsCurrent() || m_caster.busy()) return false;
-    for (std::size_t place = 0; place < document.comparison.panes.size(); ++place)
+    for (std::size_t place = 0; place < document.panes.size(); ++place)
         if (!paneAt(place).newest) return false;
     return true;
 }
 
 bool ComparedViews::refused() const {
     if (!m_shown || !m_parts.openStudy.volume()) return false;
-    for (std::size_t place = 0; place < m_parts.model.document().comparison.panes.size(); ++place)
+    for (std::size_t place = 0; place < m_parts.model.document().panes.size(); ++place)
         if (paneAt(place).refused) return true;
     return false;
 }
@@ -228,7 +226,7 @@ void ComparedViews::showPair() {
     ComparePane& pair = m_parts.grid.pair();
     const auto nameAt = [&](int place) {
         const auto at = static_cast<std::size_t>(place);
-        return QStringLiteral("%1 %2").arg(place + 1).arg(nameOfPane(paneChoiceOf(m_parts.model.document(), at)));
+        return QStringLiteral("%1 %2").arg(place + 1).arg(nameOfPane(m_parts.model.document().panes.at(at)));
     };
     const QString one = nameAt(comparison.first), other = nameAt(comparison.second);
     // The document changes oftener than the pair does.
@@ -255,12 +253,12 @@ void ComparedViews::showFaces() {
     const Document& document = m_parts.model.document();
     if (!m_shown || !m_parts.openStudy.volume()) return;
     bool pairBusy = false;
-    for (std::size_t place = 0; place < document.comparison.panes.size(); ++place) {
-        PaneFace face = faceOf(place, paneChoiceOf(document, place));
+    for (std::size_t place = 0; place < document.panes.size(); ++place) {
+        PaneFace face = faceOf(place, document.panes[place]);
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
         row.pictureMilliseconds.reset();  // it stands in the table; under a picture it would flutter
         face.numbers = numbersOf(row);
-        const Pane pane = paneAt(place);
+        const ComparedPane pane = paneAt(place);
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);
         m_parts.grid.pane(place).setBusy(busy);
@@ -270,11 +268,10 @@ void ComparedViews::showFaces() {
 }
 
 void ComparedViews::addTimes(std::size_t place, CompareRow& row) const {
-    const int view = m_parts.model.document().comparison.panes.at(place);
-    if (const auto design = m_parts.designs.of(view); design && m_parts.designs.isNewest(view))
+    const Pane& pane = m_parts.model.document().panes.at(place);
+    if (const auto design = m_parts.designs.of(place); design && m_parts.designs.isNewest(place))
         row.designMilliseconds = design->milliseconds;
-    else if (viewOf(m_parts.model.document(), view).curve == CurveKind::adaptive && m_parts.openStudy.otf() &&
-             designOf(m_parts.model.document(), view) == nullptr)
+    else if (pane.curve == CurveKind::adaptive && m_parts.openStudy.otf() && !pane.designer)
         row.designMilliseconds = m_parts.openStudy.otf()->times.total;
     if (!m_frame || !m_frame->converged()) return;
     const std::vector<std::size_t>& places = m_frame->request.places;

@@ -12,7 +12,7 @@
 #include "app/motion/course_key.h"
 #include "app/otf/view_designs.h"
 #include "app/study/open_study.h"
-#include "processing/document/compared_panes.h"
+#include "processing/document/panes.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_rows.h"
 #include "widgets/motion/otf_course.h"
@@ -30,7 +30,7 @@ public:
         OpenStudy& openStudy;
         ViewDesigns& designs;
         CompareGrid& grid;
-        std::function<SampledCurve()> adaptive;  ///< the adaptive curve that the main view shows
+        std::function<SampledCurve()> adaptive;  ///< the adaptive curve that the 3D view shows
     };
     /// All of them must outlive this.
     explicit ComparedViews(const Parts& parts, QObject* parent = nullptr);
@@ -47,13 +47,13 @@ public:
     [[nodiscard]] bool refused() const;
     /// The voxels that the pane at a place shows, and what it is rendered with; whether that is what the document asks
     /// for, or is still being computed.
-    struct Pane {
+    struct ComparedPane {
         PaneRequest request;
         bool newest = true;
         bool refused = false;  ///< what it asks for was cancelled or has failed: it does not come by itself
         bool usable = true;    ///< whether there is an OTF of these voxels, be it an older one, or none will come
     };
-    [[nodiscard]] Pane paneAt(std::size_t place) const;
+    [[nodiscard]] ComparedPane paneAt(std::size_t place) const;
     /// The newest frame; null before the first.
     [[nodiscard]] const std::shared_ptr<const CompareFrame>& frame() const { return m_frame; }
     /// Milliseconds of the designer and of the picture of a pane, where they are known.
@@ -76,8 +76,8 @@ signals:
 private:
     [[nodiscard]] std::vector<std::size_t> placesWanted() const;
     void askForDesigns();
-    void takeDesign(int view);
-    [[nodiscard]] bool isComputedForItself(int view) const;
+    void takeDesign(std::size_t pane);
+    [[nodiscard]] bool isComputedForItself(std::size_t pane) const;
     void take(const std::shared_ptr<const CompareFrame>& frame);
     void showFrame();
     void showFaces();
@@ -91,13 +91,13 @@ private:
     std::vector<std::size_t> m_places;  ///< of the newest request
     std::shared_ptr<const CompareFrame> m_frame;
     std::vector<CompareRow> m_rows;
-    std::vector<int> m_askedViews;  ///< whose designs are asked for
+    std::vector<std::size_t> m_askedPanes;  ///< whose designs are asked for
     /// The OTFs of a pane's frames, of which it shows a smoothed one.
     struct Course {
         CourseKey key;
         OtfCourse course;
     };
-    std::map<int, Course> m_courses;  ///< by view
+    std::map<std::size_t, Course> m_courses;  ///< by pane
     /// What the picture of a pair was made of.
     struct ShownPair {
         std::shared_ptr<const CompareFrame> frame;

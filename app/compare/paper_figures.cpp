@@ -2,16 +2,16 @@
 
 #include <utility>
 
-#include "processing/document/compared_panes.h"
+#include "processing/document/panes.h"
 
 namespace echolucent {
 
 namespace {
 
 /// Side by side, without what would bend the curves.
-Document sideBySide(Document document, const std::vector<PaneChoice>& panes) {
+Document sideBySide(Document document, const std::vector<Pane>& panes) {
     document.curves.adjustment = CurveAdjustment{};
-    document = comparing(std::move(document), panes);
+    document = withPanes(std::move(document), panes);
     document.comparison.layout = ComparisonLayout::sideBySide;
     return document;
 }
@@ -33,7 +33,7 @@ Document figure9(Document document) {
 
 Document motionSideBySide(Document document) {
     document.motion.otf = MotionOtf::oneOtf;
-    document = comparing(std::move(document),
+    document = withPanes(std::move(document),
                          {{}, {.motionOtf = MotionOtf::eachView}, {.motionOtf = MotionOtf::leastFlicker}});
     document.comparison.layout = ComparisonLayout::sideBySide;
     return document;

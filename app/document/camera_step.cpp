@@ -5,13 +5,13 @@
 
 namespace echolucent {
 
-CameraStep cameraStep(Document document, int view, const Pose& moved) {
-    const Pose shown = shownPose(document, view);
+CameraStep cameraStep(Document document, const Pose& moved) {
+    const Pose shown = shownPose(document);
     const char* what = moved.direction != shown.direction           ? QT_TRANSLATE_NOOP("camera", "turn view")
                        : moved.magnification != shown.magnification ? QT_TRANSLATE_NOOP("camera", "zoom")
                                                                     : QT_TRANSLATE_NOOP("camera", "move view");
-    poseOf(document, view) = moved;
-    document.motionAngle = 0.0;
+    document.scene.pose = moved;
+    document.scene.motionAngle = 0.0;
     return {std::move(document), QCoreApplication::translate("camera", what)};
 }
 

@@ -13,6 +13,6 @@ struct CameraStep {
     QString what;
 };
 /// The view looks from `moved`. A motion starts anew from there, where the person left the camera.
-[[nodiscard]] CameraStep cameraStep(Document document, int view, const Pose& moved);
+[[nodiscard]] CameraStep cameraStep(Document document, const Pose& moved);
 
 }  // namespace echolucent

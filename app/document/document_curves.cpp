@@ -4,15 +4,14 @@
 
 namespace echolucent {
 
-DocumentCurves::DocumentCurves(DocumentModel& model, int view, QObject* parent)
-    : CurveOwner(parent), m_model(model), m_view(view) {
+DocumentCurves::DocumentCurves(DocumentModel& model, QObject* parent) : CurveOwner(parent), m_model(model) {
     connect(&m_model, &DocumentModel::curvesChanged, this, &CurveOwner::changed);
-    connect(&m_model, &DocumentModel::viewsChanged, this, &CurveOwner::changed);
+    connect(&m_model, &DocumentModel::panesChanged, this, &CurveOwner::changed);
 }
 
 EditedCurves DocumentCurves::edited() const {
-    const View& view = viewOf(m_model.document(), m_view);
-    return {m_model.document().curves, view.curve, view.design != 0};
+    const Pane& pane = m_model.document().panes.at(firstPane);
+    return {m_model.document().curves, pane.curve, pane.designer.has_value()};
 }
 
 void DocumentCurves::edit(const EditedCurves& next, const QString& what, int gesture) {
@@ -24,8 +23,8 @@ void DocumentCurves::preview(const EditedCurves& next, const QString& what) { m_
 Document DocumentCurves::with(const EditedCurves& edited) const {
     Document document = m_model.document();
     document.curves = edited.curves;
-    if (!edited.designed) return withCurve(std::move(document), m_view, edited.active);
-    viewOf(document, m_view).curve = edited.active;
+    if (!edited.designed) return withCurve(std::move(document), firstPane, edited.active);
+    document.panes.at(firstPane).curve = edited.active;
     return document;
 }
 

@@ -1,4 +1,4 @@
-// The document's curves and the curve of one view, as the OTF editor edits them.
+// The document's curves and the curve of the first pane, as the OTF editor edits them.
 #pragma once
 
 #include "app/document/document_model.h"
@@ -10,8 +10,7 @@ class DocumentCurves : public CurveOwner {
     Q_OBJECT
 
 public:
-    /// `view` is the id of the view whose curve is the active one.
-    DocumentCurves(DocumentModel& model, int view, QObject* parent = nullptr);
+    DocumentCurves(DocumentModel& model, QObject* parent = nullptr);
 
     [[nodiscard]] EditedCurves edited() const override;
     [[nodiscard]] QUndoStack* undoStack() override { return &m_model.steps(); }
@@ -25,7 +24,6 @@ private:
     [[nodiscard]] Document with(const EditedCurves& edited) const;
 
     DocumentModel& m_model;
-    int m_view;
 };
 
 }  // namespace echolucent

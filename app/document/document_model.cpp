@@ -35,21 +35,21 @@ void DocumentModel::commitPreview() {
 void DocumentModel::cancelPreview() {
     if (!m_beforePreview) return;
     Document before = *std::exchange(m_beforePreview, std::nullopt);
-    before.phases = withShown(before, m_document).phases;
+    before.scene.phase = m_document.scene.phase;
     // A drag of the camera has ended the motion, which comes back with the pose; beside any other drag it has gone on.
-    if (before.poses == m_document.poses) before.motionAngle = m_document.motionAngle;
+    if (before.scene.pose == m_document.scene.pose) before.scene.motionAngle = m_document.scene.motionAngle;
     set(keepingChecksum(before));
 }
 
-void DocumentModel::showPhase(int view, int phase) {
+void DocumentModel::showPhase(int phase) {
     Document next = m_document;
-    phaseOf(next, view) = phase;
+    next.scene.phase = phase;
     set(next);
 }
 
 void DocumentModel::showMotionAngle(double degrees) {
     Document next = m_document;
-    next.motionAngle = degrees;
+    next.scene.motionAngle = degrees;
     set(next);
 }
 
@@ -85,19 +85,20 @@ void DocumentModel::set(Document next) {
     const Document after = m_document;
     if (after.study != before.study) emit studyChanged();
     if (after.beam != before.beam) emit beamChanged();
-    if (after.views != before.views) emit viewsChanged();
-    if (after.phases != before.phases) emit phasesChanged();
-    if (after.cuts != before.cuts) emit cutsChanged();
-    if (after.boxes != before.boxes) emit boxesChanged();
-    if (after.strokes != before.strokes) emit strokesChanged();
+    if (after.panes != before.panes) emit panesChanged();
+    if (after.comparison != before.comparison) emit comparisonChanged();
+    if (after.scene.phase != before.scene.phase) emit phaseChanged();
+    if (after.scene.front != before.scene.front) emit frontChanged();
+    if (after.scene.box != before.scene.box) emit boxChanged();
+    if (after.scene.strokes != before.scene.strokes) emit strokesChanged();
     if (after.measurements != before.measurements) emit measurementsChanged();
-    if (after.poses != before.poses) emit posesChanged();
-    if (after.planes != before.planes) emit planesChanged();
+    if (after.scene.pose != before.scene.pose) emit poseChanged();
+    if (after.scene.planes != before.scene.planes) emit planesChanged();
     if (after.motion != before.motion) emit motionChanged();
-    if (after.motionAngle != before.motionAngle) emit motionAngleChanged();
-    if (after.looks != before.looks) emit looksChanged();
+    if (after.scene.motionAngle != before.scene.motionAngle) emit motionAngleChanged();
+    if (after.scene.look != before.scene.look) emit lookChanged();
     if (after.curves != before.curves) emit curvesChanged();
-    if (after.designs != before.designs) emit designsChanged();
+    if (after.scene.side != before.scene.side) emit sideChanged();
     if (after.method != before.method) emit methodChanged();
     if (after != before) emit changed();
 }

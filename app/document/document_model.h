@@ -40,8 +40,8 @@ public:
     void cancelPreview();
     [[nodiscard]] bool previewing() const { return m_beforePreview.has_value(); }
 
-    /// Shows a phase (counted from 0) in a view and those linked to it. No step.
-    void showPhase(int view, int phase);
+    /// Shows a phase (counted from 0) of the study. No step.
+    void showPhase(int phase);
     /// Shows the frame of the motion at an angle in degrees. No step.
     void showMotionAngle(double degrees);
 
@@ -55,22 +55,23 @@ public:
 signals:
     void studyChanged();
     void beamChanged();
-    /// Views were added or removed, refer to other parts, or are rendered with another curve.
-    void viewsChanged();
-    void posesChanged();
-    void cutsChanged();
-    void looksChanged();
-    void boxesChanged();
+    void poseChanged();
+    /// Tube cores look from another side.
+    void sideChanged();
+    void frontChanged();
+    void lookChanged();
+    void boxChanged();
     void planesChanged();
     void strokesChanged();
+    /// Panes were added or removed, or are classified with something else.
+    void panesChanged();
+    void comparisonChanged();
     void measurementsChanged();
     void curvesChanged();
-    /// Designs that views are rendered with were added, removed or set otherwise.
-    void designsChanged();
     void methodChanged();
     void motionChanged();
     /// Another phase is shown.
-    void phasesChanged();
+    void phaseChanged();
     /// Another frame of the motion is shown.
     void motionAngleChanged();
     /// After the signals of all parts that one change touched.

@@ -8,14 +8,14 @@
 
 namespace echolucent {
 
-DocumentView::DocumentView(DocumentModel& model, int view, HandGesture& hand, VolumeViewWidget& widget, QObject* parent)
-    : QObject(parent), m_model(model), m_view(view), m_hand(hand), m_widget(widget) {
-    connect(&m_model, &DocumentModel::posesChanged, this, &DocumentView::showPose);
+DocumentView::DocumentView(DocumentModel& model, HandGesture& hand, VolumeViewWidget& widget, QObject* parent)
+    : QObject(parent), m_model(model), m_hand(hand), m_widget(widget) {
+    connect(&m_model, &DocumentModel::poseChanged, this, &DocumentView::showPose);
     connect(&m_model, &DocumentModel::beamChanged, this, &DocumentView::showPose);
-    connect(&m_model, &DocumentModel::cutsChanged, this, &DocumentView::showPose);
-    connect(&m_model, &DocumentModel::boxesChanged, this, &DocumentView::showPose);
-    connect(&m_model, &DocumentModel::looksChanged, this, &DocumentView::showLook);
-    connect(&m_model, &DocumentModel::viewsChanged, this, [this] {
+    connect(&m_model, &DocumentModel::frontChanged, this, &DocumentView::showPose);
+    connect(&m_model, &DocumentModel::boxChanged, this, &DocumentView::showPose);
+    connect(&m_model, &DocumentModel::lookChanged, this, &DocumentView::showLook);
+    connect(&m_model, &DocumentModel::panesChanged, this, [this] {
         leaveDesign();
         showCurve();
         showPose();
@@ -36,7 +36,7 @@ DocumentView::DocumentView(DocumentModel& model, int view, HandGesture& hand, Vo
 
 void DocumentView::showVolume(const std::shared_ptr<const Volume>& volume,
                               const std::shared_ptr<const Volume>& measured) {
-    if (m_held && awaitsDesign() && lookOf(m_model.document(), m_view).mode == RenderMode::direct) {
+    if (m_held && awaitsDesign() && m_model.document().scene.look.mode == RenderMode::direct) {
         m_waiting = Volumes{volume, measured};
         emit designAwaited();
         return;
@@ -52,19 +52,21 @@ void DocumentView::showVolume(const std::shared_ptr<const Volume>& volume,
 void DocumentView::showPose() {
     if (m_held) return;
     const Document& document = m_model.document();
-    m_widget.setPose(shownPose(document, m_view), document.beam.axis);
-    m_widget.setNearCut(cutOf(document, m_view).nearCutMm);
-    m_widget.setCutSurface(cutOf(document, m_view).surface);
-    m_widget.setBox(viewpointOf(document, m_view).box);
+    m_widget.setPose(shownPose(document), document.beam.axis);
+    m_widget.setNearCut(document.scene.front.depthMm);
+    m_widget.setCutSurface(document.scene.front.surface);
+    m_widget.setBox(viewpointOf(document).box);
 }
 
 void DocumentView::showCurve() {
     if (m_held || awaitsDesign()) return;
     m_widget.setClassification(
-        classificationOf(m_model.document(), m_view, {.curve = m_adaptive, .designed = m_designed}));
+        classificationOf(m_model.document(), firstPane, {.curve = m_adaptive, .designed = m_designed}));
 }
 
-bool DocumentView::awaitsDesign() const { return designOf(m_model.document(), m_view) != nullptr && !m_designed; }
+bool DocumentView::awaitsDesign() const {
+    return designerConfigOf(m_model.document(), firstPane) != nullptr && !m_designed;
+}
 
 void DocumentView::hold() {
     m_held = true;
@@ -86,18 +88,18 @@ void DocumentView::doWithoutDesign() {
 
 /// A design that is left is none of the next one's.
 void DocumentView::leaveDesign() {
-    if (designOf(m_model.document(), m_view) != nullptr) return;
+    if (designerConfigOf(m_model.document(), firstPane) != nullptr) return;
     m_designed.reset();
     if (const auto waiting = std::exchange(m_waiting, std::nullopt)) showVolume(waiting->shown, waiting->measured);
 }
 
 void DocumentView::showLook() {
-    if (!m_held) m_widget.setLook(lookOf(m_model.document(), m_view));
+    if (!m_held) m_widget.setLook(m_model.document().scene.look);
 }
 
 void DocumentView::takePose() {
     if (m_held) return;  // what the hand moves is the picture of the study before
-    const CameraStep step = cameraStep(m_model.document(), m_view, m_widget.pose());
+    const CameraStep step = cameraStep(m_model.document(), m_widget.pose());
     take(step.next, step.what);
     emit cameraMoved();
 }
@@ -105,7 +107,7 @@ void DocumentView::takePose() {
 void DocumentView::takeLight() {
     if (m_held) return;
     Document next = m_model.document();
-    lookOf(next, m_view).light = m_widget.look().light;
+    next.scene.look.light = m_widget.look().light;
     take(next, tr("move light"));
 }
 

@@ -21,10 +21,8 @@ class DocumentView : public QObject {
 
 public:
     /// All of them must outlive this.
-    DocumentView(DocumentModel& model, int view, HandGesture& hand, VolumeViewWidget& widget,
-                 QObject* parent = nullptr);
+    DocumentView(DocumentModel& model, HandGesture& hand, VolumeViewWidget& widget, QObject* parent = nullptr);
 
-    [[nodiscard]] int view() const { return m_view; }
     /// The volume of the view's phase; takes the newest of the document with it, and ends a hold().
     /// Pointed values are those of `measured`, the voxels that were read.
     /// A held view whose design is not computed yet is held until it is.
@@ -64,7 +62,6 @@ private:
     void take(const Document& next, const QString& what);
 
     DocumentModel& m_model;
-    int m_view;
     HandGesture& m_hand;
     VolumeViewWidget& m_widget;
     /// Volumes as showVolume() takes them.

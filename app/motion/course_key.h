@@ -20,10 +20,10 @@ struct CourseKey {
 };
 
 /// From where a view looks at angle 0 of a motion: its pose, its cut and its box.
-[[nodiscard]] Viewpoint motionStartOf(const Document& document, int view);
+[[nodiscard]] Viewpoint motionStartOf(const Document& document);
 
 /// The key of the course to which a frame of a view belongs; `config` is what its OTF was computed with.
-[[nodiscard]] CourseKey courseKeyOf(const Document& document, int view, const AdaptiveOtfConfig& config,
+[[nodiscard]] CourseKey courseKeyOf(const Document& document, const AdaptiveOtfConfig& config,
                                     const CourseFrame& frame);
 
 }  // namespace echolucent

@@ -36,9 +36,8 @@ PictureLabels frameLabels(const FrameOrder& order, const ViewFrames& frames, int
     const MotionChoice& motion = order.document.motion;
     // A frame of a probe that moves is no view of its own, not even the one in the middle.
     const bool ofAnotherView =
-        !movesProbe(motion.scenario) && curveIsOfAnotherView(shown, order.view, otfViewpointOf(shown, order.view));
+        !movesProbe(motion.scenario) && curveIsOfAnotherView(shown, otfViewpointOf(shown, firstPane));
     return {.caption = pictureCaption({.document = shown,
-                                       .view = order.view,
                                        .speckle = ShownSpeckle::reduced,
                                        .curveOfAnotherView = ofAnotherView,
                                        .lengthsKnown = known,
@@ -177,7 +176,7 @@ Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int 
 }
 
 Result<void> writeFrames(const FrameOrder& order, const Progress& progress) {
-    ViewFrames frames(order.document, order.view, order.phases);
+    ViewFrames frames(order.document, firstPane, order.phases);
     const QSize size = order.choice.size;
     if (order.output == FrameOutput::series) {
         const std::vector<std::string> paths = filesOf(order.output, order.choice, frames.count());

@@ -15,7 +15,6 @@ namespace echolucent {
 /// All that a movie or a series is made of, as it was when it was asked for: what changes meanwhile does not matter.
 struct FrameOrder {
     Document document{};
-    int view = 1;
     StudyPhases phases{};
     std::optional<double> phaseSeconds{};  ///< as in Study
     FrameOutput output = FrameOutput::movie;

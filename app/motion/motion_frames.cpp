@@ -23,8 +23,8 @@ MotionFrames::MotionFrames(const Parts& parts, QObject* parent) : QObject(parent
     connect(&m_parts.view, &DocumentView::cameraMoved, this, &MotionFrames::endByHand);
     connect(&m_parts.model, &DocumentModel::motionChanged, this, &MotionFrames::takeChoices);
     connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, &MotionFrames::takeAngle);
-    connect(&m_parts.model, &DocumentModel::phasesChanged, this,
-            [this] { m_parts.panel.setPhase(phaseOf(m_parts.model.document(), m_parts.view.view())); });
+    connect(&m_parts.model, &DocumentModel::phaseChanged, this,
+            [this] { m_parts.panel.setPhase(phaseOf(m_parts.model.document(), firstPane)); });
     // Along another beam the motion is begun anew.
     connect(&m_parts.model, &DocumentModel::beamChanged, &player, &MotionPlayer::pause);
     // After the OTF has followed what else the same step changed: the view of the frame is asked for last.
@@ -37,8 +37,7 @@ void MotionFrames::connectPanel() {
     connect(panel, &MotionPanel::playRequested, this,
             [this](bool play) { play ? m_parts.player.play() : m_parts.player.pause(); });
     connect(panel, &MotionPanel::angleChanged, &m_parts.player, &MotionPlayer::setAngle);
-    connect(panel, &MotionPanel::phaseChanged, this,
-            [this](int phase) { m_parts.model.showPhase(m_parts.view.view(), phase); });
+    connect(panel, &MotionPanel::phaseChanged, this, [this](int phase) { m_parts.model.showPhase(phase); });
     connect(panel, &MotionPanel::choiceChanged, this, &MotionFrames::takeFromPanel);
 }
 
@@ -46,8 +45,7 @@ void MotionFrames::takeFromPanel(const MotionChoice& choice, const QString& what
     Document next = m_parts.model.document();
     const MotionOtf before = std::exchange(next.motion, choice).otf;
     // Back to one OTF: the one of the view in which the motion began.
-    if (choice.otf == MotionOtf::oneOtf && before != MotionOtf::oneOtf)
-        next.method.direction = poseOf(next, m_parts.view.view()).direction;
+    if (choice.otf == MotionOtf::oneOtf && before != MotionOtf::oneOtf) next.scene.side = next.scene.pose.direction;
     m_parts.model.edit(next, what, m_parts.hand.current());
 }
 
@@ -61,11 +59,11 @@ void MotionFrames::takeChoices() {
 void MotionFrames::takeMode() {
     if (std::exchange(m_mode, mode()) == mode()) return;
     const bool oneOtf = mode() == MotionOtf::oneOtf;
-    m_parts.computing.computeFor(oneOtf ? otfViewpointOf(m_parts.model.document(), m_parts.view.view()) : frameView());
+    m_parts.computing.computeFor(oneOtf ? otfViewpointOf(m_parts.model.document(), firstPane) : frameView());
 }
 
 void MotionFrames::takeAngle() {
-    const double angle = m_parts.model.document().motionAngle;
+    const double angle = m_parts.model.document().scene.motionAngle;
     m_parts.panel.setAngle(angle);
     if (angle == m_parts.player.angle()) return;
     const QSignalBlocker quiet(m_parts.player);
@@ -85,7 +83,7 @@ void MotionFrames::beginAtRest() {
     m_frameWaits = false;
     takeAngle();
     takeChoices();
-    m_parts.panel.setPhase(phaseOf(m_parts.model.document(), m_parts.view.view()));
+    m_parts.panel.setPhase(phaseOf(m_parts.model.document(), firstPane));
 }
 
 void MotionFrames::stepPhase(int step) {
@@ -94,15 +92,15 @@ void MotionFrames::stepPhase(int step) {
     m_parts.player.pause();
     const Document& document = m_parts.model.document();
     const PhaseRange played = playedPhases(document.motion, static_cast<int>(study->phases.size()));
-    const int phase = phaseOf(document, m_parts.view.view()), count = played.last - played.first + 1;
+    const int phase = phaseOf(document, firstPane), count = played.last - played.first + 1;
     const bool outside = phase < played.first || phase > played.last;
     const int next = !outside   ? played.first + (phase - played.first + step + count) % count
                      : step > 0 ? played.first
                                 : played.last;
-    m_parts.model.showPhase(m_parts.view.view(), next);
+    m_parts.model.showPhase(next);
 }
 
-Viewpoint MotionFrames::frameView() const { return viewpointOf(m_parts.model.document(), m_parts.view.view()); }
+Viewpoint MotionFrames::frameView() const { return viewpointOf(m_parts.model.document()); }
 
 void MotionFrames::rewind() {
     m_parts.player.pause();
@@ -114,7 +112,7 @@ void MotionFrames::showFrame(double angle, int phase) {
     showFrameRate();
     if (!m_parts.openStudy.volume()) return;
     const bool sameVolume = phase == m_parts.openStudy.phase();
-    m_parts.model.showPhase(m_parts.view.view(), phase);
+    m_parts.model.showPhase(phase);
     if (mode() == MotionOtf::oneOtf) {
         showWithOneOtf();
     } else {
@@ -161,7 +159,7 @@ CourseFrame MotionFrames::courseFrame() const {
 
 void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
     const CourseFrame frame = courseFrame();
-    const CourseKey key = courseKeyOf(m_parts.model.document(), m_parts.view.view(), config, frame);
+    const CourseKey key = courseKeyOf(m_parts.model.document(), config, frame);
     if (m_courseKey == key) return;
     m_courseKey = key;
     m_parts.openStudy.forgetKeptOtfs();

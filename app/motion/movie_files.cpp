@@ -54,7 +54,7 @@ void MovieFiles::ask(FrameOutput output) {
 int MovieFiles::frameCount() const {
     const Document& document = m_parts.model.document();
     const int phases = static_cast<int>(m_parts.openStudy.study()->phases.size());
-    return static_cast<int>(turnOf(document, m_parts.view, phases).size());
+    return static_cast<int>(turnOf(document, firstPane, phases).size());
 }
 
 QString MovieFiles::whatPlays() const {
@@ -121,7 +121,6 @@ FrameOrder MovieFiles::orderOf(FrameOutput output, const MovieChoice& choice) co
     const QuietPhases& quiet = m_parts.openStudy.quietPhases();
     const Study& study = *m_parts.openStudy.study();
     FrameOrder order{.document = m_parts.model.document(),
-                     .view = m_parts.view,
                      .phases = {.scans = study.phases, .quiet = {}, .reduction = quiet.reduction()},
                      .phaseSeconds = study.phaseSeconds,
                      .output = output,

@@ -29,7 +29,6 @@ public:
     struct Parts {
         QWidget& window;  ///< parent of the dialog
         DocumentModel& model;
-        int view;  ///< of the document
         OpenStudy& openStudy;
         Settings& settings;
         MessageBar& messages;

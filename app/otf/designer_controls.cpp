@@ -13,17 +13,16 @@ DesignerControls::DesignerControls(const Parts& parts, QObject* parent) : QObjec
     DocumentModel* model = &m_parts.model;
     connect(panel, &DesignerPanel::chosen, this, &DesignerControls::choose);
     connect(panel, &DesignerPanel::configChanged, this, [this](const DesignerConfig& config, const QString& what) {
-        m_parts.model.edit(withDesign(m_parts.model.document(), m_parts.view, config), what, m_parts.hand.current());
+        m_parts.model.edit(withDesigner(m_parts.model.document(), firstPane, config), what, m_parts.hand.current());
     });
     connect(panel, &DesignerPanel::configPreviewed, this, [this](const DesignerConfig& config, const QString& what) {
-        m_parts.model.preview(withDesign(m_parts.model.document(), m_parts.view, config), what);
+        m_parts.model.preview(withDesigner(m_parts.model.document(), firstPane, config), what);
     });
     connect(panel, &DesignerPanel::dragEnded, model, &DocumentModel::commitPreview);
     connect(panel, &DesignerPanel::dragCancelled, model, &DocumentModel::cancelPreview);
     connect(panel, &DesignerPanel::cancelRequested, &m_parts.designs, &ViewDesigns::cancel);
     connect(panel, &DesignerPanel::computeRequested, &m_parts.designs, &ViewDesigns::computeAgain);
-    connect(model, &DocumentModel::viewsChanged, this, &DesignerControls::showDocument);
-    connect(model, &DocumentModel::designsChanged, this, &DesignerControls::showDocument);
+    connect(model, &DocumentModel::panesChanged, this, &DesignerControls::showDocument);
     connect(model, &DocumentModel::changed, this, &DesignerControls::showDesign);
     connect(&m_parts.designs, &ViewDesigns::computed, this, &DesignerControls::showDesign);
     connect(&m_parts.designs, &ViewDesigns::failed, this, &DesignerControls::showDesign);
@@ -35,17 +34,17 @@ DesignerControls::DesignerControls(const Parts& parts, QObject* parent) : QObjec
 
 void DesignerControls::choose(std::optional<Designer> designer) {
     const Document& document = m_parts.model.document();
-    const int view = m_parts.view;
     const int gesture = m_parts.hand.current();
     if (!designer)
-        m_parts.model.edit(withCurve(document, view, viewOf(document, view).curve), tr("choose curve"), gesture);
+        m_parts.model.edit(withCurve(document, firstPane, document.panes.at(firstPane).curve), tr("choose curve"),
+                           gesture);
     else
-        m_parts.model.edit(withDesign(document, view, defaultConfigOf(*designer)),
+        m_parts.model.edit(withDesigner(document, firstPane, defaultConfigOf(*designer)),
                            tr("choose designer %1").arg(textOf(labelOf(*designer))), gesture);
 }
 
 void DesignerControls::showDocument() {
-    const DesignerConfig* config = designOf(m_parts.model.document(), m_parts.view);
+    const DesignerConfig* config = designerConfigOf(m_parts.model.document(), firstPane);
     m_parts.panel.setConfig(config != nullptr ? std::optional(*config) : std::nullopt);
     const std::optional<std::size_t> designer = config != nullptr ? std::optional(config->index()) : std::nullopt;
     if (std::exchange(m_designer, designer) != designer) m_shown.reset();  // the panel has nothing of another one
@@ -53,8 +52,8 @@ void DesignerControls::showDocument() {
 }
 
 void DesignerControls::showDesign() {
-    const DesignerConfig* config = designOf(m_parts.model.document(), m_parts.view);
-    auto made = m_parts.designs.of(m_parts.view);
+    const DesignerConfig* config = designerConfigOf(m_parts.model.document(), firstPane);
+    auto made = m_parts.designs.of(firstPane);
     // What another designer made before is shown still, and is nothing of this one's.
     if (made && (config == nullptr || config->index() != made->config.index())) made.reset();
     if (made != m_shown) m_parts.panel.setDesign(made ? &made->design : nullptr, made ? made->milliseconds : 0.0);

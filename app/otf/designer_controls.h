@@ -21,7 +21,6 @@ class DesignerControls : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        int view;
         HandGesture& hand;
         ViewDesigns& designs;
         DesignerPanel& panel;

@@ -19,7 +19,7 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent) : QObject(pare
 
 void NearCutFinder::find() {
     if (!m_parts.openStudy.volume()) return;
-    m_looksFrom = viewpointOf(m_parts.model.document(), m_parts.view);
+    m_looksFrom = viewpointOf(m_parts.model.document());
     m_looking = true;
     m_parts.openStudy.requestNearCut(m_looksFrom);
     emit looking();
@@ -27,12 +27,12 @@ void NearCutFinder::find() {
 
 void NearCutFinder::toggle() {
     const Document& document = m_parts.model.document();
-    if (cutOf(document, m_parts.view) == Cut{}) return find();
-    cutAlong({}, document.method.direction);
+    if (document.scene.front == Front{}) return find();
+    cutAlong({}, document.scene.side);
 }
 
 void NearCutFinder::take(const NearCutFinding& finding) {
-    const Cut before = cutOf(m_parts.model.document(), m_parts.view);
+    const Front before = m_parts.model.document().scene.front;
     const QString said = QString::fromStdString(finding.message);
     m_looking = false;
     if (finding.answer == NearCutAnswer::noFluid) {
@@ -40,22 +40,22 @@ void NearCutFinder::take(const NearCutFinding& finding) {
         m_parts.computing.computeAgain();  // it may have been under way when the search took its place
         return;
     }
-    const Cut cut{.nearCutMm = std::round(10 * finding.nearCutMm) / 10};  // as people set it
+    const Front cut{.depthMm = std::round(10 * finding.nearCutMm) / 10};  // as people set it
     // No cut has no direction: what was computed for another view stays.
-    cutAlong(cut, cut.nearCutMm > 0 ? directionOf(m_looksFrom) : m_parts.model.document().method.direction);
+    cutAlong(cut, cut.depthMm > 0 ? directionOf(m_looksFrom) : m_parts.model.document().scene.side);
     tell(MessageKind::info, said, waysOn(finding, cut == before ? std::nullopt : std::optional(before)));
 }
 
 void NearCutFinder::tellOpening(const NearCutFinding& finding) {
-    if (cutOf(m_parts.model.document(), m_parts.view).source != CutSource::found) return;
+    if (m_parts.model.document().scene.front.source != FrontSource::found) return;
     // What is wrong with the file is said first; the cut stands in the picture's caption too.
     if (!m_parts.messages.text().isEmpty()) return;
-    m_looksFrom = viewpointOf(m_parts.model.document(), m_parts.view);
-    tell(MessageKind::info, QString::fromStdString(finding.message), waysOn(finding, Cut{}));
+    m_looksFrom = viewpointOf(m_parts.model.document());
+    tell(MessageKind::info, QString::fromStdString(finding.message), waysOn(finding, Front{}));
 }
 
 /// The curved cut where there is one, and the way back to a cut where one is given.
-QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const std::optional<Cut>& back) {
+QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const std::optional<Front>& back) {
     QList<MessageAction> actions;
     if (finding.surface)
         actions << MessageAction{tr("Curved cut"), [this, surface = finding.surface] {
@@ -63,7 +63,7 @@ QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const 
                                  }};
     if (back)
         actions << MessageAction{tr("Take it back"),
-                                 [this, back] { cutAlong(*back, m_parts.model.document().method.direction); }};
+                                 [this, back] { cutAlong(*back, m_parts.model.document().scene.side); }};
     return actions;
 }
 
@@ -75,8 +75,7 @@ void NearCutFinder::tell(MessageKind kind, const QString& text, const QList<Mess
 
 NearCutFinder::CutPicture NearCutFinder::presentPicture() const {
     const Document& document = m_parts.model.document();
-    return {document.study, phaseOf(document, m_parts.view), cutOf(document, m_parts.view),
-            viewpointOf(document, m_parts.view)};
+    return {document.study, phaseOf(document, firstPane), document.scene.front, viewpointOf(document)};
 }
 
 void NearCutFinder::takeBackWhatIsNoLongerTrue() {
@@ -84,10 +83,10 @@ void NearCutFinder::takeBackWhatIsNoLongerTrue() {
     m_parts.messages.takeBack(std::exchange(m_told, {}));
 }
 
-void NearCutFinder::cutAlong(const Cut& cut, const ViewDirection& direction) {
+void NearCutFinder::cutAlong(const Front& cut, const ViewDirection& direction) {
     Document next = m_parts.model.document();
-    cutOf(next, m_parts.view) = cut;
-    next.method.direction = direction;
+    next.scene.front = cut;
+    next.scene.side = direction;
     m_parts.model.edit(next, tr("near cut"));
     // The search has taken the place of the OTF that was computed, also where the document stays as it is.
     m_parts.computing.computeAgain();

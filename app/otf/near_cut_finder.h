@@ -15,7 +15,6 @@ class NearCutFinder : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        int view;
         OpenStudy& openStudy;
         OtfComputing& computing;
         MessageBar& messages;
@@ -35,19 +34,19 @@ signals:
 
 private:
     void take(const NearCutFinding& finding);
-    [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Cut>& back);
+    [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Front>& back);
     void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
     /// What a message about a cut is true of.
     struct CutPicture {
         StudyReference study;
         int phase = 0;
-        Cut cut;
+        Front cut;
         Viewpoint seenFrom;  ///< the cut turns with the view
         friend bool operator==(const CutPicture&, const CutPicture&) = default;
     };
     [[nodiscard]] CutPicture presentPicture() const;
     void takeBackWhatIsNoLongerTrue();
-    void cutAlong(const Cut& cut, const ViewDirection& direction);
+    void cutAlong(const Front& cut, const ViewDirection& direction);
 
     Parts m_parts;
     Viewpoint m_looksFrom;

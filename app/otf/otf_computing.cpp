@@ -2,18 +2,18 @@
 
 namespace echolucent {
 
-OtfComputing::OtfComputing(DocumentModel& model, int view, OpenStudy& openStudy, QObject* parent)
-    : QObject(parent), m_model(model), m_view(view), m_openStudy(openStudy) {
+OtfComputing::OtfComputing(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy) {
     begin();
     connect(&m_model, &DocumentModel::changed, this, &OtfComputing::follow);
 }
 
 void OtfComputing::begin() {
-    m_openStudy.setReduction(lookOf(m_model.document(), m_view).reduction);
+    m_openStudy.setReduction(m_model.document().scene.look.reduction);
     sayPhase();
-    m_ofDocument = otfViewpointOf(m_model.document(), m_view);
+    m_ofDocument = otfViewpointOf(m_model.document(), firstPane);
     m_asked = m_ofDocument;
-    m_config = configOf(m_model.document(), m_view);
+    m_config = configOf(m_model.document(), firstPane);
 }
 
 void OtfComputing::sayPhase() {
@@ -23,13 +23,13 @@ void OtfComputing::sayPhase() {
 }
 
 void OtfComputing::follow() {
-    m_openStudy.setReduction(lookOf(m_model.document(), m_view).reduction);
+    m_openStudy.setReduction(m_model.document().scene.look.reduction);
     const std::optional<int> before = m_phase;
     sayPhase();
     // Between one OTF and each frame's own, whoever shows the frames asks.
     const bool otherPhase = before && m_phase && before != m_phase;
-    const Viewpoint ofDocument = otfViewpointOf(m_model.document(), m_view);
-    const AdaptiveOtfConfig config = configOf(m_model.document(), m_view);
+    const Viewpoint ofDocument = otfViewpointOf(m_model.document(), firstPane);
+    const AdaptiveOtfConfig config = configOf(m_model.document(), firstPane);
     if (ofDocument == m_ofDocument && config == m_config && !otherPhase) return;
     Viewpoint onlyCut = m_ofDocument;
     onlyCut.nearCutMm = ofDocument.nearCutMm;
@@ -50,15 +50,15 @@ void OtfComputing::follow() {
 
 void OtfComputing::computeFor(const Viewpoint& viewpoint) {
     m_asked = viewpoint;
-    m_openStudy.requestOtf(viewpoint, configOf(m_model.document(), m_view));
+    m_openStudy.requestOtf(viewpoint, configOf(m_model.document(), firstPane));
 }
 
 void OtfComputing::computeForThisView() {
     if (!m_openStudy.volume()) return;
-    const Viewpoint shown = viewpointOf(m_model.document(), m_view);
+    const Viewpoint shown = viewpointOf(m_model.document());
     Document next = m_model.document();
-    next.method.direction = directionOf(shown);
-    next.motion.otfPhase = phaseOf(next, m_view);
+    next.scene.side = directionOf(shown);
+    next.motion.otfPhase = phaseOf(next, firstPane);
     m_model.edit(next, tr("compute for this view"));
     computeFor(shown);
 }

@@ -17,7 +17,7 @@ class OtfComputing : public QObject {
 
 public:
     /// `view` is the id of the view whose cut and phase are taken. `model` and `openStudy` must outlive this.
-    OtfComputing(DocumentModel& model, int view, OpenStudy& openStudy, QObject* parent = nullptr);
+    OtfComputing(DocumentModel& model, OpenStudy& openStudy, QObject* parent = nullptr);
 
     /// From where the newest OTF that was asked for looks.
     [[nodiscard]] const Viewpoint& viewpoint() const { return m_asked; }
@@ -36,7 +36,6 @@ private:
     void sayPhase();
 
     DocumentModel& m_model;
-    int m_view;
     OpenStudy& m_openStudy;
     Viewpoint m_asked;
     // What the document said when it was followed last.

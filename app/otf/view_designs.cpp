@@ -45,32 +45,32 @@ ViewDesigns::ViewDesigns(DocumentModel& model, OpenStudy& openStudy, QObject* pa
     connect(&m_thread, &NewestWinsThread::progressed, this, &ViewDesigns::progressed);
 }
 
-void ViewDesigns::setExtraViews(std::vector<int> views) {
-    m_extraViews = std::move(views);
+void ViewDesigns::setExtraPanes(std::vector<std::size_t> panes) {
+    m_extraPanes = std::move(panes);
     follow();
 }
 
-std::shared_ptr<const ViewDesign> ViewDesigns::of(int view) const {
-    const auto found = m_made.find(view);
+std::shared_ptr<const ViewDesign> ViewDesigns::of(std::size_t pane) const {
+    const auto found = m_made.find(pane);
     return found == m_made.end() ? nullptr : found->second.design;
 }
 
-bool ViewDesigns::isNewest(int view) const {
-    const auto found = m_made.find(view);
-    return found != m_made.end() && requestOf(view) == found->second.request;
+bool ViewDesigns::isNewest(std::size_t pane) const {
+    const auto found = m_made.find(pane);
+    return found != m_made.end() && requestOf(pane) == found->second.request;
 }
 
 void ViewDesigns::cancel() {
     if (!m_running) return;
     m_running.reset();
     m_thread.cancel();
-    for (const auto& [view, request] : m_wanted)
-        if (!isNewest(view) && !refused(request)) m_refused.push_back(request);
+    for (const auto& [pane, request] : m_wanted)
+        if (!isNewest(pane) && !refused(request)) m_refused.push_back(request);
     emit cancelled();
 }
 
-bool ViewDesigns::isRefused(int view) const {
-    const auto wanted = m_wanted.find(view);
+bool ViewDesigns::isRefused(std::size_t pane) const {
+    const auto wanted = m_wanted.find(pane);
     return wanted != m_wanted.end() && refused(wanted->second);
 }
 
@@ -88,33 +88,33 @@ void ViewDesigns::computeAgain() {
     follow();
 }
 
-std::vector<int> ViewDesigns::views() const {
-    std::vector<int> views;
-    for (const View& view : m_model.document().views)
-        if (needsComputedOtf(m_model.document(), view.id) &&
-            ((view.id == mainView && view.design != 0) ||
-             std::ranges::find(m_extraViews, view.id) != m_extraViews.end()))
-            views.push_back(view.id);
-    return views;
+std::vector<std::size_t> ViewDesigns::wantedPanes() const {
+    const Document& document = m_model.document();
+    std::vector<std::size_t> panes;
+    for (std::size_t pane = 0; pane < document.panes.size(); ++pane)
+        if (needsComputedOtf(document, pane) && ((pane == firstPane && document.panes[pane].designer) ||
+                                                 std::ranges::find(m_extraPanes, pane) != m_extraPanes.end()))
+            panes.push_back(pane);
+    return panes;
 }
 
-const DesignerConfig* ViewDesigns::configFor(int view) const {
+const DesignerConfig* ViewDesigns::configFor(std::size_t pane) const {
     static const DesignerConfig adaptive = AdaptiveConfig{};
-    const DesignerConfig* config = designOf(m_model.document(), view);
+    const DesignerConfig* config = designerConfigOf(m_model.document(), pane);
     return config != nullptr ? config : &adaptive;
 }
 
-std::optional<ViewDesigns::Request> ViewDesigns::requestOf(int view) const {
+std::optional<ViewDesigns::Request> ViewDesigns::requestOf(std::size_t pane) const {
     const Document& document = m_model.document();
-    const std::vector<int> all = views();
+    const std::vector<std::size_t> all = wantedPanes();
     const Study* study = m_openStudy.study();
-    if (study == nullptr || std::ranges::find(all, view) == all.end()) return std::nullopt;
+    if (study == nullptr || std::ranges::find(all, pane) == all.end()) return std::nullopt;
     const int phases = static_cast<int>(study->phases.size());
-    int phase = otfPhaseOf(document, view, phases);
-    if (view != mainView) phase = std::min(phase, phases - 1);  // a pane of a longer study shows the last one
-    if (phase >= phases) return std::nullopt;                   // the document is that of the study before
+    int phase = otfPhaseOf(document, pane, phases);
+    if (pane != firstPane) phase = std::min(phase, phases - 1);  // a pane of a longer study shows the last one
+    if (phase >= phases) return std::nullopt;                    // the document is that of the study before
     const QuietPhases& quiet = m_openStudy.quietPhases();
-    Request request{.config = *configFor(view)};
+    Request request{.config = *configFor(pane)};
     request.raw = m_openStudy.rawVoxelsOf(phase);
     request.shown = m_openStudy.newestVoxelsOf(phase);
     if (quiet.of(phase))
@@ -122,7 +122,7 @@ std::optional<ViewDesigns::Request> ViewDesigns::requestOf(int view) const {
     else if (quiet.busy() && request.raw->geometry().voxelCount() <= OpenStudy::quietFirstVoxels)
         return std::nullopt;
     if (readsTubeCores(request.config)) {
-        const DesignerInput input = designerInputOf(document, view, *request.raw, *request.shown, request.reduction);
+        const DesignerInput input = designerInputOf(document, pane, *request.raw, *request.shown, request.reduction);
         request.view = input.view;
         request.method = input.method;
     }
@@ -146,19 +146,19 @@ void ViewDesigns::giveWhatIsKept() {
         m_running.reset();
     }
     m_wanted.clear();
-    const std::vector<int> all = views();
+    const std::vector<std::size_t> all = wantedPanes();
     std::erase_if(m_made, [&](const auto& made) { return std::ranges::find(all, made.first) == all.end(); });
-    for (const int view : all)
-        if (auto request = requestOf(view)) m_wanted.emplace(view, std::move(*request));
+    for (const std::size_t pane : all)
+        if (auto request = requestOf(pane)) m_wanted.emplace(pane, std::move(*request));
     std::erase_if(m_refused, [this](const Request& request) {
         return std::ranges::none_of(m_wanted, [&](const auto& wanted) { return wanted.second == request; });
     });
-    const std::map<int, Request> wanted = m_wanted;
-    for (const auto& [view, request] : wanted) {
-        const auto made = m_made.find(view);
+    const std::map<std::size_t, Request> wanted = m_wanted;
+    for (const auto& [pane, request] : wanted) {
+        const auto made = m_made.find(pane);
         if (made != m_made.end() && made->second.request == request) continue;
         if (const Kept* found = kept(request))
-            give(view, request,
+            give(pane, request,
                  std::make_shared<const ViewDesign>(
                      ViewDesign{found->design, found->milliseconds, request.raw, request.shown, request.config}));
     }
@@ -185,8 +185,8 @@ void ViewDesigns::computeNext() {
             m_wanted, [this](const auto& wanted) { return differInVoxelsOnly(wanted.second, *m_running); });
         if (goesOn && isOfSomePhase(*m_running)) return;
     }
-    for (const auto& [view, request] : m_wanted) {
-        const auto made = m_made.find(view);
+    for (const auto& [pane, request] : m_wanted) {
+        const auto made = m_made.find(pane);
         if ((made != m_made.end() && made->second.request == request) || refused(request)) continue;
         return compute(request);
     }
@@ -221,9 +221,9 @@ void ViewDesigns::take(const Request& request, Design design, double millisecond
     m_kept.push_back({voxelless, request.raw, request.shown, design, milliseconds});
     const auto made = std::make_shared<const ViewDesign>(
         ViewDesign{std::move(design), milliseconds, request.raw, request.shown, request.config});
-    const std::map<int, Request> wanted = m_wanted;
-    for (const auto& [view, asked] : wanted)
-        if (asked == request && m_wanted.contains(view) && m_wanted.at(view) == request) give(view, request, made);
+    const std::map<std::size_t, Request> wanted = m_wanted;
+    for (const auto& [pane, asked] : wanted)
+        if (asked == request && m_wanted.contains(pane) && m_wanted.at(pane) == request) give(pane, request, made);
     computeNext();
 }
 
@@ -231,15 +231,15 @@ void ViewDesigns::fail(const Request& request, const QString& sentence) {
     if (m_running != request) return;
     m_running.reset();
     m_refused.push_back(request);
-    const std::map<int, Request> wanted = m_wanted;
-    for (const auto& [view, asked] : wanted)
-        if (asked == request) emit failed(view, sentence);
+    const std::map<std::size_t, Request> wanted = m_wanted;
+    for (const auto& [pane, asked] : wanted)
+        if (asked == request) emit failed(pane, sentence);
     computeNext();
 }
 
-void ViewDesigns::give(int view, const Request& request, std::shared_ptr<const ViewDesign> design) {
-    m_made[view] = {request, std::move(design)};
-    emit computed(view);
+void ViewDesigns::give(std::size_t pane, const Request& request, std::shared_ptr<const ViewDesign> design) {
+    m_made[pane] = {request, std::move(design)};
+    emit computed(pane);
 }
 
 }  // namespace echolucent

@@ -17,7 +17,7 @@
 
 namespace echolucent {
 
-/// What a designer made for a view, and of what.
+/// What a designer made for a pane, and of what.
 struct ViewDesign {
     Design design;
     double milliseconds = 0.0;
@@ -42,15 +42,15 @@ public:
     /// Views, beside the main one where it has a design, that somebody looks at: what their designers make is computed
     /// too, or, where they have none, their adaptive OTF as AdaptiveConfig makes it: without the tube cores that are
     /// never placed for them, of their own phases and frames.
-    void setExtraViews(std::vector<int> views);
+    void setExtraPanes(std::vector<std::size_t> panes);
 
-    /// The newest that fits what the document asks; until that is there, the one before it for that view; null before
+    /// The newest that fits what the document asks; until that is there, the one before it for that pane; null before
     /// the first.
-    [[nodiscard]] std::shared_ptr<const ViewDesign> of(int view) const;
-    /// Whether of(view) is what the document asks for now.
-    [[nodiscard]] bool isNewest(int view) const;
+    [[nodiscard]] std::shared_ptr<const ViewDesign> of(std::size_t pane) const;
+    /// Whether of(pane) is what the document asks for now.
+    [[nodiscard]] bool isNewest(std::size_t pane) const;
     /// Whether what the document asks for was cancelled or has failed: it does not come by itself.
-    [[nodiscard]] bool isRefused(int view) const;
+    [[nodiscard]] bool isRefused(std::size_t pane) const;
     /// Whether that is so of any view.
     [[nodiscard]] bool isAnyRefused() const { return !m_refused.empty(); }
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
@@ -68,9 +68,9 @@ public:
     static constexpr std::size_t keptCount = 32;
 
 signals:
-    /// of(view) is another.
-    void computed(int view);
-    void failed(int view, const QString& sentence);
+    /// of(pane) is another.
+    void computed(std::size_t pane);
+    void failed(std::size_t pane, const QString& sentence);
     /// cancel() has ended what was computed.
     void cancelled();
     void busyChanged(bool busy);
@@ -105,11 +105,11 @@ private:
     void compute(const Request& request);
     void take(const Request& request, Design design, double milliseconds);
     void fail(const Request& request, const QString& sentence);
-    void give(int view, const Request& request, std::shared_ptr<const ViewDesign> design);
-    [[nodiscard]] const DesignerConfig* configFor(int view) const;
+    void give(std::size_t pane, const Request& request, std::shared_ptr<const ViewDesign> design);
+    [[nodiscard]] const DesignerConfig* configFor(std::size_t pane) const;
     /// No value where the view has no design and is no extra one, nothing is open, or voxels are waited for.
-    [[nodiscard]] std::optional<Request> requestOf(int view) const;
-    [[nodiscard]] std::vector<int> views() const;
+    [[nodiscard]] std::optional<Request> requestOf(std::size_t pane) const;
+    [[nodiscard]] std::vector<std::size_t> wantedPanes() const;
     [[nodiscard]] const Kept* kept(const Request& request) const;
     [[nodiscard]] bool refused(const Request& request) const;
     [[nodiscard]] bool isOfSomePhase(const Request& request) const;
@@ -117,11 +117,11 @@ private:
     DocumentModel& m_model;
     OpenStudy& m_openStudy;
     Run m_run;
-    std::vector<int> m_extraViews;
-    std::map<int, Request> m_wanted;  ///< by view
-    std::map<int, Made> m_made;       ///< by view
-    std::vector<Kept> m_kept;         ///< the newest last
-    std::vector<Request> m_refused;   ///< were cancelled or have failed, and are wanted still
+    std::vector<std::size_t> m_extraPanes;
+    std::map<std::size_t, Request> m_wanted;  ///< by view
+    std::map<std::size_t, Made> m_made;       ///< by view
+    std::vector<Kept> m_kept;                 ///< the newest last
+    std::vector<Request> m_refused;           ///< were cancelled or have failed, and are wanted still
     std::optional<Request> m_running;
     const Study* m_study = nullptr;  ///< told apart by address only
     bool m_following = false, m_stale = false;

@@ -35,7 +35,7 @@ QStringList designSentences(const PictureFacts& facts, const DesignerConfig& con
 }
 
 QString curveSentence(const PictureFacts& facts) {
-    switch (viewOf(facts.document, facts.view).curve) {
+    switch (facts.document.panes.at(firstPane).curve) {
         case CurveKind::adaptive:
             return explanationText(
                 "What is seen and what is clear follows from the adaptive opacity transfer function (OTF), which was "
@@ -138,7 +138,7 @@ QString lightSentence(const LightDirection& light) {
 
 /// What each mode makes of the volume, and in direct rendering the curve's, the light's and the depth's part in it.
 QStringList whatIsSeen(const PictureFacts& facts) {
-    const Look& look = lookOf(facts.document, facts.view);
+    const Look& look = facts.document.scene.look;
     switch (look.mode) {
         case RenderMode::direct: break;
         case RenderMode::maximum:
@@ -149,12 +149,12 @@ QStringList whatIsSeen(const PictureFacts& facts) {
             return {explanationText(
                 "Each pixel shows the mean of all echoes behind it, as an x-ray would; the OTF plays no part.")};
     }
-    const DesignerConfig* config = designOf(facts.document, facts.view);
+    const DesignerConfig* config = designerConfigOf(facts.document, firstPane);
     QStringList sentences = config != nullptr ? designSentences(facts, *config) : QStringList{curveSentence(facts)};
-    if (config == nullptr && facts.otf != nullptr && viewOf(facts.document, facts.view).curve == CurveKind::adaptive)
+    if (config == nullptr && facts.otf != nullptr && facts.document.panes.at(firstPane).curve == CurveKind::adaptive)
         sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf)
                   << motionSentence(facts.document.motion, facts.study.phases.size());
-    if (curveIsOfAnotherView(facts.document, facts.view, facts.otf))
+    if (curveIsOfAnotherView(facts.document, facts.otf))
         sentences << explanationText(
             "The curve was computed for another view than this one: A computes it for this one.");
     if (look.lighting != Lighting::flat) sentences << lightSentence(look.light);
@@ -175,7 +175,7 @@ QStringList whatIsSeen(const PictureFacts& facts) {
 }  // namespace
 
 QString explainPicture(const PictureFacts& facts) {
-    const Viewpoint shown = viewpointOf(facts.document, facts.view);
+    const Viewpoint shown = viewpointOf(facts.document);
     QStringList sentences;
     if (std::holds_alternative<SimulatedScan>(facts.document.study))
         sentences << explanationText("This is a simulated scan, not a patient.");
@@ -187,7 +187,7 @@ QString explainPicture(const PictureFacts& facts) {
     if (shown.nearCutMm > 0)
         sentences << explanationText("The near cut removes the first %1 mm; the tube cores begin there too.")
                          .arg(shown.nearCutMm, 0, 'f', 1);
-    if (cutOf(facts.document, facts.view).surface)
+    if (facts.document.scene.front.surface)
         sentences << explanationText("A curved cut removes what lies before it; the tube cores begin there too.");
     sentences << whatIsSeen(facts);
     if (!facts.volume.dataMask().empty())

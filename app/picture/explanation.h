@@ -17,7 +17,6 @@ struct PictureFacts {
     const Volume& volume;
     const AdaptiveOtf* otf;  ///< null where it is not computed yet
     const Document& document;
-    int view;  ///< of the document
     ShownSpeckle speckle = ShownSpeckle::asRead;
     /// What the designer of the view made; null where the view has none, or it is not computed yet.
     const ViewDesign* design = nullptr;

@@ -32,12 +32,12 @@ QString beamLine(const Beam& beam, bool simulated) {
     return captionText("beam %1").arg(axis);
 }
 
-QString cutLine(const Cut& cut, bool lengthsKnown) {
-    if (!cut.surface && !(cut.nearCutMm > 0)) return {};
+QString cutLine(const Front& cut, bool lengthsKnown) {
+    if (!cut.surface && !(cut.depthMm > 0)) return {};
     const QString what = cut.surface    ? captionText("cut along a curved surface")
-                         : lengthsKnown ? captionText("cut at %1 mm").arg(cut.nearCutMm, 0, 'f', 1)
+                         : lengthsKnown ? captionText("cut at %1 mm").arg(cut.depthMm, 0, 'f', 1)
                                         : captionText("cut");
-    return cut.source == CutSource::found ? captionText("%1, found on opening (N takes it back)").arg(what) : what;
+    return cut.source == FrontSource::found ? captionText("%1, found on opening (N takes it back)").arg(what) : what;
 }
 
 QString speckleLine(SpeckleReduction reduction, ShownSpeckle shown) {
@@ -56,46 +56,46 @@ QString lightLine(const Look& look) {
 }
 
 /// Where the phases move the line stands in every frame: else it would go for the one whose OTF it is.
-QString otfLine(const Document& document, int view) {
+QString otfLine(const Document& document) {
     const MotionChoice& motion = document.motion;
-    if (motion.otf != MotionOtf::oneOtf || !needsComputedOtf(document, view)) return {};
-    if (!movesObject(motion.scenario) && motion.otfPhase == phaseOf(document, view)) return {};
+    if (motion.otf != MotionOtf::oneOtf || !needsComputedOtf(document, firstPane)) return {};
+    if (!movesObject(motion.scenario) && motion.otfPhase == phaseOf(document, firstPane)) return {};
     return captionText("OTF of phase %1").arg(motion.otfPhase + 1);
 }
 
-QString designLine(const Document& document, int view, bool isShown) {
-    const DesignerConfig* config = designOf(document, view);
-    if (config == nullptr || lookOf(document, view).mode != RenderMode::direct) return {};
+QString designLine(const Document& document, bool isShown) {
+    const DesignerConfig* config = designerConfigOf(document, firstPane);
+    if (config == nullptr || document.scene.look.mode != RenderMode::direct) return {};
     return (isShown ? captionText("OTF: %1") : captionText("OTF: %1 is not computed yet")).arg(labelOf(*config));
 }
 
 }  // namespace
 
-bool curveIsOfAnotherView(const Document& document, int view, const AdaptiveOtf* otf) {
-    if (designOf(document, view) != nullptr)
-        return curveIsOfAnotherView(document, view, otfViewpointOf(document, view));
-    return otf != nullptr && curveIsOfAnotherView(document, view, otf->view);
+bool curveIsOfAnotherView(const Document& document, const AdaptiveOtf* otf) {
+    if (designerConfigOf(document, firstPane) != nullptr)
+        return curveIsOfAnotherView(document, otfViewpointOf(document, firstPane));
+    return otf != nullptr && curveIsOfAnotherView(document, otf->view);
 }
 
-bool curveIsOfAnotherView(const Document& document, int view, const Viewpoint& ofOtf) {
-    if (document.motionAngle != 0.0) return false;
-    if (lookOf(document, view).mode != RenderMode::direct) return false;
-    const DesignerConfig* config = designOf(document, view);
-    if (config != nullptr ? !readsTubeCores(*config) : viewOf(document, view).curve != CurveKind::adaptive)
+bool curveIsOfAnotherView(const Document& document, const Viewpoint& ofOtf) {
+    if (document.scene.motionAngle != 0.0) return false;
+    if (document.scene.look.mode != RenderMode::direct) return false;
+    const DesignerConfig* config = designerConfigOf(document, firstPane);
+    if (config != nullptr ? !readsTubeCores(*config) : document.panes.at(firstPane).curve != CurveKind::adaptive)
         return false;
-    return directionOf(ofOtf) != poseOf(document, view).direction;
+    return directionOf(ofOtf) != document.scene.pose.direction;
 }
 
 QString pictureCaption(const CaptionFacts& facts) {
-    const Look& look = lookOf(facts.document, facts.view);
+    const Look& look = facts.document.scene.look;
     QStringList lines{
         reductionLine(facts.reduction),
         beamLine(facts.document.beam, std::holds_alternative<SimulatedScan>(facts.document.study)),
-        cutLine(cutOf(facts.document, facts.view), facts.lengthsKnown),
+        cutLine(facts.document.scene.front, facts.lengthsKnown),
         speckleLine(look.reduction, facts.speckle),
         lightLine(look),
-        designLine(facts.document, facts.view, facts.designIsShown),
-        otfLine(facts.document, facts.view),
+        designLine(facts.document, facts.designIsShown),
+        otfLine(facts.document),
         facts.curveOfAnotherView ? captionText("curve of another view (A computes it for this one)") : QString()};
     lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));

@@ -20,7 +20,6 @@ enum class ShownSpeckle {
 /// What the caption tells beside the document.
 struct CaptionFacts {
     const Document& document;
-    int view;  ///< of the document
     ShownSpeckle speckle = ShownSpeckle::asRead;
     bool curveOfAnotherView = false;       ///< as curveIsOfAnotherView()
     bool designIsShown = true;             ///< where the view has a designer, it made the OTF that is shown
@@ -31,9 +30,9 @@ struct CaptionFacts {
 /// Whether the picture's curve is adaptive, or made by a designer that reads tube cores, and was computed for another
 /// direction than the picture is seen along: the hand has turned the view since. The frames of a motion are no views of
 /// their own in this. `otf` may be null.
-[[nodiscard]] bool curveIsOfAnotherView(const Document& document, int view, const AdaptiveOtf* otf);
+[[nodiscard]] bool curveIsOfAnotherView(const Document& document, const AdaptiveOtf* otf);
 /// The same of an OTF that was computed, or will be, for this viewpoint.
-[[nodiscard]] bool curveIsOfAnotherView(const Document& document, int view, const Viewpoint& ofOtf);
+[[nodiscard]] bool curveIsOfAnotherView(const Document& document, const Viewpoint& ofOtf);
 
 /// One line for each of these that is true: that voxels are means of several, which way round and how that is known,
 /// what is cut off and who cut it, how much speckle was taken away, which light falls, which designer made the OTF,

@@ -25,23 +25,23 @@ QString nameOfChange(const Look& before, const Look& after) {
 PictureControls::PictureControls(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
     connectPanel();
     connectPicture();
-    connect(&m_parts.model, &DocumentModel::looksChanged, this, &PictureControls::showDocument);
-    connect(&m_parts.model, &DocumentModel::cutsChanged, this, &PictureControls::showDocument);
+    connect(&m_parts.model, &DocumentModel::lookChanged, this, &PictureControls::showDocument);
+    connect(&m_parts.model, &DocumentModel::frontChanged, this, &PictureControls::showDocument);
     connect(&m_parts.model, &DocumentModel::beamChanged, this, &PictureControls::showDocument);
-    connect(&m_parts.model, &DocumentModel::viewsChanged, this, &PictureControls::showDocument);
+    connect(&m_parts.model, &DocumentModel::panesChanged, this, &PictureControls::showDocument);
 }
 
 void PictureControls::connectPanel() {
     const ViewPanel* panel = &m_parts.panel;
     connect(panel, &ViewPanel::nearCutChanged, this, [this](double mm) {
         if (!hasStudy()) return showDocument();
-        edit(tr("near cut"), [this, mm](Document& next) { cutOf(next, view()) = Cut{.nearCutMm = mm}; });
+        edit(tr("near cut"), [this, mm](Document& next) { next.scene.front = Front{.depthMm = mm}; });
     });
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
-    connect(panel, &ViewPanel::phaseChanged, this, [this](int phase) { m_parts.model.showPhase(view(), phase); });
+    connect(panel, &ViewPanel::phaseChanged, this, [this](int phase) { m_parts.model.showPhase(phase); });
     connect(panel, &ViewPanel::lookChanged, this, &PictureControls::setLook);
     connect(panel, &ViewPanel::lookReset, this, [this](const Look& look, const QString& group) {
-        edit(tr("reset %1").arg(group.toLower()), [this, &look](Document& next) { lookOf(next, view()) = look; });
+        edit(tr("reset %1").arg(group.toLower()), [this, &look](Document& next) { next.scene.look = look; });
         keep();
     });
     connect(panel, &ViewPanel::rendererChanged, this, [this] {
@@ -70,20 +70,20 @@ void PictureControls::edit(const QString& what, const std::function<void(Documen
 }
 
 void PictureControls::setLook(const Look& look) {
-    edit(nameOfChange(lookOf(m_parts.model.document(), view()), look),
-         [this, &look](Document& next) { lookOf(next, view()) = look; });
+    edit(nameOfChange(m_parts.model.document().scene.look, look),
+         [this, &look](Document& next) { next.scene.look = look; });
     keep();
 }
 
 void PictureControls::reduceSpeckle(int levels) {
-    Look look = lookOf(m_parts.model.document(), view());
+    Look look = m_parts.model.document().scene.look;
     constexpr int strongest = static_cast<int>(allSpeckleReductions.size()) - 1;
     look.reduction = static_cast<SpeckleReduction>(std::clamp(static_cast<int>(look.reduction) + levels, 0, strongest));
     setLook(look);
 }
 
 void PictureControls::nextLighting() {
-    Look look = lookOf(m_parts.model.document(), view());
+    Look look = m_parts.model.document().scene.look;
     constexpr int kinds = static_cast<int>(Lighting::depth) + 1;
     look.lighting = static_cast<Lighting>((static_cast<int>(look.lighting) + 1) % kinds);
     setLook(look);
@@ -93,47 +93,47 @@ void PictureControls::setBeamAxis(BeamAxis axis) {
     if (!hasStudy()) return showDocument();
     edit(tr("beam axis"), [this, axis](Document& next) {
         next = withBeam(std::move(next), {axis, BeamSource::person});
-        cutOf(next, view()) = Cut{};
-        poseOf(next, view()) = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = axis});
-        next.method.direction = ViewDirection{};
-        next.motionAngle = 0.0;
+        next.scene.front = Front{};
+        next.scene.pose = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = axis});
+        next.scene.side = ViewDirection{};
+        next.scene.motionAngle = 0.0;
     });
 }
 
 void PictureControls::resetView() {
     edit(tr("reset view"),
-         [this](Document& next) { poseOf(next, view()) = m_parts.picture.wholeVolume(viewAlongBeam(next.beam)); });
+         [this](Document& next) { next.scene.pose = m_parts.picture.wholeVolume(viewAlongBeam(next.beam)); });
 }
 
 void PictureControls::resetAll(const Document& opened) {
     edit(tr("reset all"), [this, &opened](Document& next) {
         next.beam = opened.beam;
         next.curves = opened.curves;
-        next.method.direction = opened.method.direction;
-        next.motionAngle = 0.0;
-        next = withCurve(std::move(next), view(), viewOf(opened, view()).curve);
-        cutOf(next, view()) = cutOf(opened, view());
-        lookOf(next, view()) = lookOf(opened, view());
-        boxOf(next, view()) = boxOf(opened, view());
-        planesOf(next, view()) = planesOf(opened, view());
-        strokesOf(next, view()) = strokesOf(opened, view());
+        next.scene.side = opened.scene.side;
+        next.scene.motionAngle = 0.0;
+        next = withCurve(std::move(next), firstPane, opened.panes.at(firstPane).curve);
+        next.scene.front = opened.scene.front;
+        next.scene.look = opened.scene.look;
+        next.scene.box = opened.scene.box;
+        next.scene.planes = opened.scene.planes;
+        next.scene.strokes = opened.scene.strokes;
         const Viewpoint alongBeam = viewAlongBeam(next.beam);
         const VolumeViewWidget& picture = m_parts.picture;
-        poseOf(next, view()) = picture.volume() ? picture.wholeVolume(alongBeam, picture.volume()->dataBox())
-                                                : picture.wholeVolume(alongBeam);
+        next.scene.pose = picture.volume() ? picture.wholeVolume(alongBeam, picture.volume()->dataBox())
+                                           : picture.wholeVolume(alongBeam);
     });
     keep();
 }
 
 void PictureControls::resetCut(const Document& opened) {
-    edit(tr("reset cut"), [this, &opened](Document& next) { cutOf(next, view()) = cutOf(opened, view()); });
+    edit(tr("reset cut"), [this, &opened](Document& next) { next.scene.front = opened.scene.front; });
 }
 
 void PictureControls::showDocument() {
     const Document& document = m_parts.model.document();
-    m_parts.panel.setNearCutMm(cutOf(document, view()).nearCutMm);
+    m_parts.panel.setNearCutMm(document.scene.front.depthMm);
     m_parts.panel.setBeamAxis(document.beam.axis);
-    m_parts.panel.setLook(lookOf(document, view()));
+    m_parts.panel.setLook(document.scene.look);
 }
 
 /// The renderer that the person chose. A graphics card that was chosen on another machine, or is not known yet, is left
@@ -161,7 +161,7 @@ void PictureControls::showCost() {
 
 void PictureControls::restore() {
     Document document = m_parts.model.document();
-    for (Shared<Look>& look : document.looks) look.value = m_parts.settings.look();
+    document.scene.look = m_parts.settings.look();
     m_parts.model.begin(document);
     showDocument();
     m_parts.panel.setRenderer(m_parts.settings.renderer());
@@ -169,7 +169,7 @@ void PictureControls::restore() {
 }
 
 void PictureControls::keep() {
-    m_parts.settings.setLook(lookOf(m_parts.model.document(), view()));
+    m_parts.settings.setLook(m_parts.model.document().scene.look);
     m_parts.settings.setRenderer(m_parts.panel.renderer());
 }
 

@@ -58,7 +58,6 @@ private:
     void takeRenderer();
     void tellPicture(const PictureReport& report);
     void showCost();
-    [[nodiscard]] int view() const { return m_parts.view.view(); }
 
     Parts m_parts;
     PictureReport m_newest;  ///< of the picture on the screen

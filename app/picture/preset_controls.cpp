@@ -29,7 +29,7 @@ QString contentsOf(const Preset& preset) {
 }  // namespace
 
 PresetControls::PresetControls(const Parts& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_pictures(parts.model, parts.view, parts.openStudy) {
+    : QObject(parent), m_parts(parts), m_pictures(parts.model, parts.openStudy) {
     const PresetsPanel* panel = &m_parts.panel;
     connect(panel, &PresetsPanel::seenChanged, &m_pictures, &PresetPictures::setSeen);
     connect(panel, &PresetsPanel::chosen, this, &PresetControls::choose);
@@ -42,9 +42,9 @@ PresetControls::PresetControls(const Parts& parts, QObject* parent)
     connect(&m_pictures, &PresetPictures::made, this,
             [this](int preset) { m_parts.panel.setPicture(preset, m_pictures.picture(preset)); });
     const DocumentModel* model = &m_parts.model;
-    connect(model, &DocumentModel::looksChanged, this, &PresetControls::showCurrent);
+    connect(model, &DocumentModel::lookChanged, this, &PresetControls::showCurrent);
     connect(model, &DocumentModel::curvesChanged, this, &PresetControls::showCurrent);
-    connect(model, &DocumentModel::viewsChanged, this, &PresetControls::showCurrent);
+    connect(model, &DocumentModel::panesChanged, this, &PresetControls::showCurrent);
     connect(model, &DocumentModel::methodChanged, this, &PresetControls::showCurrent);
     showPresets();
 }
@@ -100,13 +100,13 @@ void PresetControls::showCurrent() {
     const std::vector<Preset> presets = all();
     int current = -1;
     for (int i = 0; current < 0 && i < static_cast<int>(presets.size()); ++i)
-        if (isMadeBy(document, m_parts.view, presets[static_cast<std::size_t>(i)])) current = i;
+        if (isMadeBy(document, firstPane, presets[static_cast<std::size_t>(i)])) current = i;
     m_parts.panel.setCurrent(current);
 }
 
 void PresetControls::choose(int preset) {
     const Preset chosen = all().at(static_cast<std::size_t>(preset));
-    m_parts.model.edit(withPreset(m_parts.model.document(), m_parts.view, chosen),
+    m_parts.model.edit(withPreset(m_parts.model.document(), firstPane, chosen),
                        tr("preset %1").arg(textOf(chosen.name)));
 }
 
@@ -129,7 +129,7 @@ bool PresetControls::changeOwn(const std::function<void(std::vector<Preset>& own
 void PresetControls::save() {
     const bool saved = changeOwn([this](std::vector<Preset>& own) {
         own.push_back(
-            presetOf(m_parts.model.document(), m_parts.view, freePresetName(tr("My preset").toStdString(), names())));
+            presetOf(m_parts.model.document(), firstPane, freePresetName(tr("My preset").toStdString(), names())));
     });
     if (saved) m_parts.panel.editName(static_cast<int>(all().size()) - 1);
 }

@@ -31,7 +31,6 @@ public:
     struct Parts {
         QWidget& window;  ///< parent of the dialogs
         DocumentModel& model;
-        int view;
         OpenStudy& openStudy;
         PresetsPanel& panel;
         Settings& settings;

@@ -13,28 +13,24 @@ namespace {
 
 /// The document as far as pictures of one view depend on it, so that other changes ask for no picture. A picture
 /// depends on the curve that is rendered, and the adaptive one on that which the method begins with.
-Document pictured(Document document, int view) {
-    document.planes = {{viewOf(document, view).planes, {}}};
+Document pictured(Document document) {
+    document.scene.planes = {};
     // An angle of the motion turns the pose about the motion's axis.
-    if (document.motionAngle == 0.0) document.motion = {};
-    const Preset rendered = presetOf(document, view, {});
+    if (document.scene.motionAngle == 0.0) document.motion = {};
+    const Preset rendered = presetOf(document, firstPane, {});
     document.curves = rendered.curves;
-    if (lookOf(document, view).mode != RenderMode::direct) {
+    if (document.scene.look.mode != RenderMode::direct) {
         document.curves = {};
         document.method = {};
-        viewOf(document, view).curve = CurveKind::adaptive;
+        document.panes.at(firstPane).curve = CurveKind::adaptive;
     }
     return document;
 }
 
 }  // namespace
 
-PresetPictures::PresetPictures(DocumentModel& model, int view, OpenStudy& openStudy, QObject* parent)
-    : QObject(parent),
-      m_model(model),
-      m_view(view),
-      m_openStudy(openStudy),
-      m_thread(QStringLiteral("preset pictures")) {
+PresetPictures::PresetPictures(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy), m_thread(QStringLiteral("preset pictures")) {
     connect(&m_model, &DocumentModel::changed, this, &PresetPictures::follow);
     connect(&m_openStudy, &OpenStudy::volumeChanged, this, &PresetPictures::follow);
     connect(&m_openStudy, &OpenStudy::volumeCut, this, &PresetPictures::follow);
@@ -74,7 +70,7 @@ std::optional<PresetPictures::Asked> PresetPictures::askedOf(const Preset& prese
     if (!raw) return std::nullopt;
     const std::shared_ptr<const Volume> shown = m_openStudy.newestVoxels();
     const SpeckleReduction reduction = shown == raw ? SpeckleReduction::off : m_openStudy.quietPhases().reduction();
-    return Asked{pictured(withPreset(m_model.document(), m_view, preset), m_view), {raw, shown, reduction}};
+    return Asked{pictured(withPreset(m_model.document(), firstPane, preset)), {raw, shown, reduction}};
 }
 
 /// Something changed that pictures may depend on.
@@ -102,19 +98,19 @@ void PresetPictures::makeNext() {
     const int index = next();
     if (index < 0 || m_making) return;
     m_making = m_entries[static_cast<std::size_t>(index)].wanted;
-    m_thread.submit([this, asked = *m_making, view = m_view,
-                     caster = m_caster](const Progress& progress) -> NewestWinsThread::Deliver {
-        QImage image;
-        try {
-            const auto picture = caster->cast(asked.document, view, asked.voxels, width, height, progress);
-            if (!picture) return {};
-            image = imageOf(*picture);
-        } catch (const std::bad_alloc&) {
-            // The gallery shows the name alone; the 3D view says what lacks memory. What was left half done goes.
-            *caster = PresetCaster();
-        }
-        return [this, asked, image] { take(asked, image); };
-    });
+    m_thread.submit(
+        [this, asked = *m_making, caster = m_caster](const Progress& progress) -> NewestWinsThread::Deliver {
+            QImage image;
+            try {
+                const auto picture = caster->cast(asked.document, firstPane, asked.voxels, width, height, progress);
+                if (!picture) return {};
+                image = imageOf(*picture);
+            } catch (const std::bad_alloc&) {
+                // The gallery shows the name alone; the 3D view says what lacks memory. What was left half done goes.
+                *caster = PresetCaster();
+            }
+            return [this, asked, image] { take(asked, image); };
+        });
 }
 
 void PresetPictures::drop() {

@@ -26,7 +26,7 @@ public:
     static constexpr int width = 184, height = 138;
 
     /// `model` and `openStudy` must outlive this.
-    PresetPictures(DocumentModel& model, int view, OpenStudy& openStudy, QObject* parent = nullptr);
+    PresetPictures(DocumentModel& model, OpenStudy& openStudy, QObject* parent = nullptr);
 
     /// Pictures of presets that were there before are kept.
     void setPresets(std::vector<Preset> presets);
@@ -68,7 +68,6 @@ private:
     void take(const Asked& asked, const QImage& picture);
 
     DocumentModel& m_model;
-    int m_view;
     OpenStudy& m_openStudy;
     std::vector<Entry> m_entries;
     bool m_seen = false, m_atRest = false;

@@ -41,8 +41,8 @@ std::vector<std::vector<BoxFace>> allGrips() {
 
 }  // namespace
 
-BoxIn3d::BoxIn3d(DocumentModel& model, int view, OpenStudy& openStudy, VolumeViewWidget& picture, QObject* parent)
-    : QObject(parent), m_model(model), m_view(view), m_openStudy(openStudy), m_picture(picture) {
+BoxIn3d::BoxIn3d(DocumentModel& model, OpenStudy& openStudy, VolumeViewWidget& picture, QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy), m_picture(picture) {
     connect(&m_model, &DocumentModel::changed, this, &BoxIn3d::show);
     connect(&m_openStudy, &OpenStudy::volumeChanged, this, &BoxIn3d::show);
     connect(&m_picture, &VolumeViewWidget::measuredChanged, this, &BoxIn3d::show);
@@ -77,7 +77,7 @@ void BoxIn3d::setMarking(const Overlay& marking) {
 void BoxIn3d::show() {
     Overlay overlay;
     if (m_openStudy.volume()) {
-        if (planesOf(m_model.document(), m_view).linesIn3d) addPlanes(overlay);
+        if (m_model.document().scene.planes.linesIn3d) addPlanes(overlay);
         addBox(overlay);
         addMeasurements(overlay);
     }
@@ -94,7 +94,7 @@ void BoxIn3d::addPlanes(Overlay& overlay) const {
     const Document& document = m_model.document();
     const DataBox data = m_openStudy.volume()->dataBox();
     const OrientedBox whole = orientedBoxOf(data);
-    const Planes& planes = planesOf(document, m_view);
+    const Planes& planes = document.scene.planes;
     for (const PlaneName plane : allPlaneNames) {
         const BoxSection section =
             sectionOf(whole, referencePointOf(planes, data), frameOf(plane, planes, document.beam.axis).forward);
@@ -106,15 +106,15 @@ void BoxIn3d::addPlanes(Overlay& overlay) const {
 
 void BoxIn3d::addBox(Overlay& overlay) {
     const Document& document = m_model.document();
-    const Box& set = boxOf(document, m_view);
+    const Box& set = document.scene.box;
     if (!set.on) {
         m_grips.clear();
         m_picture.grips().setGrips({});
         return;
     }
     const OrientedBox box = orientedBoxOf(set, document.beam.axis);
-    const BoxFace front = faceOf(set.front);
-    const Vec3 looking = frameOf(viewpointOf(document, m_view)).forward;
+    const BoxFace front = faceOf(set.side);
+    const Vec3 looking = frameOf(viewpointOf(document)).forward;
     const auto facesViewer = [&](const BoxFace& face) { return outwardNormal(box, face).dot(looking) < 0.0; };
     m_grips = allGrips();
     // What lies nearer to the viewer is held first.
@@ -146,8 +146,8 @@ void BoxIn3d::addBox(Overlay& overlay) {
 void BoxIn3d::drag(const Vec3& mm) {
     if (!m_before) return;
     const Document& before = *m_before;
-    const OrientedBox start = orientedBoxOf(boxOf(before, m_view), before.beam.axis);
-    const Vec3 looking = frameOf(viewpointOf(before, m_view)).forward;
+    const OrientedBox start = orientedBoxOf(before.scene.box, before.beam.axis);
+    const Vec3 looking = frameOf(viewpointOf(before)).forward;
     OrientedBox box = start;
     if (m_held.empty()) box.centreMm += mm;
     for (const BoxFace& face : m_held) {
@@ -160,7 +160,7 @@ void BoxIn3d::drag(const Vec3& mm) {
         box = withFaceMoved(box, face, mm.dot(seen) / squared, m_openStudy.volume()->geometry().unit());
     }
     // Only the box is the drag's: what else has changed since it began stays.
-    const Document next = withBox(m_model.document(), m_view, movedBox(boxOf(before, m_view), box, before.beam.axis));
+    const Document next = withBox(m_model.document(), movedBox(before.scene.box, box, before.beam.axis));
     m_model.preview(next, m_held.empty() ? tr("move box") : tr("size of the box"));
 }
 

@@ -20,7 +20,7 @@ class BoxIn3d : public QObject {
 
 public:
     /// All of them must outlive this.
-    BoxIn3d(DocumentModel& model, int view, OpenStudy& openStudy, VolumeViewWidget& picture, QObject* parent = nullptr);
+    BoxIn3d(DocumentModel& model, OpenStudy& openStudy, VolumeViewWidget& picture, QObject* parent = nullptr);
 
     /// What the scalpel draws lies over all else.
     void setDrawing(const std::optional<PictureLine>& drawing);
@@ -37,7 +37,6 @@ private:
     void drag(const Vec3& mm);
 
     DocumentModel& m_model;
-    int m_view;
     OpenStudy& m_openStudy;
     VolumeViewWidget& m_picture;
     std::vector<Grip> m_grips;

@@ -9,9 +9,9 @@
 
 namespace echolucent {
 
-DocumentPlanes::DocumentPlanes(DocumentModel& model, int view, HandGesture& hand, OpenStudy& openStudy,
-                               const Panes& panes, QObject* parent)
-    : QObject(parent), m_model(model), m_view(view), m_hand(hand), m_openStudy(openStudy), m_panes(panes) {
+DocumentPlanes::DocumentPlanes(DocumentModel& model, HandGesture& hand, OpenStudy& openStudy, const Panes& panes,
+                               QObject* parent)
+    : QObject(parent), m_model(model), m_hand(hand), m_openStudy(openStudy), m_panes(panes) {
     for (PlanePane* pane : m_panes) {
         connect(pane, &PlanePane::changed, this, [this, pane](const Planes& next, const QString& what) {
             pane->dragging() ? m_model.preview(with(next), what) : take(next, what, m_hand.current());
@@ -19,7 +19,7 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, int view, HandGesture& hand
         connect(pane, &PlanePane::boxDragged, this, &DocumentPlanes::takeBox);
         connect(pane, &PlanePane::dragEnded, this, [this](const QString& what) {
             m_beforeBoxDrag.reset();
-            if (m_model.previewing()) take(planesOf(m_model.document(), m_view), what, m_hand.current());
+            if (m_model.previewing()) take(m_model.document().scene.planes, what, m_hand.current());
         });
         connect(pane, &PlanePane::dragCancelled, this, [this] {
             m_beforeBoxDrag.reset();
@@ -63,36 +63,36 @@ void DocumentPlanes::show() {
 PlaneScene DocumentPlanes::sceneFor(const Volume& volume, PlaneName plane) const {
     const Document& document = m_model.document();
     PlaneScene scene;
-    scene.planes = planesOf(document, m_view);
+    scene.planes = document.scene.planes;
     scene.beam = document.beam.axis;
     scene.data = volume.dataBox();
     scene.unitMm = volume.geometry().unit();
     scene.lengthsKnown = volume.geometry().spacingKnown;
-    scene.brightness = lookOf(document, m_view).brightness;
+    scene.brightness = document.scene.look.brightness;
     scene.box = boxScene(volume);
-    scene.measurements = shownMeasurements(document.measurements, phaseOf(document, m_view), volume.geometry());
+    scene.measurements = shownMeasurements(document.measurements, phaseOf(document, firstPane), volume.geometry());
     scene.letters = edgeLetters(frameOf(plane, scene.planes, scene.beam), scene.beam, volume.geometry());
     return scene;
 }
 
 BoxScene DocumentPlanes::boxScene(const Volume& volume) const {
     const Document& document = m_model.document();
-    const Box& box = boxOf(document, m_view);
-    const Cut& cut = cutOf(document, m_view);
+    const Box& box = document.scene.box;
+    const Front& cut = document.scene.front;
     BoxScene scene;
     scene.leastMm = volume.geometry().unit();
     if (box.on) scene.box = orientedBoxOf(box, document.beam.axis);
-    scene.front = faceOf(box.front);
+    scene.front = faceOf(box.side);
     // A flat near cut turns with the camera: it lies where the planes show it only while the camera looks that way.
-    const bool flatCut = cut.nearCutMm > 0.0 && shownPose(document, m_view).direction == document.method.direction;
+    const bool flatCut = cut.depthMm > 0.0 && shownPose(document).direction == document.scene.side;
     scene.startIsCut = cut.surface.has_value() || flatCut;
-    if (scene.startIsCut || box.on) scene.start = startSurface(document, m_view, volume);
+    if (scene.startIsCut || box.on) scene.start = startSurface(document, volume);
     return scene;
 }
 
 void DocumentPlanes::resample() {
     const std::shared_ptr<const Volume> volume =
-        planesOf(m_model.document(), m_view).quiet ? m_openStudy.newestVoxels() : m_openStudy.volume();
+        m_model.document().scene.planes.quiet ? m_openStudy.newestVoxels() : m_openStudy.volume();
     std::array<std::optional<PlaneRequest>, 3> requests;
     for (const PlanePane* pane : m_panes) requests[indexOf(pane->plane())] = pane->wanted(volume);
     m_resampler.want(requests);
@@ -108,8 +108,8 @@ void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const 
     if (!m_beforeBoxDrag) m_beforeBoxDrag = m_model.document();
     const Document& before = *m_beforeBoxDrag;
     Document next = m_model.document();
-    Cut& cut = cutOf(next, m_view);
-    const Cut& cutBefore = cutOf(before, m_view);
+    Front& cut = next.scene.front;
+    const Front& cutBefore = before.scene.front;
     switch (grip.kind) {
         case BoxGrip::Kind::bow: cut = {.surface = dragged.start}; break;
         case BoxGrip::Kind::start:
@@ -117,24 +117,23 @@ void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const 
                 cut = {.surface = dragged.start};
             } else {
                 const double deepest =
-                    depthAlongViewMm(otfViewpointOf(before, m_view), m_openStudy.volume()->geometry());
-                cut = {.nearCutMm = std::clamp(cutBefore.nearCutMm + dragged.startMm, 0.0, deepest)};
+                    depthAlongViewMm(otfViewpointOf(before, firstPane), m_openStudy.volume()->geometry());
+                cut = {.depthMm = std::clamp(cutBefore.depthMm + dragged.startMm, 0.0, deepest)};
             }
             break;
-        default:
-            next = withBox(std::move(next), m_view, movedBox(boxOf(before, m_view), dragged.box, before.beam.axis));
+        default: next = withBox(std::move(next), movedBox(before.scene.box, dragged.box, before.beam.axis));
     }
     m_model.preview(next, what);
 }
 
 Document DocumentPlanes::with(const Planes& next) const {
     Document document = m_model.document();
-    planesOf(document, m_view) = next;
+    document.scene.planes = next;
     return document;
 }
 
 void DocumentPlanes::resetAll() {
-    const Planes& now = planesOf(m_model.document(), m_view);
+    const Planes& now = m_model.document().scene.planes;
     Planes start;
     start.quiet = now.quiet;
     start.linesIn3d = now.linesIn3d;

@@ -21,7 +21,7 @@ public:
     using Panes = std::array<PlanePane*, 3>;  ///< A, B, C
 
     /// All of them must outlive this.
-    DocumentPlanes(DocumentModel& model, int view, HandGesture& hand, OpenStudy& openStudy, const Panes& panes,
+    DocumentPlanes(DocumentModel& model, HandGesture& hand, OpenStudy& openStudy, const Panes& panes,
                    QObject* parent = nullptr);
 
     /// True while planes that are wanted are not there yet.
@@ -47,7 +47,6 @@ private:
     [[nodiscard]] Document with(const Planes& next) const;
 
     DocumentModel& m_model;
-    int m_view;
     HandGesture& m_hand;
     OpenStudy& m_openStudy;
     Panes m_panes;

@@ -50,11 +50,10 @@ void MeasurementControls::show(int id) {
         if (each.id == id) measurement = each;
     if (!measurement || !m_parts.openStudy.volume()) return;
     m_parts.player.pause();
-    if (phaseOf(m_parts.model.document(), m_parts.view) != measurement->phase)
-        m_parts.model.showPhase(m_parts.view, measurement->phase);
+    if (phaseOf(m_parts.model.document(), firstPane) != measurement->phase) m_parts.model.showPhase(measurement->phase);
     if (measurement->ground != MeasurementGround::plane) return;
     Document next = m_parts.model.document();
-    Planes& planes = planesOf(next, m_parts.view);
+    Planes& planes = next.scene.planes;
     planes = planesHolding(planes, measurement->placesMm, next.beam.axis, m_parts.openStudy.volume()->dataBox());
     m_parts.model.edit(next, tr("planes to %1 %2").arg(textOf(nameOf(measurement->kind))).arg(id));
 }

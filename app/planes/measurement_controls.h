@@ -18,7 +18,6 @@ class MeasurementControls : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        int view;
         OpenStudy& openStudy;
         MotionPlayer& player;
         MeasuringHand& hand;

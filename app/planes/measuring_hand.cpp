@@ -154,7 +154,7 @@ void MeasuringHand::markOnSurface(const QPointF& pixel) {
 
 void MeasuringHand::mark(QObject* pane, const QPointF& pixel, const Vec3& gridMm, double mmPerPixel) {
     tell({});
-    const int phase = phaseOf(m_parts.model.document(), m_parts.view);
+    const int phase = phaseOf(m_parts.model.document(), firstPane);
     if (m_pane != pane || m_phase != phase) m_places.clear();
     if (!m_places.empty() && length(gridMm - m_places.back()) < samePlace * mmPerPixel) return;
     m_pointer = pixel;
@@ -202,7 +202,7 @@ void MeasuringHand::dropWhereItEnded() {
     const auto* pane = qobject_cast<PlanePane*>(m_pane);
     const bool left =
         pane && (!pane->scene() || !liesInPlane(m_places, pane->mapping().view, planeReachUnits * geometry().unit()));
-    if (left || m_phase != phaseOf(m_parts.model.document(), m_parts.view))
+    if (left || m_phase != phaseOf(m_parts.model.document(), firstPane))
         dropMarked();
     else
         showMarking();

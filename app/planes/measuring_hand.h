@@ -31,7 +31,6 @@ public:
 
     struct Parts {
         DocumentModel& model;
-        int view;
         OpenStudy& openStudy;
         Panes planes;
         VolumeViewWidget& picture;

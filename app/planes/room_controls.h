@@ -16,8 +16,8 @@ class RoomControls : public QObject {
 
 public:
     /// All of them must outlive this. `picture` is the view's.
-    RoomControls(DocumentModel& model, int view, HandGesture& hand, OpenStudy& openStudy,
-                 const VolumeViewWidget& picture, RoomPanel& panel, QObject* parent = nullptr);
+    RoomControls(DocumentModel& model, HandGesture& hand, OpenStudy& openStudy, const VolumeViewWidget& picture,
+                 RoomPanel& panel, QObject* parent = nullptr);
 
     void switchBox(bool on);
     /// Looks in through a side of the box, which fills the picture.
@@ -32,7 +32,6 @@ private:
     void makeSlab(PlaneName plane, double thicknessMm);
 
     DocumentModel& m_model;
-    int m_view;
     HandGesture& m_hand;
     OpenStudy& m_openStudy;
     const VolumeViewWidget& m_picture;

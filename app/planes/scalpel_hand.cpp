@@ -30,10 +30,10 @@ ScalpelHand::ScalpelHand(const Parts& parts, QObject* parent) : QObject(parent),
     connect(&m_parts.panel, &RoomPanel::allStrokesTakenBack, this, &ScalpelHand::takeAllBack);
     // A stroke is of one camera: where that moves, what was drawn under another one is dropped.
     const auto drop = [&lasso] { lasso.cancelDrawing(); };
-    connect(&m_parts.model, &DocumentModel::posesChanged, this, drop);
+    connect(&m_parts.model, &DocumentModel::poseChanged, this, drop);
     connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, drop);
     connect(&m_parts.model, &DocumentModel::studyChanged, this, drop);
-    const auto show = [this] { m_parts.panel.setStrokes(strokesOf(m_parts.model.document(), m_parts.view)); };
+    const auto show = [this] { m_parts.panel.setStrokes(m_parts.model.document().scene.strokes); };
     connect(&m_parts.model, &DocumentModel::strokesChanged, this, show);
     show();
 }
@@ -87,7 +87,7 @@ void ScalpelHand::cut(const std::vector<PicturePlace>& places) {
         stroke.depthMm = *nearest + *settings.depthMm;
     }
     if (!problemOf(stroke).empty()) return;  // nothing was drawn
-    std::vector<ScalpelStroke> strokes = strokesOf(m_parts.model.document(), m_parts.view);
+    std::vector<ScalpelStroke> strokes = m_parts.model.document().scene.strokes;
     strokes.push_back(std::move(stroke));
     edit(strokes, tr("cut with the scalpel"));
 }
@@ -118,7 +118,7 @@ std::optional<double> ScalpelHand::nearestShownMm(const ScalpelStroke& stroke) c
 }
 
 void ScalpelHand::takeBack(int stroke) {
-    std::vector<ScalpelStroke> strokes = strokesOf(m_parts.model.document(), m_parts.view);
+    std::vector<ScalpelStroke> strokes = m_parts.model.document().scene.strokes;
     if (stroke < 0 || stroke >= static_cast<int>(strokes.size())) return;
     strokes.erase(strokes.begin() + stroke);
     edit(strokes, tr("take a stroke back"));
@@ -128,7 +128,7 @@ void ScalpelHand::takeAllBack() { edit({}, tr("take all strokes back")); }
 
 void ScalpelHand::edit(const std::vector<ScalpelStroke>& strokes, const QString& what) {
     Document next = m_parts.model.document();
-    strokesOf(next, m_parts.view) = strokes;
+    next.scene.strokes = strokes;
     m_parts.model.edit(next, what);
 }
 

@@ -18,7 +18,6 @@ class ScalpelHand : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        int view;
         VolumeViewWidget& picture;
         BoxIn3d& overlay;
         RoomPanel& panel;

@@ -66,7 +66,7 @@ PlotSeries histogramSeries(const IntensityHistogram& histogram) {
 
 void addCurves(HtmlPage& page, const CaseReport& report) {
     constexpr int samples = 257;
-    const CurveKind active = viewOf(report.document, report.view).curve;
+    const CurveKind active = report.document.panes.at(firstPane).curve;
     Plot plot{.title = "Opacity transfer functions", .xLabel = "intensity", .yLabel = "opacity", .series = {}};
     for (const CurveKind kind : allCurveKinds) {
         if (kind == CurveKind::adaptive && report.adaptive.opacities.empty()) continue;
@@ -126,7 +126,7 @@ void addParameters(HtmlPage& page, const CaseReport& report) {
             std::visit([](const auto& values) { return rowsOf(parametersOf(values), values); }, *report.designedWith);
         if (!rows.empty()) page.table(columns, rows, "The designer " + report.designer);
     }
-    page.table(columns, rowsOf(lookParameters(), lookOf(report.document, report.view)), "The look of the 3D view");
+    page.table(columns, rowsOf(lookParameters(), report.document.scene.look), "The look of the 3D view");
 }
 
 void addImport(HtmlPage& page, const CaseReport& report) {

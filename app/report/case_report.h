@@ -36,7 +36,6 @@ struct CaseReport {
     std::vector<ReportPane> panes;
     QStringList explanation;  ///< sentences: what the 3D view shows and why
     Document document;
-    int view = 1;            ///< of the document
     SampledCurve adaptive;   ///< as it is shown; empty where there is none
     std::string designer{};  ///< its name, where the 3D view is rendered with the OTF of one; else empty
     std::optional<DesignerConfig> designedWith{};  ///< how that OTF was made, where it is there

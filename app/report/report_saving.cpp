@@ -160,12 +160,11 @@ CaseReport ReportSaving::windowState() const {
     report.version = QApplication::applicationVersion();
     report.explanation = m_parts.explanation().split(QStringLiteral("\n\n"), Qt::SkipEmptyParts);
     report.document = m_parts.model.document();
-    report.view = m_parts.view;
     report.adaptive = m_parts.editor.state().adaptive;
     if (m_parts.editor.state().designed) {
         report.designer = m_parts.editor.state().designer;
         report.designed = m_parts.editor.state().design;
-        if (const auto made = m_parts.designs.of(m_parts.view)) report.designedWith = made->config;
+        if (const auto made = m_parts.designs.of(firstPane)) report.designedWith = made->config;
     }
     report.histogram = openStudy.histogram();
     report.geometry = openStudy.volume()->geometry();
@@ -198,7 +197,7 @@ std::vector<ReportTime> ReportSaving::times() const {
     if (const auto quietening = openStudy.quieteningMilliseconds())
         times.push_back({tr("speckle reduction of all phases that are kept"), *quietening});
     if (const AdaptiveOtf* otf = m_parts.motion.otf()) times.push_back({tr("adaptive OTF"), otf->times.total});
-    if (const auto made = m_parts.designs.of(m_parts.view))
+    if (const auto made = m_parts.designs.of(firstPane))
         times.push_back({tr("OTF of the designer %1").arg(labelOf(made->config)), made->milliseconds});
     if (m_converged)
         times.push_back({tr("converged picture of the 3D view, %1 × %2 rays")

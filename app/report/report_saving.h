@@ -34,7 +34,6 @@ public:
     struct Parts {
         QWidget& window;  ///< parent of the dialogs
         DocumentModel& model;
-        int view;
         OpenStudy& openStudy;
         MotionFrames& motion;
         const ViewDesigns& designs;

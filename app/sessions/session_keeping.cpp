@@ -81,11 +81,8 @@ bool SessionKeeping::holdsWork() const {
     const Document& document = m_parts.model.document();
     const Document& opened = m_parts.shown.opened();
     if (!m_snapshots.list().empty() || !document.measurements.empty()) return true;
-    for (const auto& strokes : document.strokes)
-        if (!strokes.value.list.empty()) return true;
-    for (const auto& box : document.boxes)
-        if (box.value.on) return true;
-    return document.cuts != opened.cuts || document.views.size() != opened.views.size();
+    if (!document.scene.strokes.empty() || document.scene.box.on) return true;
+    return document.scene.front != opened.scene.front || document.panes.size() != opened.panes.size();
 }
 
 void SessionKeeping::noteChange() {
@@ -119,7 +116,8 @@ void SessionKeeping::leave() {
     const Document& opened = m_parts.shown.opened();
     const bool replaced = m_parts.openStudy.saved() && !m_inFile &&
                           (m_parts.editor.isManualModified() || document.curves != opened.curves ||
-                           document.looks != opened.looks || document.method != opened.method);
+                           document.scene.look != opened.scene.look || document.method != opened.method ||
+                           document.scene.side != opened.scene.side);
     if (!m_changed && !replaced) return m_autosave->forget();
     const Autosave::Left left = m_autosave->leaveBehind();
     Leftover leftover{left.file, left.lock, QDateTime::currentDateTime(), studyPathOf(m_parts.model.document()), {}};

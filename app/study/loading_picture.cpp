@@ -37,10 +37,10 @@ bool LoadingPicture::shown() const { return m_still != nullptr && !m_still->isHi
 void LoadingPicture::make(const CoarseVolume& coarse) {
     if (!m_parts.picture.isVisible()) return;
     const RayCastSettings settings = m_parts.picture.settings();
-    m_thread.submit([this, coarse, document = m_parts.model.document(), view = m_parts.view, width = settings.width,
+    m_thread.submit([this, coarse, document = m_parts.model.document(), width = settings.width,
                      height = settings.height](const Progress& progress) -> NewestWinsThread::Deliver {
         try {
-            const auto picture = coarsePicture(document, view, coarse, width, height, progress);
+            const auto picture = coarsePicture(document, firstPane, coarse, width, height, progress);
             if (!picture) return {};
             return [this, image = imageOf(*picture)] { show(image); };
         } catch (const std::bad_alloc&) {

@@ -23,7 +23,6 @@ class LoadingPicture : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        int view;  ///< of the document
         OpenStudy& openStudy;
         DocumentView& documentView;
         VolumeViewWidget& picture;

@@ -145,7 +145,7 @@ void OpenStudy::load(const StudyReference& reference, StudyReader reader) {
             m_opening = true;
             m_otfPhase.reset();
             m_waitForQuiet = true;
-            show(m_saved ? phaseOf(m_saved->session.document, 1) : 0);
+            show(m_saved ? m_saved->session.document.scene.phase : 0);
             emit studyOpened();
             takeChecksum();
         };

@@ -18,22 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int shownView = 1;  // of the window
-
 /// Refuses documents that the window cannot show of a study of so many phases.
 Result<void> requireShowable(const SavedSession& session, const std::string& file, std::size_t phases) {
     const auto check = [&](const Document& document, const std::string& place) -> Result<void> {
-        const bool hasView = std::ranges::any_of(document.views, [](const View& view) { return view.id == shownView; });
-        if (!hasView)
-            return fail(FailureKind::unreadable, file, place + "views", "holds no view of id 1, which the window shows",
-                        "Correct the file, or render it with \"render --document\".");
-        int last = 0;
-        for (const Shared<int>& phase : document.phases) last = std::max(last, phase.value);
+        int last = document.scene.phase;
+        for (const Pane& pane : document.panes) last = std::max(last, pane.phase.value_or(0));
         for (const Measurement& measurement : document.measurements) last = std::max(last, measurement.phase);
         if (const auto& range = document.motion.phaseRange) last = std::max({last, range->first, range->last});
         last = std::max(last, document.motion.otfPhase);
         if (last >= static_cast<int>(phases))
-            return fail(FailureKind::unreadable, file, place + "phases",
+            return fail(FailureKind::unreadable, file, place + "scene.phase",
                         fmt::format("asks for phase {}, but the study has {}", last + 1, phases),
                         "Open the study that the session was saved of.");
         return {};
@@ -51,6 +45,15 @@ void keepToPhases(SavedSession& session, std::size_t phases) {
     if (phases > 1) return;
     session.document.motion.scenario = MotionScenario::probe;
     for (Snapshot& snapshot : session.snapshots) snapshot.document.motion.scenario = MotionScenario::probe;
+}
+
+/// The window turns the front along with the view: a plane across another view becomes a part of the surface.
+void turnFronts(SavedSession& session, const VolumeGeometry& geometry) {
+    const auto turn = [&geometry](Document& document) {
+        document.scene = withFrontAcrossPose(std::move(document.scene), document.beam.axis, geometry);
+    };
+    turn(session.document);
+    for (Snapshot& snapshot : session.snapshots) turn(snapshot.document);
 }
 
 void nameStudy(SavedSession& session, const StudyReference& study) {
@@ -86,6 +89,7 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
         auto study = simulatedStudy(*scan, progress);
         if (!study) return tl::unexpected(study.error());
         keepToPhases(*session, study->phases.size());
+        turnFronts(*session, study->phases.front()->geometry());
         return ReadSession{{file, std::move(*session)}, std::move(*study)};
     }
     const auto* named = std::get_if<StudyFile>(&session->document.study);
@@ -113,6 +117,7 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
     found.path = error ? *place : absolute.string();
     nameStudy(*session, found);
     keepToPhases(*session, study.phases.size());
+    turnFronts(*session, study.phases.front()->geometry());
     read->opened = {file, std::move(*session)};
     return read;
 }

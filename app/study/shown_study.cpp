@@ -35,19 +35,19 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
         showRemark();
         takeQuietVoxels();  // those that were made while it played
     });
-    connect(&m_parts.model, &DocumentModel::phasesChanged, this, &ShownStudy::takePhase);
+    connect(&m_parts.model, &DocumentModel::phaseChanged, this, &ShownStudy::takePhase);
     connect(&m_parts.model, &DocumentModel::curvesChanged, this, &ShownStudy::showRemarkAtRest);
-    connect(&m_parts.model, &DocumentModel::viewsChanged, this, &ShownStudy::showRemarkAtRest);
-    connect(&m_parts.model, &DocumentModel::viewsChanged, this, &ShownStudy::showNumbers);
-    connect(&m_parts.designs, &ViewDesigns::computed, this, [this](int view) {
-        if (view != m_parts.view.view()) return;
+    connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showNumbers);
+    connect(&m_parts.designs, &ViewDesigns::computed, this, [this](std::size_t pane) {
+        if (pane != firstPane) return;
         showRemarkAtRest();
         m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
     });
-    connect(&m_parts.model, &DocumentModel::looksChanged, this, &ShownStudy::showRemarkAtRest);
-    connect(&m_parts.model, &DocumentModel::boxesChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::lookChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::boxChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
-    connect(&m_parts.model, &DocumentModel::methodChanged, this, &ShownStudy::showNearCutRange);
+    connect(&m_parts.model, &DocumentModel::sideChanged, this, &ShownStudy::showNearCutRange);
 }
 
 /// All that calls the study by its name, in the title and in the facts.
@@ -121,7 +121,7 @@ void ShownStudy::takeVolume() {
     if (oneOtf && !otherStudy) return m_parts.motion.showWithOneOtf();
     m_parts.method.clearResult();
     m_parts.status.clearOtf();
-    m_parts.computing.computeFor(oneOtf ? m_parts.computing.viewpoint() : viewpointOf(document, m_parts.view.view()));
+    m_parts.computing.computeFor(oneOtf ? m_parts.computing.viewpoint() : viewpointOf(document));
 }
 
 void ShownStudy::beginDocument() {
@@ -140,7 +140,7 @@ void ShownStudy::beginDocument() {
     const DataBox& box = openStudy.volume()->dataBox();
     const auto showWhole = [&](Document& document) {
         const Viewpoint alongBeam = viewAlongBeam(document.beam);
-        for (Shared<Pose>& pose : document.poses) pose.value = m_parts.picture.wholeVolume(alongBeam, box);
+        document.scene.pose = m_parts.picture.wholeVolume(alongBeam, box);
     };
     showWhole(opened);
     if (m_phases < 2)
@@ -165,7 +165,7 @@ void ShownStudy::beginDocument() {
 }
 
 void ShownStudy::takePhase() {
-    const int phase = phaseOf(m_parts.model.document(), m_parts.view.view());
+    const int phase = phaseOf(m_parts.model.document(), firstPane);
     m_parts.controls.setPhase(phase);
     if (m_study && phase < static_cast<int>(m_study->phases.size())) m_parts.openStudy.setPhase(phase);
 }
@@ -186,9 +186,8 @@ void ShownStudy::takeOtf() {
 void ShownStudy::showNumbers() {
     const AdaptiveOtf* otf = m_parts.motion.otf();
     if (otf != nullptr) m_parts.method.showResult(*otf);
-    const int view = m_parts.view.view();
-    if (designOf(m_parts.model.document(), view) != nullptr) {
-        const auto made = m_parts.designs.of(view);
+    if (designerConfigOf(m_parts.model.document(), firstPane) != nullptr) {
+        const auto made = m_parts.designs.of(firstPane);
         made ? m_parts.status.setDesign(labelOf(made->config), made->milliseconds) : m_parts.status.clearOtf();
     } else if (otf != nullptr) {
         m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
@@ -213,9 +212,7 @@ void ShownStudy::takeQuietVoxels() {
         m_parts.view.showVolume(openStudy.newestVoxels(), openStudy.volume());
 }
 
-void ShownStudy::takeStrokes() {
-    m_parts.openStudy.setStrokes(strokesOf(m_parts.model.document(), m_parts.view.view()));
-}
+void ShownStudy::takeStrokes() { m_parts.openStudy.setStrokes(m_parts.model.document().scene.strokes); }
 
 /// The picture shows the stroke at once, with the curve that it had; the OTF of what is left follows.
 void ShownStudy::takeCut() {
@@ -245,8 +242,7 @@ void ShownStudy::showRemarkAtRest() {
 void ShownStudy::showRemark() {
     if (m_parts.motion.otf() == nullptr || !m_parts.openStudy.volume()) return;
     const Document& document = m_parts.model.document();
-    const int view = m_parts.view.view();
-    const std::optional<OrientedBox> box = viewpointOf(document, view).box;
+    const std::optional<OrientedBox> box = viewpointOf(document).box;
     if (box && !meets(*box, m_parts.openStudy.volume()->dataBox()))
         return m_parts.messages.setRemark(
             tr("Nothing is shown: the render box lies beside the data. Drag its centre, or switch it off (B)."));
@@ -256,21 +252,20 @@ void ShownStudy::showRemark() {
 /// What the OTF that is rendered has to say. A picture that is black because of its curve says so.
 QStringList ShownStudy::remarks() const {
     const Document& document = m_parts.model.document();
-    const int view = m_parts.view.view();
     const AdaptiveOtf& otf = *m_parts.motion.otf();
     QString message = QString::fromStdString(otf.message);
     OpacityCurve curve;
-    if (designOf(document, view) != nullptr) {
-        const auto made = m_parts.designs.of(view);
+    if (designerConfigOf(document, firstPane) != nullptr) {
+        const auto made = m_parts.designs.of(firstPane);
         if (!made) return {};
         message = QString::fromStdString(made->design.message);
         if (!message.isEmpty()) message = tr("%1: %2").arg(labelOf(made->config), message);
-        curve = upperCurveOf(classificationOf(document, view, {.designed = made->design.classification}));
+        curve = upperCurveOf(classificationOf(document, firstPane, {.designed = made->design.classification}));
     } else {
-        curve = curveOf(document, view, otf.curve);
+        curve = curveOf(document, firstPane, otf.curve);
     }
     QStringList remarks{message};
-    if (lookOf(document, view).mode == RenderMode::direct)
+    if (document.scene.look.mode == RenderMode::direct)
         remarks << QString::fromStdString(whyNothingShows(curve, m_parts.openStudy.histogramOfOtf()));
     remarks.removeAll(QString());
     return remarks;
@@ -280,9 +275,9 @@ void ShownStudy::showNearCutRange() {
     if (!m_parts.openStudy.volume()) return;
     const Document& document = m_parts.model.document();
     const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
-    const int view = m_parts.view.view();
-    m_parts.controls.setNearCutRange(depthAlongViewMm(otfViewpointOf(document, view), geometry), geometry.spacingKnown);
-    m_parts.controls.setNearCutMm(cutOf(document, view).nearCutMm);
+    m_parts.controls.setNearCutRange(depthAlongViewMm(otfViewpointOf(document, firstPane), geometry),
+                                     geometry.spacingKnown);
+    m_parts.controls.setNearCutMm(document.scene.front.depthMm);
 }
 
 }  // namespace echolucent

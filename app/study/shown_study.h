@@ -19,8 +19,8 @@ class StudyPanel;
 class ViewDesigns;
 class ViewPanel;
 
-/// Begins the document of a study, and brings volume, OTF and facts to view, editor and panels, in the order in which a
-/// picture is never made of one study's voxels and another's curve.
+/// Begins the document of a study, and brings volume, OTF and facts to view, editor and panels, in the order in
+/// which a picture is never made of one study's voxels and another's curve.
 class ShownStudy : public QObject {
     Q_OBJECT
 

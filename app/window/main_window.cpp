@@ -47,7 +47,7 @@ constexpr int layoutVersion = 3;  // of the docks: an arrangement of an older ki
 }  // namespace
 
 MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> openStudy)
-    : m_settings(settingsFile), m_curves(m_document, mainView), m_openStudy(std::move(openStudy)) {
+    : m_settings(settingsFile), m_curves(m_document), m_openStudy(std::move(openStudy)) {
     wearTheme(m_settings.theme());  // before there are widgets, which would be dressed twice
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));
@@ -85,20 +85,20 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::createUnits() {
-    m_view = std::make_unique<DocumentView>(m_document, mainView, m_hand, *m_widgets.picture);
-    m_computing = std::make_unique<OtfComputing>(m_document, mainView, *m_openStudy);
+    m_view = std::make_unique<DocumentView>(m_document, m_hand, *m_widgets.picture);
+    m_computing = std::make_unique<OtfComputing>(m_document, *m_openStudy);
     m_designs = std::make_unique<ViewDesigns>(m_document, *m_openStudy);
     m_shownDesign = std::make_unique<ShownDesign>(
         ShownDesign::Parts{m_document, *m_designs, *m_view, *m_widgets.editor, *m_widgets.messages});
     m_designerControls = std::make_unique<DesignerControls>(
-        DesignerControls::Parts{m_document, mainView, m_hand, *m_designs, *m_widgets.designers});
+        DesignerControls::Parts{m_document, m_hand, *m_designs, *m_widgets.designers});
     m_methodControls = std::make_unique<MethodControls>(m_document, m_hand, *m_widgets.method);
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
     m_curveControls = std::make_unique<CurveControls>(m_document, m_hand, *m_widgets.sliders, *m_widgets.editor);
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
-        *this, m_document, mainView, *m_openStudy, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
+        *this, m_document, *m_openStudy, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_openStudy, *m_computing, *m_designs,
                                                                   *m_view, *m_widgets.picture, m_motionPlayer, m_course,
                                                                   *m_widgets.motion, *m_widgets.course, m_hand});
@@ -106,10 +106,10 @@ void MainWindow::createUnits() {
         ShownStudy::Parts{*this, m_document, *m_openStudy, *m_computing, *m_designs, *m_view, *m_widgets.picture,
                           *m_motion, m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls,
                           *m_widgets.facts, *m_widgets.status, *m_widgets.messages, m_names});
-    m_loadingPicture = std::make_unique<LoadingPicture>(
-        LoadingPicture::Parts{m_document, mainView, *m_openStudy, *m_view, *m_widgets.picture});
+    m_loadingPicture =
+        std::make_unique<LoadingPicture>(LoadingPicture::Parts{m_document, *m_openStudy, *m_view, *m_widgets.picture});
     m_nearCutFinder = std::make_unique<NearCutFinder>(
-        NearCutFinder::Parts{m_document, mainView, *m_openStudy, *m_computing, *m_widgets.messages});
+        NearCutFinder::Parts{m_document, *m_openStudy, *m_computing, *m_widgets.messages});
     m_recentPictures = std::make_unique<RecentPictures>(m_settings, *m_widgets.picture);
     m_opening = std::make_unique<StudyOpening>(
         StudyOpening::Parts{*this, *m_openStudy, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
@@ -117,19 +117,19 @@ void MainWindow::createUnits() {
         CurveAndPictureFiles::Parts{*this, m_document, *m_openStudy, *m_widgets.editor, *m_widgets.picture, m_settings,
                                     *m_widgets.messages, m_names});
     m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
-        *this, m_document, mainView, *m_openStudy, m_settings, *m_widgets.messages, m_names,
+        *this, m_document, *m_openStudy, m_settings, *m_widgets.messages, m_names,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
         [this](const QString& what) { return m_files->proposedName(what); }});
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{
-        m_document, mainView, m_hand, *m_openStudy, m_motionPlayer, *m_widgets.panes, m_widgets.planes,
-        *m_widgets.picture, *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
+        m_document, m_hand, *m_openStudy, m_motionPlayer, *m_widgets.panes, m_widgets.planes, *m_widgets.picture,
+        *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_compare = std::make_unique<CompareRoom>(CompareRoom::Parts{
         *this, m_document, *m_openStudy, m_hand, m_motionPlayer, *m_widgets.rooms, *m_designs, *m_widgets.compared,
         *m_widgets.compare, *m_widgets.messages, m_settings, m_names, [this] { return m_view->adaptiveCurve(); },
         [this](const QString& what) { return m_files->proposedName(what); }});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
-        *this, m_document, mainView, *m_openStudy, *m_motion, *m_designs, m_motionPlayer, m_widgets.planes,
-        *m_widgets.picture, *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
+        *this, m_document, *m_openStudy, *m_motion, *m_designs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
+        *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{
         *this, m_document, *m_openStudy, *m_shownStudy, m_settings, *m_widgets.editor, *m_widgets.messages, m_names});
@@ -205,14 +205,13 @@ void MainWindow::connectCaption() {
     const auto tell = [this] {
         // A picture that is still of the study before keeps its own caption.
         if (!m_openStudy->volume() || m_view->held()) return;
-        m_widgets.picture->setCaption(pictureCaption(
-            {.document = m_document.document(),
-             .view = mainView,
-             .speckle = shownSpeckle(),
-             .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), mainView, m_motion->otf()),
-             .designIsShown = designIsShown(),
-             .lengthsKnown = m_openStudy->volume()->geometry().spacingKnown,
-             .reduction = m_openStudy->volume()->geometry().reduction}));
+        m_widgets.picture->setCaption(
+            pictureCaption({.document = m_document.document(),
+                            .speckle = shownSpeckle(),
+                            .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), m_motion->otf()),
+                            .designIsShown = designIsShown(),
+                            .lengthsKnown = m_openStudy->volume()->geometry().spacingKnown,
+                            .reduction = m_openStudy->volume()->geometry().reduction}));
     };
     connect(&m_document, &DocumentModel::changed, this, tell);
     connect(m_openStudy.get(), &OpenStudy::otfComputed, this, tell);
@@ -227,8 +226,8 @@ void MainWindow::connectCaption() {
 }
 
 bool MainWindow::designIsShown() const {
-    const DesignerConfig* config = designOf(m_document.document(), mainView);
-    const std::shared_ptr<const ViewDesign> made = m_designs->of(mainView);
+    const DesignerConfig* config = designerConfigOf(m_document.document(), firstPane);
+    const std::shared_ptr<const ViewDesign> made = m_designs->of(firstPane);
     return config != nullptr && made && made->config.index() == config->index();
 }
 
@@ -311,7 +310,7 @@ void MainWindow::restoreSettings() {
     Document document = m_document.document();
     document.motion = m_settings.motion();
     document.method = m_settings.method();
-    viewOf(document, mainView).curve = m_settings.activeCurve();
+    document.panes.at(firstPane).curve = m_settings.activeCurve();
     m_document.begin(document);
     if (auto* logarithmic = m_widgets.editor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
         logarithmic->setChecked(m_settings.histogramLogarithmic());
@@ -325,7 +324,7 @@ void MainWindow::keepSettings() {
     m_presets->keep();
     m_settings.setMotion(m_document.document().motion);
     m_settings.setMethod(m_document.document().method);
-    m_settings.setActiveCurve(viewOf(m_document.document(), mainView).curve);
+    m_settings.setActiveCurve(m_document.document().panes.at(firstPane).curve);
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
     m_compare->setShown(false);  // the next start begins without
     m_settings.setWindowGeometry(saveGeometry());
@@ -335,15 +334,14 @@ void MainWindow::keepSettings() {
 
 QString MainWindow::explanation() const {
     if (!m_openStudy->volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
-    const std::shared_ptr<const ViewDesign> designed = m_designs->of(mainView);
+    const std::shared_ptr<const ViewDesign> designed = m_designs->of(firstPane);
     return explainPicture({.study = *m_openStudy->study(),
                            .volume = *m_openStudy->volume(),
                            .otf = m_motion->otf(),
                            .document = m_document.document(),
-                           .view = mainView,
                            .speckle = shownSpeckle(),
                            .design = designed.get(),
-                           .designIsNewest = m_designs->isNewest(mainView)});
+                           .designIsNewest = m_designs->isNewest(firstPane)});
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

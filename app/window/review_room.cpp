@@ -15,12 +15,12 @@ namespace echolucent {
 ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
-      m_planes(parts.model, parts.view, parts.hand, parts.openStudy, parts.planes),
-      m_controls(parts.model, parts.view, parts.hand, parts.openStudy, parts.picture, parts.panel),
-      m_boxIn3d(parts.model, parts.view, parts.openStudy, parts.picture),
-      m_scalpel({parts.model, parts.view, parts.picture, m_boxIn3d, parts.panel}),
-      m_measuring({parts.model, parts.view, parts.openStudy, parts.planes, parts.picture, m_boxIn3d, parts.messages}),
-      m_measurements({parts.model, parts.view, parts.openStudy, parts.player, m_measuring, parts.measurements}) {
+      m_planes(parts.model, parts.hand, parts.openStudy, parts.planes),
+      m_controls(parts.model, parts.hand, parts.openStudy, parts.picture, parts.panel),
+      m_boxIn3d(parts.model, parts.openStudy, parts.picture),
+      m_scalpel({parts.model, parts.picture, m_boxIn3d, parts.panel}),
+      m_measuring({parts.model, parts.openStudy, parts.planes, parts.picture, m_boxIn3d, parts.messages}),
+      m_measurements({parts.model, parts.openStudy, parts.player, m_measuring, parts.measurements}) {
     connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
     connect(&m_planes, &DocumentPlanes::busyChanged, this, &ReviewRoom::busyChanged);
     connect(&m_planes, &DocumentPlanes::pointed, this, &ReviewRoom::pointed);
@@ -104,11 +104,9 @@ void ReviewRoom::addPlanes(QMenu& menu) {
         connect(action, &QAction::triggered, this, [this, what, member](bool on) {
             editPlanes(what, [member, on](Planes& planes) { planes.*member = on; });
         });
-        const auto show = [this, action, member] {
-            action->setChecked(planesOf(m_parts.model.document(), m_parts.view).*member);
-        };
+        const auto show = [this, action, member] { action->setChecked(m_parts.model.document().scene.planes.*member); };
         connect(&m_parts.model, &DocumentModel::planesChanged, action, show);
-        connect(&m_parts.model, &DocumentModel::viewsChanged, action, show);
+        connect(&m_parts.model, &DocumentModel::panesChanged, action, show);
         show();
     };
     addSwitch(tr("Planes show &quiet voxels"), QStringLiteral("room.quietPlanes"), tr("voxels of planes"),
@@ -125,8 +123,8 @@ void ReviewRoom::addBox(QMenu& menu) {
     box->setShortcut(keyOf(box->objectName()));
     box->setCheckable(true);
     connect(box, &QAction::triggered, &m_controls, &RoomControls::switchBox);
-    const auto show = [this, box] { box->setChecked(boxOf(m_parts.model.document(), m_parts.view).on); };
-    connect(&m_parts.model, &DocumentModel::boxesChanged, box, show);
+    const auto show = [this, box] { box->setChecked(m_parts.model.document().scene.box.on); };
+    connect(&m_parts.model, &DocumentModel::boxChanged, box, show);
     show();
     QMenu* fronts = menu.addMenu(tr("&Look in from"));
     const std::array texts{tr("&Top"), tr("&Bottom"), tr("&Left"), tr("&Right"), tr("&Near"), tr("&Far")};
@@ -175,7 +173,7 @@ void ReviewRoom::addMeasuring(QMenu& menu) {
 
 void ReviewRoom::editPlanes(const QString& what, const std::function<void(Planes& planes)>& change) {
     Document next = m_parts.model.document();
-    change(planesOf(next, m_parts.view));
+    change(next.scene.planes);
     m_parts.model.edit(next, what);
 }
 

@@ -29,7 +29,6 @@ class ReviewRoom : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        int view;
         HandGesture& hand;
         OpenStudy& openStudy;
         MotionPlayer& player;

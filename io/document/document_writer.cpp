@@ -60,10 +60,11 @@ ordered_json surfaceJson(const CutSurface& surface) {
             {"depth_mm", surface.depthMm}};
 }
 
-ordered_json cutJson(const Cut& cut) {
-    return {{"near_cut_mm", cut.nearCutMm},
-            {"source", nameOf(cut.source)},
-            {"surface", cut.surface ? surfaceJson(*cut.surface) : ordered_json()}};
+ordered_json frontJson(const Front& front, const Pose& pose) {
+    return {{"depth_mm", front.depthMm},
+            {"direction", directionJson(front.direction.value_or(pose.direction))},
+            {"source", nameOf(front.source)},
+            {"surface", front.surface ? surfaceJson(*front.surface) : ordered_json()}};
 }
 
 ordered_json boxJson(const Box& box) {
@@ -71,7 +72,7 @@ ordered_json boxJson(const Box& box) {
             {"direction", directionJson(box.direction)},
             {"centre_mm", triple(box.centreMm)},
             {"size_mm", triple(box.sizeMm)},
-            {"front", nameOf(box.front)}};
+            {"side", nameOf(box.side)}};
 }
 
 ordered_json planesJson(const Planes& planes) {
@@ -96,9 +97,9 @@ ordered_json cameraJson(const Camera& camera) {
             {"view_angle", camera.viewAngleDegrees},       {"distance_mm", camera.distanceMm}};
 }
 
-ordered_json strokesJson(const Strokes& strokes) {
+ordered_json strokesJson(const std::vector<ScalpelStroke>& strokes) {
     ordered_json list = ordered_json::array();
-    for (const ScalpelStroke& stroke : strokes.list) {
+    for (const ScalpelStroke& stroke : strokes) {
         ordered_json object{{"tool", nameOf(stroke.tool)},
                             {"side", nameOf(stroke.side)},
                             {"camera", cameraJson(stroke.camera)},
@@ -107,42 +108,36 @@ ordered_json strokesJson(const Strokes& strokes) {
         object["depth_mm"] = stroke.depthMm ? ordered_json(*stroke.depthMm) : ordered_json();
         list.push_back(std::move(object));
     }
-    return {{"strokes", list}};
+    return list;
 }
 
-template <typename Value>
-ordered_json listJson(const std::vector<Shared<Value>>& list, ordered_json (*valueJson)(const Value&)) {
+ordered_json sceneJson(const Scene& scene) {
+    return {{"pose", poseJson(scene.pose)},
+            {"side", directionJson(scene.side)},
+            {"front", frontJson(scene.front, scene.pose)},
+            {"look", lookJson(scene.look)},
+            {"box", boxJson(scene.box)},
+            {"planes", planesJson(scene.planes)},
+            {"strokes", strokesJson(scene.strokes)},
+            {"phase", scene.phase},
+            {"motion_angle", scene.motionAngle}};
+}
+
+ordered_json panesJson(const std::vector<Pane>& panes) {
     ordered_json entries = ordered_json::array();
-    for (const Shared<Value>& entry : list) {
-        ordered_json object{{"id", entry.id}};
-        object.update(valueJson(entry.value));
+    for (const Pane& pane : panes) {
+        ordered_json object{{"curve", nameOf(pane.curve)}};
+        // Most panes have none of these.
+        if (pane.designer) object["designer"] = designJson(*pane.designer);
+        if (!pane.withoutTubes.empty()) object["without_tubes"] = pane.withoutTubes;
+        if (pane.phase) object["phase"] = *pane.phase;
+        if (pane.motionOtf) object["motion_otf"] = nameOf(*pane.motionOtf);
         entries.push_back(std::move(object));
     }
     return entries;
 }
 
-ordered_json viewsJson(const std::vector<View>& views) {
-    ordered_json entries = ordered_json::array();
-    for (const View& view : views) {
-        entries.push_back({{"id", view.id},
-                           {"pose", view.pose},
-                           {"cut", view.cut},
-                           {"look", view.look},
-                           {"phase", view.phase},
-                           {"curve", nameOf(view.curve)},
-                           {"box", view.box},
-                           {"planes", view.planes},
-                           {"strokes", view.strokes}});
-        // Most views have neither.
-        if (view.design != 0) entries.back()["design"] = view.design;
-        if (!view.withoutTubes.empty()) entries.back()["without_tubes"] = view.withoutTubes;
-        if (view.motionOtf) entries.back()["motion_otf"] = nameOf(*view.motionOtf);
-    }
-    return entries;
-}
-
-ordered_json motionJson(const Document& document) {
-    const MotionChoice& motion = document.motion;
+ordered_json motionJson(const MotionChoice& motion) {
     ordered_json range;
     if (motion.phaseRange) range = {{"first", motion.phaseRange->first}, {"last", motion.phaseRange->last}};
     return {{"axis", nameOf(motion.axis)},
@@ -152,8 +147,7 @@ ordered_json motionJson(const Document& document) {
             {"phases_ping_pong", motion.phasesPingPong},
             {"phase_range", range},
             {"otf_phase", motion.otfPhase},
-            {"speed", motion.speed},
-            {"angle", document.motionAngle}};
+            {"speed", motion.speed}};
 }
 
 ordered_json measurementsJson(const std::vector<Measurement>& measurements) {
@@ -171,38 +165,26 @@ ordered_json measurementsJson(const std::vector<Measurement>& measurements) {
 }
 
 ordered_json comparisonJson(const Comparison& comparison) {
-    return {{"panes", comparison.panes}, {"layout", nameOf(comparison.layout)},
-            {"first", comparison.first}, {"second", comparison.second},
-            {"wipe", comparison.wipe},   {"amplification", comparison.amplification}};
-}
-
-ordered_json phasesJson(const std::vector<Shared<int>>& phases) {
-    ordered_json entries = ordered_json::array();
-    for (const Shared<int>& phase : phases) entries.push_back({{"id", phase.id}, {"phase", phase.value}});
-    return entries;
+    return {{"layout", nameOf(comparison.layout)},
+            {"first", comparison.first},
+            {"second", comparison.second},
+            {"wipe", comparison.wipe},
+            {"amplification", comparison.amplification}};
 }
 
 ordered_json documentJson(const Document& document) {
-    ordered_json object{{"format", documentFormatName}, {"version", 1}};
+    ordered_json object{{"format", documentFormatName}, {"version", documentVersion}};
     object["study"] = studyJson(document.study);
     object["beam"] = {{"axis", nameOf(document.beam.axis)},
                       {"source", nameOf(document.beam.source)},
                       {"lean", directionJson(document.beam.lean)}};
-    object["views"] = viewsJson(document.views);
-    object["poses"] = listJson(document.poses, &poseJson);
-    object["cuts"] = listJson(document.cuts, &cutJson);
-    object["looks"] = listJson(document.looks, &lookJson);
-    object["boxes"] = listJson(document.boxes, &boxJson);
-    object["planes"] = listJson(document.planes, &planesJson);
-    object["strokes"] = listJson(document.strokes, &strokesJson);
+    object["scene"] = sceneJson(document.scene);
+    object["panes"] = panesJson(document.panes);
+    object["comparison"] = comparisonJson(document.comparison);
     object["measurements"] = measurementsJson(document.measurements);
-    object["phases"] = phasesJson(document.phases);
     object["curves"] = curvesJson(document.curves);
-    if (!document.designs.empty()) object["designs"] = listJson(document.designs, &designJson);
     object["method"] = methodJson(document.method);
-    object["method"]["direction"] = directionJson(document.method.direction);
-    object["motion"] = motionJson(document);
-    if (document.comparison != Comparison{}) object["comparison"] = comparisonJson(document.comparison);
+    object["motion"] = motionJson(document.motion);
     return object;
 }
 
@@ -227,8 +209,7 @@ Result<void> requireReadable(const std::string& path, const Document& document) 
                     "Remove some of them, and save again.");
     };
     if (document.measurements.size() > mostMeasurements) return tooMany("measurements", mostMeasurements);
-    for (const auto& strokes : document.strokes)
-        if (strokes.value.list.size() > mostStrokes) return tooMany("strokes", mostStrokes);
+    if (document.scene.strokes.size() > mostStrokes) return tooMany("strokes", mostStrokes);
     return {};
 }
 

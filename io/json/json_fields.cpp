@@ -56,7 +56,7 @@ bool nestsTooDeep(std::string_view text) {
 }  // namespace
 
 Result<json> jsonObject(std::string_view text, const std::string& file, const std::string& format,
-                        const std::string& remedy) {
+                        const std::string& remedy, int newest) {
     const auto refuse = [&](const std::string& key, const std::string& problem) {
         return fail(FailureKind::unreadable, file, key, problem, remedy);
     };
@@ -72,8 +72,11 @@ Result<json> jsonObject(std::string_view text, const std::string& file, const st
     }
     if (!object.is_object()) return refuse("", "must be a JSON object");
     if (object.value("format", json()) != format) return refuse("format", "must be \"" + format + "\"");
-    if (const json version = object.value("version", json()); version != 1)
-        return refuse("version", "must be 1, not " + JsonFields::shortened(version.dump()));
+    const json version = object.value("version", json());
+    if (!version.is_number_integer() || version < 1 || version > newest)
+        return refuse("version",
+                      (newest == 1 ? "must be 1, not " : "must be from 1 to " + std::to_string(newest) + ", not ") +
+                          JsonFields::shortened(version.dump()));
     return object;
 }
 

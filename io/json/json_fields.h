@@ -19,10 +19,10 @@ namespace echolucent {
 
 /// The JSON object that a text holds. A text that is no JSON object (the sentence names the line where it breaks), that
 /// holds a number too large for a double, that nests deeper than any of this program's files, or whose "format" and
-/// "version" are not the given format and 1, is refused. The file is named in that sentence, which ends with the
-/// remedy.
+/// "version" are not the given format and from 1 to `newest`, is refused. The file is named in that sentence, which
+/// ends with the remedy.
 [[nodiscard]] Result<nlohmann::json> jsonObject(std::string_view text, const std::string& file,
-                                                const std::string& format, const std::string& remedy);
+                                                const std::string& format, const std::string& remedy, int newest = 1);
 
 /// What went wrong while a file was read.
 struct JsonProblems {
@@ -86,6 +86,8 @@ public:
     void parameters(std::span<const Parameter<Values>> table, Values& values) {
         for (const Parameter<Values>& row : table) take(row, values);
     }
+    /// Whether anything was wrong so far, in this object or in others of the same problems.
+    [[nodiscard]] bool failed() const { return m_problems->first.has_value(); }
     /// Notes that a key holds something wrong; `problem` is lower case and has no full stop.
     void wrong(const char* key, const std::string& problem);
 

@@ -26,18 +26,18 @@ inline constexpr std::array<BoxSide, 6> allBoxSides{BoxSide::top,   BoxSide::bot
 [[nodiscard]] std::optional<BoxSide> boxSideFromName(std::string_view name);
 
 struct Box {
-    bool on = false;               ///< where false, all of the volume is shown
-    ViewDirection direction{};     ///< the way from top to bottom, and the turn about it, relative to the beam
-    Vec3 centreMm{0, 0, 0};        ///< grid mm
-    Vec3 sizeMm{0, 0, 0};          ///< from left to right, from far to near, from top to bottom; each above 0, or all 0
-                                   ///< where nobody has set the box yet, which then is off
-    BoxSide front = BoxSide::top;  ///< the side through which the adaptive OTF looks in
+    bool on = false;              ///< where false, all of the volume is shown
+    ViewDirection direction{};    ///< the way from top to bottom, and the turn about it, relative to the beam
+    Vec3 centreMm{0, 0, 0};       ///< grid mm
+    Vec3 sizeMm{0, 0, 0};         ///< from left to right, from far to near, from top to bottom; each above 0, or all 0
+                                  ///< where nobody has set the box yet, which then is off
+    BoxSide side = BoxSide::top;  ///< the side through which the adaptive OTF looks in
     friend bool operator==(const Box&, const Box&) = default;
 };
 
 /// The box in the grid: its axes are right (left to right), down (far to near) and forward (top to bottom).
 [[nodiscard]] OrientedBox orientedBoxOf(const Box& box, BeamAxis beam);
-/// The least box of the given box's direction around all data (Volume::dataBox()), with its front and switched on.
+/// The least box of the given box's direction around all data (Volume::dataBox()), with its side and switched on.
 [[nodiscard]] Box wholeBox(const Box& box, BeamAxis beam, const DataBox& data);
 /// The way from a side into the box, with the picture's down: from near, far, left and right the top is up, as in the
 /// planes; from top and bottom near is down.

@@ -33,74 +33,72 @@ Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam) {
     return next;
 }
 
-Document withBox(Document document, int view, const Box& box) {
-    const Box before = boxOf(document, view);
+Document withBox(Document document, const Box& box) {
+    const Box before = document.scene.box;
     const BeamAxis beam = document.beam.axis;
-    boxOf(document, view) = box;
-    const bool looksInAnew = box.front != before.front || box.direction != before.direction;
-    if (box.on && (!before.on || looksInAnew)) document.method.direction = directionFrom(box.front, box, beam);
+    document.scene.box = box;
+    const bool looksInAnew = box.side != before.side || box.direction != before.direction;
+    if (box.on && (!before.on || looksInAnew)) document.scene.side = directionFrom(box.side, box, beam);
     // Without a box the tube cores look along the beam again, unless a person has chosen another way since.
-    if (!box.on && before.on && document.method.direction == directionFrom(before.front, before, beam))
-        document.method.direction = document.beam.lean;
+    if (!box.on && before.on && document.scene.side == directionFrom(before.side, before, beam))
+        document.scene.side = document.beam.lean;
     return document;
 }
 
 Document withBeam(Document document, const Beam& beam) {
-    for (Shared<Box>& box : document.boxes) {
-        if (neverSet(box.value)) continue;
-        const ViewFrame axes = orientedBoxOf(box.value, document.beam.axis).axes;
-        box.value.direction = directionOf(viewAlong(axes.forward, axes.down, beam.axis, 0.0));
+    Box& box = document.scene.box;
+    if (!neverSet(box)) {
+        const ViewFrame axes = orientedBoxOf(box, document.beam.axis).axes;
+        box.direction = directionOf(viewAlong(axes.forward, axes.down, beam.axis, 0.0));
     }
-    for (Shared<Planes>& planes : document.planes) {
-        planes.value.direction = ViewDirection{};
-        planes.value.crops = {};
-    }
+    document.scene.planes.direction = ViewDirection{};
+    document.scene.planes.crops = {};
     document.beam = beam;
     return document;
 }
 
-Document withBoxSwitched(Document document, int view, bool on, const DataBox& data) {
-    Box box = boxOf(document, view);
+Document withBoxSwitched(Document document, bool on, const DataBox& data) {
+    Box box = document.scene.box;
     if (on && neverSet(box)) box = wholeBox(box, document.beam.axis, data);
     box.on = on;
-    return withBox(std::move(document), view, box);
+    return withBox(std::move(document), box);
 }
 
-Document withFront(Document document, int view, BoxSide front, const DataBox& data) {
-    Document next = withBoxSwitched(std::move(document), view, true, data);
-    Box box = boxOf(next, view);
-    box.front = front;
-    next = withBox(std::move(next), view, box);
-    next.motionAngle = 0.0;
-    Pose& pose = poseOf(next, view);
-    pose = turnedTo(pose, next.beam.axis, next.method.direction);
+Document withSide(Document document, BoxSide side, const DataBox& data) {
+    Document next = withBoxSwitched(std::move(document), true, data);
+    Box box = next.scene.box;
+    box.side = side;
+    next = withBox(std::move(next), box);
+    next.scene.motionAngle = 0.0;
+    Pose& pose = next.scene.pose;
+    pose = turnedTo(pose, next.beam.axis, next.scene.side);
     return next;
 }
 
-Document withSlab(Document document, int view, PlaneName plane, double thicknessMm, const DataBox& data) {
-    const Planes& planes = planesOf(document, view);
+Document withSlab(Document document, PlaneName plane, double thicknessMm, const DataBox& data) {
+    const Planes& planes = document.scene.planes;
     const ViewFrame seen = frameOf(plane, planes, document.beam.axis);
-    Box box{.on = true, .direction = {}, .front = BoxSide::top};
+    Box box{.on = true, .direction = {}, .side = BoxSide::top};
     box.direction = directionOf(viewAlong(seen.forward, seen.down, document.beam.axis, 0.0));
     box = wholeBox(box, document.beam.axis, data);
     const Vec3 forward = orientedBoxOf(box, document.beam.axis).axes.forward;
     box.centreMm += forward * forward.dot(referencePointOf(planes, data) - box.centreMm);
     box.sizeMm[2] = thicknessMm;
-    Document next = withBox(std::move(document), view, box);
-    next.motionAngle = 0.0;
+    Document next = withBox(std::move(document), box);
+    next.scene.motionAngle = 0.0;
     // A slab behind a cut would be cut away.
-    cutOf(next, view) = Cut{};
-    Pose& pose = poseOf(next, view);
-    pose = turnedTo(pose, next.beam.axis, next.method.direction);
+    next.scene.front = Front{};
+    Pose& pose = next.scene.pose;
+    pose = turnedTo(pose, next.beam.axis, next.scene.side);
     return next;
 }
 
-CutSurface startSurface(const Document& document, int view, const Volume& volume) {
-    const Cut& cut = cutOf(document, view);
+CutSurface startSurface(const Document& document, const Volume& volume) {
+    const Front& cut = document.scene.front;
     if (cut.surface) return *cut.surface;
     const BeamAxis beam = document.beam.axis;
-    const Box& set = boxOf(document, view);
-    const Viewpoint looksIn = otfViewpointOf(document, view);
+    const Box& set = document.scene.box;
+    const Viewpoint looksIn = otfViewpointOf(document, firstPane);
     // What the surface is to reach over.
     const OrientedBox place = orientedBoxOf(set.on ? set : wholeBox({}, beam, volume.dataBox()), beam);
     CutSurface surface;
@@ -114,7 +112,7 @@ CutSurface startSurface(const Document& document, int view, const Volume& volume
     surface.firstRightMm = surface.frame.right.dot(place.centreMm) - surface.spacingMm * (surface.columns - 1) / 2.0;
     surface.firstDownMm = surface.frame.down.dot(place.centreMm) - surface.spacingMm * (surface.rows - 1) / 2.0;
     double front = surface.frame.forward.dot(place.centreMm) - place.extentAlong(surface.frame.forward) / 2.0;
-    if (cut.nearCutMm > 0.0) front = std::max(front, nearPlaneDepthMm(looksIn, volume.geometry()));
+    if (cut.depthMm > 0.0) front = std::max(front, nearPlaneDepthMm(looksIn, volume.geometry()));
     surface.depthMm.assign(static_cast<std::size_t>(surface.columns) * static_cast<std::size_t>(surface.rows),
                            static_cast<float>(front));
     return surface;

@@ -30,7 +30,7 @@ SampledCurve overUnits(const OpacityCurve& curve, double units) {
 
 }  // namespace
 
-std::optional<Picture> coarsePicture(const Document& before, int view, const CoarseVolume& coarse, int width,
+std::optional<Picture> coarsePicture(const Document& before, std::size_t pane, const CoarseVolume& coarse, int width,
                                      int height, const Progress& progress) {
     const Progress silent{{}, progress.cancel};
     const Volume& volume = *coarse.voxels;
@@ -38,19 +38,19 @@ std::optional<Picture> coarsePicture(const Document& before, int view, const Coa
     if (!finds) return std::nullopt;
     Document document = withFinds(openedDocument(before, {}), *finds);
     const double aspect = static_cast<double>(width) / height;
-    poseOf(document, view) =
-        wholeVolumePose(volume.dataBox(), viewAlongBeam(document.beam), lookOf(document, view).projection, aspect);
+    document.scene.pose =
+        wholeVolumePose(volume.dataBox(), viewAlongBeam(document.beam), document.scene.look.projection, aspect);
     SampledCurve adaptive;
     // What a design would make of so few voxels is not asked: the view's curve stands in for it.
-    if (viewOf(document, view).curve == CurveKind::adaptive && lookOf(document, view).mode == RenderMode::direct) {
-        auto otf = adaptOpacity(volume, otfViewpointOf(document, view), configOf(document), silent);
+    if (document.panes.at(pane).curve == CurveKind::adaptive && document.scene.look.mode == RenderMode::direct) {
+        auto otf = adaptOpacity(volume, otfViewpointOf(document, pane), configOf(document), silent);
         if (!otf) return std::nullopt;
         adaptive = std::move(otf->curve);
     }
     const double reduction = std::max(1.0, std::min(width, height) / mostRays);
-    const RayCastSettings settings = castSettingsOf(document, view, volume.geometry(), volume.dataBox(),
+    const RayCastSettings settings = castSettingsOf(document, volume.geometry(), volume.dataBox(),
                                                     raysFor(width, reduction), raysFor(height, reduction));
-    return castRays(volume, overUnits(curveOf(document, view, adaptive), coarse.units), settings, silent);
+    return castRays(volume, overUnits(curveOf(document, pane, adaptive), coarse.units), settings, silent);
 }
 
 }  // namespace echolucent

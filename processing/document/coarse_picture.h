@@ -15,7 +15,7 @@ namespace echolucent {
 /// last over the grid's longer units. Voxels are shown as they are, whatever reduction the look names. `width` and
 /// `height` (pixels, each at least 1) give the picture's shape; it has no more rays than the grid has something to
 /// show. The result is empty only where progress.cancel was raised.
-[[nodiscard]] std::optional<Picture> coarsePicture(const Document& before, int view, const CoarseVolume& coarse,
+[[nodiscard]] std::optional<Picture> coarsePicture(const Document& before, std::size_t pane, const CoarseVolume& coarse,
                                                    int width, int height, const Progress& progress = {});
 
 }  // namespace echolucent

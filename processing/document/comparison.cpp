@@ -16,13 +16,8 @@ std::optional<ComparisonLayout> comparisonLayoutFromName(std::string_view name) 
     return choiceNamed<ComparisonLayout>(layoutNames, name);
 }
 
-std::string problemOf(const Comparison& comparison) {
-    const std::vector<int>& panes = comparison.panes;
-    if (!panes.empty() && (panes.size() < fewestPanes || panes.size() > mostPanes))
-        return "panes must hold 2 to 4 views, or none";
-    if (std::ranges::any_of(panes, [&](int view) { return std::ranges::count(panes, view) > 1; }))
-        return "panes must hold each view once";
-    const auto places = static_cast<int>(panes.empty() ? fewestPanes : panes.size());
+std::string problemOf(const Comparison& comparison, std::size_t panes) {
+    const auto places = static_cast<int>(std::max(panes, fewestPanes));
     if (comparison.first < 0 || comparison.first >= places) return "first must be one of the panes";
     if (comparison.second < 0 || comparison.second >= places) return "second must be one of the panes";
     if (comparison.first == comparison.second) return "first and second must differ";

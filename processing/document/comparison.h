@@ -1,10 +1,9 @@
-// Which views are compared side by side, and how; what is measured of them is in processing/comparison.
+// How panes are compared; what is measured of them is in processing/comparison.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace echolucent {
 
@@ -18,20 +17,20 @@ enum class ComparisonLayout {
 [[nodiscard]] std::string_view nameOf(ComparisonLayout layout);
 [[nodiscard]] std::optional<ComparisonLayout> comparisonLayoutFromName(std::string_view name);
 
-inline constexpr std::size_t fewestPanes = 2, mostPanes = 4;
+/// So many panes a document may have, and so many are compared.
+inline constexpr std::size_t mostPanes = 4, fewestPanes = 2;
 inline constexpr double leastAmplification = 1.0, largestAmplification = 32.0;
 
-/// The default compares nothing.
+/// Of a document of two panes or more.
 struct Comparison {
-    std::vector<int> panes{};  ///< ids of views, each once; empty, or fewestPanes to mostPanes
     ComparisonLayout layout = ComparisonLayout::sideBySide;
-    int first = 0, second = 1;   ///< places in `panes` of the two of a difference or a wipe; they differ
+    int first = 0, second = 1;   ///< places among the panes of the two of a difference or a wipe; they differ
     double wipe = 0.5;           ///< [0, 1]: where the line of the wipe stands, as a share of the width
     double amplification = 4.0;  ///< [1, 32]: of differences in a picture of them
     friend bool operator==(const Comparison&, const Comparison&) = default;
 };
 
-/// What is out of range, as "panes must hold 2 to 4 views"; an empty text where nothing is.
-[[nodiscard]] std::string problemOf(const Comparison& comparison);
+/// What is out of range in a document of so many panes, as "wipe must be from 0 to 1"; an empty text where nothing is.
+[[nodiscard]] std::string problemOf(const Comparison& comparison, std::size_t panes);
 
 }  // namespace echolucent

@@ -6,7 +6,6 @@
 
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/document/curve_set.h"
-#include "processing/document/pose.h"
 
 namespace echolucent {
 
@@ -26,7 +25,6 @@ struct MethodChoice {
     AdaptiveOtfConfig config;  ///< all but `initial`, which plays no part and stays as by default
     InitialKind initial = InitialKind::parabolic;
     double initialScale = defaultOpacityScale;  ///< a of the parabolic and quartic initial function, >= 0
-    ViewDirection direction;                    ///< along which the tube cores are placed
     friend bool operator==(const MethodChoice&, const MethodChoice&) = default;
 };
 

@@ -35,10 +35,9 @@ std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& 
 Document withFinds(Document document, const OpeningFinds& finds) {
     if (!finds.beam.sure) return document;
     document.beam = {finds.beam.axis, sourceOf(finds.beam.evidence), finds.lean};
-    document.method.direction = finds.lean;
+    document.scene.side = finds.lean;
     if (!finds.cut || !finds.cut->sure || finds.cut->answer != NearCutAnswer::wallBeforeFluid) return document;
-    for (Shared<Cut>& cut : document.cuts)
-        cut.value = {.nearCutMm = std::round(10 * finds.cut->nearCutMm) / 10, .source = CutSource::found};
+    document.scene.front = {.depthMm = std::round(10 * finds.cut->nearCutMm) / 10, .source = FrontSource::found};
     return document;
 }
 

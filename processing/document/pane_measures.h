@@ -1,4 +1,4 @@
-// What is measured of the panes of a document's comparison.
+// What is measured of the panes of a document.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace echolucent {
 
-/// The measures of each pane of Document::comparison, in their order; no value for a pane that shows another phase than
-/// the one whose tube cores are read for the main view, and where no tube core has a surface and a weight. The surfaces
-/// are those that the main view's tube cores found. The result is empty only where progress.cancel was raised. Throws
-/// std::out_of_range where a pane shows a phase that is not there.
+/// The measures of each pane, in their order; no value for a pane that shows another phase than
+/// the one whose tube cores are read for the first pane, and where no tube core has a surface and a weight. The
+/// surfaces are those that the first pane's tube cores found. The result is empty only where progress.cancel was
+/// raised. Throws std::out_of_range where a pane shows a phase that is not there.
 [[nodiscard]] std::optional<std::vector<std::optional<ClassificationMeasures>>> measuresOfPanes(
     const Document& document, StudyPhases phases, const Progress& progress = {});
 

@@ -41,13 +41,12 @@ std::string trimmed(const std::string& text) {
 
 }  // namespace
 
-Preset presetOf(const Document& document, int view, std::string name) {
-    Preset preset{.name = std::move(name), .curve = viewOf(document, view).curve, .look = lookOf(document, view)};
+Preset presetOf(const Document& document, std::size_t pane, std::string name) {
+    Preset preset{.name = std::move(name), .curve = document.panes.at(pane).curve, .look = document.scene.look};
     takeCurve(preset.curves, document.curves, preset.curve);
     preset.curves.adjustment = document.curves.adjustment;
     if (preset.curve == CurveKind::adaptive) {
         preset.method = document.method;
-        preset.method->direction = ViewDirection{};
         preset.method->config.grid.withoutTubes.clear();
         takeCurve(preset.curves, document.curves, initialCurveOf(*preset.method));
     }
@@ -55,20 +54,19 @@ Preset presetOf(const Document& document, int view, std::string name) {
     return preset;
 }
 
-Document withPreset(Document document, int view, const Preset& preset) {
-    Look& look = lookOf(document, view);
+Document withPreset(Document document, std::size_t pane, const Preset& preset) {
+    Look& look = document.scene.look;
     look = [&preset, step = look.step] {
         Look taken = preset.look;
         taken.step = step;
         return taken;
     }();
     if (look.mode != RenderMode::direct) return document;
-    document = withCurve(std::move(document), view, preset.curve);
+    document = withCurve(std::move(document), pane, preset.curve);
     takeCurve(document.curves, preset.curves, preset.curve);
     document.curves.adjustment = preset.curves.adjustment;
     if (preset.curve != CurveKind::adaptive || !preset.method) return document;
     const MethodChoice before = std::exchange(document.method, *preset.method);
-    document.method.direction = before.direction;
     const TubeGrid& grid = before.config.grid;
     TubeGrid& taken = document.method.config.grid;
     taken.withoutTubes =
@@ -77,15 +75,16 @@ Document withPreset(Document document, int view, const Preset& preset) {
     return document;
 }
 
-bool isMadeBy(const Document& document, int view, const Preset& preset) {
+bool isMadeBy(const Document& document, std::size_t pane, const Preset& preset) {
     // The parts that a preset touches, without what may be large.
     Document parts;
-    lookOf(parts, 1) = lookOf(document, view);
-    viewOf(parts, 1).curve = viewOf(document, view).curve;
-    if (const DesignerConfig* config = designOf(document, view)) parts = withDesign(parts, 1, *config);
+    parts.scene.look = document.scene.look;
+    parts.panes.front().curve = document.panes.at(pane).curve;
+    if (const DesignerConfig* config = designerConfigOf(document, pane))
+        parts = withDesigner(parts, firstPane, *config);
     parts.curves = document.curves;
     parts.method = document.method;
-    return withPreset(parts, 1, preset) == parts;
+    return withPreset(parts, firstPane, preset) == parts;
 }
 
 std::string freePresetName(std::string name, const std::vector<std::string>& taken) {

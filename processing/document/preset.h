@@ -16,8 +16,8 @@ struct Preset {
     std::string name;  ///< UTF-8, for people
     CurveKind curve = CurveKind::adaptive;
     CurveSet curves{};
-    /// How the adaptive curve is computed; nothing where a document keeps its own method. Its direction and the tube
-    /// cores that are never placed belong to a volume: they play no part and stay as by default.
+    /// How the adaptive curve is computed; nothing where a document keeps its own method. The tube cores that are never
+    /// placed belong to a volume: they play no part, and there are none.
     std::optional<MethodChoice> method{};
     Look look = lookAtStart();
     friend bool operator==(const Preset&, const Preset&) = default;
@@ -26,16 +26,16 @@ struct Preset {
 /// The most bytes that a preset's name may have.
 inline constexpr std::size_t longestPresetName = 60;
 
-/// How a view's picture is made now.
-[[nodiscard]] Preset presetOf(const Document& document, int view, std::string name);
+/// How a pane's picture is made now.
+[[nodiscard]] Preset presetOf(const Document& document, std::size_t pane, std::string name);
 
-/// The document whose view is made as a preset says. What plays no part in such a picture stays as it was: the other
+/// The document whose pane is made as a preset says. What plays no part in such a picture stays as it was: the other
 /// curves; in another mode than direct every curve; the method where the curve is not the adaptive one. The tube cores
 /// that are never placed stay where the grid has the columns and rows that it had; else none is left out.
-[[nodiscard]] Document withPreset(Document document, int view, const Preset& preset);
+[[nodiscard]] Document withPreset(Document document, std::size_t pane, const Preset& preset);
 
-/// Whether a view's picture is made as a preset says: whether withPreset() would change nothing.
-[[nodiscard]] bool isMadeBy(const Document& document, int view, const Preset& preset);
+/// Whether a pane's picture is made as a preset says: whether withPreset() would change nothing.
+[[nodiscard]] bool isMadeBy(const Document& document, std::size_t pane, const Preset& preset);
 
 /// What the program comes with; the first is the look and the curve that the program starts with.
 [[nodiscard]] std::span<const Preset> standardPresets();

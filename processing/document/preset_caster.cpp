@@ -21,25 +21,25 @@ Picture halved(Picture large) {
 
 }  // namespace
 
-std::optional<Picture> PresetCaster::cast(const Document& document, int view, const Voxels& voxels, int width,
+std::optional<Picture> PresetCaster::cast(const Document& document, std::size_t pane, const Voxels& voxels, int width,
                                           int height, const Progress& progress) {
     const RayCastSettings settings =
-        castSettingsOf(document, view, voxels.shown->geometry(), voxels.shown->dataBox(), 2 * width, 2 * height);
+        castSettingsOf(document, voxels.shown->geometry(), voxels.shown->dataBox(), 2 * width, 2 * height);
     static const SampledCurve none;
-    const bool adaptive = viewOf(document, view).curve == CurveKind::adaptive && settings.mode == RenderMode::direct;
-    const SampledCurve* curve = adaptive ? adaptiveCurve(document, view, voxels, progress) : &none;
+    const bool adaptive = document.panes.at(pane).curve == CurveKind::adaptive && settings.mode == RenderMode::direct;
+    const SampledCurve* curve = adaptive ? adaptiveCurve(document, pane, voxels, progress) : &none;
     if (curve == nullptr) return std::nullopt;
     if (m_rays && m_rays->volume() != voxels.shown && m_rays->volume()->isSameScanAs(*voxels.shown))
         m_rays->setCut(voxels.shown);
     if (!m_rays || m_rays->volume() != voxels.shown) m_rays.emplace(voxels.shown);
-    auto picture = m_rays->cast(curveOf(document, view, *curve), settings, progress);
+    auto picture = m_rays->cast(curveOf(document, pane, *curve), settings, progress);
     if (!picture) return std::nullopt;
     return halved(std::move(*picture));
 }
 
-const SampledCurve* PresetCaster::adaptiveCurve(const Document& document, int view, const Voxels& voxels,
+const SampledCurve* PresetCaster::adaptiveCurve(const Document& document, std::size_t pane, const Voxels& voxels,
                                                 const Progress& progress) {
-    AskedOtf asked{otfViewpointOf(document, view), configOf(document, view), voxels};
+    AskedOtf asked{otfViewpointOf(document, pane), configOf(document, pane), voxels};
     if (m_asked == asked) return &m_adaptive;
     const QuietVoxels shown =
         voxels.shown == voxels.raw ? QuietVoxels{} : QuietVoxels{voxels.shown.get(), voxels.reduction};

@@ -27,11 +27,11 @@ public:
     /// A view's picture in pixels, each the mean of four rays. Unlike viewPicture() it is made of the voxels shown,
     /// whatever reduction the look names: at this size nobody sees the difference, and none has to be waited for. The
     /// result is empty only where progress.cancel was raised.
-    [[nodiscard]] std::optional<Picture> cast(const Document& document, int view, const Voxels& voxels, int width,
-                                              int height, const Progress& progress = {});
+    [[nodiscard]] std::optional<Picture> cast(const Document& document, std::size_t pane, const Voxels& voxels,
+                                              int width, int height, const Progress& progress = {});
 
 private:
-    [[nodiscard]] const SampledCurve* adaptiveCurve(const Document& document, int view, const Voxels& voxels,
+    [[nodiscard]] const SampledCurve* adaptiveCurve(const Document& document, std::size_t pane, const Voxels& voxels,
                                                     const Progress& progress);
 
     struct AskedOtf {

@@ -21,7 +21,7 @@ namespace echolucent {
 
 /// How a view is cast at its look's own step. The camera is that of the shown pose, fitted to a data box; the limits
 /// are the view's cut and box.
-[[nodiscard]] RayCastSettings castSettingsOf(const Document& document, int view, const VolumeGeometry& geometry,
+[[nodiscard]] RayCastSettings castSettingsOf(const Document& document, const VolumeGeometry& geometry,
                                              const DataBox& box, int width, int height);
 
 /// What a view shows.
@@ -51,18 +51,18 @@ struct ViewOtf {
 
 /// Whether an OTF that is computed plays a part in a view's picture: in direct mode, where the view is rendered with
 /// the adaptive one or with a design.
-[[nodiscard]] bool needsComputedOtf(const Document& document, int view);
+[[nodiscard]] bool needsComputedOtf(const Document& document, std::size_t pane);
 
 /// What a view is rendered with, adjusted. A design that is not computed yet is clear everywhere.
-[[nodiscard]] Classification classificationOf(const Document& document, int view, const ViewOtf& otf);
+[[nodiscard]] Classification classificationOf(const Document& document, std::size_t pane, const ViewOtf& otf);
 
 /// What the designer of a view is given, where it has one; the volumes outlive it. The view is otfViewpointOf().
-[[nodiscard]] DesignerInput designerInputOf(const Document& document, int view, const Volume& raw, const Volume& shown,
-                                            SpeckleReduction reduction);
+[[nodiscard]] DesignerInput designerInputOf(const Document& document, std::size_t pane, const Volume& raw,
+                                            const Volume& shown, SpeckleReduction reduction);
 
 /// The phase whose computed OTF a view shows: where one OTF is chosen for all frames of a study of several phases,
 /// MotionChoice::otfPhase, or the last phase where there are not so many; else the phase that the view shows.
-[[nodiscard]] int otfPhaseOf(const Document& document, int view, int phases);
+[[nodiscard]] int otfPhaseOf(const Document& document, std::size_t pane, int phases);
 
 /// Keeps what pictures have in common: what the scalpel cut, the voxels of the newest phase, and their ray caster.
 /// Every picture is the same, to the bit, as if it were the only one. Only one thread at a time may use it.
@@ -74,7 +74,7 @@ public:
     /// The adaptive OTF of a view, computed from raw voxels of the phase otfPhaseOf() along otfViewpointOf(), for the
     /// voxels that are shown of that phase; or what the designer of its design makes of that phase. The result is empty
     /// only where progress.cancel was raised.
-    [[nodiscard]] std::optional<ViewOtf> otf(const Document& document, int view, const Progress& progress = {});
+    [[nodiscard]] std::optional<ViewOtf> otf(const Document& document, std::size_t pane, const Progress& progress = {});
     /// What tube cores read for the adaptive OTF of a view, and what it is meant for.
     struct TubeCoreReading {
         AdaptiveOtf otf;
@@ -82,12 +82,12 @@ public:
     };
     /// The adaptive OTF of a view with its tube cores, whatever the view is rendered with. The result is empty only
     /// where progress.cancel was raised.
-    [[nodiscard]] std::optional<TubeCoreReading> readTubeCores(const Document& document, int view,
+    [[nodiscard]] std::optional<TubeCoreReading> readTubeCores(const Document& document, std::size_t pane,
                                                                const Progress& progress = {});
     /// The converged picture of the phase that a view shows; `otf` is what is computed to render it with, where that
     /// plays a part. The result is empty only where progress.cancel was raised. Throws std::out_of_range where there is
     /// no such phase.
-    [[nodiscard]] std::optional<ViewPicture> picture(const Document& document, int view, int width, int height,
+    [[nodiscard]] std::optional<ViewPicture> picture(const Document& document, std::size_t pane, int width, int height,
                                                      const ViewOtf& otf, const Progress& progress = {});
 
 private:
@@ -98,7 +98,7 @@ private:
         SpeckleReduction reduction = SpeckleReduction::off;
         std::shared_ptr<const Volume> raw{}, shown{};
     };
-    [[nodiscard]] const Voxels* voxels(const Document& document, int view, int phase, const Progress& progress);
+    [[nodiscard]] const Voxels* voxels(const Document& document, int phase, const Progress& progress);
 
     StudyPhases m_phases;
     ScalpelCuts m_cuts;

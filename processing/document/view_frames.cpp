@@ -5,24 +5,25 @@
 
 namespace echolucent {
 
-std::vector<MotionPosition> turnOf(const Document& document, int view, int phases) {
-    const MotionPosition at{.angle = static_cast<int>(std::lround(document.motionAngle)),
-                            .phase = phaseOf(document, view)};
+std::vector<MotionPosition> turnOf(const Document& document, std::size_t pane, int phases) {
+    const MotionPosition at{.angle = static_cast<int>(std::lround(document.scene.motionAngle)),
+                            .phase = phaseOf(document, pane)};
     return framesOfTurn(document.motion, phases, at);
 }
 
-ViewFrames::ViewFrames(Document document, int view, StudyPhases phases)
+ViewFrames::ViewFrames(Document document, std::size_t pane, StudyPhases phases)
     : m_document(std::move(document)),
-      m_view(view),
+      m_pane(pane),
       m_caster(std::move(phases)),
-      m_turn(turnOf(m_document, view, m_caster.phaseCount())) {}
+      m_turn(turnOf(m_document, pane, m_caster.phaseCount())) {}
 
 Document ViewFrames::documentOf(int frame) const {
     const MotionPosition& at = position(frame);
     Document shown = m_document;
-    shown.motionAngle = at.angle;
-    phaseOf(shown, m_view) = at.phase;
-    if (smoothingOf(shown.motion.otf)) shown.method.direction = shownPose(shown, m_view).direction;
+    shown.scene.motionAngle = at.angle;
+    Pane& pane = shown.panes.at(m_pane);
+    (pane.phase ? *pane.phase : shown.scene.phase) = at.phase;
+    if (smoothingOf(shown.motion.otf)) shown.scene.side = shownPose(shown).direction;
     return shown;
 }
 
@@ -31,14 +32,14 @@ std::optional<ViewOtf> ViewFrames::unsmoothed(int frame, const Progress& progres
     const MotionPosition& at = position(frame);
     const std::pair key = one ? std::pair(0, 0) : std::pair(at.angle, at.phase);
     if (const auto known = m_otfs.find(key); known != m_otfs.end()) return known->second;
-    const auto computed = m_caster.otf(documentOf(frame), m_view, progress);
+    const auto computed = m_caster.otf(documentOf(frame), m_pane, progress);
     if (computed) m_otfs.emplace(key, *computed);
     return computed;
 }
 
 std::optional<ViewOtf> ViewFrames::otf(int frame, const Progress& progress) {
     // What designers make may be two-dimensional, and is not smoothed.
-    if (designOf(m_document, m_view) != nullptr) return unsmoothed(frame, progress);
+    if (designerConfigOf(m_document, m_pane) != nullptr) return unsmoothed(frame, progress);
     const OtfSmoothing smoothing = smoothingOf(m_document.motion.otf).value_or(OtfSmoothing::none);
     OtfHistory history(smoothing);
     ViewOtf shown;
@@ -54,12 +55,12 @@ std::optional<ViewOtf> ViewFrames::otf(int frame, const Progress& progress) {
 
 std::optional<ViewPicture> ViewFrames::picture(int frame, int width, int height, const Progress& progress) {
     ViewOtf shown;
-    if (needsComputedOtf(m_document, m_view)) {
+    if (needsComputedOtf(m_document, m_pane)) {
         auto computed = otf(frame, progress);
         if (!computed) return std::nullopt;
         shown = std::move(*computed);
     }
-    return m_caster.picture(documentOf(frame), m_view, width, height, shown, progress);
+    return m_caster.picture(documentOf(frame), m_pane, width, height, shown, progress);
 }
 
 }  // namespace echolucent

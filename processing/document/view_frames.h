@@ -14,7 +14,7 @@ namespace echolucent {
 
 /// framesOfTurn() of a document's motion in a study of `phases` phases (>= 1): what does not move stays as the view
 /// shows it.
-[[nodiscard]] std::vector<MotionPosition> turnOf(const Document& document, int view, int phases);
+[[nodiscard]] std::vector<MotionPosition> turnOf(const Document& document, std::size_t pane, int phases);
 
 /// One turn of a motion (turnOf()), which can be shown over and over. Its frames are those of the document's
 /// view: turned by the frame's angle, of the frame's phase, in the converged quality of viewPicture(), and with the OTF
@@ -27,7 +27,7 @@ namespace echolucent {
 /// Only one thread at a time may use it.
 class ViewFrames {
 public:
-    ViewFrames(Document document, int view, StudyPhases phases);
+    ViewFrames(Document document, std::size_t pane, StudyPhases phases);
 
     /// At least one.
     [[nodiscard]] int count() const { return static_cast<int>(m_turn.size()); }
@@ -45,7 +45,7 @@ private:
     [[nodiscard]] std::optional<ViewOtf> otf(int frame, const Progress& progress);
 
     Document m_document;
-    int m_view;
+    std::size_t m_pane;
     ViewCaster m_caster;
     std::vector<MotionPosition> m_turn;
     std::map<std::pair<int, int>, ViewOtf> m_otfs;  ///< unsmoothed, by angle and phase; one OTF stands at {0, 0}

@@ -16,7 +16,7 @@ namespace echolucent {
 /// voxels; the adaptive curve is computed from raw ones along otfViewpointOf(), in direct mode and where the view is
 /// rendered with it: those of the phase shown, or of otfPhaseOf(), where one OTF is chosen for all phases. The result
 /// is empty only where progress.cancel was raised.
-[[nodiscard]] std::optional<ViewPicture> viewPicture(const Document& document, int view,
+[[nodiscard]] std::optional<ViewPicture> viewPicture(const Document& document, std::size_t pane,
                                                      std::span<const std::shared_ptr<const Volume>> scans, int width,
                                                      int height, const Progress& progress = {});
 

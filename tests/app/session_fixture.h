@@ -48,13 +48,13 @@ public:
     /// Something of most kinds that a person sets.
     void work() {
         Document next = document();
-        poseOf(next, 1).direction = {.azimuth = 20, .elevation = -8, .roll = 3};
-        cutOf(next, 1).nearCutMm = 4;
+        next.scene.pose.direction = {.azimuth = 20, .elevation = -8, .roll = 3};
+        next.scene.front.depthMm = 4;
         ScalpelStroke stroke{.tool = ScalpelTool::eraser, .places = {{-0.2, 0.1}, {0.2, -0.1}}, .radius = 0.06};
         stroke.camera = {{27, 25, 30}, frameOf(Viewpoint{.azimuthDegrees = 10}), Projection::parallel, 60, 30, 100};
-        strokesOf(next, 1).push_back(stroke);
+        next.scene.strokes.push_back(stroke);
         next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
-        lookOf(next, 1).brightness = 1.3;
+        next.scene.look.brightness = 1.3;
         next.curves.linear.lower = 0.2;
         window().document().edit(next, "work");
         QVERIFY(window().sessionKeeping().snapshots().keep("as it was", document()).isEmpty());

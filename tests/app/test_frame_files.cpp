@@ -45,7 +45,7 @@ private slots:
         order.document.motion.scenario = MotionScenario::object;
         order.document.motion.otf = MotionOtf::eachView;
         order.document.beam.axis = BeamAxis::plusY;
-        cutOf(order.document, 1).nearCutMm = 110;
+        order.document.scene.front.depthMm = 110;
         order.phases.scans = study->phases;
         const int edge = qEnvironmentVariableIsSet("MOVIE_EDGE") ? qEnvironmentVariableIntValue("MOVIE_EDGE") : 96;
         order.choice = {.size = {edge, edge}, .framesPerSecond = 20, .labels = false};
@@ -54,8 +54,8 @@ private slots:
         QVERIFY(writeFrames(order));
         const auto paths = filesOf(order.output, order.choice, 20);
         Document thirteenth = order.document;
-        phaseOf(thirteenth, 1) = 13;
-        const auto alone = viewPicture(thirteenth, 1, study->phases, edge, edge);
+        thirteenth.scene.phase = 13;
+        const auto alone = viewPicture(thirteenth, firstPane, study->phases, edge, edge);
         QCOMPARE(rgbBytesOf(QImage(QString::fromStdString(paths[13]))), overBackground(alone->picture, {0, 0, 0}));
         std::vector<cv::Mat> expected;
         for (const std::string& path : paths) {

@@ -122,13 +122,13 @@ private slots:
         open(moving());
         const int steps = window().document().steps().count();
         QTest::keyClick(&window(), Qt::Key_Period);
-        QCOMPARE(phaseOf(document(), 1), 1);
+        QCOMPARE(phaseOf(document(), firstPane), 1);
         for (int i = 0; i < 2; ++i) QTest::keyClick(&window(), Qt::Key_Comma);
-        QCOMPARE(phaseOf(document(), 1), phaseCount - 1);
+        QCOMPARE(phaseOf(document(), firstPane), phaseCount - 1);
         auto* slider = child<QSlider>("motion.phase");
         QCOMPARE(slider->value(), phaseCount - 1);
         QTest::keyClick(slider, Qt::Key_Home);
-        QCOMPARE(phaseOf(document(), 1), 0);
+        QCOMPARE(phaseOf(document(), firstPane), 0);
         QTest::keyClick(slider, Qt::Key_End);
         QCOMPARE(window().openStudy().phase(), phaseCount - 1);
         QTest::mouseClick(slider, Qt::LeftButton, {}, {2, slider->height() / 2});  // a page back
@@ -142,10 +142,10 @@ private slots:
         const PhaseRange played{1, phaseCount - 2};
         window().volumeView().setFocus();
         QTest::keyClick(&window().volumeView(), Qt::Key_Period);
-        QCOMPARE(phaseOf(document(), 1), played.first);
+        QCOMPARE(phaseOf(document(), firstPane), played.first);
         QTest::keyClick(slider, Qt::Key_Home);  // the slider reaches all
         QTest::keyClick(&window().volumeView(), Qt::Key_Comma);
-        QCOMPARE(phaseOf(document(), 1), played.last);
+        QCOMPARE(phaseOf(document(), firstPane), played.last);
         // A step pauses what plays.
         window().motionPlayer().setMinimumFrameInterval(aLongTime);
         QTest::keyClick(&window().volumeView(), Qt::Key_Space);

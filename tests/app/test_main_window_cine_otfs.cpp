@@ -43,9 +43,9 @@ private slots:
         next.motion.scenario = MotionScenario::probe;
         window().document().edit(next, "what moves");
         QVERIFY(said());
-        window().document().showPhase(1, 0);
+        window().document().showPhase(0);
         QVERIFY(!said());  // it is that of the phase shown
-        window().document().showPhase(1, 1);
+        window().document().showPhase(1);
         next = document();
         next.motion.otf = MotionOtf::eachView;
         window().document().edit(next, "each phase's OTF");
@@ -88,7 +88,7 @@ private slots:
             const auto& openStudy = window().openStudy();
             const auto expected =
                 adaptOpacity(*openStudy.study()->phases[static_cast<std::size_t>(phaseOfOtf)],
-                             otfViewpointOf(document(), 1), configOf(document()), {},
+                             otfViewpointOf(document(), firstPane), configOf(document()), {},
                              quiet ? QuietVoxels{openStudy.quietPhases().of(phaseOfOtf).get(), SpeckleReduction::light}
                                    : QuietVoxels{});
             return window().otfEditor().state().adaptive == expected->curve &&
@@ -140,13 +140,13 @@ private slots:
         ScalpelStroke stroke{.tool = ScalpelTool::polygon, .camera = window().volumeView().settings().camera};
         stroke.places = {{-0.1, -0.1}, {0.2, -0.1}, {0.2, 0.2}, {-0.1, 0.2}};
         Document next = document();
-        strokesOf(next, 1).push_back(stroke);
+        next.scene.strokes.push_back(stroke);
         window().document().edit(next, "cut");
         waitUntilIdle();
         const Volume& scan = *window().openStudy().study()->phases.front();
         ScalpelCuts cuts(scan.geometry());
         const Volume cut = *cuts.cut(scan, std::array{stroke});
-        const auto expected = adaptOpacity(cut, otfViewpointOf(document(), 1), configOf(document()));
+        const auto expected = adaptOpacity(cut, otfViewpointOf(document(), firstPane), configOf(document()));
         QVERIFY(expected->curve != before);
         QVERIFY(window().otfEditor().state().adaptive == expected->curve);
         QVERIFY(window().volumeView().volume() == window().openStudy().newestVoxels());

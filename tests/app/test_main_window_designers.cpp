@@ -48,13 +48,13 @@ private slots:
         const Classification curve = window().volumeView().classification();
         choose(designer);
         QCOMPARE(window().document().steps().count(), 1);
-        QVERIFY(designOf(document(), 1) != nullptr);
+        QVERIFY(designerConfigOf(document(), firstPane) != nullptr);
         waitUntilIdle();
-        QVERIFY(window().designs().isNewest(1));
+        QVERIFY(window().designs().isNewest(firstPane));
         ViewCaster caster({.scans = window().openStudy().study()->phases});
-        const auto otf = caster.otf(document(), 1);
+        const auto otf = caster.otf(document(), firstPane);
         QVERIFY(otf.has_value());
-        QVERIFY(window().volumeView().classification() == classificationOf(document(), 1, *otf));
+        QVERIFY(window().volumeView().classification() == classificationOf(document(), firstPane, *otf));
         window().document().steps().undo();
         QVERIFY(document() == before);
         waitUntilIdle();
@@ -69,7 +69,7 @@ private slots:
         const Classification shown = window().volumeView().classification();
         type("designer.opacity", "0.5");
         QCOMPARE(window().document().steps().count(), 2);
-        QCOMPARE(std::get<OtsuConfig>(*designOf(document(), 1)).opacity, 0.5);
+        QCOMPARE(std::get<OtsuConfig>(*designerConfigOf(document(), firstPane)).opacity, 0.5);
         waitUntilIdle();
         QVERIFY(window().volumeView().classification() != shown);
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
@@ -85,7 +85,7 @@ private slots:
         type("designer.opacity", "0.5");
         click("designer.reset");
         QCOMPARE(window().document().steps().count(), 3);
-        QVERIFY(*designOf(document(), 1) == DesignerConfig(OtsuConfig{}));
+        QVERIFY(*designerConfigOf(document(), firstPane) == DesignerConfig(OtsuConfig{}));
     }
 
     void keysOneToFiveAndTheEditorLeaveTheDesign() {
@@ -97,8 +97,7 @@ private slots:
         QCOMPARE(active->text(), QString("Levoy"));
         for (const CurveKind kind : allCurveKinds) QVERIFY(!window().otfEditor().activateAction(kind)->isChecked());
         QTest::keyClick(&window(), Qt::Key_3);
-        QVERIFY(designOf(document(), 1) == nullptr);
-        QVERIFY(document().designs.empty());
+        QVERIFY(designerConfigOf(document(), firstPane) == nullptr);
         waitUntilIdle();
         QVERIFY(!window().volumeView().classification().isTwoDimensional());
         QCOMPARE(child<QComboBox>("designer.choice")->currentText(), QString("Curve"));
@@ -107,7 +106,7 @@ private slots:
         QVERIFY(window().volumeView().classification().isTwoDimensional());
         // The curve that was active before.
         QTest::keyClick(&window(), Qt::Key_1);
-        QVERIFY(designOf(document(), 1) == nullptr);
+        QVERIFY(designerConfigOf(document(), firstPane) == nullptr);
         waitUntilIdle();
         QVERIFY(window().volumeView().classification() == Classification(window().openStudy().otf()->curve));
     }
@@ -115,11 +114,11 @@ private slots:
     void itsUpperCurveIsCopiedIntoNodes() {
         choose(static_cast<int>(Designer::otsu));
         waitUntilIdle();
-        const OpacityCurve upper = upperCurveOf(window().designs().of(1)->design.classification);
+        const OpacityCurve upper = upperCurveOf(window().designs().of(firstPane)->design.classification);
         QCOMPARE(window().otfEditor().copyAdaptiveAction()->text(), QString("Copy Otsu ramp into nodes"));
         window().otfEditor().copyAdaptiveAction()->trigger();
-        QVERIFY(designOf(document(), 1) == nullptr);
-        QCOMPARE(viewOf(document(), 1).curve, CurveKind::manual);
+        QVERIFY(designerConfigOf(document(), firstPane) == nullptr);
+        QCOMPARE(document().panes.at(firstPane).curve, CurveKind::manual);
         for (const double intensity : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
             QVERIFY(std::abs(opacityAt(document().curves.manual, intensity) - opacityAt(upper, intensity)) < 0.02);
         window().otfEditor().setManualSaved();
@@ -128,7 +127,7 @@ private slots:
     void wordsSpeakOfTheDesignerThatIsRendered() {
         choose(static_cast<int>(Designer::otsu));
         waitUntilIdle();
-        const QString said = QString::fromStdString(window().designs().of(1)->design.explanation.front());
+        const QString said = QString::fromStdString(window().designs().of(firstPane)->design.explanation.front());
         QVERIFY(window().volumeView().caption().contains("OTF: Otsu ramp"));
         QVERIFY(window().explanation().contains("Otsu ramp: "));
         QVERIFY(window().explanation().contains(said));
@@ -153,12 +152,12 @@ private slots:
         click("designer.cancel");
         waitUntilIdle();
         QVERIFY(window().volumeView().classification() == before);
-        QVERIFY(!window().designs().of(1));
+        QVERIFY(!window().designs().of(firstPane));
         m_held = false;
         QTRY_VERIFY(child<QAbstractButton>("designer.compute")->isVisible());
         click("designer.compute");
         waitUntilIdle();
-        QVERIFY(window().designs().isNewest(1));
+        QVERIFY(window().designs().isNewest(firstPane));
         QVERIFY(window().volumeView().classification() != before);
         QVERIFY(!child<QAbstractButton>("designer.compute")->isVisible());
     }
@@ -169,9 +168,10 @@ private slots:
         choose(static_cast<int>(Designer::percentile));
         m_held = false;
         waitUntilIdle();
-        QVERIFY(window().designs().isNewest(1));
+        QVERIFY(window().designs().isNewest(firstPane));
         ViewCaster caster({.scans = window().openStudy().study()->phases});
-        QVERIFY(window().volumeView().classification() == classificationOf(document(), 1, *caster.otf(document(), 1)));
+        QVERIFY(window().volumeView().classification() ==
+                classificationOf(document(), firstPane, *caster.otf(document(), firstPane)));
     }
 
     void aSessionBringsItBack() {
@@ -196,7 +196,7 @@ private slots:
         emphasis->setFocus();
         QTest::keyClick(emphasis, Qt::Key_Down);
         QTRY_VERIFY(canvas->isVisible());
-        const auto drawn = [this] { return std::get<KindlmannConfig>(*designOf(document(), 1)).drawn; };
+        const auto drawn = [this] { return std::get<KindlmannConfig>(*designerConfigOf(document(), firstPane)).drawn; };
         const int steps = window().document().steps().count();
         const auto from = canvas->positionOf({0, 1}).toPoint(), to = canvas->positionOf({0.5, 0.5}).toPoint();
         QTest::mousePress(canvas, Qt::LeftButton, {}, from);

@@ -255,7 +255,7 @@ private slots:
         const Document& again = next.document().document();
         QVERIFY(again.motion == document.motion);
         QCOMPARE(again.motion.otf, MotionOtf::mean);
-        QCOMPARE(viewOf(again, 1).curve, CurveKind::parabolic);
+        QCOMPARE(again.panes.at(firstPane).curve, CurveKind::parabolic);
         QVERIFY(configOf(again) == configOf(document));
         QVERIFY(next.findChild<QRadioButton*>("motion.mode.mean")->isChecked());
         QVERIFY(next.findChild<QRadioButton*>("otfEditor.active.parabolic")->isChecked());

@@ -44,7 +44,7 @@ private slots:
         for (const int row : {1, 3, 0}) {
             clickRow(*list, row);
             QCOMPARE(list->currentIndex().row(), row);
-            QCOMPARE(document().poses, states[static_cast<std::size_t>(row)].poses);
+            QCOMPARE(document().scene.pose, states[static_cast<std::size_t>(row)].scene.pose);
         }
         waitUntilIdle();
     }
@@ -85,12 +85,12 @@ private slots:
         QVERIFY(written.isEmpty());
         QVERIFY(files().isEmpty());
         Document next = document();
-        poseOf(next, 1).magnification = 1.5;
+        next.scene.pose.magnification = 1.5;
         window().document().preview(next, "drag");  // a drag that goes on
         QTRY_COMPARE(written.count(), 1);
         QCOMPARE(files().size(), 1);
         const auto kept = readSession(path(files().first()).toStdString());
-        QVERIFY(kept && kept->document.poses == next.poses);
+        QVERIFY(kept && kept->document.scene.pose == next.scene.pose);
         QTRY_VERIFY(keeping().atRest());
         QCOMPARE(written.count(), 1);
         window().document().cancelPreview();
@@ -102,7 +102,7 @@ private slots:
         lookFrom(window(), Viewpoint{.azimuthDegrees = 30});
         QTRY_COMPARE(written.count(), 1);
         window().motionPlayer().setAngle(9);
-        QCOMPARE(document().motionAngle, 9);
+        QCOMPARE(document().scene.motionAngle, 9);
         QTRY_VERIFY(keeping().atRest());
         QCOMPARE(written.count(), 1);
         waitUntilIdle();
@@ -180,7 +180,7 @@ private slots:
         click("message.action.0");
         QVERIFY(computed.wait(20000));
         waitUntilIdle();
-        QVERIFY(document().poses == left.poses);
+        QVERIFY(document().scene.pose == left.scene.pose);
         QVERIFY(document().measurements == left.measurements);
         QVERIFY(window().isWindowModified());
         // Kept anew before the old one goes.
@@ -217,7 +217,7 @@ private slots:
 
     void twoRunningProgramsLeaveEachOtherAlone() {
         Document next = document();
-        poseOf(next, 1).magnification = 1.5;
+        next.scene.pose.magnification = 1.5;
         QSignalSpy written(&keeping().autosave(), &Autosave::written);
         window().document().edit(next, "zoom");
         QTRY_COMPARE(written.count(), 1);
@@ -286,7 +286,7 @@ private:
     Document leave(const QString& name) {
         Document next = document();
         next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
-        poseOf(next, 1).magnification = 1.5;
+        next.scene.pose.magnification = 1.5;
         if (!QDir().mkpath(folder()) ||
             !writeSession(path(name + ".autosave.json").toStdString(), SavedSession{.document = next}))
             qFatal("cannot write");

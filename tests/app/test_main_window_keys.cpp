@@ -144,37 +144,37 @@ private slots:
 
     void arrowsWithCtrlOrbitThePictureThatHasTheFocus() {
         window().volumeView().setFocus();
-        const ViewDirection before = poseOf(document(), 1).direction;
+        const ViewDirection before = document().scene.pose.direction;
         const int steps = window().document().steps().count();
         QTest::keyClick(&window().volumeView(), Qt::Key_Right, Qt::ControlModifier);
         CameraPose expected{.view = viewpointOf(document().beam.axis, before, 0)};
         expected = orbited(expected, 1.0 / degreesPerHeight, 0);
-        QVERIFY(std::abs(poseOf(document(), 1).direction.azimuth - expected.view.azimuthDegrees) < 1e-9);
-        QVERIFY(std::abs(std::abs(poseOf(document(), 1).direction.azimuth - before.azimuth) - 1.0) < 1e-9);
+        QVERIFY(std::abs(document().scene.pose.direction.azimuth - expected.view.azimuthDegrees) < 1e-9);
+        QVERIFY(std::abs(std::abs(document().scene.pose.direction.azimuth - before.azimuth) - 1.0) < 1e-9);
         QTest::keyClick(&window().volumeView(), Qt::Key_Up, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(std::abs(std::abs(poseOf(document(), 1).direction.elevation - before.elevation) - 10.0) < 1e-9);
+        QVERIFY(std::abs(std::abs(document().scene.pose.direction.elevation - before.elevation) - 10.0) < 1e-9);
         QCOMPARE(window().motionPlayer().angle(), 0.0);
         QCOMPARE(window().document().steps().count(), steps + 2);
         for (int i = 0; i < 2; ++i) QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(poseOf(document(), 1).direction, before);
+        QCOMPARE(document().scene.pose.direction, before);
         // Elsewhere these keys are not the picture's.
         auto* slider = child<QSlider>("motion.angle");
         slider->setFocus();
         QTest::keyClick(slider, Qt::Key_Right, Qt::ControlModifier);
-        QCOMPARE(poseOf(document(), 1).direction, before);
+        QCOMPARE(document().scene.pose.direction, before);
         waitUntilIdle();
     }
 
     void plusMinusAndShiftWithArrowsZoomAndMove() {
         window().volumeView().setFocus();
-        const Pose before = poseOf(document(), 1);
+        const Pose before = document().scene.pose;
         QTest::keyClick(&window().volumeView(), Qt::Key_Plus);
-        QVERIFY(std::abs(poseOf(document(), 1).magnification / before.magnification - 1.15) < 1e-9);
+        QVERIFY(std::abs(document().scene.pose.magnification / before.magnification - 1.15) < 1e-9);
         QTest::keyClick(&window().volumeView(), Qt::Key_Minus);
-        QVERIFY(std::abs(poseOf(document(), 1).magnification / before.magnification - 1.0) < 1e-9);
+        QVERIFY(std::abs(document().scene.pose.magnification / before.magnification - 1.0) < 1e-9);
         QTest::keyClick(&window().volumeView(), Qt::Key_Down, Qt::ShiftModifier);
-        QVERIFY(length(poseOf(document(), 1).offsetMm - before.offsetMm) > 0.5);
-        QCOMPARE(poseOf(document(), 1).direction, before.direction);
+        QVERIFY(length(document().scene.pose.offsetMm - before.offsetMm) > 0.5);
+        QCOMPARE(document().scene.pose.direction, before.direction);
         waitUntilIdle();
     }
 
@@ -219,7 +219,7 @@ private slots:
         QTest::keyClick(&window().volumeView(), Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
         QTest::keyClick(&window().volumeView(), Qt::Key_Plus);
         Document next = document();
-        cutOf(next, 1).nearCutMm = 12;
+        next.scene.front.depthMm = 12;
         next.curves.linear.slope = 0.3;
         window().document().edit(next, "changes");
         const int steps = window().document().steps().count();
@@ -254,7 +254,7 @@ private slots:
 
 private:
     [[nodiscard]] const Document& document() { return window().document().document(); }
-    [[nodiscard]] CurveKind curve() { return viewOf(document(), 1).curve; }
+    [[nodiscard]] CurveKind curve() { return document().panes.at(firstPane).curve; }
 
     QString m_file;
 };

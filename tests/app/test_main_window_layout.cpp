@@ -213,9 +213,9 @@ private slots:
     void keysWorkOnTheFullScreenAndClosingThereLosesNoPanel() {
         QTest::keyClick(&window(), Qt::Key_F);
         QTest::keyClick(&window(), Qt::Key_3);
-        QCOMPARE(viewOf(window().document().document(), 1).curve, CurveKind::linear);
+        QCOMPARE(window().document().document().panes.at(firstPane).curve, CurveKind::linear);
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(viewOf(window().document().document(), 1).curve, CurveKind::adaptive);
+        QCOMPARE(window().document().document().panes.at(firstPane).curve, CurveKind::adaptive);
         window().close();
         MainWindow next(settingsFile());
         next.show();
@@ -226,14 +226,14 @@ private slots:
 
     void escapeEndsADragBeforeTheFullScreen() {
         QTest::keyClick(&window(), Qt::Key_F);
-        const Pose before = poseOf(window().document().document(), 1);
+        const Pose before = window().document().document().scene.pose;
         auto* inner = pictureWindow();
         const QPoint from(inner->width() / 2, inner->height() / 2);
         QTest::mousePress(inner, Qt::LeftButton, {}, from);
         QTest::mouseMove(inner, from + QPoint(60, 0));
-        QTRY_VERIFY(poseOf(window().document().document(), 1) != before);
+        QTRY_VERIFY(window().document().document().scene.pose != before);
         QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
-        QCOMPARE(poseOf(window().document().document(), 1), before);
+        QCOMPARE(window().document().document().scene.pose, before);
         QVERIFY(window().isFullScreen());
         QTest::mouseRelease(inner, Qt::LeftButton, {}, from);
         int lassos = 1;

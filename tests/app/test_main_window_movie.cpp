@@ -241,7 +241,7 @@ private slots:
         QTest::keyClick(&window(), Qt::Key_5);  // another curve
         window().open(still());                 // and another study
         QVERIFY(ended());
-        const auto picture = viewPicture(frameOf(asked, 3), 1, phases(), 48, 48);
+        const auto picture = viewPicture(frameOf(asked, 3), firstPane, phases(), 48, 48);
         QCOMPARE(rgbBytesOf(QImage(out().filePath("heart-0004.png"))), overBackground(picture->picture, {0, 0, 0}));
         waitUntilIdle();
     }
@@ -282,13 +282,13 @@ private slots:
 private:
     /// The document that shows a phase, its OTF computed along the view.
     static Document frameOf(Document document, int phase) {
-        phaseOf(document, 1) = phase;
-        document.method.direction = poseOf(document, 1).direction;
+        document.scene.phase = phase;
+        document.scene.side = document.scene.pose.direction;
         return document;
     }
     /// The picture of a phase by itself.
     std::vector<std::uint8_t> alone(int phase, const QSize& size) {
-        const auto picture = viewPicture(frameOf(window().document().document(), phase), 1,
+        const auto picture = viewPicture(frameOf(window().document().document(), phase), firstPane,
                                          window().openStudy().study()->phases, size.width(), size.height());
         return overBackground(picture->picture, {0, 0, 0});
     }

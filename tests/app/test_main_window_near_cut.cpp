@@ -107,12 +107,12 @@ private slots:
         QTRY_VERIFY(message()->isVisible());
         m_fixture.click("message.action.0");
         m_fixture.waitUntilIdle();
-        QVERIFY(cutOf(m_fixture.window().document().document(), 1) == Cut{.surface = curved.surface});
+        QVERIFY(m_fixture.window().document().document().scene.front == Front{.surface = curved.surface});
         QVERIFY(openStudy().otf()->view.cutSurface == curved.surface);
         QVERIFY(m_fixture.window().volumeView().caption().contains("curved"));
         QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         m_fixture.waitUntilIdle();
-        QVERIFY(cutOf(m_fixture.window().document().document(), 1) == Cut{});
+        QVERIFY(m_fixture.window().document().document().scene.front == Front{});
     }
 
     void whyNotIsSaidAndNothingChanges() {
@@ -191,7 +191,7 @@ private slots:
         // Moved and magnified it is the same.
         suggest(wallBeforeFluid(14));
         Document next = m_fixture.window().document().document();
-        poseOf(next, 1).magnification = 2;
+        next.scene.pose.magnification = 2;
         m_fixture.window().document().edit(next, "zoom");
         QVERIFY(message()->isVisible());
         m_fixture.waitUntilIdle();

@@ -69,7 +69,7 @@ private slots:
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         waitUntilIdle();
         QCOMPARE(document().beam, Beam{});
-        QCOMPARE(cutOf(document(), 1), Cut{});
+        QCOMPARE(document().scene.front, Front{});
         QVERIFY(window().volumeView().caption().contains("beam +z, assumed"));
     }
 
@@ -83,10 +83,10 @@ private slots:
         open(QString::fromStdString(path));
         QCOMPARE(document().beam.source, BeamSource::file);
         QCOMPARE(document().beam.axis, BeamAxis::minusY);
-        const auto looksAlong = [this] { return frameOf(viewpointOf(document(), 1)); };
+        const auto looksAlong = [this] { return frameOf(viewpointOf(document())); };
         QVERIFY(length(looksAlong().forward - stated.forward) < 1e-6);
         QVERIFY(length(looksAlong().right - stated.right) < 1e-6);  // the marker's side is at the right of the picture
-        QVERIFY(length(frameOf(otfViewpointOf(document(), 1)).forward - stated.forward) < 1e-6);
+        QVERIFY(length(frameOf(otfViewpointOf(document(), firstPane)).forward - stated.forward) < 1e-6);
         QVERIFY(window().volumeView().caption().contains("beam -y, seen from the probe as the file says"));
         lookFrom(window(), Viewpoint{.beamAxis = BeamAxis::minusY, .azimuthDegrees = 80});
         QTest::keyClick(&window(), Qt::Key_R);
@@ -113,13 +113,13 @@ private slots:
         open(m_file);
         // The search may be sure of this wall or not: what it found is put in place as opening does it.
         Document next = document();
-        cutOf(next, 1) = {.nearCutMm = 9.5, .source = CutSource::found};
+        next.scene.front = {.depthMm = 9.5, .source = FrontSource::found};
         window().document().edit(next, "cut");
         waitUntilIdle();
         QVERIFY(window().volumeView().caption().contains("cut at 9.5 mm, found on opening"));
         QTest::keyClick(&window(), Qt::Key_N);
         waitUntilIdle();
-        QCOMPARE(cutOf(document(), 1), Cut{});
+        QCOMPARE(document().scene.front, Front{});
         QVERIFY(!window().volumeView().caption().contains("cut"));
         window().openStudy().setNearCutSearch([](const Volume&, const Viewpoint&, const Progress&) {
             return std::optional(NearCutFinding{.answer = NearCutAnswer::wallBeforeFluid,
@@ -127,7 +127,7 @@ private slots:
                                                 .message = "A wall stands before the fluid."});
         });
         QTest::keyClick(&window(), Qt::Key_N);
-        QTRY_COMPARE(cutOf(document(), 1), (Cut{.nearCutMm = 7}));
+        QTRY_COMPARE(document().scene.front, (Front{.depthMm = 7}));
         waitUntilIdle();
     }
 
@@ -135,7 +135,7 @@ private slots:
         window().openStudy().quietPhases().setReduce(
             [](const Volume&, SpeckleReduction, const Progress&) -> std::optional<Volume> { throw std::bad_alloc(); });
         open(m_file);
-        QVERIFY(lookOf(document(), 1).reduction != SpeckleReduction::off);
+        QVERIFY(document().scene.look.reduction != SpeckleReduction::off);
         QVERIFY2(window().volumeView().caption().contains("speckle not reduced"),
                  qPrintable(window().volumeView().caption()));
         QVERIFY(!window().explanation().contains("Speckle was reduced"));
@@ -144,21 +144,21 @@ private slots:
 
     void speckleIsReducedStepByStepAndLightsFollowEachOther() {
         open(m_file);
-        QCOMPARE(lookOf(document(), 1).reduction, defaultSpeckleReduction);
+        QCOMPARE(document().scene.look.reduction, defaultSpeckleReduction);
         QVERIFY(window().volumeView().caption().contains("speckle reduced: medium"));
         const auto medium = window().openStudy().voxelsOfOtf();
         QTest::keyClick(&window(), Qt::Key_Q);
         waitUntilIdle();
-        QCOMPARE(lookOf(document(), 1).reduction, SpeckleReduction::strong);
+        QCOMPARE(document().scene.look.reduction, SpeckleReduction::strong);
         QVERIFY(window().openStudy().voxelsOfOtf() != medium);
         QCOMPARE(window().openStudy().otf()->reduction, SpeckleReduction::strong);
         for (int i = 0; i < 4; ++i) QTest::keyClick(&window(), Qt::Key_Q, Qt::ShiftModifier);
         waitUntilIdle();
-        QCOMPARE(lookOf(document(), 1).reduction, SpeckleReduction::off);
+        QCOMPARE(document().scene.look.reduction, SpeckleReduction::off);
         QCOMPARE(window().openStudy().voxelsOfOtf(), window().openStudy().volume());
         QVERIFY(!window().volumeView().caption().contains("speckle"));
         QTest::keyClick(&window(), Qt::Key_L);
-        QCOMPARE(lookOf(document(), 1).lighting, Lighting::flat);
+        QCOMPARE(document().scene.look.lighting, Lighting::flat);
         QVERIFY(!window().volumeView().caption().contains("light"));
         QTest::keyClick(&window(), Qt::Key_L);
         QVERIFY(window().volumeView().caption().contains("light on surfaces"));

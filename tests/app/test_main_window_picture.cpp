@@ -108,7 +108,7 @@ private slots:
             for (const double cutMm : {0.0, 4.0}) {
                 choose("view.beamAxis", axis);
                 Document next = window().document().document();
-                cutOf(next, 1) = {.nearCutMm = cutMm};
+                next.scene.front = {.depthMm = cutMm};
                 window().document().edit(next, "near cut");
                 waitUntilIdle();
                 const Picture& picture = *view().picture();

@@ -63,7 +63,7 @@ private slots:
         open(m_file);
         for (int i = 0; i < 8; ++i) draw(stroke(0.05 * (i - 4), 0.1));
         waitUntilIdle();
-        const auto strokes = strokesOf(window().document().document(), 1);
+        const auto strokes = window().document().document().scene.strokes;
         QCOMPARE(strokes.size(), std::size_t(8));
         QCOMPARE(openStudy().strokes(), strokes);
         const auto expected = ScalpelCuts(scan(0).geometry()).cut(scan(0), strokes);
@@ -74,9 +74,9 @@ private slots:
         open(m_moving);
         draw(stroke(0.1, 0.2));
         waitUntilIdle();
-        const auto strokes = strokesOf(window().document().document(), 1);
+        const auto strokes = window().document().document().scene.strokes;
         for (const int phase : {1, 0}) {
-            window().document().showPhase(1, phase);
+            window().document().showPhase(phase);
             waitUntilIdle();
             QCOMPARE(openStudy().phase(), phase);
             QCOMPARE(openStudy().volume()->dataMask(),
@@ -102,26 +102,26 @@ private slots:
         QFETCH(bool, bow);
         open(m_moving);
         Document next = window().document().document();
-        poseOf(next, 1).direction = {.azimuth = 24, .elevation = -11, .roll = 5};
-        poseOf(next, 1).magnification = 1.2;
-        Box& box = boxOf(next, 1);
+        next.scene.pose.direction = {.azimuth = 24, .elevation = -11, .roll = 5};
+        next.scene.pose.magnification = 1.2;
+        Box& box = next.scene.box;
         box = wholeBox({.direction = {.azimuth = 15}}, next.beam.axis, openStudy().volume()->dataBox());
         box.sizeMm = box.sizeMm * 0.7;
-        cutOf(next, 1) = {.nearCutMm = 9};
-        if (bow) cutOf(next, 1) = {.surface = bowed(startSurface(next, 1, *openStudy().volume()), 8)};
-        Look& look = lookOf(next, 1);
+        next.scene.front = {.depthMm = 9};
+        if (bow) next.scene.front = {.surface = bowed(startSurface(next, *openStudy().volume()), 8)};
+        Look& look = next.scene.look;
         look.projection = perspective ? Projection::perspective : Projection::parallel;
         look.reduction = reduced ? SpeckleReduction::medium : SpeckleReduction::off;
         look.mixing = 0.25;
         look.brightness = 1.3;
-        strokesOf(next, 1).push_back(stroke(0.1, 0.15));
+        next.scene.strokes.push_back(stroke(0.1, 0.15));
         next.motion.otfPhase = 1;
         window().document().edit(next, "everything");
-        window().document().showPhase(1, 1);
+        window().document().showPhase(1);
         waitUntilIdle();
         const Picture ofWindow = cast();
-        const auto alone = viewPicture(window().document().document(), 1, openStudy().study()->phases, ofWindow.width,
-                                       ofWindow.height);
+        const auto alone = viewPicture(window().document().document(), firstPane, openStudy().study()->phases,
+                                       ofWindow.width, ofWindow.height);
         QVERIFY(alone->cast == window().volumeView().settings());
         QCOMPARE(difference(alone->picture, ofWindow), 0.0);
         QVERIFY(alone->picture.rgba == ofWindow.rgba);
@@ -153,7 +153,7 @@ private:
     /// What the ray caster makes of what is shown.
     Picture cast() {
         return *castRays(*openStudy().newestVoxels(),
-                         curveOf(window().document().document(), 1, openStudy().otf()->curve),
+                         curveOf(window().document().document(), firstPane, openStudy().otf()->curve),
                          window().volumeView().settings());
     }
     /// A square about a place right of the picture's centre, down to the middle.
@@ -166,7 +166,7 @@ private:
     }
     void draw(const ScalpelStroke& stroke) {
         Document next = window().document().document();
-        strokesOf(next, 1).push_back(stroke);
+        next.scene.strokes.push_back(stroke);
         window().document().edit(next, "cut");
     }
     static float brightest(const Picture& picture) {

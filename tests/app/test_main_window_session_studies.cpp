@@ -75,11 +75,11 @@ private slots:
     void asManyPhasesAreNeededAsTheSessionShows() {
         const QString session = savedSession();
         SavedSession changed = readSession(session.toStdString()).value();
-        phaseOf(changed.document, 1) = 3;
+        changed.document.scene.phase = 3;
         QVERIFY(writeSession(session.toStdString(), changed).has_value());
         const Document before = document();
         window().open(session);
-        QTRY_VERIFY(message()->text().contains("phases asks for phase 4, but the study has 1"));
+        QTRY_VERIFY(message()->text().contains("scene.phase asks for phase 4, but the study has 1"));
         QVERIFY(document() == before);
     }
 

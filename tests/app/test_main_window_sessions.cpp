@@ -162,7 +162,7 @@ private slots:
         window().document().edit(next, "curve");
         waitUntilIdle();
         open(session);
-        QVERIFY(window().openStudy().strokes() == strokesOf(document(), 1));
+        QVERIFY(window().openStudy().strokes() == document().scene.strokes);
         QCOMPARE(document().curves.linear.lower, 0.2);
         QVERIFY(window().openStudy().volume()->isCut());
         QVERIFY(window().openStudy().volume()->dataMask() == left);
@@ -172,7 +172,7 @@ private slots:
         const QString study = fourPhases();
         open(study);
         Document next = document();
-        phaseOf(next, 1) = 2;
+        next.scene.phase = 2;
         next.motion.scenario = MotionScenario::object;
         next.motion.phaseRange = PhaseRange{1, 3};
         next.motion.otf = MotionOtf::oneOtf;
@@ -250,7 +250,7 @@ private slots:
         QTRY_COMPARE(message()->text(), QString("The session was saved as elsewhere.session.json."));
         QCOMPARE(QFileInfo(proposed).fileName(), QString("heart.session.json"));
         QVERIFY(QFileInfo(QFileInfo(proposed).absolutePath()).isWritable());
-        QVERIFY(readSession(elsewhere.toStdString()).value().document.poses == before.poses);
+        QVERIFY(readSession(elsewhere.toStdString()).value().document.scene.pose == before.scene.pose);
     }
 
     void itNeverTakesTheVolumesPlace() {
@@ -264,7 +264,7 @@ private slots:
         window().openSimulatedScan();
         QTRY_VERIFY_WITH_TIMEOUT(window().openStudy().isSimulatedScan() && window().idle(), 60000);
         Document next = document();
-        poseOf(next, 1).magnification = 1.25;
+        next.scene.pose.magnification = 1.25;
         window().document().edit(next, "zoom");
         const QString session = inFolder("scan.session.json");
         window().sessionKeeping().saveAs(session);
@@ -300,7 +300,7 @@ private slots:
         QVERIFY(window().isVisible());
         QCOMPARE(asked("Save"), 1);
         QTRY_VERIFY(!window().isVisible());
-        QVERIFY(readSession(session.toStdString()).value().document.poses == document().poses);
+        QVERIFY(readSession(session.toStdString()).value().document.scene.pose == document().scene.pose);
     }
 
     void closingWaitsForASessionThatIsBeingWritten() {

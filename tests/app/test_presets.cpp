@@ -71,9 +71,9 @@ private slots:
         const Document before = document();
         const int slicer = rowOf("Slicer's fetal curve");
         clickRow(slicer);
-        QCOMPARE(viewOf(document(), 1).curve, CurveKind::manual);
+        QCOMPARE(document().panes.at(firstPane).curve, CurveKind::manual);
         QVERIFY(document().curves.manual == CurveSet{}.manual);
-        QCOMPARE(lookOf(document(), 1).lighting, Lighting::surface);
+        QCOMPARE(document().scene.look.lighting, Lighting::surface);
         QCOMPARE(child<QLabel>("presets.current")->text(), QString("Slicer's fetal curve"));
         QVERIFY(child<QAbstractButton>("otfEditor.active.manual")->isChecked());
         clickRow(slicer);  // a second click changes nothing
@@ -88,9 +88,9 @@ private slots:
         list()->setCurrentRow(0);
         QTest::keyClick(list(), Qt::Key_Right);
         QCOMPARE(list()->currentRow(), 1);
-        QVERIFY(withPreset(document(), 1, standardPresets()[1]) != document());
+        QVERIFY(withPreset(document(), firstPane, standardPresets()[1]) != document());
         QTest::keyClick(list(), Qt::Key_Return);
-        QVERIFY(withPreset(document(), 1, standardPresets()[1]) == document());
+        QVERIFY(withPreset(document(), firstPane, standardPresets()[1]) == document());
         waitForPictures();
     }
 
@@ -184,8 +184,8 @@ private slots:
         const QImage turned = pictureOf(0);
         // The same view without the motion.
         Document posed = document();
-        poseOf(posed, 1) = shownPose(posed, 1);
-        posed.motionAngle = 0;
+        posed.scene.pose = shownPose(posed);
+        posed.scene.motionAngle = 0;
         window().document().edit(posed, "pose");
         window().document().showMotionAngle(0);
         waitForPictures();

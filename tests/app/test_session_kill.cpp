@@ -56,7 +56,7 @@ public:
         connect(&m_clock, &QTimer::timeout, this, [] { say(intervalOver); });
         m_clock.start(interval);
         Document plain = m_window.document().document();
-        lookOf(plain, 1) = Look{};
+        plain.scene.look = Look{};
         m_window.document().begin(plain);
         connect(&m_window.openStudy(), &OpenStudy::otfComputed, this, [this] {
             if (std::exchange(m_begun, true)) return;

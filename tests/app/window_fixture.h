@@ -33,7 +33,7 @@ inline std::shared_ptr<const Volume> smallPhantom(PhantomScene scene, std::uint6
 /// The window's document looks from another direction, as if the hand had turned it.
 inline void lookFrom(MainWindow& window, const Viewpoint& view) {
     Document next = window.document().document();
-    poseOf(next, 1).direction = directionOf(view);
+    next.scene.pose.direction = directionOf(view);
     window.document().edit(next, "turn view");
 }
 
@@ -66,7 +66,7 @@ public:
     /// Another look than the window starts with: Look{} takes neither speckle away nor light along.
     void useLook(const Look& look) {
         Document next = window().document().document();
-        lookOf(next, 1) = look;
+        next.scene.look = look;
         window().document().begin(next);
     }
     void close() {

@@ -44,7 +44,7 @@ Opened opened(std::shared_ptr<const Volume> volume, const Plan& plan) {
     const Document plain;
     const Document document = withFinds(plain, *findOnOpening(*volume, {}));
     Opened made{.raw = std::move(volume), .quiet = {}, .reduction = look.reduction, .view = {}, .settings = {}};
-    made.view = {.beamAxis = document.beam.axis, .nearCutMm = cutOf(document, document.views.front().id).nearCutMm};
+    made.view = {.beamAxis = document.beam.axis, .nearCutMm = document.scene.front.depthMm};
     made.quiet = std::make_shared<const Volume>(*quietVolume(*made.raw, look.reduction));
     made.settings = rayCastSettings(look);
     made.settings.width = made.settings.height = plan.edge;

@@ -38,7 +38,7 @@ Opened opened(const Volume& volume) {
     const Look look = lookAtStart();
     const Document plain;
     const Document document = withFinds(plain, *findOnOpening(volume, {}));
-    Viewpoint view{.beamAxis = document.beam.axis, .nearCutMm = cutOf(document, document.views.front().id).nearCutMm};
+    Viewpoint view{.beamAxis = document.beam.axis, .nearCutMm = document.scene.front.depthMm};
     Opened made;
     made.quiet = std::make_shared<const Volume>(*quietVolume(volume, look.reduction));
     made.curve = adaptOpacity(volume, view, {}, {}, {made.quiet.get(), look.reduction})->curve;

@@ -77,7 +77,7 @@ int main(int count, char** arguments) {
     QTextStream(stdout) << "panes of " << grid.pictureSize().width() << " x " << grid.pictureSize().height() << "\n";
     for (const Lighting lighting : {Lighting::flat, Lighting::surface, Lighting::depth}) {
         Document next = window.document().document();
-        lookOf(next, 1).lighting = lighting;
+        next.scene.look.lighting = lighting;
         window.document().edit(next, "light");
         if (!rest()) return 1;
         const auto name = nameOf(lighting);

@@ -70,8 +70,8 @@ QList<Stall> LargeStudy::stalls(const QString& volume) {
     listen("near cut", [&] {
         Document next = window().document().document();
         const VolumeGeometry& geometry = window().openStudy().volume()->geometry();
-        cutOf(next, mainView) = {};
-        cutOf(next, mainView).nearCutMm = nearCutShare * depthAlongViewMm(otfViewpointOf(next, mainView), geometry);
+        next.scene.front = {};
+        next.scene.front.depthMm = nearCutShare * depthAlongViewMm(otfViewpointOf(next, firstPane), geometry);
         window().document().edit(next, QStringLiteral("near cut"));
     });
     listen("stroke", [&] { drawStroke(); });

@@ -35,7 +35,7 @@ MovieCost MovieUnderWay::write(const QString& ending, const QSize& size) {
     const Document& document = window().document().document();
     const int phases = static_cast<int>(window().openStudy().study()->phases.size());
     MovieCost cost{.ending = ending};
-    cost.frames = static_cast<int>(turnOf(document, mainView, phases).size());
+    cost.frames = static_cast<int>(turnOf(document, firstPane, phases).size());
     std::optional<bool> written;
     QObject context;
     QObject::connect(&window().movieFiles(), &MovieFiles::ended, &context, [&](bool done) { written = done; });

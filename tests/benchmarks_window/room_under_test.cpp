@@ -55,14 +55,13 @@ RoomUnderTest::RoomUnderTest(const QString& volume, int edge) {
 
 void RoomUnderTest::switchEverythingOn() {
     const std::shared_ptr<const Volume> volume = window().openStudy().volume();
-    Document next = withBoxSwitched(window().document().document(), mainView, true, volume->dataBox());
-    boxOf(next, mainView).sizeMm *= boxShare;
-    cutOf(next, mainView) = {};
-    cutOf(next, mainView).nearCutMm =
-        nearCutShare * depthAlongViewMm(otfViewpointOf(next, mainView), volume->geometry());
-    lookOf(next, mainView) = lookAtStart();  // quiet voxels and light that tells depth
-    planesOf(next, mainView).linesIn3d = true;
-    viewOf(next, mainView).curve = CurveKind::adaptive;
+    Document next = withBoxSwitched(window().document().document(), true, volume->dataBox());
+    next.scene.box.sizeMm *= boxShare;
+    next.scene.front = {};
+    next.scene.front.depthMm = nearCutShare * depthAlongViewMm(otfViewpointOf(next, firstPane), volume->geometry());
+    next.scene.look = lookAtStart();  // quiet voxels and light that tells depth
+    next.scene.planes.linesIn3d = true;
+    next.panes.at(firstPane).curve = CurveKind::adaptive;
     window().document().edit(next, QStringLiteral("everything"));
     waitUntilConverged();
     drawStroke();
@@ -89,7 +88,7 @@ bool RoomUnderTest::updated(Watched watched) const {
         case Watched::reference: break;
     }
     // What is dragged within plane A is seen in the same voxels there.
-    const bool lines = planesOf(window().document().document(), mainView).linesIn3d;
+    const bool lines = window().document().document().scene.planes.linesIn3d;
     return (m_drawn || !lines) && all([](PlaneName plane, const Painted& now, const Painted& before) {
                return now.planes != before.planes && (plane == PlaneName::a || now.image != before.image);
            });

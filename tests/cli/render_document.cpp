@@ -7,8 +7,8 @@
 #include "io/document/session_file.h"
 #include "io/study/study.h"
 #include "io/study/study_checksum.h"
-#include "processing/document/compared_panes.h"
 #include "processing/document/pane_measures.h"
+#include "processing/document/panes.h"
 #include "processing/document/view_frames.h"
 #include "processing/document/view_picture.h"
 #include "program.h"
@@ -20,14 +20,13 @@ namespace {
 Document everything(const std::string& study) {
     Document document;
     document.study = StudyFile{.path = study, .options = {}, .checksum = {}};
-    document.poses.front().value.direction = {.azimuth = 20, .elevation = -8, .roll = 3};
-    cutOf(document, 1).nearCutMm = 4;
-    boxOf(document, 1) = {.on = true, .direction = {.azimuth = 12}, .centreMm = {27, 25, 30}, .sizeMm = {36, 34, 44}};
+    document.scene.pose.direction = {.azimuth = 20, .elevation = -8, .roll = 3};
+    document.scene.front.depthMm = 4;
+    document.scene.box = {.on = true, .direction = {.azimuth = 12}, .centreMm = {27, 25, 30}, .sizeMm = {36, 34, 44}};
     ScalpelStroke stroke{.tool = ScalpelTool::eraser, .places = {{-0.2, 0.1}, {0.2, -0.1}}, .radius = 0.06};
     stroke.camera = {{27, 25, 30}, frameOf(Viewpoint{.azimuthDegrees = 10}), Projection::parallel, 60, 30, 100};
-    strokesOf(document, 1).push_back(stroke);
-    document.views.push_back(View{.id = 2, .pose = 2, .curve = CurveKind::parabolic});
-    document.poses.push_back({2, Pose{.direction = {.azimuth = 180}}});
+    document.scene.strokes.push_back(stroke);
+    document.panes.push_back({.curve = CurveKind::parabolic});
     return document;
 }
 
@@ -39,9 +38,9 @@ cv::Mat pictureOf(const std::string& options, const Folder& folder) {
 }
 
 /// The number of bytes that differ from the view's picture over black.
-int apart(const cv::Mat& picture, const Document& document, int view) {
+int apart(const cv::Mat& picture, const Document& document, std::size_t pane) {
     const auto study = readStudy(shapesFile());
-    const auto expected = viewPicture(document, view, study->phases, 70, 52);
+    const auto expected = viewPicture(document, pane, study->phases, 70, 52);
     const std::vector<std::uint8_t> rgb = overBackground(expected->picture, {0, 0, 0});
     if (picture.cols != 70 || picture.rows != 52) return -1;
     int differing = 0;
@@ -55,7 +54,7 @@ TEST(CompareDocument, MeasuresEachPaneAsProcessingDoes) {
     const Folder folder;
     Document document = withPaneCount(everything(shapesFile()), 4);
     document = withPane(std::move(document), 2,
-                        {.design = AdaptiveConfig{}, .withoutTubes = {96, 97, 98, 111, 112, 113, 126, 127, 128}});
+                        {.designer = AdaptiveConfig{}, .withoutTubes = {96, 97, 98, 111, 112, 113, 126, 127, 128}});
     ASSERT_TRUE(writeDocument(folder / "compared.json", document));
     const Outcome outcome = runProgram("compare \"" + folder / "compared.json" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
@@ -68,7 +67,8 @@ TEST(CompareDocument, MeasuresEachPaneAsProcessingDoes) {
                                 (*measured)[place]->light.meanShare);
     EXPECT_EQ(outcome.output, expected);
     EXPECT_NE((*measured)[0]->contrast.contrastToNoise(), (*measured)[2]->contrast.contrastToNoise());
-    ASSERT_TRUE(writeDocument(folder / "alone.json", everything(shapesFile())));
+    document.panes.resize(1);
+    ASSERT_TRUE(writeDocument(folder / "alone.json", document));
     const Outcome alone = runProgram("compare \"" + folder / "alone.json" + "\"");
     EXPECT_EQ(alone.status, 2);
     EXPECT_NE(alone.errors.find("compares nothing"), std::string::npos) << alone.errors;
@@ -80,16 +80,16 @@ TEST(RenderDocument, IsTheConvergedPictureOfTheView) {
     ASSERT_TRUE(writeDocument(folder / "document.json", document));
     const std::string given = "--document \"" + folder / "document.json" + "\"";
     const cv::Mat first = pictureOf(given, folder), second = pictureOf(given + " --view 2", folder);
-    EXPECT_EQ(apart(first, document, 1), 0);
-    EXPECT_EQ(apart(second, document, 2), 0);
-    EXPECT_NE(apart(second, document, 1), 0);
+    EXPECT_EQ(apart(first, document, firstPane), 0);
+    EXPECT_EQ(apart(second, document, 1), 0);
+    EXPECT_NE(apart(second, document, firstPane), 0);
     EXPECT_GT(cv::mean(first)[1], 3.0) << "there is something to compare";
     Document unlimited = document;
-    boxOf(unlimited, 1).on = false;
-    EXPECT_NE(apart(first, unlimited, 1), 0);
+    unlimited.scene.box.on = false;
+    EXPECT_NE(apart(first, unlimited, firstPane), 0);
     unlimited = document;
-    strokesOf(unlimited, 1).clear();
-    EXPECT_NE(apart(first, unlimited, 1), 0);
+    unlimited.scene.strokes.clear();
+    EXPECT_NE(apart(first, unlimited, firstPane), 0);
 }
 
 TEST(RenderDocument, FindsTheStudyBesideTheDocumentOrOnTheCommandLine) {
@@ -97,11 +97,11 @@ TEST(RenderDocument, FindsTheStudyBesideTheDocumentOrOnTheCommandLine) {
     std::filesystem::copy_file(shapesFile(), folder / "scan.mha");
     const Document document = everything("scan.mha");
     ASSERT_TRUE(writeDocument(folder / "document.json", document));
-    EXPECT_EQ(apart(pictureOf("--document \"" + folder / "document.json" + "\"", folder), document, 1), 0);
+    EXPECT_EQ(apart(pictureOf("--document \"" + folder / "document.json" + "\"", folder), document, firstPane), 0);
     Document elsewhere = everything("/nowhere/scan.mha");
     ASSERT_TRUE(writeDocument(folder / "elsewhere.json", elsewhere));
     const std::string given = "--document \"" + folder / "elsewhere.json" + "\"";
-    EXPECT_EQ(apart(pictureOf("\"" + shapesFile() + "\" " + given, folder), document, 1), 0);
+    EXPECT_EQ(apart(pictureOf("\"" + shapesFile() + "\" " + given, folder), document, firstPane), 0);
     EXPECT_EQ(runProgram("render " + given + " -o \"" + folder / "p.png" + "\"").status, 3);
 }
 
@@ -110,7 +110,7 @@ TEST(RenderDocument, IsEachFrameOfTheDocumentsMotion) {
     const std::string file = phantomFile("moving.mha", "--size 56 --phases 3 --seed 4");
     Document document;
     document.study = StudyFile{.path = file, .options = {}, .checksum = {}};
-    document.poses.front().value.direction = {.azimuth = 20, .elevation = -8};
+    document.scene.pose.direction = {.azimuth = 20, .elevation = -8};
     document.motion.otfPhase = 1;
     const auto study = readStudy(file);
     ASSERT_TRUE(study);
@@ -118,7 +118,7 @@ TEST(RenderDocument, IsEachFrameOfTheDocumentsMotion) {
         for (const MotionOtf otf : {MotionOtf::oneOtf, MotionOtf::eachView}) {
             document.motion.scenario = scenario;
             document.motion.otf = otf;
-            ViewFrames frames(document, 1, {.scans = study->phases});
+            ViewFrames frames(document, firstPane, {.scans = study->phases});
             ASSERT_TRUE(writeDocument(folder / "frame.json", frames.documentOf(2)));
             const cv::Mat rendered = pictureOf("--document \"" + folder / "frame.json" + "\"", folder);
             std::vector<std::uint8_t> rgb = overBackground(frames.picture(2, 70, 52)->picture, {0, 0, 0});
@@ -140,11 +140,11 @@ TEST(RenderDocument, SaysWhatItCannotDo) {
     };
     refused("-o \"" + folder / "p.png" + "\"", "VOLUME");
     refused("--view 1 -o \"" + folder / "p.png" + "\"", "--document");
-    refused(given + "--view 7", "--view");
+    refused(given + "--view 7", "none is number 7");
     refused(given + "--mode maximum", "--mode");
     refused(given + "--near 3", "--near");
     refused("--document \"" + folder / "document.json" + "\" -o \"" + folder / "document.json" + "\"", "document.json");
-    document.phases.front().value = 3;
+    document.scene.phase = 3;
     ASSERT_TRUE(writeDocument(folder / "late.json", document));
     refused("--document \"" + folder / "late.json" + "\" -o \"" + folder / "p.png" + "\"", "phase 3");
     document = everything({});
@@ -170,7 +170,7 @@ TEST(RenderDocument, ASessionsVolumeThatMovedIsFoundAndOneThatChangedIsSaid) {
     const auto errors = [&] {
         const Outcome outcome = runProgram(render);
         EXPECT_EQ(outcome.status, 0) << outcome.errors;
-        EXPECT_EQ(apart(cv::imread(folder / "p.png", cv::IMREAD_COLOR), saved.document, 1), 0);
+        EXPECT_EQ(apart(cv::imread(folder / "p.png", cv::IMREAD_COLOR), saved.document, firstPane), 0);
         return outcome.errors;
     };
     EXPECT_EQ(errors(), "");

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/document/document_file.h"
-#include "processing/document/compared_panes.h"
+#include "processing/document/panes.h"
 #include "program.h"
 
 namespace echolucent {

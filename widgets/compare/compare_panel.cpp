@@ -50,14 +50,14 @@ QString wordsOf(MotionOtf otf) {
     return {};
 }
 
-bool isAdaptive(const PaneChoice& choice) {
-    return choice.design ? designerOf(*choice.design) == Designer::adaptive : choice.curve == CurveKind::adaptive;
+bool isAdaptive(const Pane& choice) {
+    return choice.designer ? designerOf(*choice.designer) == Designer::adaptive : choice.curve == CurveKind::adaptive;
 }
 
-int entryOf(const PaneChoice& choice) {
+int entryOf(const Pane& choice) {
     if (isAdaptive(choice) && !choice.withoutTubes.empty()) return withoutTubeEntry;
-    if (!choice.design) return static_cast<int>(indexOf(choice.curve));
-    return designerEntries + static_cast<int>(choice.design->index());
+    if (!choice.designer) return static_cast<int>(indexOf(choice.curve));
+    return designerEntries + static_cast<int>(choice.designer->index());
 }
 
 QGridLayout* gridIn(QGroupBox* group) {
@@ -78,15 +78,15 @@ QComboBox* narrowCombo(const QString& name, const QString& accessibleName, const
 
 }  // namespace
 
-QString nameOfPane(const PaneChoice& choice) {
+QString nameOfPane(const Pane& choice) {
     const int entry = entryOf(choice);
     QString name;
     if (entry == withoutTubeEntry) {
         QStringList tubes;
         for (const int tube : choice.withoutTubes) tubes << QString::number(tube);
         name = ComparePanel::tr("Adaptive without tube core %1").arg(tubes.join(QStringLiteral(", ")));
-    } else if (choice.design) {
-        name = labelOfDesigner(designerOf(*choice.design));
+    } else if (choice.designer) {
+        name = labelOfDesigner(designerOf(*choice.designer));
     } else {
         name = labelOfCurve(choice.curve);
     }
@@ -233,9 +233,9 @@ void ComparePanel::choose(std::size_t place) {
     const PaneControls& pane = m_controls.at(place);
     const int index = pane.otf->currentIndex();
     const int entry = index > designerEntries ? index - 1 : index;
-    PaneChoice choice{.curve = m_panes.at(place).curve};
+    Pane choice{.curve = m_panes.at(place).curve};
     if (entry == withoutTubeEntry) {
-        choice.design = AdaptiveConfig{};
+        choice.designer = AdaptiveConfig{};
         // Where more than one was left out, they stay until a number is typed.
         const std::vector<int>& before = m_panes[place].withoutTubes;
         choice.withoutTubes =
@@ -244,8 +244,8 @@ void ComparePanel::choose(std::size_t place) {
         choice.curve = allCurveKinds[static_cast<std::size_t>(entry)];
     } else {
         const Designer designer = allDesigners[static_cast<std::size_t>(entry - designerEntries)];
-        const auto& before = m_panes[place].design;
-        choice.design = before && designerOf(*before) == designer ? *before : defaultConfigOf(designer);
+        const auto& before = m_panes[place].designer;
+        choice.designer = before && designerOf(*before) == designer ? *before : defaultConfigOf(designer);
     }
     choice.phase = m_panes[place].phase;  // also where this study has not so many
     if (place > 0 && isAdaptive(choice) && pane.motion->currentIndex() > 0)
@@ -254,7 +254,7 @@ void ComparePanel::choose(std::size_t place) {
 }
 
 void ComparePanel::choosePhase(std::size_t place) {
-    PaneChoice choice = m_panes.at(place);
+    Pane choice = m_panes.at(place);
     const int phase = m_controls.at(place).phase->value();
     choice.phase = phase > 0 ? std::optional(phase - 1) : std::nullopt;
     if (choice != m_panes[place]) emit paneChosen(static_cast<int>(place), choice);
@@ -275,7 +275,7 @@ void ComparePanel::chooseComparison(const QString& what) {
     emit comparisonChosen(next, what);
 }
 
-void ComparePanel::setPanes(const std::vector<PaneChoice>& panes) {
+void ComparePanel::setPanes(const std::vector<Pane>& panes) {
     if (panes == m_panes) return;
     m_panes = panes;
     showAll();

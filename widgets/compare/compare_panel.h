@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "processing/document/compared_panes.h"
+#include "processing/document/panes.h"
 #include "widgets/compare/compare_rows.h"
 
 class QComboBox;
@@ -20,7 +20,7 @@ namespace echolucent {
 
 /// "Linear curve", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112", with ", phase 3" where it has
 /// one.
-[[nodiscard]] QString nameOfPane(const PaneChoice& choice);
+[[nodiscard]] QString nameOfPane(const Pane& choice);
 
 /// Objects: compare (this), compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4, compare.motion2 …
 /// 4, compare.layout, compare.first, compare.second, compare.amplification, compare.table, compare.measureFlicker,
@@ -32,7 +32,7 @@ public:
     explicit ComparePanel(QWidget* parent = nullptr);
 
     /// What is compared; without a pane all but the number of panes is disabled.
-    void setPanes(const std::vector<PaneChoice>& panes);
+    void setPanes(const std::vector<Pane>& panes);
     void setComparison(const Comparison& comparison);
     /// Of the study and the method, for the choices that depend on them.
     void setLimits(int phases, int tubes);
@@ -43,7 +43,7 @@ public:
 
 signals:
     void countChosen(int count);
-    void paneChosen(int place, const echolucent::PaneChoice& choice);
+    void paneChosen(int place, const echolucent::Pane& choice);
     /// Layout, pair or amplification.
     void comparisonChosen(const echolucent::Comparison& comparison, const QString& what);
     void flickerRequested();
@@ -67,7 +67,7 @@ private:
     void showAll();
     void fitTable();
 
-    std::vector<PaneChoice> m_panes;
+    std::vector<Pane> m_panes;
     Comparison m_comparison;
     std::vector<CompareRow> m_rows;
     int m_phases = 1, m_tubes = 1;

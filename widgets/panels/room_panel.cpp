@@ -273,7 +273,7 @@ void RoomPanel::setBox(const Box& box) {
     const QSignalBlocker on(m_box);
     m_box->setChecked(box.on);
     for (const BoxSide side : allBoxSides)
-        m_fronts[static_cast<std::size_t>(side)]->setChecked(box.on && side == box.front);
+        m_fronts[static_cast<std::size_t>(side)]->setChecked(box.on && side == box.side);
     for (std::size_t i = 0; i < m_sizes.size(); ++i) {
         const QSignalBlocker blocker(m_sizes[i]);
         m_sizes[i]->setValue(box.sizeMm[static_cast<int>(i)]);

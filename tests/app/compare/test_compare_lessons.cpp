@@ -23,8 +23,8 @@ private slots:
     void panesShowTheOtfsOfAMotion() {
         waitUntilRest();
         child<QAction>("compare.motions")->trigger();
-        QCOMPARE(document().comparison.panes.size(), std::size_t{3});
-        QCOMPARE(viewOf(document(), 2).motionOtf, std::optional(MotionOtf::eachView));
+        QCOMPARE(document().panes.size(), std::size_t{3});
+        QCOMPARE(document().panes.at(1).motionOtf, std::optional(MotionOtf::eachView));
         waitUntilRest();
         QVERIFY(child<QComboBox>("compare.motion2")->isVisible());
         const auto curves = [this] {
@@ -46,7 +46,7 @@ private slots:
             const Design design = *echolucent::design(AdaptiveConfig{}, {*window().openStudy().volume(),
                                                                          *window().openStudy().newestVoxels(),
                                                                          {},
-                                                                         viewpointOf(document(), 1),
+                                                                         viewpointOf(document()),
                                                                          configOf(document())});
             QVERIFY(made[1] == design.classification);
             QVERIFY(made[2] == Classification(history.add(angle, std::get<SampledCurve>(made[1].curve()))));
@@ -59,7 +59,7 @@ private slots:
 
     void figuresOfThePaperAreOneClick() {
         child<QAction>("compare.figure9")->trigger();
-        QTRY_COMPARE_WITH_TIMEOUT(document().motionAngle, 30.0, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(document().scene.motionAngle, 30.0, 60000);
         QVERIFY(window().openStudy().isSimulatedScan());
         QTRY_VERIFY_WITH_TIMEOUT(window().idle() && window().compareRoom().views().settled(), 60000);
         const auto nine = window().compareRoom().views().frame();
@@ -92,7 +92,7 @@ private slots:
             while (!progress.cancelled()) std::this_thread::yield();
             return std::optional<Design>();
         });
-        window().document().edit(withPane(document(), 1, {.design = OtsuConfig{}}), "designer");
+        window().document().edit(withPane(document(), 1, {.designer = OtsuConfig{}}), "designer");
         QTRY_VERIFY(window().designs().busy());
         const QString path = temporaryFolder().filePath("given-up.html");
         window().compareRoom().savePage(path);

@@ -25,7 +25,7 @@ private slots:
     void theKeyShowsFourPanesAndTakesThemAway() {
         QVERIFY(grid().isVisible());
         QVERIFY(!window().volumeView().isVisible());
-        QCOMPARE(document().comparison.panes.size(), std::size_t{4});
+        QCOMPARE(document().panes.size(), std::size_t{4});
         QVERIFY(child<QDockWidget>("dock.compare")->isVisible());
         QTest::keyClick(&window(), Qt::Key_F5);
         QTRY_VERIFY(window().volumeView().isVisible());
@@ -51,19 +51,19 @@ private slots:
     }
 
     void aDragOrbitsAllPanesInOneStep() {
-        const Pose before = poseOf(document(), 1);
+        const Pose before = document().scene.pose;
         const auto frameBefore = window().compareRoom().views().frame();
         const int steps = window().document().steps().index();
         ComparePane& pane = grid().pane(2);
         drag(pane, pane.pictureRect().center(), QPoint(40, 15), Qt::LeftButton);
-        QVERIFY(poseOf(document(), 1).direction != before.direction);
+        QVERIFY(document().scene.pose.direction != before.direction);
         QCOMPARE(window().document().steps().index(), steps + 1);
         waitForFrame();
         const auto frame = window().compareRoom().views().frame();
         QVERIFY(frame->settings.camera != frameBefore->settings.camera);
         for (std::size_t i = 0; i < 4; ++i) QVERIFY(frame->panes[i].image != frameBefore->panes[i].image);
         window().document().steps().undo();
-        QVERIFY(poseOf(document(), 1) == before);
+        QVERIFY(document().scene.pose == before);
         waitForFrame();
         QVERIFY(window().compareRoom().views().frame()->settings.camera == frameBefore->settings.camera);
         for (std::size_t i = 0; i < 4; ++i)
@@ -88,23 +88,23 @@ private slots:
 
     void otherDragsPanZoomAndMoveTheLight() {
         ComparePane& pane = grid().pane(1);
-        const Pose before = poseOf(document(), 1);
+        const Pose before = document().scene.pose;
         drag(pane, pane.pictureRect().center(), QPoint(20, 10), Qt::MiddleButton);
-        QVERIFY(poseOf(document(), 1).offsetMm != before.offsetMm);
-        QVERIFY(poseOf(document(), 1).direction == before.direction);
+        QVERIFY(document().scene.pose.offsetMm != before.offsetMm);
+        QVERIFY(document().scene.pose.direction == before.direction);
         drag(pane, pane.pictureRect().center(), QPoint(0, 30), Qt::RightButton);
-        QVERIFY(poseOf(document(), 1).magnification < before.magnification);
+        QVERIFY(document().scene.pose.magnification < before.magnification);
         Document lit = document();
-        lookOf(lit, 1).lighting = Lighting::surface;
+        lit.scene.look.lighting = Lighting::surface;
         window().document().edit(lit, "light");
-        const LightDirection light = lookOf(document(), 1).light;
+        const LightDirection light = document().scene.look.light;
         drag(pane, pane.pictureRect().center(), QPoint(25, 0), Qt::LeftButton, Qt::ControlModifier);
-        QVERIFY(lookOf(document(), 1).light != light);
-        const double magnification = poseOf(document(), 1).magnification;
+        QVERIFY(document().scene.look.light != light);
+        const double magnification = document().scene.pose.magnification;
         QWheelEvent wheel(pane.pictureRect().center(), pane.mapToGlobal(pane.pictureRect().center()), {}, {0, 120},
                           Qt::NoButton, {}, Qt::NoScrollPhase, false);
         QApplication::sendEvent(&pane, &wheel);
-        QVERIFY(poseOf(document(), 1).magnification > magnification);
+        QVERIFY(document().scene.pose.magnification > magnification);
     }
 
     void aDoubleClickMaximisesAndEscapeGivesBack() {
@@ -125,26 +125,26 @@ private slots:
         QVERIFY(otsu > 0);
         choose(otf, otsu);
         QCOMPARE(window().document().steps().index(), steps + 1);
-        QVERIFY(designOf(document(), 2) != nullptr);
-        QCOMPARE(designerOf(*designOf(document(), 2)), Designer::otsu);
+        QVERIFY(designerConfigOf(document(), 1) != nullptr);
+        QCOMPARE(designerOf(*designerConfigOf(document(), 1)), Designer::otsu);
         waitForFrame();
         window().document().steps().undo();
-        QVERIFY(designOf(document(), 2) == nullptr);
-        QCOMPARE(viewOf(document(), 2).curve, CurveKind::parabolic);
+        QVERIFY(designerConfigOf(document(), 1) == nullptr);
+        QCOMPARE(document().panes.at(1).curve, CurveKind::parabolic);
         child<QSpinBox>("compare.count")->setValue(2);
-        QCOMPARE(document().comparison.panes.size(), std::size_t{2});
+        QCOMPARE(document().panes.size(), std::size_t{2});
         waitForFrame();
         window().document().steps().undo();
-        QCOMPARE(document().comparison.panes.size(), std::size_t{4});
-        QVERIFY(designOf(document(), 4) != nullptr);
+        QCOMPARE(document().panes.size(), std::size_t{4});
+        QVERIFY(designerConfigOf(document(), 3) != nullptr);
     }
 
     void aTubeCoreIsLeftOutOfOnePane() {
         auto* otf = child<QComboBox>("compare.otf3");
         choose(otf, otf->count() - 1);
-        QCOMPARE(viewOf(document(), 3).withoutTubes.size(), std::size_t{1});
+        QCOMPARE(document().panes.at(2).withoutTubes.size(), std::size_t{1});
         child<QSpinBox>("compare.tube3")->setValue(97);
-        QCOMPARE(viewOf(document(), 3).withoutTubes, std::vector{97});
+        QCOMPARE(document().panes.at(2).withoutTubes, std::vector{97});
         waitForFrame();
         QVERIFY(grid().pane(2).face().name.contains("97"));
     }
@@ -206,10 +206,10 @@ private slots:
         ComparePane& pair = grid().pair();
         const QRect picture = pair.pictureRect();
         const int steps = window().document().steps().index();
-        const Pose pose = poseOf(document(), 1);
+        const Pose pose = document().scene.pose;
         drag(pair, QPoint(picture.x() + picture.width() / 2, picture.center().y() - 30), QPoint(60, 0), Qt::LeftButton);
         QVERIFY(document().comparison.wipe > 0.5);
-        QVERIFY(poseOf(document(), 1) == pose);
+        QVERIFY(document().scene.pose == pose);
         QCOMPARE(window().document().steps().index(), steps + 1);
         const double wipe = document().comparison.wipe;
         const QPoint leftOfTheLine(picture.x() + picture.width() / 4, picture.center().y());
@@ -241,12 +241,12 @@ private slots:
 
     void thePaneOfTheMainViewKeepsItsDesigner() {
         QTest::keyClick(&window(), Qt::Key_F5);
-        Document next = withDesign(document(), 1, OtsuConfig{.opacity = 0.5});
-        next.comparison = Comparison{};
+        Document next = withDesigner(document(), firstPane, OtsuConfig{.opacity = 0.5});
+        next.panes.resize(1);
         window().document().begin(next);
         QTest::keyClick(&window(), Qt::Key_F5);
-        QCOMPARE(std::get<OtsuConfig>(*designOf(document(), 1)).opacity, 0.5);
-        QCOMPARE(document().comparison.panes.size(), std::size_t{4});
+        QCOMPARE(std::get<OtsuConfig>(*designerConfigOf(document(), firstPane)).opacity, 0.5);
+        QCOMPARE(document().panes.size(), std::size_t{4});
         waitForFrame();
     }
 
@@ -268,8 +268,8 @@ private slots:
         waitForFrame();
         QVERIFY(child<QSpinBox>("compare.phase2")->isVisible());
         child<QSpinBox>("compare.phase2")->setValue(2);
-        QCOMPARE(phaseOf(document(), 2), 1);
-        QCOMPARE(phaseOf(document(), 1), 0);
+        QCOMPARE(phaseOf(document(), 1), 1);
+        QCOMPARE(phaseOf(document(), firstPane), 0);
         waitForFrame();
         const auto frame = window().compareRoom().views().frame();
         QVERIFY(frame->request.panes[1].volume != frame->request.panes[0].volume);
@@ -277,7 +277,7 @@ private slots:
         window().document().steps().undo();
         QCOMPARE(phaseOf(document(), 2), 0);
         window().document().steps().redo();
-        QCOMPARE(phaseOf(document(), 2), 1);
+        QCOMPARE(phaseOf(document(), 1), 1);
     }
 
     void theFullScreenShowsThePanesAlone() {

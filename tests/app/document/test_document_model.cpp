@@ -12,11 +12,10 @@ using namespace echolucent;
 
 namespace {
 
-/// The default document with a second view of the same pose.
-Document twoViews() {
+/// The default document with a second pane.
+Document twoPanes() {
     Document document;
-    document.looks.push_back({2, Look{}});
-    document.views.push_back({2, 1, 1, 2, 1, CurveKind::linear});
+    document.panes.push_back({.curve = CurveKind::linear});
     return document;
 }
 
@@ -27,27 +26,27 @@ double share(std::mt19937& random) { return std::uniform_real_distribution<doubl
 /// Every kind of value that a person can set, each with a random value.
 const std::vector<Change>& changes() {
     static const std::vector<Change> all{
-        [](Document& d, auto& random) { poseOf(d, 1).direction.azimuth = 360 * share(random) - 180; },
-        [](Document& d, auto& random) { poseOf(d, 2).offsetMm[1] = share(random); },
-        [](Document& d, auto& random) { poseOf(d, 1).magnification = 0.1 + share(random); },
-        [](Document& d, auto& random) { cutOf(d, 1).nearCutMm = 30 * share(random); },
+        [](Document& d, auto& random) { d.scene.pose.direction.azimuth = 360 * share(random) - 180; },
+        [](Document& d, auto& random) { d.scene.pose.offsetMm[1] = share(random); },
+        [](Document& d, auto& random) { d.scene.pose.magnification = 0.1 + share(random); },
+        [](Document& d, auto& random) { d.scene.front.depthMm = 30 * share(random); },
         [](Document& d, auto& random) {
             d.beam = {static_cast<BeamAxis>(random() % 6), BeamSource::person};
-            poseOf(d, 1) = Pose{};
+            d.scene.pose = Pose{};
         },
-        [](Document& d, auto& random) { lookOf(d, 1 + random() % 2).mode = static_cast<RenderMode>(random() % 4); },
-        [](Document& d, auto& random) { lookOf(d, 2).colourMap = static_cast<ColourMap>(random() % 3); },
-        [](Document& d, auto& random) { viewOf(d, 1 + random() % 2).curve = allCurveKinds[random() % 5]; },
+        [](Document& d, auto& random) { d.scene.look.mode = static_cast<RenderMode>(random() % 4); },
+        [](Document& d, auto& random) { d.scene.look.colourMap = static_cast<ColourMap>(random() % 3); },
+        [](Document& d, auto& random) { d.panes.at(random() % 2).curve = allCurveKinds[random() % 5]; },
         [](Document& d, auto& random) {
             d.curves.manual.nodes.push_back({1.0, share(random)});
         },
         [](Document& d, auto& random) { d.curves.linear.slope = share(random); },
         [](Document& d, auto& random) { d.curves.parabolic.scale = share(random); },
-        [](Document& d, auto& random) { lookOf(d, 1).light.azimuthDegrees = 360 * share(random) - 180; },
+        [](Document& d, auto& random) { d.scene.look.light.azimuthDegrees = 360 * share(random) - 180; },
         [](Document& d, auto& random) { d.method.config.grid.columns = 1 + static_cast<int>(random() % 40); },
         [](Document& d, auto& random) { d.method.initialScale = share(random); },
         [](Document& d, auto& random) { d.method.initial = static_cast<InitialKind>(random() % 4); },
-        [](Document& d, auto& random) { d.method.direction.elevation = share(random); },
+        [](Document& d, auto& random) { d.scene.side.elevation = share(random); },
         [](Document& d, auto& random) { d.motion.otf = allMotionOtfs[random() % allMotionOtfs.size()]; },
     };
     return all;
@@ -63,20 +62,20 @@ private slots:
         DocumentModel model;
         model.showMotionAngle(10);
         Document next = model.document();
-        lookOf(next, 1).light.azimuthDegrees = 12;
+        next.scene.look.light.azimuthDegrees = 12;
         model.preview(next, "move light");
         model.showMotionAngle(11);
         model.cancelPreview();
-        QCOMPARE(model.document().motionAngle, 11.0);
-        QVERIFY(lookOf(model.document(), 1).light == lookAtStart().light);
+        QCOMPARE(model.document().scene.motionAngle, 11.0);
+        QVERIFY(model.document().scene.look.light == lookAtStart().light);
 
         next = model.document();
-        poseOf(next, 1).direction.azimuth = 30;
-        next.motionAngle = 0;  // the hand on the camera ends the motion
+        next.scene.pose.direction.azimuth = 30;
+        next.scene.motionAngle = 0;  // the hand on the camera ends the motion
         model.preview(next, "turn view");
         model.cancelPreview();
-        QCOMPARE(model.document().motionAngle, 11.0);
-        QVERIFY(poseOf(model.document(), 1) == Pose{});
+        QCOMPARE(model.document().scene.motionAngle, 11.0);
+        QVERIFY(model.document().scene.pose == Pose{});
     }
 
     void randomActionsUndoneOneByOneGiveTheFirstDocument_data() {
@@ -88,7 +87,7 @@ private slots:
         QFETCH(unsigned, seed);
         std::mt19937 random(seed);
         DocumentModel model;
-        model.begin(twoViews());
+        model.begin(twoPanes());
         std::vector<std::string> history{jsonOf(model.document())};
         int gesture = 0;
         for (int action = 0; action < 200; ++action) {
@@ -102,13 +101,13 @@ private slots:
                 case 1:  // a burst: only what it ends with can be undone
                     ++gesture;
                     for (int i = 0; i < 3; ++i) {
-                        poseOf(next, 1).magnification = 0.1 + share(random);
+                        next.scene.pose.magnification = 0.1 + share(random);
                         model.edit(next, "zoom", gesture);
                     }
                     break;
                 case 2:  // a drag, sometimes taken back
                     for (int i = 0; i < 3; ++i) {
-                        cutOf(next, 1).nearCutMm = share(random);
+                        next.scene.front.depthMm = share(random);
                         model.preview(next, "cut");
                     }
                     random() % 4 == 0 ? model.cancelPreview() : model.commitPreview();
@@ -125,7 +124,7 @@ private slots:
             QCOMPARE(jsonOf(model.document()), history[i]);
         }
         QVERIFY(!model.steps().canUndo());
-        QVERIFY(model.document() == twoViews());
+        QVERIFY(model.document() == twoPanes());
         while (model.steps().canRedo()) model.steps().redo();
         QCOMPARE(jsonOf(model.document()), history.back());
     }
@@ -135,17 +134,17 @@ private slots:
         Document next = model.document();
         next.curves.linear.slope = 0.25;
         model.edit(next, "slope");
-        QSignalSpy phases(&model, &DocumentModel::phasesChanged);
+        QSignalSpy phases(&model, &DocumentModel::phaseChanged);
         QSignalSpy frames(&model, &DocumentModel::motionAngleChanged);
-        model.showPhase(1, 3);
+        model.showPhase(3);
         model.showMotionAngle(12);
         QCOMPARE(phases.count(), 1);
         QCOMPARE(frames.count(), 1);
         QCOMPARE(model.steps().count(), 1);
         model.steps().undo();
         QCOMPARE(model.document().curves.linear.slope, 0.5);
-        QCOMPARE(phaseOf(model.document(), 1), 3);
-        QCOMPARE(model.document().motionAngle, 12.0);
+        QCOMPARE(phaseOf(model.document(), firstPane), 3);
+        QCOMPARE(model.document().scene.motionAngle, 12.0);
         QCOMPARE(phases.count() + frames.count(), 2);
     }
 
@@ -153,33 +152,33 @@ private slots:
         DocumentModel model;
         model.showMotionAngle(20);
         Document next = model.document();
-        poseOf(next, 1) = shownPose(next, 1);
-        next.motionAngle = 0;
+        next.scene.pose = shownPose(next);
+        next.scene.motionAngle = 0;
         model.edit(next, "turn");
-        QCOMPARE(poseOf(model.document(), 1).direction.azimuth, 20.0);
-        QCOMPARE(model.document().motionAngle, 0.0);
+        QCOMPARE(model.document().scene.pose.direction.azimuth, 20.0);
+        QCOMPARE(model.document().scene.motionAngle, 0.0);
         model.steps().undo();
-        QCOMPARE(poseOf(model.document(), 1).direction.azimuth, 0.0);
-        QCOMPARE(model.document().motionAngle, 0.0);
+        QCOMPARE(model.document().scene.pose.direction.azimuth, 0.0);
+        QCOMPARE(model.document().scene.motionAngle, 0.0);
     }
 
     void eachPartHasItsSignal() {
         DocumentModel model;
-        model.begin(twoViews());
-        QSignalSpy poses(&model, &DocumentModel::posesChanged), cuts(&model, &DocumentModel::cutsChanged),
-            looks(&model, &DocumentModel::looksChanged), curves(&model, &DocumentModel::curvesChanged),
+        model.begin(twoPanes());
+        QSignalSpy poses(&model, &DocumentModel::poseChanged), cuts(&model, &DocumentModel::frontChanged),
+            looks(&model, &DocumentModel::lookChanged), curves(&model, &DocumentModel::curvesChanged),
             method(&model, &DocumentModel::methodChanged), motion(&model, &DocumentModel::motionChanged),
-            views(&model, &DocumentModel::viewsChanged), beam(&model, &DocumentModel::beamChanged),
+            panes(&model, &DocumentModel::panesChanged), beam(&model, &DocumentModel::beamChanged),
             study(&model, &DocumentModel::studyChanged), all(&model, &DocumentModel::changed);
-        const std::vector<QSignalSpy*> parts{&poses, &cuts, &looks, &curves, &method, &motion, &views, &beam, &study};
+        const std::vector<QSignalSpy*> parts{&poses, &cuts, &looks, &curves, &method, &motion, &panes, &beam, &study};
         const std::vector<std::function<void(Document&)>> edits{
-            [](Document& d) { poseOf(d, 1).magnification = 2; },
-            [](Document& d) { cutOf(d, 1).nearCutMm = 2; },
-            [](Document& d) { lookOf(d, 2).mode = RenderMode::mean; },
+            [](Document& d) { d.scene.pose.magnification = 2; },
+            [](Document& d) { d.scene.front.depthMm = 2; },
+            [](Document& d) { d.scene.look.mode = RenderMode::mean; },
             [](Document& d) { d.curves.quartic.scale = 2; },
             [](Document& d) { d.method.initialScale = 2; },
             [](Document& d) { d.motion.pingPong = false; },
-            [](Document& d) { viewOf(d, 2).curve = CurveKind::quartic; },
+            [](Document& d) { d.panes.at(1).curve = CurveKind::quartic; },
             [](Document& d) { d.beam.source = BeamSource::person; },
             [](Document& d) { d.study = SimulatedScan{}; }};
         for (std::size_t edited = 0; edited < edits.size(); ++edited) {
@@ -202,9 +201,9 @@ private slots:
         begun.study = file;
         model.begin(begun);
         Document next = model.document();
-        poseOf(next, 1).magnification = 2;
+        next.scene.pose.magnification = 2;
         model.edit(next, "zoom");
-        poseOf(next, 1).magnification = 3;
+        next.scene.pose.magnification = 3;
         model.preview(next, "zoom");
         QSignalSpy study(&model, &DocumentModel::studyChanged), changed(&model, &DocumentModel::changed);
         file.checksum = "xxh3-128:00";
@@ -233,7 +232,7 @@ private slots:
         DocumentModel model;
         const Document before = model.document();
         Document next = before;
-        cutOf(next, 1).nearCutMm = 5;
+        next.scene.front.depthMm = 5;
         model.edit(next, "cut", 1);
         QCOMPARE(model.steps().count(), 1);
         model.edit(before, "cut", 1);
@@ -253,7 +252,7 @@ private slots:
         Document next = model.document();
         next.curves.linear.slope = 0.25;
         model.edit(next, "slope");
-        cutOf(next, 1).nearCutMm = 5;
+        next.scene.front.depthMm = 5;
         model.preview(next, "cut");
         QVERIFY(model.previewing());
         model.steps().undo();
@@ -266,7 +265,7 @@ private slots:
     void aSlotThatEditsFindsEveryPartChanged() {
         DocumentModel model;
         double seen = -1;
-        connect(&model, &DocumentModel::cutsChanged, this, [&] {
+        connect(&model, &DocumentModel::frontChanged, this, [&] {
             seen = model.document().curves.linear.slope;
             Document next = model.document();
             next.curves.quartic.scale = 3;
@@ -274,7 +273,7 @@ private slots:
         });
         QSignalSpy curves(&model, &DocumentModel::curvesChanged);
         Document next = model.document();
-        cutOf(next, 1).nearCutMm = 1;
+        next.scene.front.depthMm = 1;
         next.curves.linear.slope = 0.125;
         model.edit(next, "both");
         QCOMPARE(seen, 0.125);

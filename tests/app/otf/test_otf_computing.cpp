@@ -5,7 +5,6 @@
 
 #include "app/otf/otf_computing.h"
 #include "io/writers/meta_image_writer.h"
-#include "tests/app/otf/first_view.h"
 #include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
@@ -39,7 +38,7 @@ private slots:
         m_model = std::make_unique<DocumentModel>();
         m_openStudy = std::make_unique<OpenStudy>();
         m_openStudy->setPipeline(&echo);
-        m_computing = std::make_unique<OtfComputing>(*m_model, firstView, *m_openStudy);
+        m_computing = std::make_unique<OtfComputing>(*m_model, *m_openStudy);
         QSignalSpy opened(m_openStudy.get(), &OpenStudy::studyOpened);
         m_openStudy->open(path);
         QVERIFY(opened.wait(patience));
@@ -50,17 +49,17 @@ private slots:
         QTest::addColumn<Change>("change");
         QTest::addColumn<bool>("asks");
         const auto row = [](const char* name, bool asks, Change change) { QTest::newRow(name) << change << asks; };
-        row("cut", true, [](Document& d) { cutOf(d, firstView).nearCutMm = 2; });
+        row("cut", true, [](Document& d) { d.scene.front.depthMm = 2; });
         row("beam", true, [](Document& d) { d.beam.axis = BeamAxis::plusX; });
-        row("direction", true, [](Document& d) { d.method.direction.azimuth = 5; });
+        row("direction", true, [](Document& d) { d.scene.side.azimuth = 5; });
         row("parameter", true, [](Document& d) { d.method.config.grid.columns = 3; });
         row("scale of the initial function", true, [](Document& d) { d.method.initialScale = 0.5; });
         row("the editor's curve as initial function", true,
             [](Document& d) { d.method.initial = InitialKind::linear; });
         row("a curve that is not the initial function", false, [](Document& d) { d.curves.linear.slope = 0.1; });
-        row("pose", false, [](Document& d) { poseOf(d, firstView).direction.azimuth = 5; });
-        row("look", false, [](Document& d) { lookOf(d, firstView).colourMap = ColourMap::ice; });
-        row("rendered curve", false, [](Document& d) { viewOf(d, firstView).curve = CurveKind::linear; });
+        row("pose", false, [](Document& d) { d.scene.pose.direction.azimuth = 5; });
+        row("look", false, [](Document& d) { d.scene.look.colourMap = ColourMap::ice; });
+        row("rendered curve", false, [](Document& d) { d.panes.at(firstPane).curve = CurveKind::linear; });
         row("motion", false, [](Document& d) { d.motion.axis = MotionAxis::z; });
     }
     void whatTheOtfDependsOnAsksForAnother() {
@@ -72,7 +71,7 @@ private slots:
         QCOMPARE(m_openStudy->computingOtf(), asks);
         if (!asks) return;
         awaitOtf();
-        QVERIFY(m_openStudy->otf()->view == otfViewpointOf(next, firstView));
+        QVERIFY(m_openStudy->otf()->view == otfViewpointOf(next, firstPane));
         QVERIFY(m_openStudy->otf()->config == configOf(next));
         m_model->steps().undo();
         awaitOtf();
@@ -93,7 +92,7 @@ private slots:
 
     void computeForThisViewTakesWhatIsShownAsOneStep() {
         Document next = m_model->document();
-        poseOf(next, firstView).direction = {10, 20, 30};
+        next.scene.pose.direction = {10, 20, 30};
         m_model->edit(next, "turn");
         m_model->showMotionAngle(5);
         m_computing->computeForThisView();
@@ -107,7 +106,7 @@ private slots:
 
     void theOneOtfIsOfThePhaseThatTheDocumentNames() {
         m_openStudy->setPhase(1);
-        m_model->showPhase(firstView, 1);
+        m_model->showPhase(1);
         m_computing->computeForThisView();
         awaitOtf();
         QCOMPARE(m_model->document().motion.otfPhase, 1);
@@ -127,7 +126,7 @@ private slots:
         m_computing->computeFor({BeamAxis::plusZ, 12, 0, 0, 0});  // a frame of the motion
         awaitOtf();
         Document next = m_model->document();
-        cutOf(next, firstView).nearCutMm = 1;
+        next.scene.front.depthMm = 1;
         m_model->edit(next, "cut");
         awaitOtf();
         QVERIFY(m_openStudy->otf()->view == (Viewpoint{BeamAxis::plusZ, 12, 0, 0, 1}));

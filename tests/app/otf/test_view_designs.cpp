@@ -8,7 +8,6 @@
 
 #include "app/otf/view_designs.h"
 #include "io/writers/meta_image_writer.h"
-#include "tests/app/otf/first_view.h"
 #include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
@@ -48,7 +47,7 @@ private slots:
         m_asked.clear();
         m_model = std::make_unique<DocumentModel>();
         Document look = m_model->document();
-        lookOf(look, firstView).reduction = SpeckleReduction::off;
+        look.scene.look.reduction = SpeckleReduction::off;
         m_model->begin(look);
         m_openStudy = std::make_unique<OpenStudy>();
         m_designs = std::make_unique<ViewDesigns>(*m_model, *m_openStudy);
@@ -62,11 +61,11 @@ private slots:
 
     void nothingIsComputedWithoutADesign() {
         Document next = m_model->document();
-        cutOf(next, firstView).nearCutMm = 1;
+        next.scene.front.depthMm = 1;
         m_model->edit(next, "cut");
         QVERIFY(!m_designs->busy());
-        QVERIFY(!m_designs->of(firstView));
-        QVERIFY(!m_designs->isNewest(firstView));
+        QVERIFY(!m_designs->of(firstPane));
+        QVERIFY(!m_designs->isNewest(firstPane));
     }
 
     void aDesignIsComputedOnceAndTold() {
@@ -74,13 +73,13 @@ private slots:
         QSignalSpy busy(m_designs.get(), &ViewDesigns::busyChanged);
         design(otsuOf(0.7));
         QVERIFY(m_designs->busy());
-        QVERIFY(!m_designs->isNewest(firstView));
+        QVERIFY(!m_designs->isNewest(firstPane));
         wait();
         QCOMPARE(computed.count(), 1);
-        QCOMPARE(computed.first().first().toInt(), firstView);
+        QCOMPARE(computed.first().first().toInt(), firstPane);
         QCOMPARE(busy.count(), 2);
-        QVERIFY(m_designs->isNewest(firstView));
-        const auto made = m_designs->of(firstView);
+        QVERIFY(m_designs->isNewest(firstPane));
+        const auto made = m_designs->of(firstPane);
         QVERIFY(made->milliseconds >= 0.0);
         QVERIFY(made->raw == m_openStudy->volume());
         QVERIFY(made->shown == m_openStudy->volume());
@@ -96,16 +95,15 @@ private slots:
         const auto row = [](const char* name, bool withTubeCores, bool without, Change change) {
             QTest::newRow(name) << change << withTubeCores << without;
         };
-        row("cut", true, false, [](Document& d) { cutOf(d, firstView).nearCutMm = 2; });
+        row("cut", true, false, [](Document& d) { d.scene.front.depthMm = 2; });
         row("beam", true, false, [](Document& d) { d.beam.axis = BeamAxis::plusX; });
-        row("direction", true, false, [](Document& d) { d.method.direction.azimuth = 5; });
+        row("direction", true, false, [](Document& d) { d.scene.side.azimuth = 5; });
         row("parameter of the method", true, false, [](Document& d) { d.method.config.grid.columns = 3; });
-        row("pose", false, false, [](Document& d) { poseOf(d, firstView).direction.azimuth = 5; });
-        row("light", false, false, [](Document& d) { lookOf(d, firstView).brightness = 1.5; });
+        row("pose", false, false, [](Document& d) { d.scene.pose.direction.azimuth = 5; });
+        row("light", false, false, [](Document& d) { d.scene.look.brightness = 1.5; });
         row("threshold", false, false, [](Document& d) { d.curves.adjustment.threshold = 0.1; });
-        row("speckle reduction", true, true,
-            [](Document& d) { lookOf(d, firstView).reduction = SpeckleReduction::medium; });
-        row("another phase", true, true, [](Document& d) { phaseOf(d, firstView) = 1; });
+        row("speckle reduction", true, true, [](Document& d) { d.scene.look.reduction = SpeckleReduction::medium; });
+        row("another phase", true, true, [](Document& d) { d.scene.phase = 1; });
     }
     void whatADesignerDependsOnAsksAgain() {
         QFETCH(std::function<void(Document&)>, change);
@@ -122,9 +120,9 @@ private slots:
             Document next = unchanged;
             change(next);
             m_model->edit(next, "change");
-            m_openStudy->setReduction(lookOf(m_model->document(), firstView).reduction);
+            m_openStudy->setReduction(m_model->document().scene.look.reduction);
             wait();
-            QVERIFY(m_designs->isNewest(firstView));
+            QVERIFY(m_designs->isNewest(firstPane));
             QCOMPARE(m_asked.size() > before, tubeCores ? withTubeCores : without);
             m_model->begin(Document(unchanged));
             m_openStudy->setReduction(SpeckleReduction::off);
@@ -135,19 +133,19 @@ private slots:
     void theNewestWinsAndTheOneBeforeStaysMeanwhile() {
         design(otsuOf(0.2));
         wait();
-        const auto first = m_designs->of(firstView);
+        const auto first = m_designs->of(firstPane);
         m_held = true;
         design(otsuOf(0.3));
         QTRY_COMPARE(m_running, 1);
-        QVERIFY(m_designs->of(firstView) == first);
-        QVERIFY(!m_designs->isNewest(firstView));
+        QVERIFY(m_designs->of(firstPane) == first);
+        QVERIFY(!m_designs->isNewest(firstPane));
         design(otsuOf(0.4));
         QTRY_COMPARE(m_cancelled, 1);
-        QVERIFY(m_designs->of(firstView) == first);
+        QVERIFY(m_designs->of(firstPane) == first);
         m_held = false;
         wait();
-        QCOMPARE(opacityAt(m_designs->of(firstView)->design.classification, 0.9, 0.0), 0.4);
-        QVERIFY(m_designs->isNewest(firstView));
+        QCOMPARE(opacityAt(m_designs->of(firstPane)->design.classification, 0.9, 0.0), 0.4);
+        QVERIFY(m_designs->isNewest(firstPane));
     }
 
     void whatWasMadeBeforeIsKept() {
@@ -158,49 +156,42 @@ private slots:
         QCOMPARE(m_asked.size(), std::size_t{2});
         QSignalSpy computed(m_designs.get(), &ViewDesigns::computed);
         m_model->steps().undo();
-        QVERIFY(m_designs->isNewest(firstView));  // at once
+        QVERIFY(m_designs->isNewest(firstPane));  // at once
         QCOMPARE(computed.count(), 1);
-        QCOMPARE(opacityAt(m_designs->of(firstView)->design.classification, 0.9, 0.0), 0.2);
+        QCOMPARE(opacityAt(m_designs->of(firstPane)->design.classification, 0.9, 0.0), 0.2);
         QCOMPARE(m_asked.size(), std::size_t{2});
     }
 
     void viewsThatAskTheSameShareOneComputation() {
-        Document next = withDesign(m_model->document(), firstView, otsuOf(0.5));
-        View other = viewOf(next, firstView);
-        other.id = 2;
-        next.views.push_back(other);
-        other.id = 3;
-        next.views.push_back(other);
-        next = withDesign(withCurve(std::move(next), 3, CurveKind::manual), 3, otsuOf(0.5));
+        Document next = withDesigner(m_model->document(), firstPane, otsuOf(0.5));
+        next.panes.resize(3, next.panes.front());
+        next = withDesigner(withCurve(std::move(next), 2, CurveKind::manual), 2, otsuOf(0.5));
         QSignalSpy computed(m_designs.get(), &ViewDesigns::computed);
-        m_designs->setExtraViews({2, 3});
+        m_designs->setExtraPanes({1, 2});
         m_model->edit(next, "three views");
         wait();
         QCOMPARE(computed.count(), 3);
         QCOMPARE(m_asked.size(), std::size_t{1});
-        QVERIFY(m_designs->of(1) == m_designs->of(2));
-        QVERIFY(m_designs->of(1) == m_designs->of(3));
-        m_designs->setExtraViews({});  // nobody looks at the others
-        QVERIFY(m_designs->of(1) && !m_designs->of(2) && !m_designs->of(3));
+        QVERIFY(m_designs->of(0) == m_designs->of(1));
+        QVERIFY(m_designs->of(0) == m_designs->of(2));
+        m_designs->setExtraPanes({});  // nobody looks at the others
+        QVERIFY(m_designs->of(0) && !m_designs->of(1) && !m_designs->of(2));
     }
 
     void extraViewsHaveTheirAdaptiveOtf() {
         Document next = m_model->document();
-        View other = viewOf(next, firstView);
-        other.id = 2;
-        other.withoutTubes = {3};
-        next.views.push_back(other);
+        next.panes.push_back({.withoutTubes = {3}});
         m_model->edit(next, "another view");
         QVERIFY(!m_designs->busy());
-        m_designs->setExtraViews({1, 2});
+        m_designs->setExtraPanes({0, 1});
         wait();
         QCOMPARE(m_asked.size(), std::size_t{2});
         QVERIFY(std::holds_alternative<AdaptiveConfig>(m_asked.front().config));
         QVERIFY(m_asked.front().method.grid.withoutTubes.empty());
         QCOMPARE(m_asked.back().method.grid.withoutTubes, std::vector<int>{3});
-        QVERIFY(m_designs->isNewest(1) && m_designs->isNewest(2));
-        m_designs->setExtraViews({});
-        QVERIFY(!m_designs->of(2));
+        QVERIFY(m_designs->isNewest(0) && m_designs->isNewest(1));
+        m_designs->setExtraPanes({});
+        QVERIFY(!m_designs->of(1));
     }
 
     void whatWasCancelledIsNotBegunAgainByItself() {
@@ -212,25 +203,22 @@ private slots:
         m_designs->cancel();
         QTRY_VERIFY(!m_designs->busy());
         Document next = m_model->document();
-        cutOf(next, firstView).nearCutMm = 1;
+        next.scene.front.depthMm = 1;
         m_model->edit(next, "cut");
         QVERIFY(!m_designs->busy());
-        QVERIFY(!m_designs->isNewest(firstView));
-        QCOMPARE(opacityAt(m_designs->of(firstView)->design.classification, 0.9, 0.0), 0.2);
+        QVERIFY(!m_designs->isNewest(firstPane));
+        QCOMPARE(opacityAt(m_designs->of(firstPane)->design.classification, 0.9, 0.0), 0.2);
         m_held = false;
         m_designs->computeAgain();
         wait();
-        QVERIFY(m_designs->isNewest(firstView));
-        QCOMPARE(opacityAt(m_designs->of(firstView)->design.classification, 0.9, 0.0), 0.3);
+        QVERIFY(m_designs->isNewest(firstPane));
+        QCOMPARE(opacityAt(m_designs->of(firstPane)->design.classification, 0.9, 0.0), 0.3);
     }
 
     void cancelBeginsNothingOfWhatWaits() {
-        Document next = withDesign(m_model->document(), firstView, otsuOf(0.5));
-        View other = viewOf(next, firstView);
-        other.id = 2;
-        next.views.push_back(other);
-        next = withDesign(withCurve(std::move(next), 2, CurveKind::manual), 2, otsuOf(0.7));
-        m_designs->setExtraViews({2});
+        Document next = withDesigner(m_model->document(), firstPane, otsuOf(0.5));
+        next.panes.push_back({.curve = CurveKind::manual, .designer = otsuOf(0.7)});
+        m_designs->setExtraPanes({1});
         m_held = true;
         m_model->edit(next, "two designs");
         QTRY_COMPARE(m_running, 1);
@@ -240,23 +228,23 @@ private slots:
         QCOMPARE(cancelled.count(), 1);
         QCOMPARE(static_cast<int>(m_cancelled), 1);
         QVERIFY(m_asked.empty());
-        QVERIFY(m_designs->isRefused(1) && m_designs->isRefused(2));
+        QVERIFY(m_designs->isRefused(0) && m_designs->isRefused(1));
         m_held = false;
         m_designs->computeAgain();
         wait();
-        QVERIFY(m_designs->isNewest(1) && m_designs->isNewest(2));
-        QVERIFY(!m_designs->isRefused(1));
+        QVERIFY(m_designs->isNewest(0) && m_designs->isNewest(1));
+        QVERIFY(!m_designs->isRefused(0));
     }
 
     void whatPlaysNoPartIsNotComputed() {
-        Document next = withDesign(m_model->document(), firstView, otsuOf(0.5));
-        lookOf(next, firstView).mode = RenderMode::maximum;
+        Document next = withDesigner(m_model->document(), firstPane, otsuOf(0.5));
+        next.scene.look.mode = RenderMode::maximum;
         m_model->edit(next, "maximum");
         QVERIFY(!m_designs->busy());
-        lookOf(next, firstView).mode = RenderMode::direct;
+        next.scene.look.mode = RenderMode::direct;
         m_model->edit(next, "direct");
         wait();
-        QVERIFY(m_designs->isNewest(firstView));
+        QVERIFY(m_designs->isNewest(firstPane));
     }
 
     void aDesignerWithoutMemoryEndsInASentence() {
@@ -265,14 +253,14 @@ private slots:
         design(otsuOf(0.2));
         wait();
         QCOMPARE(failed.count(), 1);
-        QCOMPARE(failed.first().at(0).toInt(), firstView);
+        QCOMPARE(failed.first().at(0).value<std::size_t>(), firstPane);
         QVERIFY(failed.first().at(1).toString().endsWith('.'));
-        QVERIFY(!m_designs->of(firstView));
+        QVERIFY(!m_designs->of(firstPane));
     }
 
     void quietVoxelsAreShownToDesigners() {
-        Document next = withDesign(m_model->document(), firstView, otsuOf(0.5));
-        lookOf(next, firstView).reduction = SpeckleReduction::medium;
+        Document next = withDesigner(m_model->document(), firstPane, otsuOf(0.5));
+        next.scene.look.reduction = SpeckleReduction::medium;
         m_model->edit(next, "quiet");
         m_openStudy->setReduction(SpeckleReduction::medium);
         QTRY_VERIFY(!m_openStudy->quietPhases().busy());
@@ -281,7 +269,7 @@ private slots:
         QVERIFY(m_asked.back().raw == m_openStudy->volume().get());
         QVERIFY(m_asked.back().shown == m_openStudy->newestVoxels().get());
         QVERIFY(m_asked.back().raw != m_asked.back().shown);
-        QVERIFY(m_designs->isNewest(firstView));
+        QVERIFY(m_designs->isNewest(firstPane));
     }
 
     void anotherStudyHasNothingOfTheOneBefore() {
@@ -292,8 +280,8 @@ private slots:
         m_openStudy->open(m_folder.filePath("cube.mha"));
         QVERIFY(opened.wait(patience));
         wait();
-        QVERIFY(m_designs->of(firstView)->raw != before);
-        QVERIFY(m_designs->isNewest(firstView));
+        QVERIFY(m_designs->of(firstPane)->raw != before);
+        QVERIFY(m_designs->isNewest(firstPane));
     }
 
 private:
@@ -312,7 +300,7 @@ private:
         return Design{.classification = ManualCurve{{{0.0, 0.0}, {0.5, opacity}, {1.0, opacity}}}};
     }
     void design(const DesignerConfig& config) {
-        m_model->edit(withDesign(m_model->document(), firstView, config), "design");
+        m_model->edit(withDesigner(m_model->document(), firstPane, config), "design");
     }
     void wait() { QTRY_VERIFY_WITH_TIMEOUT(!m_designs->busy() && !m_openStudy->quietPhases().busy(), patience); }
 

@@ -27,7 +27,7 @@ public:
     /// Turns the planes by odd angles and on until one of them holds the places; returns its pane.
     PlanePane& turnedToHold(const std::vector<Vec3>& places) {
         Document next = document();
-        Planes& planes = planesOf(next, 1);
+        Planes& planes = next.scene.planes;
         planes.direction = {33.3, -21.7, 71.1};
         planes = planesHolding(planes, places, next.beam.axis, dataBox());
         window().document().edit(next, "turn planes");

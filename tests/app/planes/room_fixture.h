@@ -56,9 +56,9 @@ public:
             .toPoint();
     }
     [[nodiscard]] const Document& document() { return window().document().document(); }
-    [[nodiscard]] const Box& box() { return boxOf(document(), 1); }
+    [[nodiscard]] const Box& box() { return document().scene.box; }
     [[nodiscard]] OrientedBox placed() { return orientedBoxOf(box(), document().beam.axis); }
-    [[nodiscard]] const std::vector<ScalpelStroke>& strokes() { return strokesOf(document(), 1); }
+    [[nodiscard]] const std::vector<ScalpelStroke>& strokes() { return document().scene.strokes; }
     [[nodiscard]] DataBox dataBox() { return window().openStudy().volume()->dataBox(); }
     PlanePane& pane(const char* name) { return *child<PlanePane>(name); }
     PlanePane& anyPane(std::uint32_t number) {

@@ -90,7 +90,7 @@ private slots:
                               arm.x() * std::sin(radians) + arm.y() * std::cos(radians)));
         QVERIFY(std::abs(placed().axes.forward.dot(before.axes.forward) - std::cos(radians)) < 0.01);
         QVERIFY(length(placed().axes.down - before.axes.down) < 1e-6);  // A is seen along it
-        const Vec3 looksIn = frameOf(otfViewpointOf(document(), 1)).forward;
+        const Vec3 looksIn = frameOf(otfViewpointOf(document(), firstPane)).forward;
         QVERIFY(length(looksIn - placed().axes.forward) < 1e-6);
         QVERIFY(window().volumeView().settings().clippingPlanes.size() > 1);
     }
@@ -102,13 +102,13 @@ private slots:
         const BoxGrip bow = grip(b, BoxGrip::Kind::bow);
         QTest::mousePress(&b, Qt::LeftButton, {}, bow.at.toPoint());
         moveTo(b, bow.at.toPoint() + QPoint(0, 40));
-        QVERIFY(cutOf(document(), 1).surface.has_value());
+        QVERIFY(document().scene.front.surface.has_value());
         QTest::keyClick(&b, Qt::Key_Escape);
-        QVERIFY(!cutOf(document(), 1).surface);
+        QVERIFY(!document().scene.front.surface);
         QTest::mouseRelease(&b, Qt::LeftButton, {}, bow.at.toPoint());
         QCOMPARE(window().document().steps().count(), steps);
         drag(b, bow.at, bow.at + QPointF(0, 40));
-        QVERIFY(cutOf(document(), 1).surface.has_value());
+        QVERIFY(document().scene.front.surface.has_value());
         QCOMPARE(window().document().steps().undoText(), "bow the front");
         // What is held follows the hand.
         QVERIFY((grip(b, BoxGrip::Kind::bow).at - bow.at - QPointF(0, 40)).manhattanLength() < 6);
@@ -116,7 +116,7 @@ private slots:
 
     void theNearCutIsMovedInAPlane() {
         Document next = document();
-        cutOf(next, 1) = {.nearCutMm = 20};
+        next.scene.front = {.depthMm = 20};
         window().document().edit(next, "near cut");
         PlanePane& a = pane("planes.a");
         const QPolygonF line = a.drawing().startLine;
@@ -125,7 +125,7 @@ private slots:
         const auto place = std::ranges::find_if(line, [&](const QPointF& at) { return at.x() > a.width() * 0.25; });
         const QPointF from = *place;
         drag(a, from, from + QPointF(0, 25));
-        QVERIFY(std::abs(cutOf(document(), 1).nearCutMm - 20 - 25 * a.mapping().mmPerPixel()) < 1e-6);
+        QVERIFY(std::abs(document().scene.front.depthMm - 20 - 25 * a.mapping().mmPerPixel()) < 1e-6);
         QCOMPARE(window().document().steps().undoText(), "near cut");
     }
 
@@ -138,11 +138,11 @@ private slots:
         const double dragged = placed().sizeMm[0];
         // What changes while the hand drags stays when it goes on.
         Document next = document();
-        cutOf(next, 1) = {.nearCutMm = 7};
+        next.scene.front = {.depthMm = 7};
         window().document().edit(next, "near cut");
         moveIn3d(from + QPoint(-30, 0));
         QVERIFY(placed().sizeMm[0] < dragged);
-        QCOMPARE(cutOf(document(), 1).nearCutMm, 7.0);
+        QCOMPARE(document().scene.front.depthMm, 7.0);
         key(Qt::Key_B);
         QVERIFY(!box().on);
         moveIn3d(from + QPoint(-60, 0));
@@ -157,7 +157,7 @@ private slots:
     void anotherBeamLeavesTheBoxWhereItIs() {
         key(Qt::Key_B);
         Document next = document();
-        boxOf(next, 1).sizeMm = {20, 30, 40};
+        next.scene.box.sizeMm = {20, 30, 40};
         window().document().edit(next, "size of the box");
         const auto corners = placed().corners();
         window().document().edit(withBeam(document(), {BeamAxis::plusX, BeamSource::person}), "beam axis");
@@ -173,7 +173,7 @@ private slots:
         PlanePane& a = pane("planes.a");
         const int before = qGray(a.image().pixel(a.image().rect().center()));
         Document next = document();
-        lookOf(next, 1).brightness = 0.5;
+        next.scene.look.brightness = 0.5;
         window().document().edit(next, "brightness");
         QVERIFY(std::abs(qGray(a.image().pixel(a.image().rect().center())) - before / 2) <= 1);
     }
@@ -181,12 +181,12 @@ private slots:
     void frontsComeByKeyAndButtonAndTurnTheView() {
         QTest::keyClick(&window(), Qt::Key_4, Qt::ControlModifier);
         QVERIFY(box().on);
-        QCOMPARE(box().front, BoxSide::right);
-        QVERIFY(length(frameOf(viewpointOf(document(), 1)).forward + placed().axes.right) < 1e-9);
+        QCOMPARE(box().side, BoxSide::right);
+        QVERIFY(length(frameOf(viewpointOf(document())).forward + placed().axes.right) < 1e-9);
         QVERIFY(child<QToolButton>("room.front.right")->isChecked());
         raise("dock.room");
         click("room.front.near");
-        QCOMPARE(box().front, BoxSide::near);
+        QCOMPARE(box().side, BoxSide::near);
         QVERIFY(!child<QToolButton>("room.front.right")->isChecked());
         window().document().steps().undo();
         window().document().steps().undo();
@@ -207,8 +207,8 @@ private slots:
         QVERIFY(length(box().sizeMm - whole.sizeMm) < 1e-9);
         click("room.slab.b");
         QVERIFY(std::abs(box().sizeMm[2] - child<QDoubleSpinBox>("room.slab.thickness")->value()) < 1e-9);
-        QVERIFY(length(frameOf(viewpointOf(document(), 1)).forward -
-                       frameOf(PlaneName::b, planesOf(document(), 1), document().beam.axis).forward) < 1e-9);
+        QVERIFY(length(frameOf(viewpointOf(document())).forward -
+                       frameOf(PlaneName::b, document().scene.planes, document().beam.axis).forward) < 1e-9);
     }
 
     void aFaceIsDraggedInThePicture() {
@@ -216,17 +216,17 @@ private slots:
         QTRY_VERIFY(window().volumeView().pictureIsCurrent());
         const OrientedBox before = placed();
         const QPoint from = seenIn3d(middleOf(before, {0, 1}));
-        const Pose pose = poseOf(document(), 1);
+        const Pose pose = document().scene.pose;
         dragIn3d(from, from + QPoint(-25, 0));
         const double mm = before.sizeMm[0] - placed().sizeMm[0];
         const Camera camera = window().volumeView().shownCamera();
         QVERIFY(std::abs(mm - 25 * camera.heightMm / window().volumeView().height()) < 0.2);
-        QVERIFY(poseOf(document(), 1) == pose);  // the picture did not turn
+        QVERIFY(document().scene.pose == pose);  // the picture did not turn
         window().document().steps().undo();
         QVERIFY(placed() == before);
         // Beside the marks the left button orbits as ever.
         dragIn3d(from + QPoint(-60, 31), from + QPoint(-40, 31));
-        QVERIFY(poseOf(document(), 1) != pose);
+        QVERIFY(document().scene.pose != pose);
     }
 
     void aBoxBesideTheDataSaysSo() {
@@ -235,7 +235,7 @@ private slots:
         auto* message = child<MessageBar>("message");
         QVERIFY2(!message->text().contains("beside the data"), qPrintable(message->text()));
         Document next = document();
-        boxOf(next, 1).centreMm += Vec3(500, 0, 0);
+        next.scene.box.centreMm += Vec3(500, 0, 0);
         window().document().edit(next, "move box");
         QTRY_VERIFY2(message->text().contains("beside the data"), qPrintable(message->text()));
         key(Qt::Key_B);

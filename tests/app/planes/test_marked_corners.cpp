@@ -29,10 +29,10 @@ private slots:
         QTRY_VERIFY(!window().reviewRoom().busy());
         // Opaque from 40 of 255 on, unlit and without interpolation: a pixel shows the block that lies in front.
         Document next = document();
-        lookOf(next, 1).interpolation = Interpolation::nearest;
-        lookOf(next, 1).colourMap = ColourMap::grey;
+        next.scene.look.interpolation = Interpolation::nearest;
+        next.scene.look.colourMap = ColourMap::grey;
         next.curves.manual = {{{40.0 / 255, 0.0}, {40.0 / 255, 1.0}, {1.0, 1.0}}};
-        viewOf(next, 1).curve = CurveKind::manual;
+        next.panes.at(firstPane).curve = CurveKind::manual;
         window().document().edit(next, "blocks");
         waitUntilIdle();
     }

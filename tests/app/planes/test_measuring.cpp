@@ -146,8 +146,8 @@ private slots:
         open(file("ball.mha", {ball()}));
         Document next = document();
         next.curves.manual = {{{0.5, 0.0}, {0.5, 1.0}, {1.0, 1.0}}};
-        viewOf(next, 1).curve = CurveKind::manual;
-        poseOf(next, 1).direction = {.azimuth = 23.0, .elevation = -14.0};
+        next.panes.at(firstPane).curve = CurveKind::manual;
+        next.scene.pose.direction = {.azimuth = 23.0, .elevation = -14.0};
         window().document().edit(next, "ball");
         waitUntilIdle();
         key(Qt::Key_M);
@@ -191,15 +191,15 @@ private slots:
         QCOMPARE(measurements().size(), 1u);
         key(Qt::Key_M);
         Document mean = document();
-        lookOf(mean, 1).mode = RenderMode::mean;
+        mean.scene.look.mode = RenderMode::mean;
         window().document().edit(mean, "mean");
         clickIn3d(clicks[0]);
         QVERIFY2(message().contains("Means show no surface"), qPrintable(message()));
         window().document().steps().undo();
         // A drag still turns the picture.
-        const Pose pose = poseOf(document(), 1);
+        const Pose pose = document().scene.pose;
         dragIn3d(clicks[0].toPoint(), clicks[1].toPoint());
-        QVERIFY(!(poseOf(document(), 1) == pose));
+        QVERIFY(!(document().scene.pose == pose));
         QCOMPARE(measurements().size(), 1u);
         waitUntilIdle();
     }
@@ -208,7 +208,7 @@ private slots:
         open(file("ball.mha", {ball()}));
         Document next = document();
         next.curves.manual = {{{0.5, 0.0}, {0.5, 1.0}, {1.0, 1.0}}};
-        viewOf(next, 1).curve = CurveKind::manual;
+        next.panes.at(firstPane).curve = CurveKind::manual;
         window().document().edit(next, "ball");
         waitUntilIdle();
         key(Qt::Key_M);

@@ -65,7 +65,7 @@ private slots:
         key(Qt::Key_M);
         drag(pane, pane.mapping().seenAt(at(0)), pane.mapping().seenAt(at(1)));
         if (!tool) key(Qt::Key_M);
-        const Planes planes = planesOf(document(), 1);
+        const Planes planes = document().scene.planes;
         const int before = window().document().steps().count();
         const QPointF mark = pane.mapping().seenAt(at(1)), to = mark + QPointF(-31.5, 22.25);
         // The target is 16 pixels wide; what is held keeps its place under the hand.
@@ -75,7 +75,7 @@ private slots:
         QVERIFY(length(measurements()[0].placesMm[0] - at(0)) < 1e-9);
         QCOMPARE(window().document().steps().count(), before + 1);
         QCOMPARE(window().document().steps().undoText(), "move distance 1");
-        QVERIFY(planesOf(document(), 1) == planes);
+        QVERIFY(document().scene.planes == planes);
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(length(measurements()[0].placesMm[1] - at(1)) < 1e-9);
         // Escape ends a drag without change.
@@ -124,7 +124,7 @@ private slots:
         QVERIFY(measurements().empty());
         press(b, QPointF(b.width() / 2.0 + 30, b.height() / 2.0));
         QCOMPARE(measurements().size(), 1u);
-        const ViewFrame frame = frameOf(PlaneName::b, planesOf(document(), 1), document().beam.axis);
+        const ViewFrame frame = frameOf(PlaneName::b, document().scene.planes, document().beam.axis);
         QVERIFY(std::abs(frame.forward.dot(measurements()[0].placesMm[1] - measurements()[0].placesMm[0])) < 1e-9);
         // A plane that was stepped away is not gone on in.
         press(a, QPointF(a.width() / 2.0 - 30, a.height() / 2.0));
@@ -142,7 +142,7 @@ private slots:
 
     void theListGoesToPhaseAndPlane() {
         openPhases();
-        window().document().showPhase(1, 1);
+        window().document().showPhase(1);
         waitUntilIdle();
         PlanePane& c = pane("planes.c");
         key(Qt::Key_M);
@@ -152,7 +152,7 @@ private slots:
         QCOMPARE(measurements().size(), 1u);
         QCOMPARE(measurements()[0].phase, 1);
         QVERIFY2(list().item(0)->text().endsWith(", in a plane, phase 2"), qPrintable(list().item(0)->text()));
-        window().document().showPhase(1, 0);
+        window().document().showPhase(0);
         QTest::keyClick(&c, Qt::Key_Right, Qt::ShiftModifier);
         QTest::keyClick(&pane("planes.a"), Qt::Key_Right, Qt::ShiftModifier);
         QTest::keyClick(&c, Qt::Key_PageDown);
@@ -162,7 +162,7 @@ private slots:
         raise("dock.room");
         const QRect row = list().visualItemRect(list().item(0));
         QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, row.center());
-        QCOMPARE(phaseOf(document(), 1), 1);
+        QCOMPARE(phaseOf(document(), firstPane), 1);
         waitUntilIdle();
         bool held = false;
         for (const char* name : {"planes.a", "planes.b", "planes.c"})
@@ -188,7 +188,7 @@ private slots:
         QVERIFY(player.isPlaying());
         QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(list().item(0)).center());
         QVERIFY(!player.isPlaying());
-        QCOMPARE(phaseOf(document(), 1), measurements()[0].phase);
+        QCOMPARE(phaseOf(document(), firstPane), measurements()[0].phase);
         waitUntilIdle();
     }
 
@@ -199,13 +199,13 @@ private slots:
         next.motion.scenario = MotionScenario::object;
         next.motion.otf = MotionOtf::eachView;
         next.curves.manual = {{{0.2, 0.0}, {0.2, 1.0}, {1.0, 1.0}}};
-        viewOf(next, 1).curve = CurveKind::manual;
+        next.panes.at(firstPane).curve = CurveKind::manual;
         window().document().edit(next, "each phase's OTF");
         waitUntilIdle();
         key(Qt::Key_M);
         const QPointF middle(QRect({}, window().volumeView().size()).center());
         QTest::keyClick(&window(), Qt::Key_Period);
-        QCOMPARE(phaseOf(document(), 1), 1);
+        QCOMPARE(phaseOf(document(), firstPane), 1);
         clickIn3d(middle);
         QVERIFY2(message().contains("picture of this phase is not there yet"), qPrintable(message()));
         waitUntilIdle();
@@ -243,7 +243,7 @@ private slots:
         QCOMPARE(texts(), QStringList{"40.0 mm"});
         // The view keeps the picture of a phase until the OTF of the next one is there.
         QTest::keyClick(&window(), Qt::Key_Period);
-        QCOMPARE(phaseOf(document(), 1), 1);
+        QCOMPARE(phaseOf(document(), firstPane), 1);
         QVERIFY(window().volumeView().measured() != window().openStudy().volume());
         QCOMPARE(texts(), QStringList{"40.0 mm"});
         QCOMPARE(saved("stepped.png"), first);

@@ -64,7 +64,7 @@ private slots:
         const Document before = document();
         const int steps = window().document().steps().count();
         doubleClick(pane("planes.a"), QPoint(60, 60));
-        QCOMPARE(planes(), planesOf(before, 1));
+        QCOMPARE(planes(), before.scene.planes);
         QCOMPARE(window().document().steps().count(), steps);
     }
 
@@ -81,7 +81,7 @@ private slots:
                     const Vec3 at = cornerMm(window().openStudy().volume()->geometry(), corner);
                     // The plane is stepped to the corner, and the cursor points to it.
                     Document there = document();
-                    planesOf(there, 1) = withReferencePoint(planesOf(there, 1), at, data);
+                    there.scene.planes = withReferencePoint(there.scene.planes, at, data);
                     window().document().edit(there, "move reference point");
                     waitForPlanes();
                     const QPointF pixel = shown.mapping().seenAt(at);
@@ -281,7 +281,7 @@ private:
         QTest::mouseDClick(&pane, Qt::LeftButton, {}, at);
     }
     [[nodiscard]] const Document& document() { return window().document().document(); }
-    [[nodiscard]] const Planes& planes() { return planesOf(document(), 1); }
+    [[nodiscard]] const Planes& planes() { return document().scene.planes; }
     [[nodiscard]] Vec3 reference() { return referencePointOf(planes(), window().openStudy().volume()->dataBox()); }
     PlanePane& pane(const char* name) { return *child<PlanePane>(name); }
     PlanePane& paneOf(PlaneName plane) {

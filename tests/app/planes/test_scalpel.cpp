@@ -33,7 +33,7 @@ private slots:
         waitUntilIdle();
         const QSize size = window().volumeView().size();
         const QPoint centre(size.width() / 2, size.height() / 2);
-        const Pose pose = poseOf(document(), 1);
+        const Pose pose = document().scene.pose;
         key(Qt::Key_S);
         QVERIFY(child<QToolButton>("room.scalpel.freehand")->isChecked());
         QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, centre);
@@ -42,7 +42,7 @@ private slots:
         QCOMPARE(strokes().size(), 1u);
         QCOMPARE(strokes()[0].places.size(), 4u);
         QVERIFY(!strokes()[0].depthMm);
-        QVERIFY(poseOf(document(), 1) == pose);
+        QVERIFY(document().scene.pose == pose);
         raise("dock.room");
         click("room.scalpel.box");
         click("room.scalpel.outside");

@@ -151,7 +151,7 @@ TEST_F(EnhancedUsProbe, OpeningTakesTheBeamFromTheFile) {
     EXPECT_NEAR(document.beam.lean.azimuth, 20, 1e-6);
     EXPECT_NEAR(document.beam.lean.elevation, -13, 1e-6);
     EXPECT_NEAR(document.beam.lean.roll, 35, 1e-6);
-    EXPECT_EQ(document.method.direction, document.beam.lean);
+    EXPECT_EQ(document.scene.side, document.beam.lean);
 }
 
 TEST_F(EnhancedUsProbe, PlacesInThePatientGiveTheGeometryAndThoseInTheVolumeTheProbe) {

@@ -77,20 +77,25 @@ INSTANTIATE_TEST_SUITE_P(
     DocumentFile, WrongDocument,
     testing::Values(
         WrongPart{"/format", "echolucent-opacity-curve", "format", "echolucent-document"},
-        WrongPart{"/version", 2, "version", "must be 1, not 2"}, WrongPart{"/version", "1", "version", "must be 1"},
-        WrongPart{"/views", 3, "views", "list"}, WrongPart{"/views/1/pose", 99, "", "views[1].pose names no pose"},
-        WrongPart{"/views/1/id", 3, "", "views must have an id of its own each"},
-        WrongPart{"/views/0/curve", "sigmoid", "views[0].curve", "must not be \"sigmoid\""},
-        WrongPart{"/poses/0/magnification", 0, "poses[0].magnification", "above 0"},
-        WrongPart{"/poses/0/magnification", nullptr, "poses[0].magnification", "must be a number"},
-        WrongPart{"/poses/0/offset_mm", {1, 2}, "poses[0].offset_mm", "three numbers"},
-        WrongPart{"/poses/1/direction/elevation", 90.5, "poses[1].direction.elevation", "-90 to 90"},
-        WrongPart{"/poses/1/direction", 1, "poses[1].direction", "object"},
-        WrongPart{"/cuts/0/near_cut_mm", -1, "cuts[0].near_cut_mm", "0 or more"},
-        WrongPart{"/looks/0/mode", 1, "looks[0].mode", "must not be 1"},
-        WrongPart{"/looks/0/light_elevation", 91, "looks[0].light_elevation", "-90 to 90"},
-        WrongPart{"/phases/0/phase", 1.5, "phases[0].phase", "whole number"},
-        WrongPart{"/phases/0/phase", -1, "phases[0].phase", "0 to"},
+        WrongPart{"/version", 3, "version", "must be from 1 to 2, not 3"},
+        WrongPart{"/version", 0, "version", "must be from 1 to 2"},
+        WrongPart{"/version", "1", "version", "must be from 1 to 2"}, WrongPart{"/panes", 3, "panes", "list"},
+        WrongPart{"/panes", nlohmann::ordered_json::array(), "", "panes must hold 1 to 4 panes"},
+        WrongPart{"/panes/0/phase", 1, "", "panes[0].phase must be missing"},
+        WrongPart{"/panes/0/curve", "sigmoid", "panes[0].curve", "must not be \"sigmoid\""},
+        WrongPart{"/scene/pose/magnification", 0, "scene.pose.magnification", "above 0"},
+        WrongPart{"/scene/pose/magnification", nullptr, "scene.pose.magnification", "must be a number"},
+        WrongPart{"/scene/pose/offset_mm", {1, 2}, "scene.pose.offset_mm", "three numbers"},
+        WrongPart{"/scene/pose/direction/elevation", 90.5, "scene.pose.direction.elevation", "-90 to 90"},
+        WrongPart{"/scene/pose/direction", 1, "scene.pose.direction", "object"},
+        WrongPart{"/scene/side/elevation", -91, "scene.side.elevation", "-90 to 90"},
+        WrongPart{"/scene/front/depth_mm", -1, "scene.front.depth_mm", "0 or more"},
+        WrongPart{"/scene/front/source", "search", "scene.front.source", "must not be \"search\""},
+        WrongPart{"/scene/front/surface/spacing_mm", 0, "", "scene.front.surface "},
+        WrongPart{"/scene/look/mode", 1, "scene.look.mode", "must not be 1"},
+        WrongPart{"/scene/look/light_elevation", 91, "scene.look.light_elevation", "-90 to 90"},
+        WrongPart{"/scene/phase", 1.5, "scene.phase", "whole number"},
+        WrongPart{"/scene/phase", -1, "scene.phase", "0 to"},
         WrongPart{"/curves/manual/1/opacity", 1.01, "curves.manual[1].opacity", "0 to 1"},
         WrongPart{"/curves/manual/2/intensity", 0.2, "curves.manual[2].intensity", "before"},
         WrongPart{"/curves/manual", nlohmann::ordered_json::array(), "curves.manual", "at least one"},
@@ -105,44 +110,47 @@ INSTANTIATE_TEST_SUITE_P(
         WrongPart{"/method/parameters/without_tubes", 3, "method.parameters.without_tubes", "list"},
         WrongPart{"/method/parameters/form", "sigmoid", "method.parameters.form", "sigmoid"},
         WrongPart{"/method/parameters/ramp_begin", 0.3, "method.parameters.ramp_begin", "must not be"},
-        WrongPart{"/motion/angle", 46, "motion.angle", "-45 to 45"},
+        WrongPart{"/scene/motion_angle", 46, "scene.motion_angle", "-45 to 45"},
         WrongPart{"/motion/ping_pong", 1, "motion.ping_pong", "true or false"},
         WrongPart{"/beam/axis", "up", "beam.axis", "up"},
-        WrongPart{"/boxes/1/front", "front", "boxes[1].front", "must not be \"front\""},
-        WrongPart{"/boxes/1/size_mm", {1, 0, 1}, "", "boxes[1] has a size that is not above 0"},
-        WrongPart{"/planes/0/window", 0, "planes[0].window", "to 4"},
-        WrongPart{"/planes/0/crops/B/magnification", 0, "planes[0].crops.B.magnification", "above 0"},
-        WrongPart{"/strokes/1/strokes/1/places", {{1, 2}, {3}}, "strokes[1].strokes[1].places", "pairs"},
-        WrongPart{"/strokes/1/strokes/1/places", {{1, 2}, {3, 4}}, "", "fewer than three places"},
-        WrongPart{"/strokes/1/strokes/0/radius", 0, "", "a radius that is not above 0"},
-        WrongPart{"/strokes/1/strokes/0/camera/height_mm", 0, "", "a camera that has a height"},
-        WrongPart{"/strokes/1/strokes/0/camera/frame/down", {0, 0, 1}, "", "orthonormal"},
-        WrongPart{"/views/1/strokes", 3, "", "views[1].strokes names no strokes"},
-        WrongPart{"/views/0/design", 3, "", "views[0].design names no design"},
-        WrongPart{"/views/1/without_tubes", {1, -2}, "views[1].without_tubes", "whole numbers"},
-        WrongPart{"/designs/0/designer", "sakas", "designs[0].designer", "must not be \"sakas\""},
-        WrongPart{"/designs/0/parameters/tissue_opacity", -1, "designs[0].parameters.tissue_opacity", "0 to 1"},
-        WrongPart{"/designs/0/id", 2, "", "designs must have an id of its own each"},
-        WrongPart{"/designs/0/id", 0, "", "designs must have ids from 1 on"},
-        WrongPart{"/designs/2/reference/histogram/3", 0.5, "designs[2].reference", "sum of 1"},
-        WrongPart{"/designs/2/reference/curve/kind", "cubic", "designs[2].reference.curve.kind", "manual"},
-        WrongPart{"/designs/2/reference/curve/opacities", {0.5}, "designs[2].reference.curve.opacities", "two"},
-        WrongPart{"/designs/1/drawn", {{1, 2}}, "", "designs[1]: "},
+        WrongPart{"/comparison/second", 1, "", "comparison.first and second must differ"},
+        WrongPart{"/comparison/wipe", 1.5, "comparison.wipe", "0 to 1"},
+        WrongPart{"/scene/box/side", "front", "scene.box.side", "must not be \"front\""},
+        WrongPart{"/scene/box/size_mm", {1, 0, 1}, "", "scene.box has a size that is not above 0"},
+        WrongPart{"/scene/planes/window", 0, "scene.planes.window", "to 4"},
+        WrongPart{"/scene/planes/crops/B/magnification", 0, "scene.planes.crops.B.magnification", "above 0"},
+        WrongPart{"/scene/strokes/1/places", {{1, 2}, {3}}, "scene.strokes[1].places", "pairs"},
+        WrongPart{"/scene/strokes/1/places", {{1, 2}, {3, 4}}, "", "fewer than three places"},
+        WrongPart{"/scene/strokes/0/radius", 0, "", "a radius that is not above 0"},
+        WrongPart{"/scene/strokes/0/camera/height_mm", 0, "", "a camera that has a height"},
+        WrongPart{"/scene/strokes/0/camera/frame/down", {0, 0, 1}, "", "orthonormal"},
+        WrongPart{"/panes/1/without_tubes", {1, -2}, "panes[1].without_tubes", "whole numbers"},
+        WrongPart{"/panes/2/designer/designer", "sakas", "panes[2].designer.designer", "must not be \"sakas\""},
+        WrongPart{"/panes/2/designer/parameters/tissue_opacity", -1, "panes[2].designer.parameters.tissue_opacity",
+                  "0 to 1"},
+        WrongPart{"/panes/3/designer/reference/histogram/3", 0.5, "panes[3].designer.reference", "sum of 1"},
+        WrongPart{"/panes/3/designer/reference/curve/kind", "cubic", "panes[3].designer.reference.curve.kind",
+                  "manual"},
+        WrongPart{
+            "/panes/3/designer/reference/curve/opacities", {0.5}, "panes[3].designer.reference.curve.opacities", "two"},
+        WrongPart{"/panes/1/designer/drawn", {{1, 2}}, "", "panes[1].designer: "},
         WrongPart{"/study/file/raw_layout/size", {0, 1, 1}, "study.file.raw_layout.size", "whole numbers"},
         WrongPart{"/study/file/path", 5, "study.file.path", "text"}));
 
 /// Whether the key at a place may be missing: a parameter of the method, of a designer or of a look, and all of a raw
-/// layout but its size, have defaults; most views have no design.
+/// layout but its size, have defaults; most panes have a curve alone.
 bool mayBeMissing(const std::string& place) {
-    const std::string looks = "/looks/";
-    if (place.starts_with(looks) && place.find('/', looks.size()) != std::string::npos) return !place.ends_with("/id");
+    if (place.starts_with("/scene/look/")) return true;
     if (place.starts_with("/study/file/raw_layout/")) return !place.ends_with("/size");
     for (const char* optional :
          {"/study/file/bytes", "/study/file/files", "/study/file/conversion_mebibytes", "/study/file/study_mebibytes"})
         if (place == optional) return true;
-    for (const char* ending : {"/design", "/without_tubes", "/motion_otf", "/drawn", "/reference", "/comparison"})
-        if (place.ends_with(ending)) return true;
-    if (place.starts_with("/designs/") && place.find("/parameters") != std::string::npos) return true;
+    if (place.starts_with("/panes/")) {
+        for (const char* ending : {"/without_tubes", "/phase", "/motion_otf", "/drawn", "/reference"})
+            if (place.ends_with(ending)) return true;
+        return (place.ends_with("/designer") && !place.ends_with("/designer/designer")) ||
+               place.find("/designer/parameters") != std::string::npos;
+    }
     return place.starts_with("/method/parameters/");
 }
 
@@ -170,6 +178,28 @@ TEST(DocumentFile, EveryKeyButTableRowsIsNeeded) {
             without.at(place.parent_pointer()).erase(place.back());
             EXPECT_FALSE(documentFromJson(without.dump())) << place.to_string();
         }
+    }
+}
+
+TEST(DocumentFile, APlaneAcrossThePoseIsReadAsOneThatTurnsWithIt) {
+    Document document;
+    document.scene.pose.direction = {30, -10, 5};
+    document.scene.front.depthMm = 7;
+    const auto object = nlohmann::ordered_json::parse(jsonOf(document));
+    EXPECT_EQ(object["scene"]["front"]["direction"]["azimuth"], 30);
+    EXPECT_TRUE(documentFromJson(object.dump()).value() == document);
+    document.scene.front.direction = ViewDirection{0, 0, 0};
+    EXPECT_TRUE(documentFromJson(jsonOf(document)).value() == document);
+}
+
+TEST(DocumentFile, GivesThePaneOfANumber) {
+    const std::string text = jsonOf(unusualDocument());
+    EXPECT_EQ(documentPaneFromJson(text, std::nullopt).value().pane, firstPane);
+    EXPECT_EQ(documentPaneFromJson(text, 4).value().pane, 3U);
+    for (const int number : {0, 5, -1}) {
+        const auto read = documentPaneFromJson(text, number);
+        ASSERT_FALSE(read);
+        EXPECT_EQ(read.error().kind, FailureKind::wrongUsage);
     }
 }
 

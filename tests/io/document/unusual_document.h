@@ -39,40 +39,37 @@ inline Document unusualDocument() {
     file.options.guessNoData = false;
     document.study = file;
     document.beam = {BeamAxis::minusX, BeamSource::person, {1.0 / 3.0, -0.7, 17.1}};
-    document.poses = {
-        {7, {{std::numbers::pi * 50, -89.999999999999986, 1e-300}, {0.1 + 0.2, -1.0 / 3.0, 1e17}, 4.0 / 3.0}},
-        {2, Pose{}}};
-    document.cuts = {{4, {18.04000000000001}}, {5, {std::numeric_limits<double>::denorm_min()}}};
-    document.cuts.front().value.source = CutSource::found;
-    document.cuts.front().value.surface = CutSurface{.frame = frameOf(Viewpoint{.azimuthDegrees = 12.3}),
-                                                     .firstRightMm = -1.0 / 3.0,
-                                                     .firstDownMm = 0.1,
-                                                     .spacingMm = 2.0 / 7.0,
-                                                     .columns = 2,
-                                                     .rows = 3,
-                                                     .depthMm = {0.1f, -1.0f / 3.0f, 1e-30f, 4, 5, 6e20f}};
-    document.looks = {{9, Look{}}};
-    document.looks.front().value.mode = RenderMode::mean;
-    document.looks.front().value.colourMap = ColourMap::ice;
-    document.looks.front().value.depthColoured = true;
-    document.looks.front().value.projection = Projection::perspective;
-    document.looks.front().value.interpolation = Interpolation::nearest;
-    document.looks.front().value.light = {100.0 / 3.0, -0.1};
-    document.looks.front().value.step = 2.0 / 3.0;
-    document.phases = {{1, 3}};
-    document.boxes = {{6, {}},
-                      {1, {true, {1.0 / 3.0, -2.5, 77}, {0.1, -1e-7, 1e9}, {1.0 / 7.0, 2, 3e-3}, BoxSide::far}}};
-    document.planes = {{5, {}}};
-    document.planes.front().value = Planes{.direction = {-170.1, 12.0 / 7.0, 0.3},
-                                           .offsetMm = {0.1, 0.2, -0.3},
-                                           .crops = {{{1, 2, 3}, {-0.1, 0.7, 1.0 / 9.0}, {}}},
-                                           .window = 0.3,
-                                           .level = -0.1,
-                                           .quiet = false,
-                                           .linesIn3d = true};
-    document.strokes = {{1, {}}, {2, {unusualStrokes()}}};
-    document.views = {{3, 7, 4, 9, 1, CurveKind::quartic, 6, 5, 2}, {8, 2, 5, 9, 1, CurveKind::manual, 1, 5, 1}};
-    document.views.push_back({1, 2, 5, 9, 1, CurveKind::linear, 1, 5, 1});
+    Scene& scene = document.scene;
+    scene.pose = {{std::numbers::pi * 50, -89.999999999999986, 1e-300}, {0.1 + 0.2, -1.0 / 3.0, 1e17}, 4.0 / 3.0};
+    scene.side = {12.3, -4.5, 6.7};
+    scene.front = {.depthMm = 18.04000000000001, .direction = ViewDirection{1.0 / 3.0, 0.7, -1e-17}};
+    scene.front.source = FrontSource::found;
+    scene.front.surface = CutSurface{.frame = frameOf(Viewpoint{.azimuthDegrees = 12.3}),
+                                     .firstRightMm = -1.0 / 3.0,
+                                     .firstDownMm = 0.1,
+                                     .spacingMm = 2.0 / 7.0,
+                                     .columns = 2,
+                                     .rows = 3,
+                                     .depthMm = {0.1f, -1.0f / 3.0f, 1e-30f, 4, 5, 6e20f}};
+    scene.look = Look{};
+    scene.look.mode = RenderMode::mean;
+    scene.look.colourMap = ColourMap::ice;
+    scene.look.depthColoured = true;
+    scene.look.projection = Projection::perspective;
+    scene.look.interpolation = Interpolation::nearest;
+    scene.look.light = {100.0 / 3.0, -0.1};
+    scene.look.step = 2.0 / 3.0;
+    scene.phase = 3;
+    scene.motionAngle = -17;
+    scene.box = {true, {1.0 / 3.0, -2.5, 77}, {0.1, -1e-7, 1e9}, {1.0 / 7.0, 2, 3e-3}, BoxSide::far};
+    scene.planes = Planes{.direction = {-170.1, 12.0 / 7.0, 0.3},
+                          .offsetMm = {0.1, 0.2, -0.3},
+                          .crops = {{{1, 2, 3}, {-0.1, 0.7, 1.0 / 9.0}, {}}},
+                          .window = 0.3,
+                          .level = -0.1,
+                          .quiet = false,
+                          .linesIn3d = true};
+    scene.strokes = unusualStrokes();
     LevoyConfig levoy;
     levoy.form = LevoyForm::boundaries;
     levoy.tissueOpacity = 2.0 / 3.0;
@@ -84,11 +81,10 @@ inline Document unusualDocument() {
     reference.histogram[200] = 2.0 / 3.0;
     TemplateConfig carried;
     carried.reference = reference;
-    document.designs = {{4, levoy}, {2, kindlmann}, {9, carried}};
-    document.views[0].design = 4;
-    document.views[1].design = 2;
-    document.views[1].withoutTubes = {0, 7, 112};
-    document.views[1].motionOtf = MotionOtf::leastFlicker;
+    document.panes = {{.curve = CurveKind::linear},
+                      {.curve = CurveKind::manual, .designer = kindlmann, .withoutTubes = {0, 7, 112}, .phase = 4},
+                      {.curve = CurveKind::quartic, .designer = levoy, .motionOtf = MotionOtf::leastFlicker},
+                      {.designer = carried}};
     document.curves.manual = {{{0.0, 1.0 / 7.0}, {0.3, 0.1}, {0.3, 0.9999999999999999}}};
     document.curves.linear = {1.0 / 3.0, 2.0 / 3.0, 0.7};
     document.curves.parabolic.scale = 0.1;
@@ -96,7 +92,6 @@ inline Document unusualDocument() {
     document.curves.adjustment = {-1.0 / 3.0, 0.7};
     document.method.initial = InitialKind::linear;
     document.method.initialScale = 0.55;
-    document.method.direction = {12.3, -4.5, 6.7};
     document.method.config.grid.columns = 31;
     document.method.config.grid.withoutTubes = {0, 17, 464};
     document.method.config.detection = VarianceRule{};
@@ -115,13 +110,8 @@ inline Document unusualDocument() {
                        .phaseRange = PhaseRange{2, 11},
                        .otfPhase = 7,
                        .speed = 1.0 / 3.0};
-    document.motionAngle = -17;
-    document.comparison = {.panes = {1, 8},
-                           .layout = ComparisonLayout::wipe,
-                           .first = 1,
-                           .second = 0,
-                           .wipe = 1.0 / 3.0,
-                           .amplification = 7.1};
+    document.comparison = {
+        .layout = ComparisonLayout::wipe, .first = 1, .second = 0, .wipe = 1.0 / 3.0, .amplification = 7.1};
     return document;
 }
 

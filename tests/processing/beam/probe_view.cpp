@@ -45,7 +45,7 @@ TEST(ProbeView, WhatTheFileSaysIsTakenWithoutAGuess) {
     EXPECT_NEAR(document.beam.lean.azimuth, 15, 1e-9);
     EXPECT_NEAR(document.beam.lean.elevation, -10, 1e-9);
     EXPECT_NEAR(document.beam.lean.roll, 30, 1e-9);
-    EXPECT_EQ(document.method.direction, document.beam.lean) << "the tube cores look along the sound";
+    EXPECT_EQ(document.scene.side, document.beam.lean) << "the tube cores look along the sound";
     EXPECT_LT(length(frameOf(viewAlongBeam(document.beam)).forward - stated.forward), 1e-7);
     EXPECT_FALSE(guessBeamAxis(evenVolume(std::nullopt))->sure) << "the volume itself says nothing";
 }

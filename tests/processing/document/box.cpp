@@ -35,10 +35,10 @@ TEST(Box, EachFrontGivesItsDirection) {
 }
 
 TEST(Box, TheWholeBoxHoldsAllDataAndNoMore) {
-    const Box turned{.direction = {25, -35, 15}, .front = BoxSide::left};
+    const Box turned{.direction = {25, -35, 15}, .side = BoxSide::left};
     const Box whole = wholeBox(turned, BeamAxis::plusX, dataOfPlaces);
     EXPECT_TRUE(whole.on);
-    EXPECT_EQ(whole.front, BoxSide::left);
+    EXPECT_EQ(whole.side, BoxSide::left);
     const OrientedBox box = orientedBoxOf(whole, BeamAxis::plusX);
     Vec3 farthest{0, 0, 0};
     for (const Vec3& corner :
@@ -62,14 +62,14 @@ TEST(Box, PlacesGoThereAndBack) {
 TEST(Box, LimitsWhatAViewShowsAndWhatItsTubeCoresRead) {
     Document document;
     document.beam.axis = BeamAxis::plusX;
-    boxOf(document, 1) = {.on = false, .sizeMm = {4, 5, 6}};
-    EXPECT_FALSE(viewpointOf(document, 1).box) << "it is not switched on";
-    boxOf(document, 1).on = true;
-    const OrientedBox box = orientedBoxOf(boxOf(document, 1), BeamAxis::plusX);
-    EXPECT_TRUE(viewpointOf(document, 1).box == box);
-    EXPECT_TRUE(otfViewpointOf(document, 1).box == box);
-    document.motionAngle = 10;
-    EXPECT_TRUE(viewpointOf(document, 1).box == box) << "it stays with the volume";
+    document.scene.box = {.on = false, .sizeMm = {4, 5, 6}};
+    EXPECT_FALSE(viewpointOf(document).box) << "it is not switched on";
+    document.scene.box.on = true;
+    const OrientedBox box = orientedBoxOf(document.scene.box, BeamAxis::plusX);
+    EXPECT_TRUE(viewpointOf(document).box == box);
+    EXPECT_TRUE(otfViewpointOf(document, firstPane).box == box);
+    document.scene.motionAngle = 10;
+    EXPECT_TRUE(viewpointOf(document).box == box) << "it stays with the volume";
 }
 
 }  // namespace

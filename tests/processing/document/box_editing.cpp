@@ -75,12 +75,12 @@ TEST(BoxEditing, AFrontTurnsTheViewAndTheTubeCoresAndSwitchesTheBoxOn) {
         Document document;
         document.beam.axis = beam;
         for (const BoxSide side : allBoxSides) {
-            const Document next = withFront(document, 1, side, dataOfPlaces);
-            const OrientedBox box = orientedBoxOf(boxOf(next, 1), beam);
-            EXPECT_TRUE(boxOf(next, 1).on);
+            const Document next = withSide(document, side, dataOfPlaces);
+            const OrientedBox box = orientedBoxOf(next.scene.box, beam);
+            EXPECT_TRUE(next.scene.box.on);
             const Vec3 inwards = -outwardNormal(box, faceOf(side));
-            EXPECT_LT(apart(frameOf(otfViewpointOf(next, 1)).forward, inwards), 1e-9) << nameOf(side);
-            EXPECT_LT(apart(frameOf(viewpointOf(next, 1)).forward, inwards), 1e-9) << nameOf(side);
+            EXPECT_LT(apart(frameOf(otfViewpointOf(next, firstPane)).forward, inwards), 1e-9) << nameOf(side);
+            EXPECT_LT(apart(frameOf(viewpointOf(next)).forward, inwards), 1e-9) << nameOf(side);
             EXPECT_LT(apart(box.centreMm, dataOfPlaces.centreMm()), 1e-12);
         }
     }
@@ -88,26 +88,26 @@ TEST(BoxEditing, AFrontTurnsTheViewAndTheTubeCoresAndSwitchesTheBoxOn) {
 
 TEST(BoxEditing, ASwitchedOffBoxKeepsItsPlace) {
     Document document;
-    boxOf(document, 1) = {.on = true, .centreMm = {9, 8, 7}, .sizeMm = {3, 4, 5}};
-    const Document off = withBoxSwitched(document, 1, false, dataOfPlaces);
-    EXPECT_FALSE(otfViewpointOf(off, 1).box);
-    EXPECT_TRUE(withBoxSwitched(off, 1, true, dataOfPlaces) == withBoxSwitched(document, 1, true, dataOfPlaces));
+    document.scene.box = {.on = true, .centreMm = {9, 8, 7}, .sizeMm = {3, 4, 5}};
+    const Document off = withBoxSwitched(document, false, dataOfPlaces);
+    EXPECT_FALSE(otfViewpointOf(off, firstPane).box);
+    EXPECT_TRUE(withBoxSwitched(off, true, dataOfPlaces) == withBoxSwitched(document, true, dataOfPlaces));
 }
 
 TEST(BoxEditing, ASlabLiesAroundItsPlaneAndIsSeenAsThePlaneIs) {
     Document document;
     document.beam.axis = BeamAxis::plusX;
-    planesOf(document, 1) = {.direction = {10, 20, 30}, .offsetMm = {1, 2, 3}};
-    cutOf(document, 1).nearCutMm = 9;
+    document.scene.planes = {.direction = {10, 20, 30}, .offsetMm = {1, 2, 3}};
+    document.scene.front.depthMm = 9;
     for (const PlaneName plane : allPlaneNames) {
-        const Document next = withSlab(document, 1, plane, 4, dataOfPlaces);
-        const OrientedBox box = orientedBoxOf(boxOf(next, 1), BeamAxis::plusX);
-        const ViewFrame seen = frameOf(plane, planesOf(document, 1), BeamAxis::plusX);
+        const Document next = withSlab(document, plane, 4, dataOfPlaces);
+        const OrientedBox box = orientedBoxOf(next.scene.box, BeamAxis::plusX);
+        const ViewFrame seen = frameOf(plane, document.scene.planes, BeamAxis::plusX);
         EXPECT_EQ(box.sizeMm[2], 4.0);
-        EXPECT_NEAR(seen.forward.dot(box.centreMm - referencePointOf(planesOf(document, 1), dataOfPlaces)), 0.0, 1e-9);
-        EXPECT_LT(apart(frameOf(viewpointOf(next, 1)).forward, seen.forward), 1e-9);
-        EXPECT_LT(apart(frameOf(viewpointOf(next, 1)).down, seen.down), 1e-9);
-        EXPECT_EQ(cutOf(next, 1).nearCutMm, 0.0) << "a slab behind a cut would be cut away";
+        EXPECT_NEAR(seen.forward.dot(box.centreMm - referencePointOf(document.scene.planes, dataOfPlaces)), 0.0, 1e-9);
+        EXPECT_LT(apart(frameOf(viewpointOf(next)).forward, seen.forward), 1e-9);
+        EXPECT_LT(apart(frameOf(viewpointOf(next)).down, seen.down), 1e-9);
+        EXPECT_EQ(next.scene.front.depthMm, 0.0) << "a slab behind a cut would be cut away";
     }
 }
 
@@ -115,27 +115,27 @@ TEST(BoxEditing, TheStartSurfaceBeginsWhereThePictureDoes) {
     Document document;
     const Volume volume = even();
     const auto depthAtCentre = [&](const Document& of) {
-        const CutSurface surface = startSurface(of, 1, volume);
+        const CutSurface surface = startSurface(of, volume);
         EXPECT_EQ(problemOf(surface), "");
         return surface.depthAt(volume.geometry().centreMm());
     };
     EXPECT_NEAR(depthAtCentre(document), -0.5, 1e-6) << "the data's front";
-    cutOf(document, 1).nearCutMm = 12;
+    document.scene.front.depthMm = 12;
     EXPECT_NEAR(depthAtCentre(document), 11.5, 1e-6) << "the near cut";
-    Document boxed = withBoxSwitched(document, 1, true, volume.dataBox());
+    Document boxed = withBoxSwitched(document, true, volume.dataBox());
     EXPECT_NEAR(depthAtCentre(boxed), 11.5, 1e-6) << "the near cut is deeper than the box's front";
-    Box box = boxOf(boxed, 1);
+    Box box = boxed.scene.box;
     box.sizeMm[2] = 20;
-    EXPECT_NEAR(depthAtCentre(withBox(boxed, 1, box)), 29.5, 1e-6) << "the box's front is deeper";
-    const CutSurface own = bowed(startSurface(document, 1, volume), 3);
-    cutOf(document, 1) = {.surface = own};
-    EXPECT_TRUE(startSurface(document, 1, volume) == own);
+    EXPECT_NEAR(depthAtCentre(withBox(boxed, box)), 29.5, 1e-6) << "the box's front is deeper";
+    const CutSurface own = bowed(startSurface(document, volume), 3);
+    document.scene.front = {.surface = own};
+    EXPECT_TRUE(startSurface(document, volume) == own);
 }
 
 TEST(BoxEditing, ABowIsDeepestInTheMiddleAndLeavesTheBorder) {
     Document document;
     const Volume volume = even();
-    const CutSurface flat = startSurface(document, 1, volume), surface = bowed(flat, 5);
+    const CutSurface flat = startSurface(document, volume), surface = bowed(flat, 5);
     const Vec3 centre = volume.geometry().centreMm();
     EXPECT_NEAR(surface.depthAt(centre) - flat.depthAt(centre), 5 * bowAt(flat, centre), 0.05);
     EXPECT_GT(bowAt(flat, centre), 0.99);

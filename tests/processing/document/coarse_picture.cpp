@@ -15,8 +15,6 @@
 namespace echolucent {
 namespace {
 
-constexpr int shownView = 1;
-
 /// Every n-th voxel of a volume, as coarseVolumeOf() takes them of a large one.
 CoarseVolume everyNth(const Volume& volume, std::int64_t n) {
     const VolumeGeometry& full = volume.geometry();
@@ -45,10 +43,10 @@ TEST(CoarsePicture, IsAsOpaqueAsTheWholeVolume) {
     geometry.size = {64, 64, 64};
     const Volume volume(geometry, std::vector<std::uint8_t>(64 * 64 * 64, 51), 255.0);
     Document document;
-    viewOf(document, shownView).curve = CurveKind::linear;
+    document.panes.at(firstPane).curve = CurveKind::linear;
     document.curves.linear = {0.0, 0.05, 1.0};  // opacity 0.01 per unit
-    lookOf(document, shownView) = Look{};
-    const auto picture = coarsePicture(document, shownView, everyNth(volume, 4), 96, 96);
+    document.scene.look = Look{};
+    const auto picture = coarsePicture(document, firstPane, everyNth(volume, 4), 96, 96);
     ASSERT_TRUE(picture);
     // 64 units of the volume, which the coarse grid's 16 units have to stand for.
     EXPECT_NEAR(alphaInTheMiddle(*picture), 1.0 - std::pow(0.99, 64.0), 0.005);
@@ -60,19 +58,18 @@ TEST(CoarsePicture, ShowsWhatTheStudysOwnPictureShowsInTheSameFrame) {
     config.spacing = Vec3(0.6, 0.6, 0.6);
     const auto volume = std::make_shared<const Volume>(*makePhantom(config));
     Document before;
-    lookOf(before, shownView).reduction = SpeckleReduction::off;
+    before.scene.look.reduction = SpeckleReduction::off;
     constexpr int width = 160, height = 120;
-    const auto coarse = coarsePicture(before, shownView, everyNth(*volume, 2), width, height);
+    const auto coarse = coarsePicture(before, firstPane, everyNth(*volume, 2), width, height);
     ASSERT_TRUE(coarse);
     ASSERT_EQ(coarse->width, width);
 
     const auto finds = findOnOpening(*volume);
     Document document = withFinds(openedDocument(before, {}), *finds);
-    poseOf(document, shownView) =
-        wholeVolumePose(volume->dataBox(), viewAlongBeam(document.beam), lookOf(document, shownView).projection,
-                        static_cast<double>(width) / height);
+    document.scene.pose = wholeVolumePose(volume->dataBox(), viewAlongBeam(document.beam),
+                                          document.scene.look.projection, static_cast<double>(width) / height);
     const std::vector phases{volume};
-    const auto whole = viewPicture(document, shownView, phases, width, height);
+    const auto whole = viewPicture(document, firstPane, phases, width, height);
     ASSERT_TRUE(whole);
     const auto meanDifferenceAt = [&](int shift) {
         double sum = 0.0;
@@ -95,7 +92,7 @@ TEST(CoarsePicture, HasTheShapeAskedForAndNoMoreRaysThanItNeeds) {
     VolumeGeometry geometry;
     geometry.size = {32, 32, 32};
     const Volume volume(geometry, std::vector<std::uint8_t>(32 * 32 * 32, 100), 255.0);
-    const auto picture = coarsePicture(Document{}, shownView, everyNth(volume, 2), 2000, 1000);
+    const auto picture = coarsePicture(Document{}, firstPane, everyNth(volume, 2), 2000, 1000);
     ASSERT_TRUE(picture);
     EXPECT_EQ(picture->height, 192);
     EXPECT_EQ(picture->width, 384);
@@ -106,7 +103,7 @@ TEST(CoarsePicture, IsEmptyWhereItWasCancelled) {
     geometry.size = {32, 32, 32};
     const Volume volume(geometry, std::vector<std::uint8_t>(32 * 32 * 32, 100), 255.0);
     const std::atomic<bool> cancel = true;
-    EXPECT_FALSE(coarsePicture(Document{}, shownView, everyNth(volume, 2), 100, 100, {{}, &cancel}));
+    EXPECT_FALSE(coarsePicture(Document{}, firstPane, everyNth(volume, 2), 100, 100, {{}, &cancel}));
 }
 
 }  // namespace

@@ -50,8 +50,8 @@ TEST(CurveAdjustment, IsRenderedWithWhicheverCurveIsActive) {
     document.curves.adjustment = {.threshold = 0.1, .transparency = 0.5};
     const SampledCurve adaptive{{0.0, 0.2, 1.0}};
     for (const CurveKind kind : allCurveKinds) {
-        viewOf(document, 1).curve = kind;
-        EXPECT_TRUE(curveOf(document, 1, adaptive) ==
+        document.panes.at(firstPane).curve = kind;
+        EXPECT_TRUE(curveOf(document, firstPane, adaptive) ==
                     adjusted(curveOf(document.curves, kind, adaptive), document.curves.adjustment));
     }
     EXPECT_TRUE(configOf(document).initial == configOf(Document{}).initial) << "the method's own function stays";

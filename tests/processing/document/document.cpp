@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "processing/motion/otf_sweep.h"
@@ -12,12 +13,12 @@ namespace {
 TEST(Document, TheDefaultIsWhatTheProgramShowsUntouched) {
     const Document document;
     EXPECT_EQ(problemOf(document), "");
-    EXPECT_TRUE(viewpointOf(document, 1) == Viewpoint{});
-    EXPECT_TRUE(otfViewpointOf(document, 1) == Viewpoint{});
+    EXPECT_TRUE(viewpointOf(document) == Viewpoint{});
+    EXPECT_TRUE(otfViewpointOf(document, firstPane) == Viewpoint{});
     EXPECT_TRUE(configOf(document) == AdaptiveOtfConfig{});
-    EXPECT_EQ(viewOf(document, 1).curve, CurveKind::adaptive);
+    EXPECT_EQ(document.panes.at(firstPane).curve, CurveKind::adaptive);
     const SampledCurve adaptive{{0.0, 0.5, 1.0}};
-    EXPECT_TRUE(curveOf(document, 1, adaptive) == OpacityCurve(adaptive));
+    EXPECT_TRUE(curveOf(document, firstPane, adaptive) == OpacityCurve(adaptive));
 }
 
 TEST(Document, TheInitialCurveIsTheDocumentsOwn) {
@@ -35,52 +36,36 @@ TEST(Document, TheInitialCurveIsTheDocumentsOwn) {
     EXPECT_TRUE(configOf(document).initial == OpacityCurve(document.curves.manual));
 }
 
-/// Two views of one pose and one cut each their own look and curve, and a third alone.
-Document threeViews() {
+/// Three panes with a curve each.
+Document threePanes() {
     Document document;
-    document.poses = {{1, {}}, {2, {}}};
-    document.cuts = {{1, {}}, {2, {}}};
-    document.views = {
-        {1, 1, 1, 1, 1, CurveKind::adaptive}, {2, 1, 1, 1, 1, CurveKind::linear}, {3, 2, 2, 1, 1, CurveKind::manual}};
+    document.panes = {{.curve = CurveKind::adaptive}, {.curve = CurveKind::linear}, {.curve = CurveKind::manual}};
     return document;
 }
 
-TEST(Document, ViewsThatShareAnIdAreLinked) {
-    Document document = threeViews();
-    poseOf(document, 2) = Pose{{10, 20, 30}, {1, 2, 3}, 1.5};
-    cutOf(document, 1).nearCutMm = 4;
-    EXPECT_TRUE(poseOf(document, 1) == poseOf(document, 2));
-    EXPECT_TRUE(viewpointOf(document, 1) == (Viewpoint{BeamAxis::plusZ, 10, 20, 30, 4}));
-    EXPECT_TRUE(viewpointOf(document, 3) == Viewpoint{});
+TEST(Document, PanesShareTheSceneAndHaveACurveEach) {
+    Document document = threePanes();
+    document.scene.pose = Pose{{10, 20, 30}, {1, 2, 3}, 1.5};
+    document.scene.front.depthMm = 4;
+    EXPECT_TRUE(viewpointOf(document) == (Viewpoint{BeamAxis::plusZ, 10, 20, 30, 4}));
     EXPECT_FALSE(curveOf(document, 1, {}) == curveOf(document, 2, {}));
-    EXPECT_THROW((void)poseOf(document, 4), std::out_of_range);
-}
-
-TEST(Document, RulesBetweenPartsAreNamed) {
-    Document document = threeViews();
-    EXPECT_EQ(problemOf(document), "");
-    document.views[1].cut = 7;
-    EXPECT_EQ(problemOf(document), "views[1].cut names no cut");
-    document.poses[1].id = 1;
-    EXPECT_EQ(problemOf(document), "poses must have an id of its own each");
-    document.views.clear();
-    EXPECT_EQ(problemOf(document), "views must hold at least one view");
+    EXPECT_THROW((void)curveOf(document, 3, {}), std::out_of_range);
 }
 
 TEST(Document, TheMotionTurnsWhatIsShownAndNotThePose) {
     Document document;
     document.beam.axis = BeamAxis::minusY;
-    poseOf(document, 1) = Pose{{5, 6, 7}, {0, 0, 0}, 2};
-    cutOf(document, 1).nearCutMm = 3;
-    const Pose before = poseOf(document, 1);
-    document.motionAngle = 12;
+    document.scene.pose = Pose{{5, 6, 7}, {0, 0, 0}, 2};
+    document.scene.front.depthMm = 3;
+    const Pose before = document.scene.pose;
+    document.scene.motionAngle = 12;
     const Viewpoint start{BeamAxis::minusY, 5, 6, 7, 3};
     for (const MotionAxis axis : {MotionAxis::x, MotionAxis::y, MotionAxis::z}) {
         document.motion.axis = axis;
-        EXPECT_TRUE(viewpointOf(document, 1) == turned(start, axis, 12));
-        EXPECT_TRUE(shownPose(document, 1).direction == directionOf(turned(start, axis, 12)));
-        EXPECT_TRUE(poseOf(document, 1) == before);
-        EXPECT_TRUE(otfViewpointOf(document, 1) == (Viewpoint{BeamAxis::minusY, 0, 0, 0, 3}));
+        EXPECT_TRUE(viewpointOf(document) == turned(start, axis, 12));
+        EXPECT_TRUE(shownPose(document).direction == directionOf(turned(start, axis, 12)));
+        EXPECT_TRUE(document.scene.pose == before);
+        EXPECT_TRUE(otfViewpointOf(document, firstPane) == (Viewpoint{BeamAxis::minusY, 0, 0, 0, 3}));
     }
 }
 
@@ -98,40 +83,91 @@ TEST(Pose, AnOffsetTurnsWithTheCameraAboutTheCentre) {
 }
 
 TEST(Document, ShowingAnotherPhaseOrFrameIsApartFromTheRest) {
-    Document edited = threeViews();
+    Document edited = threePanes();
     edited.curves.linear.slope = 0.9;
     Document shown;
-    shown.phases = {{1, 5}};
-    shown.motionAngle = 30;
+    shown.scene.phase = 5;
+    shown.scene.motionAngle = 30;
     const Document both = withShown(edited, shown);
-    EXPECT_EQ(phaseOf(both, 3), 5);
-    EXPECT_EQ(both.motionAngle, 30);
+    EXPECT_EQ(phaseOf(both, 2), 5);
+    EXPECT_EQ(both.scene.motionAngle, 30);
     EXPECT_TRUE(withShown(both, edited) == edited);
 }
 
 TEST(Document, AnotherStudyKeepsWhatIsNoMatterOfTheStudy) {
-    Document before = threeViews();
+    Document before = threePanes();
     before.beam = {BeamAxis::plusX, BeamSource::person};
-    before.poses[1].value.magnification = 3;
-    before.cuts[0].value.nearCutMm = 9;
-    before.phases[0].value = 2;
-    before.motionAngle = 10;
+    before.scene.pose.magnification = 3;
+    before.scene.front.depthMm = 9;
+    before.scene.phase = 2;
+    before.scene.motionAngle = 10;
     before.curves.manual.nodes = {{0.5, 0.5}};
     before.method.config.cells.size = 7;
-    before.method.direction.azimuth = 33;
+    before.scene.side.azimuth = 33;
     before.method.config.grid.withoutTubes = {3, 4};
     before.motion.otf = MotionOtf::mean;
-    before.boxes[0].value = {.on = true, .sizeMm = {3, 4, 5}, .front = BoxSide::left};
-    before.planes[0].value = {.direction = {1, 2, 3}, .offsetMm = {4, 5, 6}, .window = 0.5, .linesIn3d = true};
-    before.strokes[0].value.list = {ScalpelStroke{.tool = ScalpelTool::eraser, .places = {{0, 0}}, .radius = 1}};
-    Document expected = threeViews();
-    expected.planes[0].value = {.window = 0.5, .linesIn3d = true};
+    before.scene.box = {.on = true, .sizeMm = {3, 4, 5}, .side = BoxSide::left};
+    before.scene.planes = {.direction = {1, 2, 3}, .offsetMm = {4, 5, 6}, .window = 0.5, .linesIn3d = true};
+    before.scene.strokes = {ScalpelStroke{.tool = ScalpelTool::eraser, .places = {{0, 0}}, .radius = 1}};
+    Document expected = threePanes();
+    expected.scene.planes = {.window = 0.5, .linesIn3d = true};
     expected.study = SimulatedScan{};
     expected.curves = before.curves;
     before.curves.adjustment = {.threshold = 0.2, .transparency = 0.3};
     expected.method.config.cells.size = 7;
     expected.motion = before.motion;
     EXPECT_TRUE(openedDocument(before, SimulatedScan{}) == expected);
+}
+
+/// What a scene cuts away of a volume, by place; `scene` has no box.
+bool cutsAway(const Scene& scene, BeamAxis beam, const VolumeGeometry& geometry, const Vec3& place) {
+    if (scene.front.surface && scene.front.surface->cutsAway(place)) return true;
+    if (scene.front.depthMm == 0.0) return false;
+    const Viewpoint view = viewpointOf(beam, scene.front.direction.value_or(scene.pose.direction), scene.front.depthMm);
+    return frameOf(view).forward.dot(place) < nearPlaneDepthMm(view, geometry);
+}
+
+TEST(Scene, AFrontThatStaysInTheVolumeCutsTheSameWhateverThePose) {
+    VolumeGeometry geometry;
+    geometry.size = {31, 27, 23};
+    geometry.spacing = Vec3(0.7, 0.9, 1.1);
+    Scene scene;
+    scene.pose.direction = {40, -25, 10};
+    scene.front.depthMm = 6;
+    EXPECT_TRUE(withFrontAcrossPose(scene, BeamAxis::plusZ, geometry) == scene) << "it lies across the pose";
+    scene.front.direction = ViewDirection{-10, 15, 0};
+    const Scene turned = withFrontAcrossPose(scene, BeamAxis::plusZ, geometry);
+    EXPECT_FALSE(turned.front.direction);
+    EXPECT_EQ(turned.front.depthMm, 0.0);
+    int cut = 0, places = 0;
+    for (int z = 0; z < 23; ++z)
+        for (int y = 0; y < 27; ++y)
+            for (int x = 0; x < 31; ++x) {
+                const Vec3 place(0.7 * x, 0.9 * y, 1.1 * z);
+                EXPECT_EQ(cutsAway(turned, BeamAxis::plusZ, geometry, place),
+                          cutsAway(scene, BeamAxis::plusZ, geometry, place));
+                cut += cutsAway(scene, BeamAxis::plusZ, geometry, place) ? 1 : 0;
+                ++places;
+            }
+    EXPECT_GT(cut, places / 20);
+    EXPECT_LT(cut, places / 2);
+}
+
+TEST(Scene, AFrontThatIsBowedAndFlatIsOneSurface) {
+    VolumeGeometry geometry;
+    geometry.size = {40, 40, 40};
+    Scene scene;
+    scene.pose.direction = {90, 0, 0};
+    scene.front = {.depthMm = 8, .direction = ViewDirection{}};
+    CutSurface& surface = scene.front.surface.emplace();
+    surface.frame = frameOf(Viewpoint{});
+    surface.firstRightMm = surface.firstDownMm = -1;
+    surface.columns = surface.rows = 42;
+    for (int i = 0; i < 42 * 42; ++i) surface.depthMm.push_back(static_cast<float>(i % 42) / 3.0f);
+    const Scene turned = withFrontAcrossPose(scene, BeamAxis::plusZ, geometry);
+    const double plane = nearPlaneDepthMm(Viewpoint{.nearCutMm = 8}, geometry);
+    for (std::size_t i = 0; i < surface.depthMm.size(); ++i)
+        EXPECT_NEAR(turned.front.surface->depthMm[i], std::max<double>(surface.depthMm[i], plane), 1e-5) << i;
 }
 
 TEST(Document, NamesOfChoicesGoBothWays) {

@@ -16,10 +16,10 @@ OpeningFinds finds() {
 TEST(OpeningFinds, SureOnesAreTaken) {
     const Document taken = withFinds({}, finds());
     EXPECT_EQ(taken.beam, (Beam{BeamAxis::minusY, BeamSource::sectorShape}));
-    EXPECT_EQ(cutOf(taken, 1), (Cut{.nearCutMm = 10.6, .source = CutSource::found}));
+    EXPECT_EQ(taken.scene.front, (Front{.depthMm = 10.6, .source = FrontSource::found}));
     Document rest = taken;
     rest.beam = {};
-    cutOf(rest, 1) = {};
+    rest.scene.front = {};
     EXPECT_EQ(rest, Document{}) << "nothing else changes";
 }
 
@@ -29,11 +29,11 @@ TEST(OpeningFinds, WhatIsNotSureStaysAsItIs) {
     EXPECT_EQ(withFinds({}, unsure), Document{}) << "without a sure beam nobody knows along what to cut";
     unsure = finds();
     unsure.cut->sure = false;
-    EXPECT_EQ(cutOf(withFinds({}, unsure), 1), Cut{});
+    EXPECT_EQ(withFinds({}, unsure).scene.front, Front{});
     EXPECT_EQ(withFinds({}, unsure).beam.axis, BeamAxis::minusY);
     unsure = finds();
     unsure.cut->answer = NearCutAnswer::fluidAtFront;
-    EXPECT_EQ(cutOf(withFinds({}, unsure), 1), Cut{});
+    EXPECT_EQ(withFinds({}, unsure).scene.front, Front{});
 }
 
 TEST(OpeningFinds, AVolumeOfOneValueHasNone) {

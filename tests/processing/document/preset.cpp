@@ -21,9 +21,9 @@ Document changedDocument() {
     document.curves.quartic.scale = 0.3;
     document.curves.adjustment = {0.1, -0.2};
     document.method.initialScale = 0.4;
-    document.method.direction.azimuth = 33;
-    document.looks.front().value.colourMap = ColourMap::ice;
-    document.looks.front().value.step = 0.25;
+    document.scene.side.azimuth = 33;
+    document.scene.look.colourMap = ColourMap::ice;
+    document.scene.look.step = 0.25;
     return document;
 }
 
@@ -31,32 +31,32 @@ TEST(Preset, GivesBackThePictureItWasMadeOf) {
     for (const CurveKind kind : allCurveKinds)
         for (const InitialKind initial : {InitialKind::parabolic, InitialKind::linear, InitialKind::manual}) {
             Document document = changedDocument();
-            viewOf(document, 1).curve = kind;
+            document.panes.at(firstPane).curve = kind;
             document.method.initial = initial;
-            const Preset preset = presetOf(document, 1, "mine");
-            EXPECT_EQ(withPreset(document, 1, preset), document) << nameOf(kind);
-            EXPECT_TRUE(isMadeBy(document, 1, preset));
-            EXPECT_FALSE(isMadeBy(Document{}, 1, preset));
-            const Document other = withPreset(Document{}, 1, preset);
+            const Preset preset = presetOf(document, firstPane, "mine");
+            EXPECT_EQ(withPreset(document, firstPane, preset), document) << nameOf(kind);
+            EXPECT_TRUE(isMadeBy(document, firstPane, preset));
+            EXPECT_FALSE(isMadeBy(Document{}, firstPane, preset));
+            const Document other = withPreset(Document{}, firstPane, preset);
             const SampledCurve adaptive{{0.0, 0.5, 1.0}};
-            EXPECT_EQ(curveOf(other, 1, adaptive), curveOf(document, 1, adaptive)) << nameOf(kind);
+            EXPECT_EQ(curveOf(other, firstPane, adaptive), curveOf(document, firstPane, adaptive)) << nameOf(kind);
             if (kind == CurveKind::adaptive) {
                 EXPECT_EQ(configOf(other), configOf(document)) << nameOf(initial);
             }
-            EXPECT_EQ(presetOf(other, 1, "mine"), preset) << nameOf(kind);
+            EXPECT_EQ(presetOf(other, firstPane, "mine"), preset) << nameOf(kind);
         }
 }
 
 TEST(Preset, LeavesTubeCoresThatAreNeverPlacedAloneUntilTheGridIsAnother) {
     Document document = changedDocument();
     document.method.config.grid.withoutTubes = {2, 7};
-    Preset preset = presetOf(document, 1, "mine");
+    Preset preset = presetOf(document, firstPane, "mine");
     EXPECT_TRUE(preset.method->config.grid.withoutTubes.empty()) << "they belong to a volume";
-    EXPECT_EQ(withPreset(document, 1, preset), document);
-    EXPECT_TRUE(isMadeBy(document, 1, preset));
-    EXPECT_TRUE(withPreset(Document{}, 1, preset).method.config.grid.withoutTubes.empty());
+    EXPECT_EQ(withPreset(document, firstPane, preset), document);
+    EXPECT_TRUE(isMadeBy(document, firstPane, preset));
+    EXPECT_TRUE(withPreset(Document{}, firstPane, preset).method.config.grid.withoutTubes.empty());
     preset.method->config.grid.columns = 9;
-    EXPECT_TRUE(withPreset(document, 1, preset).method.config.grid.withoutTubes.empty());
+    EXPECT_TRUE(withPreset(document, firstPane, preset).method.config.grid.withoutTubes.empty());
 }
 
 TEST(Preset, LeavesWhatPlaysNoPartInItsPicture) {
@@ -64,30 +64,29 @@ TEST(Preset, LeavesWhatPlaysNoPartInItsPicture) {
     Preset preset{.name = "parabola", .curve = CurveKind::parabolic};
     preset.curves.parabolic.scale = 0.123;
     preset.look.step = 4;
-    const Document next = withPreset(document, 1, preset);
+    const Document next = withPreset(document, firstPane, preset);
     EXPECT_EQ(next.curves.parabolic.scale, 0.123);
     EXPECT_EQ(next.curves.manual, document.curves.manual);
     EXPECT_EQ(next.curves.quartic, document.curves.quartic);
     EXPECT_EQ(next.method, document.method);
-    EXPECT_EQ(lookOf(next, 1).step, 0.25);
-    EXPECT_EQ(lookOf(next, 1).colourMap, ColourMap::sepia);
+    EXPECT_EQ(next.scene.look.step, 0.25);
+    EXPECT_EQ(next.scene.look.colourMap, ColourMap::sepia);
     EXPECT_EQ(next.curves.adjustment, CurveAdjustment{});
     preset.look.mode = RenderMode::maximum;
-    const Document maximum = withPreset(document, 1, preset);
+    const Document maximum = withPreset(document, firstPane, preset);
     EXPECT_EQ(maximum.curves, document.curves);
-    EXPECT_EQ(maximum.views, document.views);
-    EXPECT_EQ(lookOf(maximum, 1).mode, RenderMode::maximum);
+    EXPECT_EQ(maximum.panes, document.panes);
+    EXPECT_EQ(maximum.scene.look.mode, RenderMode::maximum);
 }
 
-TEST(Preset, OfOneViewLeavesTheLooksOfOthers) {
+TEST(Preset, OfOnePaneLeavesTheCurvesOfOthers) {
     Document document;
-    document.looks.push_back({2, lookAtStart()});
-    document.views.push_back(View{.id = 2, .look = 2, .curve = CurveKind::linear});
+    document.panes.push_back({.curve = CurveKind::linear});
     const Preset preset{.name = "grey", .curve = CurveKind::manual, .look = Look{}};
-    const Document next = withPreset(document, 2, preset);
-    EXPECT_EQ(lookOf(next, 1), lookAtStart());
-    EXPECT_EQ(viewOf(next, 1).curve, CurveKind::adaptive);
-    EXPECT_EQ(lookOf(next, 2), Look{});
+    const Document next = withPreset(document, 1, preset);
+    EXPECT_EQ(next.panes.at(firstPane).curve, CurveKind::adaptive);
+    EXPECT_EQ(next.panes.at(1).curve, CurveKind::manual);
+    EXPECT_EQ(next.scene.look, Look{});
     EXPECT_EQ(problemOf(next), "");
 }
 
@@ -98,7 +97,7 @@ TEST(Preset, TheProgramsOwnHaveNamesAndDiffer) {
         EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
         EXPECT_LE(preset.name.size(), longestPresetName);
         EXPECT_EQ(freePresetName(preset.name, {}), preset.name);
-        const Document document = withPreset(Document{}, 1, preset);
+        const Document document = withPreset(Document{}, firstPane, preset);
         EXPECT_EQ(problemOf(document), "");
         EXPECT_EQ(std::ranges::find(documents, document), documents.end()) << preset.name;
         documents.push_back(document);
@@ -134,13 +133,13 @@ TEST(PresetCaster, MakesTheViewsPictureSmall) {
     config.size = {40, 38, 42};
     const auto volume = std::make_shared<const Volume>(*makePhantom(config));
     Document document;
-    document.looks.front().value = Look{};
+    document.scene.look = Look{};
     PresetCaster caster;
     for (const Preset& preset : standardPresets()) {
-        Document next = withPreset(document, 1, preset);
-        lookOf(next, 1).reduction = SpeckleReduction::off;  // so that both are made of the same voxels
-        const auto small = caster.cast(next, 1, {volume, volume}, 24, 20);
-        const auto whole = viewPicture(next, 1, std::array{volume}, 48, 40);
+        Document next = withPreset(document, firstPane, preset);
+        next.scene.look.reduction = SpeckleReduction::off;  // so that both are made of the same voxels
+        const auto small = caster.cast(next, firstPane, {volume, volume}, 24, 20);
+        const auto whole = viewPicture(next, firstPane, std::array{volume}, 48, 40);
         ASSERT_TRUE(small && whole);
         ASSERT_EQ(small->width, 24);
         ASSERT_EQ(small->height, 20);
@@ -164,14 +163,14 @@ TEST(PresetCaster, FollowsTheScalpelAndACancelledCall) {
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(volume->geometry().voxelCount()), 1);
     std::fill_n(mask.begin(), mask.size() / 2, std::uint8_t{0});
     const auto cut = std::make_shared<const Volume>(volume->withCut(std::make_shared<const DataMask>(std::move(mask))));
-    const Document document = withPreset(Document{}, 1, standardPresets()[0]);
+    const Document document = withPreset(Document{}, firstPane, standardPresets()[0]);
     const PresetCaster::Voxels before{volume, volume}, after{cut, cut};
     PresetCaster caster, fresh;
-    const auto whole = caster.cast(document, 1, before, 24, 20);
+    const auto whole = caster.cast(document, firstPane, before, 24, 20);
     const std::atomic<bool> cancelled{true};
-    EXPECT_FALSE(caster.cast(document, 1, after, 24, 20, Progress{{}, &cancelled}));
-    const auto followed = caster.cast(document, 1, after, 24, 20);
-    const auto expected = fresh.cast(document, 1, after, 24, 20);
+    EXPECT_FALSE(caster.cast(document, firstPane, after, 24, 20, Progress{{}, &cancelled}));
+    const auto followed = caster.cast(document, firstPane, after, 24, 20);
+    const auto expected = fresh.cast(document, firstPane, after, 24, 20);
     ASSERT_TRUE(whole && followed && expected);
     EXPECT_EQ(followed->rgba, expected->rgba);
     EXPECT_NE(followed->rgba, whole->rgba);

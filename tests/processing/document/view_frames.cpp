@@ -32,13 +32,13 @@ StudyPhases phasesOf(int count) {
 /// A view with a cut, a stroke and light that is seen from aside.
 Document documentOf(MotionScenario scenario, MotionOtf otf) {
     Document document;
-    poseOf(document, 1).direction = {.azimuth = 12, .elevation = -7};
-    cutOf(document, 1).nearCutMm = 5;
-    lookOf(document, 1).reduction = SpeckleReduction::light;
-    lookOf(document, 1).step = 4;
+    document.scene.pose.direction = {.azimuth = 12, .elevation = -7};
+    document.scene.front.depthMm = 5;
+    document.scene.look.reduction = SpeckleReduction::light;
+    document.scene.look.step = 4;
     ScalpelStroke stroke{.tool = ScalpelTool::eraser, .places = {{-0.2, 0.1}, {0.2, -0.1}}, .radius = 0.06};
     stroke.camera = {{40, 38, 36}, frameOf(Viewpoint{.azimuthDegrees = 10}), Projection::parallel, 60, 30, 100};
-    strokesOf(document, 1).push_back(stroke);
+    document.scene.strokes.push_back(stroke);
     document.motion.scenario = scenario;
     document.motion.otf = otf;
     return document;
@@ -55,15 +55,15 @@ TEST(ViewFrames, AFrameIsThePictureOfItsDocument) {
             Document document = documentOf(scenario, otf);
             document.motion.phasesPingPong = true;
             document.motion.otfPhase = 2;
-            ViewFrames frames(document, 1, phases);
+            ViewFrames frames(document, firstPane, phases);
             ASSERT_EQ(frames.count(), scenario == MotionScenario::object ? 6 : 180);
             for (const int frame : {0, 1, 5}) {
                 Document alone = document;
-                alone.motionAngle = frames.position(frame).angle;
-                phaseOf(alone, 1) = frames.position(frame).phase;
-                if (otf == MotionOtf::eachView) alone.method.direction = shownPose(alone, 1).direction;
+                alone.scene.motionAngle = frames.position(frame).angle;
+                alone.scene.phase = frames.position(frame).phase;
+                if (otf == MotionOtf::eachView) alone.scene.side = shownPose(alone).direction;
                 EXPECT_EQ(frames.documentOf(frame), alone);
-                const auto expected = viewPicture(alone, 1, phases.scans, pictureWidth, pictureHeight);
+                const auto expected = viewPicture(alone, firstPane, phases.scans, pictureWidth, pictureHeight);
                 const auto made = frames.picture(frame, pictureWidth, pictureHeight);
                 EXPECT_TRUE(pixels(made) == pixels(expected)) << nameOf(scenario) << ' ' << nameOf(otf) << ' ' << frame;
                 EXPECT_TRUE(made->cast == expected->cast && made->classification == expected->classification);
@@ -75,20 +75,20 @@ TEST(ViewFrames, AFrameIsThePictureOfItsDocument) {
 TEST(ViewFrames, AStillProbeStaysAsTheHandTurnedIt) {
     const StudyPhases phases = phasesOf(2);
     Document document = documentOf(MotionScenario::object, MotionOtf::oneOtf);
-    document.motionAngle = 30;
-    ViewFrames frames(document, 1, phases);
+    document.scene.motionAngle = 30;
+    ViewFrames frames(document, firstPane, phases);
     Document alone = document;
-    phaseOf(alone, 1) = 1;
+    alone.scene.phase = 1;
     EXPECT_EQ(frames.documentOf(1), alone);
     EXPECT_TRUE(pixels(frames.picture(1, pictureWidth, pictureHeight)) ==
-                pixels(viewPicture(alone, 1, phases.scans, pictureWidth, pictureHeight)));
+                pixels(viewPicture(alone, firstPane, phases.scans, pictureWidth, pictureHeight)));
 }
 
 TEST(ViewFrames, PhasesComeBackWithTheSameBits) {
     const StudyPhases phases = phasesOf(3);
     Document document = documentOf(MotionScenario::object, MotionOtf::eachView);
     document.motion.phasesPingPong = true;
-    ViewFrames frames(document, 1, phases);
+    ViewFrames frames(document, firstPane, phases);
     ASSERT_EQ(frames.count(), 4);
     const auto second = pixels(frames.picture(1, pictureWidth, pictureHeight));
     EXPECT_TRUE(pixels(frames.picture(1, pictureWidth, pictureHeight)) == second) << "asked for twice";
@@ -101,33 +101,33 @@ TEST(ViewFrames, OneOtfIsThatOfItsPhase) {
     Document document = documentOf(MotionScenario::object, MotionOtf::oneOtf);
     const auto curveOfPhase = [&](int phase) {
         document.motion.otfPhase = phase;
-        ViewFrames frames(document, 1, phases);
+        ViewFrames frames(document, firstPane, phases);
         return frames.picture(1, pictureWidth, pictureHeight)->classification;
     };
     Document each = document;
     each.motion.otf = MotionOtf::eachView;
-    each.method.direction = poseOf(each, 1).direction;
-    phaseOf(each, 1) = 2;
-    document.method.direction = each.method.direction;
-    const Classification last = viewPicture(each, 1, phases.scans, pictureWidth, pictureHeight)->classification;
+    each.scene.side = each.scene.pose.direction;
+    each.scene.phase = 2;
+    document.scene.side = each.scene.side;
+    const Classification last = viewPicture(each, firstPane, phases.scans, pictureWidth, pictureHeight)->classification;
     EXPECT_TRUE(curveOfPhase(2) == last);
     EXPECT_TRUE(curveOfPhase(9) == last) << "a phase beyond the last one is the last one";
     EXPECT_FALSE(curveOfPhase(0) == last);
     // A study of one phase has one OTF, whatever phase is chosen.
-    EXPECT_EQ(otfPhaseOf(document, 1, 1), 0);
+    EXPECT_EQ(otfPhaseOf(document, firstPane, 1), 0);
 }
 
 TEST(ViewFrames, SmoothedOtfsFollowTheTurnRoundAndRound) {
     const StudyPhases phases = phasesOf(3);
     Document document = documentOf(MotionScenario::object, MotionOtf::mean);
-    ViewFrames frames(document, 1, phases);
+    ViewFrames frames(document, firstPane, phases);
     // Three turns one after the other: the last is what is shown, whose history is full.
     OtfHistory history(OtfSmoothing::mean);
     std::vector<SampledCurve> shown;
     for (int frame = 0; frame < 3 * frames.count(); ++frame) {
         Document alone = frames.documentOf(frame % frames.count());
         alone.motion.otf = MotionOtf::eachView;
-        const OpacityCurve own = viewPicture(alone, 1, phases.scans, 2, 2)->classification.curve();
+        const OpacityCurve own = viewPicture(alone, firstPane, phases.scans, 2, 2)->classification.curve();
         shown.push_back(history.add(frame, std::get<SampledCurve>(own)));
     }
     for (int frame = 0; frame < frames.count(); ++frame) {
@@ -143,24 +143,24 @@ TEST(ViewFrames, SmoothedOtfsFollowTheTurnRoundAndRound) {
 TEST(ViewFrames, QuietVoxelsAtHandChangeNoBit) {
     StudyPhases phases = phasesOf(2);
     const Document document = documentOf(MotionScenario::object, MotionOtf::eachView);
-    ViewFrames plain(document, 1, phases);
+    ViewFrames plain(document, firstPane, phases);
     for (const auto& scan : phases.scans)
         phases.quiet.push_back(
             std::make_shared<const Volume>(quietVolume(*scan, SpeckleReduction::light)->withDataBox(scan->dataBox())));
     phases.reduction = SpeckleReduction::light;
-    ViewFrames withQuiet(document, 1, phases);
+    ViewFrames withQuiet(document, firstPane, phases);
     EXPECT_TRUE(pixels(plain.picture(1, pictureWidth, pictureHeight)) ==
                 pixels(withQuiet.picture(1, pictureWidth, pictureHeight)));
     EXPECT_TRUE(withQuiet.picture(1, pictureWidth, pictureHeight)->voxels->isSameScanAs(*phases.quiet[1]));
     // Those of another reduction are not taken.
     phases.reduction = SpeckleReduction::strong;
-    ViewFrames ofAnother(document, 1, phases);
+    ViewFrames ofAnother(document, firstPane, phases);
     EXPECT_TRUE(pixels(plain.picture(0, pictureWidth, pictureHeight)) ==
                 pixels(ofAnother.picture(0, pictureWidth, pictureHeight)));
 }
 
 TEST(ViewFrames, IsCancelled) {
-    ViewFrames frames(documentOf(MotionScenario::object, MotionOtf::eachView), 1, phasesOf(2));
+    ViewFrames frames(documentOf(MotionScenario::object, MotionOtf::eachView), firstPane, phasesOf(2));
     std::atomic<bool> cancel = true;
     EXPECT_FALSE(frames.picture(0, pictureWidth, pictureHeight, {{}, &cancel}));
     cancel = false;
@@ -168,21 +168,21 @@ TEST(ViewFrames, IsCancelled) {
 }
 
 TEST(ViewFrames, AStudyWithoutPhasesIsABrokenContract) {
-    EXPECT_THROW(ViewFrames(Document{}, 1, StudyPhases{}), std::invalid_argument);
+    EXPECT_THROW(ViewFrames(Document{}, firstPane, StudyPhases{}), std::invalid_argument);
 }
 
 TEST(ViewFrames, ADesignIsThatOfTheOnePhaseOrOfEach) {
     const StudyPhases phases = phasesOf(3);
     for (const MotionOtf otf : {MotionOtf::oneOtf, MotionOtf::eachView, MotionOtf::mean}) {
-        Document document = withDesign(documentOf(MotionScenario::object, otf), 1, OtsuConfig{});
+        Document document = withDesigner(documentOf(MotionScenario::object, otf), firstPane, OtsuConfig{});
         document.motion.otfPhase = 1;
-        ViewFrames frames(document, 1, phases);
+        ViewFrames frames(document, firstPane, phases);
         for (const int frame : {0, 2}) {
             Document alone = frames.documentOf(frame);
             const int phase = otf == MotionOtf::oneOtf ? 1 : frames.position(frame).phase;
-            phaseOf(alone, 1) = phase;
+            alone.scene.phase = phase;
             alone.motion.otf = MotionOtf::eachView;
-            const auto expected = viewPicture(alone, 1, phases.scans, 2, 2);
+            const auto expected = viewPicture(alone, firstPane, phases.scans, 2, 2);
             EXPECT_EQ(frames.picture(frame, 2, 2)->classification, expected->classification) << nameOf(otf);
         }
     }

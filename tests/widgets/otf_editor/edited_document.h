@@ -10,13 +10,13 @@ inline const ManualCurve threeNodes{{{0.2, 0.1}, {0.5, 0.4}, {0.9, 0.8}}};
 
 struct EditedDocument {
     DocumentModel document;
-    DocumentCurves curves{document, 1};
+    DocumentCurves curves{document};
 
     /// A document of these curves, without steps.
     void begin(const OtfEditorState& state) {
         Document next;
         next.curves = state;
-        viewOf(next, 1).curve = state.active;
+        next.panes.at(firstPane).curve = state.active;
         document.begin(next);
     }
     static void showIn(OtfEditorModel& model, const OtfEditorState& state) {

@@ -1,0 +1,33 @@
+// The parts of a document that both versions of its JSON write alike. Values that are missing or wrong are told to the
+// problems of the fields (json_fields.h).
+#pragma once
+
+#include <vector>
+
+#include "io/json/json_fields.h"
+#include "processing/document/document.h"
+
+namespace echolucent {
+
+/// The largest number of a phase, a tube core, or an id.
+inline constexpr std::int64_t largestNumber = 1'000'000;
+
+/// Of the key "study" in a document's root.
+[[nodiscard]] StudyReference studyIn(JsonFields root);
+[[nodiscard]] Beam beamIn(JsonFields fields);
+[[nodiscard]] ViewDirection directionIn(JsonFields fields);
+[[nodiscard]] Pose poseIn(JsonFields& fields);
+[[nodiscard]] CutSurface surfaceIn(JsonFields fields);
+/// `sideKey` holds the side through which tube cores look in.
+[[nodiscard]] Box boxIn(JsonFields& fields, const char* sideKey);
+[[nodiscard]] Planes planesIn(JsonFields& fields);
+/// Of the key "strokes".
+[[nodiscard]] std::vector<ScalpelStroke> strokesIn(JsonFields& fields);
+/// Of the key "phase".
+[[nodiscard]] int phaseIn(JsonFields& fields);
+[[nodiscard]] MotionChoice motionIn(JsonFields& fields);
+[[nodiscard]] Comparison comparisonIn(JsonFields& fields);
+/// Of the key "measurements" in a document's root.
+[[nodiscard]] std::vector<Measurement> measurementsIn(JsonFields& root);
+
+}  // namespace echolucent

@@ -1,0 +1,17 @@
+#include "processing/document/pane.h"
+
+#include <algorithm>
+
+#include "processing/designers/designer.h"
+
+namespace echolucent {
+
+std::string problemOf(const Pane& pane) {
+    if (pane.designer)
+        if (const std::string problem = problemOf(*pane.designer); !problem.empty()) return "designer: " + problem;
+    if (std::ranges::any_of(pane.withoutTubes, [](int tube) { return tube < 0; }))
+        return "without_tubes must hold numbers from 0 on";
+    return {};
+}
+
+}  // namespace echolucent

@@ -1,0 +1,23 @@
+// The panes of a document: how their number changes, and what is added.
+#pragma once
+
+#include <vector>
+
+#include "processing/document/document.h"
+
+namespace echolucent {
+
+/// The adaptive curve, the parabolic and the linear one, and Levoy's OTF.
+[[nodiscard]] std::vector<Pane> standardPanes();
+
+/// Whether panes are compared: whether there are several.
+[[nodiscard]] inline bool isCompared(const Document& document) { return document.panes.size() >= fewestPanes; }
+/// The document with so many panes, one to mostPanes (else std::invalid_argument). How they are compared stays, as far
+/// as the panes are there. The first pane shows the scene's phase and the motion's OTF.
+[[nodiscard]] Document withPanes(Document document, std::vector<Pane> panes);
+/// The document with another pane at a place.
+[[nodiscard]] Document withPane(Document document, std::size_t place, Pane pane);
+/// The document of so many panes: the last ones go, or standardPanes() are added that are not there yet.
+[[nodiscard]] Document withPaneCount(Document document, std::size_t count);
+
+}  // namespace echolucent
