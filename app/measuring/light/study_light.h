@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/measuring/measures/picture_difference.h"
+#include "app/measuring/measures/reference_light.h"
 #include "app/pages/html_page.h"
 #include "processing/light/light_sweep.h"
-#include "app/measuring/measures/reference_light.h"
 #include "processing/opacity_curve.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/volume/volume.h"

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "app/measuring/otf/study_otf.h"
 #include "processing/adaptive/method_reading.h"
@@ -76,9 +78,10 @@ TextTable detectionTable(const OtfStudy& study) {
             table.columns.push_back(reading == allReadings.front() ? fmt::format("{}: {}", what, nameOf(reading))
                                                                    : std::string(nameOf(reading)));
     for (const std::string& group : namesIn(study.readings, [](const auto& result) { return result.group; })) {
-        const auto conditions = namesIn(
-            study.readings | std::views::filter([&](const ReadingResult& result) { return result.group == group; }),
-            [](const ReadingResult& result) { return result.condition; });
+        std::vector<ReadingResult> ofGroup;
+        std::ranges::copy_if(study.readings, std::back_inserter(ofGroup),
+                             [&](const ReadingResult& result) { return result.group == group; });
+        const auto conditions = namesIn(ofGroup, [](const ReadingResult& result) { return result.condition; });
         for (const std::string& condition : conditions)
             table.rows.push_back(detectionRow(study, condition, [&](const ReadingResult& result) {
                 return result.group == group && result.condition == condition;
