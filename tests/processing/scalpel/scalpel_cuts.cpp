@@ -228,12 +228,18 @@ TEST(ScalpelCuts, MoreStrokesThanNumbersAreCutToo) {
 TEST(ScalpelCuts, ACancelledCutLeavesTheNextOneRight) {
     const Volume volume = noise({32, 32, 32}, {1, 1, 1});
     const auto strokes = strokesUnder(cameraOf(volume, {}, Projection::parallel));
-    ScalpelCuts cuts(volume.geometry());
-    (void)cuts.cut(volume, std::span(strokes).first(1));
-    std::atomic<bool> cancel{false};
-    const Progress progress{[&](double) { cancel = true; }, &cancel};
-    EXPECT_FALSE(cuts.cut(volume, strokes, progress));
-    EXPECT_EQ(cuts.cut(volume, strokes)->dataMask(), ScalpelCuts(volume.geometry()).cut(volume, strokes)->dataMask());
+    // On a machine that is busy elsewhere, a cut may be done before a thread sees that it is cancelled.
+    bool cancelled = false;
+    for (int attempt = 0; attempt < 50 && !cancelled; ++attempt) {
+        ScalpelCuts cuts(volume.geometry());
+        (void)cuts.cut(volume, std::span(strokes).first(1));
+        std::atomic<bool> cancel{false};
+        const Progress progress{[&](double) { cancel = true; }, &cancel};
+        cancelled = !cuts.cut(volume, strokes, progress);
+        EXPECT_EQ(cuts.cut(volume, strokes)->dataMask(),
+                  ScalpelCuts(volume.geometry()).cut(volume, strokes)->dataMask());
+    }
+    EXPECT_TRUE(cancelled);
 }
 
 TEST(ScalpelCuts, AnyNumberOfThreadsCutsTheSame) {
