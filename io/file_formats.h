@@ -29,18 +29,15 @@ struct FileFormat {
     std::vector<std::string_view> otherNames;
     /// Whether the first 4096 bytes of a file, or all of them where it is shorter, are of this format.
     bool (*isBegunBy)(std::string_view beginning);
-    /// Whether a file that isBegunBy() does not know and that ends behind these bytes may have been cut within the
-    /// beginning of this format.
+    /// Whether the bytes of a whole, short file are a cut beginning of this format. Asked only if isBegunBy() said no.
     bool (*mayBeCutAt)(std::string_view whole);
     /// Who reads it. readStoredVolume() reads the voxels behind a header alone, in the file's order, with coarse voxels
     /// first where that is asked for.
     std::variant<HeaderReader, StudyReader> reader;
     bool needsDicomTables = false;  ///< whether DCMTK's dictionary and tables of characters must be loaded before
     std::string_view mimeType;      ///< for desktops; empty where there is none
-    /// Whether the desktop's list of MIME types gets this one from us, and what all files begin with; no such
-    /// beginning where it is empty.
-    bool definesMimeType = false;
-    std::string_view mimeMagic;
+    bool definesMimeType = false;   ///< whether we define this MIME type, because the system's list lacks it
+    std::string_view mimeMagic;     ///< the bytes that all its files begin with; empty if there are none
 };
 
 /// All formats, in the order in which refusals name them. Of several that bytes might be of, the first counts.

@@ -5,7 +5,8 @@
 
 namespace echolucent {
 
-/// The path of the program `name`: beside the running one, else where it is installed. Nothing says that it is there.
+/// The path of the program `name`: beside the running program if a file is there, else in the folder where it is
+/// installed. The file may be missing.
 [[nodiscard]] std::string programBeside(const std::string& name);
 
 }  // namespace echolucent

@@ -32,7 +32,7 @@ bool isCutGzip(std::string_view beginning) {
 std::optional<Failure> cutWithinItsBeginning(const std::string& path, std::string_view beginning) {
     std::string_view cut = isCutGzip(beginning) ? "a gzip file" : "";
     for (const FileFormat& format : fileFormats())
-        if (format.mayBeCutAt(beginning)) cut = format.oneOfThem;
+        if (cut.empty() && format.mayBeCutAt(beginning)) cut = format.oneOfThem;
     if (cut.empty()) return std::nullopt;
     return fail(FailureKind::unreadable, path, "",
                 fmt::format("ends after {} bytes, within the beginning of {}", beginning.size(), cut), incompleteFile)

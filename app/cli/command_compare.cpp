@@ -38,7 +38,7 @@ Result<void> compare(const CompareOptions& options) {
                     "Save a session of the workstation while OTFs are compared (F5).");
     for (std::size_t pane = 0; pane < panes; ++pane)
         if (phaseOf(document, pane) >= static_cast<int>(read->study.phases.size()))
-            return fail(FailureKind::wrongUsage, options.document, "scene.phase",
+            return fail(FailureKind::wrongUsage, options.document, "phases",
                         fmt::format("shows phase {}, but the volume has {} phase(s)", phaseOf(document, pane),
                                     read->study.phases.size()));
     const auto measured = *measuresOfPanes(document, {.scans = read->study.phases});

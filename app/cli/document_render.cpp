@@ -108,7 +108,7 @@ Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeO
     sayNote(burnedInTextNote(study));
     const int phase = phaseOf(read->document, read->pane);
     if (phase < 0 || phase >= static_cast<int>(study.phases.size()))
-        return fail(FailureKind::wrongUsage, options.path, "scene.phase",
+        return fail(FailureKind::wrongUsage, options.path, "phases",
                     fmt::format("shows phase {}, but the volume has {} phase(s)", phase, study.phases.size()));
     return *viewPicture(read->document, read->pane, study.phases, size[0], size[1]);
 }

@@ -33,10 +33,10 @@ struct DocumentStudy {
 /// stderr. Fails where document or study cannot be read, where `output` is one of the files that are read, and where
 /// the document has no pane of the number (readDocumentPane()).
 [[nodiscard]] Result<DocumentStudy> readDocumentStudy(const std::string& document, const VolumeOptions& volume,
-                                                      const std::string& output, std::optional<int> number = {});
+                                                      const std::string& output, std::optional<int> number);
 
 /// The converged picture of the view, of the study that the document names, or of `volume` where that has a path
-/// (readDocumentStudy()). Fails as that does, and where there is no such phase.
+/// (readDocumentStudy()). Fails as that does, and if the study has no such phase.
 [[nodiscard]] Result<ViewPicture> renderDocument(const DocumentOptions& options, const VolumeOptions& volume,
                                                  const std::array<int, 2>& size, const std::string& output);
 

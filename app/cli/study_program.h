@@ -5,15 +5,14 @@
 
 namespace echolucent::cli {
 
-/// Adds the commands that echolucent-study does, for the help and the sentences that list all commands.
+/// Adds `study` and `bench` by name and meaning: help and sentences list all commands. echolucent-study runs them.
 void addStudyProgram(CLI::App& program);
 
 /// Whether a command line asks for one of these.
 [[nodiscard]] bool isForStudyProgram(int count, char** arguments);
 
-/// This process becomes echolucent-study (it lies beside the program, else where it is installed), with the same
-/// arguments, input, outputs and parent. Returns only where that fails (unreadable): the program is missing or cannot
-/// be run.
+/// Replaces this process by echolucent-study, with the same arguments, input, outputs and parent. It looks for that
+/// program beside this one, then where it is installed. It returns only if the program cannot be started (unreadable).
 [[nodiscard]] Result<void> becomeStudyProgram(int count, char** arguments);
 
 }  // namespace echolucent::cli

@@ -12,7 +12,7 @@
 
 namespace echolucent {
 
-/// Moves the pose of the main view, its light, and the line of a wipe. A drag is one step.
+/// Moves the pose, the light, and the line of a wipe. A drag is one step.
 class CompareHand : public QObject {
     Q_OBJECT
 

@@ -27,7 +27,7 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
       m_controls(parts.model, parts.openStudy, parts.hand, parts.panel),
       m_measures(parts.model, parts.openStudy, m_views, parts.player),
       m_writing("comparison page") {
-    // What fails for the main view is said of the 3D view already.
+    // What fails for the first pane is said of the 3D view already.
     connect(&m_parts.designs, &ViewDesigns::failed, this, [this](std::size_t pane, const QString& sentence) {
         if (pane != firstPane) m_parts.messages.showMessage(MessageKind::error, sentence);
     });

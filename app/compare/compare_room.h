@@ -40,7 +40,7 @@ public:
         MessageBar& messages;
         Settings& settings;
         StudyNames& names;
-        std::function<SampledCurve()> adaptive;  ///< the adaptive curve that the main view shows
+        std::function<SampledCurve()> adaptive;  ///< the adaptive curve that the 3D view shows
         std::function<QString(const QString& what)> proposedName;
     };
     /// All of them must outlive this.

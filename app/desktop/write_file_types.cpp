@@ -40,6 +40,15 @@ std::string mimeInfo() {
     return info + "</mime-info>\n";
 }
 
+/// Says on stderr what could not be written.
+bool write(const char* path, const std::string& text) {
+    std::ofstream file(path);
+    file << text;
+    if (file.flush()) return true;
+    std::cerr << path << " could not be written.\n";
+    return false;
+}
+
 }  // namespace
 
 /// write_file_types FORM.desktop.in ENTRY.desktop MIME.xml
@@ -53,7 +62,6 @@ int main(int count, char** words) {
         std::cerr << words[1] << " has no place for the MIME types.\n";
         return EXIT_FAILURE;
     }
-    std::ofstream(words[2]) << entry.replace(at, place.size(), mimeTypes());
-    std::ofstream(words[3]) << mimeInfo();
-    return EXIT_SUCCESS;
+    const bool written = write(words[2], entry.replace(at, place.size(), mimeTypes())) && write(words[3], mimeInfo());
+    return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

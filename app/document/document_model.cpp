@@ -86,7 +86,6 @@ void DocumentModel::set(Document next) {
     if (after.study != before.study) emit studyChanged();
     if (after.beam != before.beam) emit beamChanged();
     if (after.panes != before.panes) emit panesChanged();
-    if (after.comparison != before.comparison) emit comparisonChanged();
     if (after.scene.phase != before.scene.phase) emit phaseChanged();
     if (after.scene.front != before.scene.front) emit frontChanged();
     if (after.scene.box != before.scene.box) emit boxChanged();

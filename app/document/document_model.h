@@ -65,7 +65,6 @@ signals:
     void strokesChanged();
     /// Panes were added or removed, or are classified with something else.
     void panesChanged();
-    void comparisonChanged();
     void measurementsChanged();
     void curvesChanged();
     void methodChanged();

@@ -18,8 +18,6 @@ DocumentView::DocumentView(DocumentModel& model, HandGesture& hand, VolumeViewWi
     connect(&m_model, &DocumentModel::panesChanged, this, [this] {
         leaveDesign();
         showCurve();
-        showPose();
-        showLook();
     });
     connect(&m_widget, &VolumeViewWidget::cameraChanged, this, &DocumentView::takePose);
     connect(&m_widget, &VolumeViewWidget::lightChanged, this, &DocumentView::takeLight);

@@ -14,8 +14,8 @@ namespace echolucent {
 class Volume;
 class VolumeViewWidget;
 
-/// Shows pose, cut, look and curve of a view of the document in a widget, and makes steps of what the hand does there.
-/// Several of them show one document; where their views share a pose, turning one turns all.
+/// Shows the scene and the curve of the first pane in a widget, and makes steps of what the hand does there. Several of
+/// them show one document: turning one turns all.
 class DocumentView : public QObject {
     Q_OBJECT
 

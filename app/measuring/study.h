@@ -45,16 +45,16 @@ public:
 
 protected:
     virtual void addOptions(CLI::App& command) = 0;
-    /// The names of all files that it may write into the folder.
+    /// The names of all files that measure() may return.
     [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
     /// What is wrong with options of its own; asked before the folder is made.
     [[nodiscard]] virtual Result<void> check() { return {}; }
-    /// Throws std::invalid_argument where a file was not among files().
+    /// A file that is not among files() is a broken contract (std::invalid_argument).
     [[nodiscard]] virtual Result<StudyFindings> measure() = 0;
 
     /// Adds VOLUME and its options; it may be left out.
     void addVolume(CLI::App& command);
-    /// Adds -o, which may be left out where `folder` names one.
+    /// Adds -o. It may be left out if `folder` names one.
     void addFolder(CLI::App& command, const std::string& meaning);
     /// Adds a whole number from `least` to `most`, whose default the help names.
     static void addCount(CLI::App& command, const std::string& name, int& value, int least, int most,
@@ -65,7 +65,8 @@ protected:
     /// The volume that was asked for, whose files no output may be.
     [[nodiscard]] Result<std::shared_ptr<const Volume>> readVolume() const { return volume.readPhase(m_outputs); }
     [[nodiscard]] Result<Study> readPhases() const { return volume.readAll(m_outputs); }
-    /// The view of a volume that was read, or of a simulated one where none was asked for.
+    /// The view that the options ask for. If no volume was named, the scan is simulated, and its beam is the options'
+    /// own.
     [[nodiscard]] Result<Viewpoint> viewOf(const Volume& shown) const;
     /// The curve of --otf; the adaptive one says on stderr why it is the initial function.
     [[nodiscard]] OpacityCurve curveFor(const Volume& shown, const Viewpoint& from) const;
@@ -78,7 +79,7 @@ protected:
     AdaptiveOtfConfig config;          ///< the method's, from check() on
     std::vector<PhantomConfig> bases;  ///< of the phantoms' options, from check() on; at least one
     std::string otf = "adaptive";
-    std::string folder;  ///< where the files go; where none is named, -o is required
+    std::string folder;  ///< of the files; without a name before addFolder(), -o is required
 
 private:
     [[nodiscard]] Result<void> run();

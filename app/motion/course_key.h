@@ -19,10 +19,10 @@ struct CourseKey {
     friend bool operator==(const CourseKey&, const CourseKey&) = default;
 };
 
-/// From where a view looks at angle 0 of a motion: its pose, its cut and its box.
+/// From where the scene is seen at angle 0 of a motion: its pose, its front and its box.
 [[nodiscard]] Viewpoint motionStartOf(const Document& document);
 
-/// The key of the course to which a frame of a view belongs; `config` is what its OTF was computed with.
+/// The key of the course to which a frame of a pane belongs; `config` is what its OTF was computed with.
 [[nodiscard]] CourseKey courseKeyOf(const Document& document, const AdaptiveOtfConfig& config,
                                     const CourseFrame& frame);
 

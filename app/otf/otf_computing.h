@@ -16,7 +16,7 @@ class OtfComputing : public QObject {
     Q_OBJECT
 
 public:
-    /// `view` is the id of the view whose cut and phase are taken. `model` and `openStudy` must outlive this.
+    /// Both must outlive this.
     OtfComputing(DocumentModel& model, OpenStudy& openStudy, QObject* parent = nullptr);
 
     /// From where the newest OTF that was asked for looks.

@@ -1,4 +1,4 @@
-// What OTF designers make for views of the document: the one place where it is computed.
+// What OTF designers make for panes of the document: the one place where it is computed.
 #pragma once
 
 #include <QObject>
@@ -28,7 +28,7 @@ struct ViewDesign {
 /// Whether what a designer makes depends on the view and on the method: where it reads tube cores.
 [[nodiscard]] bool readsTubeCores(const DesignerConfig& config);
 
-/// Follows document and study, and computes in a thread of its own what is not there yet: what several views ask for
+/// Follows document and study, and computes in a thread of its own what is not there yet: what several panes ask for
 /// alike is computed once, and what was made before is kept, as long as it is few. Of the phase otfPhaseOf() a designer
 /// is given the raw voxels and the newest ones, which are its quiet ones once they are made; while the quiet ones of a
 /// study of up to OpenStudy::quietFirstVoxels voxels are being made, it waits for them.
@@ -39,8 +39,8 @@ public:
     /// Both outlive this.
     ViewDesigns(DocumentModel& model, OpenStudy& openStudy, QObject* parent = nullptr);
 
-    /// Views, beside the main one where it has a design, that somebody looks at: what their designers make is computed
-    /// too, or, where they have none, their adaptive OTF as AdaptiveConfig makes it: without the tube cores that are
+    /// Panes that somebody looks at, beside the first one if it has a designer. What their designers make is computed
+    /// too. If they have none, it is their adaptive OTF as AdaptiveConfig makes it: without the tube cores that are
     /// never placed for them, of their own phases and frames.
     void setExtraPanes(std::vector<std::size_t> panes);
 
@@ -118,8 +118,8 @@ private:
     OpenStudy& m_openStudy;
     Run m_run;
     std::vector<std::size_t> m_extraPanes;
-    std::map<std::size_t, Request> m_wanted;  ///< by view
-    std::map<std::size_t, Made> m_made;       ///< by view
+    std::map<std::size_t, Request> m_wanted;  ///< by pane
+    std::map<std::size_t, Made> m_made;       ///< by pane
     std::vector<Kept> m_kept;                 ///< the newest last
     std::vector<Request> m_refused;           ///< were cancelled or have failed, and are wanted still
     std::optional<Request> m_running;

@@ -28,20 +28,19 @@ PictureControls::PictureControls(const Parts& parts, QObject* parent) : QObject(
     connect(&m_parts.model, &DocumentModel::lookChanged, this, &PictureControls::showDocument);
     connect(&m_parts.model, &DocumentModel::frontChanged, this, &PictureControls::showDocument);
     connect(&m_parts.model, &DocumentModel::beamChanged, this, &PictureControls::showDocument);
-    connect(&m_parts.model, &DocumentModel::panesChanged, this, &PictureControls::showDocument);
 }
 
 void PictureControls::connectPanel() {
     const ViewPanel* panel = &m_parts.panel;
     connect(panel, &ViewPanel::nearCutChanged, this, [this](double mm) {
         if (!hasStudy()) return showDocument();
-        edit(tr("near cut"), [this, mm](Document& next) { next.scene.front = Front{.depthMm = mm}; });
+        edit(tr("near cut"), [mm](Document& next) { next.scene.front = Front{.depthMm = mm}; });
     });
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
     connect(panel, &ViewPanel::phaseChanged, this, [this](int phase) { m_parts.model.showPhase(phase); });
     connect(panel, &ViewPanel::lookChanged, this, &PictureControls::setLook);
     connect(panel, &ViewPanel::lookReset, this, [this](const Look& look, const QString& group) {
-        edit(tr("reset %1").arg(group.toLower()), [this, &look](Document& next) { next.scene.look = look; });
+        edit(tr("reset %1").arg(group.toLower()), [&look](Document& next) { next.scene.look = look; });
         keep();
     });
     connect(panel, &ViewPanel::rendererChanged, this, [this] {
@@ -70,8 +69,7 @@ void PictureControls::edit(const QString& what, const std::function<void(Documen
 }
 
 void PictureControls::setLook(const Look& look) {
-    edit(nameOfChange(m_parts.model.document().scene.look, look),
-         [this, &look](Document& next) { next.scene.look = look; });
+    edit(nameOfChange(m_parts.model.document().scene.look, look), [&look](Document& next) { next.scene.look = look; });
     keep();
 }
 
@@ -126,7 +124,7 @@ void PictureControls::resetAll(const Document& opened) {
 }
 
 void PictureControls::resetCut(const Document& opened) {
-    edit(tr("reset cut"), [this, &opened](Document& next) { next.scene.front = opened.scene.front; });
+    edit(tr("reset cut"), [&opened](Document& next) { next.scene.front = opened.scene.front; });
 }
 
 void PictureControls::showDocument() {

@@ -22,6 +22,7 @@ Document pictured(Document document) {
     if (document.scene.look.mode != RenderMode::direct) {
         document.curves = {};
         document.method = {};
+        document.scene.side = {};
         document.panes.at(firstPane).curve = CurveKind::adaptive;
     }
     return document;

@@ -19,7 +19,6 @@ RoomControls::RoomControls(DocumentModel& model, HandGesture& hand, OpenStudy& o
     connect(&m_panel, &RoomPanel::slabRequested, this, &RoomControls::makeSlab);
     connect(&m_model, &DocumentModel::planesChanged, this, &RoomControls::show);
     connect(&m_model, &DocumentModel::boxChanged, this, &RoomControls::show);
-    connect(&m_model, &DocumentModel::panesChanged, this, &RoomControls::show);
     connect(&m_openStudy, &OpenStudy::studyOpened, this, [this] {
         const VolumeGeometry& geometry = m_openStudy.volume()->geometry();
         m_panel.setUnit(geometry.unit(), geometry.spacingKnown);

@@ -16,8 +16,8 @@ public:
     WaitingToBeFreed(const WaitingToBeFreed&) = delete;
     WaitingToBeFreed& operator=(const WaitingToBeFreed&) = delete;
 
-    /// Hands a reference over and waits for nothing. Where the thread has ended, and where there is no memory for one
-    /// reference more, the caller lets it go here.
+    /// Takes a reference over and returns at once. If the thread has ended, or memory is short, the caller's thread
+    /// frees the object.
     void add(std::shared_ptr<const void> last) noexcept;
 
 private:
@@ -46,7 +46,7 @@ private:
     std::thread m_thread;
 };
 
-/// The program's one, which its exit joins. Throws as FreeingThread() does.
+/// The program's only freeing thread. The program joins it at exit. Throws as FreeingThread() does.
 [[nodiscard]] const FreeingThread& freeingThread();
 
 /// The same object; when the last reference to it is dropped, freeingThread() lets it go. To give back the voxels of

@@ -27,7 +27,7 @@ Result<void> requireShowable(const SavedSession& session, const std::string& fil
         if (const auto& range = document.motion.phaseRange) last = std::max({last, range->first, range->last});
         last = std::max(last, document.motion.otfPhase);
         if (last >= static_cast<int>(phases))
-            return fail(FailureKind::unreadable, file, place + "scene.phase",
+            return fail(FailureKind::unreadable, file, place + "phases",
                         fmt::format("asks for phase {}, but the study has {}", last + 1, phases),
                         "Open the study that the session was saved of.");
         return {};

@@ -50,7 +50,7 @@ using SavedReading = std::variant<ReadSession, SavedStudyProblem>;
 
 /// Reads a session file and its study, which is looked for by its bytes in the file's folder and by `search` where it
 /// is not in its place. Fails where one of them cannot be read, where the window has no room for what the document
-/// shows (no view 1, a phase that the study does not have), and (cancelled) where the person ended it.
+/// shows (a phase that the study does not have), and (cancelled) where the person ended it.
 [[nodiscard]] Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& answer,
                                              StudySearch search, const Progress& progress);
 

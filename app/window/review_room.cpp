@@ -106,7 +106,6 @@ void ReviewRoom::addPlanes(QMenu& menu) {
         });
         const auto show = [this, action, member] { action->setChecked(m_parts.model.document().scene.planes.*member); };
         connect(&m_parts.model, &DocumentModel::planesChanged, action, show);
-        connect(&m_parts.model, &DocumentModel::panesChanged, action, show);
         show();
     };
     addSwitch(tr("Planes show &quiet voxels"), QStringLiteral("room.quietPlanes"), tr("voxels of planes"),

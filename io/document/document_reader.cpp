@@ -84,10 +84,15 @@ Result<nlohmann::json> rootOf(std::string_view text, const std::string& file) {
 /// The pane of a number, the first one without a number, of a document of either version; `windows` as
 /// ViewOfVersion1::windows.
 Result<DocumentPane> paneOf(const nlohmann::json& object, const std::string& place, const std::string& file,
-                            std::optional<int> number, bool windows = false) {
+                            std::optional<int> number, bool windows = false, int sessionVersion = documentVersion) {
     JsonProblems problems{file, std::nullopt};
     const JsonFields root(object, place, problems);
-    const bool old = object.value("version", nlohmann::json()) == 1;
+    // A snapshot without a version has that of its session.
+    const nlohmann::json version = object.value("version", nlohmann::json(sessionVersion));
+    if (version != 1 && version != documentVersion)
+        return fail(FailureKind::unreadable, file, place.empty() ? "version" : place + ".version",
+                    "must be from 1 to 2, not " + JsonFields::shortened(version.dump()), remedyOfDocument);
+    const bool old = version == 1;
     auto read = old ? paneInVersion1(root, {number, windows}) : DocumentPane{documentIn(root), firstPane};
     if (problems.first) return problems.refused(remedyOfDocument);
     const auto noPane = [&](const char* key, const std::string& problem, const char* remedy) {
@@ -105,8 +110,9 @@ Result<DocumentPane> paneOf(const nlohmann::json& object, const std::string& pla
     return std::move(*read);
 }
 
-Result<Document> documentOf(const nlohmann::json& object, const std::string& place, const std::string& file) {
-    auto read = paneOf(object, place, file, std::nullopt, true);
+Result<Document> documentOf(const nlohmann::json& object, const std::string& place, const std::string& file,
+                            int sessionVersion = documentVersion) {
+    auto read = paneOf(object, place, file, std::nullopt, true, sessionVersion);
     if (!read) return tl::unexpected<Failure>(read.error());
     return std::move(read->document);
 }
@@ -155,8 +161,9 @@ Result<SavedSession> sessionFromJson(std::string_view text, const std::string& f
             snapshots[i].wrong("name", problem);
         (void)snapshots[i].object("document");  // says where it is missing
         if (problems.first) break;
-        auto read = documentOf((*object)["session"]["snapshots"][i]["document"],
-                               "session.snapshots[" + std::to_string(i) + "].document", file);
+        auto read =
+            documentOf((*object)["session"]["snapshots"][i]["document"],
+                       "session.snapshots[" + std::to_string(i) + "].document", file, (*object)["version"].get<int>());
         if (!read) return tl::unexpected(read.error());
         snapshot.document = std::move(*read);
         snapshot.document.study = session.document.study;

@@ -214,7 +214,12 @@ void takeView(DocumentPane& read, const Lists& lists, const View& view) {
     read.document.panes.clear();
     for (const int id : shown) read.document.panes.push_back(paneOf(lists, *find(lists.views, id), first));
     read.pane = static_cast<std::size_t>(std::ranges::find(shown, view.id) - shown.begin());
-    if (!compared) read.document.comparison = {};
+    Comparison& comparison = read.document.comparison;
+    const auto places = static_cast<int>(std::max(shown.size(), fewestPanes));
+    if (comparison.first >= places || comparison.second >= places) {
+        comparison.first = Comparison{}.first;
+        comparison.second = Comparison{}.second;
+    }
 }
 
 }  // namespace

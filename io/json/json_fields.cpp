@@ -73,11 +73,10 @@ Result<json> jsonObject(std::string_view text, const std::string& file, const st
     if (!object.is_object()) return refuse("", "must be a JSON object");
     if (object.value("format", json()) != format) return refuse("format", "must be \"" + format + "\"");
     const json version = object.value("version", json());
-    if (!version.is_number_integer() || version < 1 || version > newest)
-        return refuse("version",
-                      (newest == 1 ? "must be 1, not " : "must be from 1 to " + std::to_string(newest) + ", not ") +
-                          JsonFields::shortened(version.dump()));
-    return object;
+    for (int known = 1; known <= newest; ++known)
+        if (version == known) return object;
+    return refuse("version", (newest == 1 ? "must be 1, not " : fmt::format("must be from 1 to {}, not ", newest)) +
+                                 JsonFields::shortened(version.dump()));
 }
 
 tl::unexpected<Failure> JsonProblems::refused(const std::string& remedy) const {

@@ -11,6 +11,10 @@ namespace echolucent {
 namespace {
 
 constexpr ChoiceNames<2> frontSourceNames{"person", "found"};
+/// Farther than any volume, and finite as a float.
+constexpr double farthestMm = 1e30;
+/// A plane that lies flatter over the surface's way than this has no depth over the surface's nodes.
+constexpr double leastRise = 0.1;
 
 /// The node (column, row) of a surface, grid mm, at depth 0.
 Vec3 nodeOf(const CutSurface& surface, int column, int row) {
@@ -43,27 +47,25 @@ Scene withFrontAcrossPose(Scene scene, BeamAxis beam, const VolumeGeometry& geom
     if (!across || *across == scene.pose.direction || front.depthMm == 0.0) return scene;
     const Viewpoint view = viewpointOf(beam, *across, std::exchange(front.depthMm, 0.0));
     const ViewFrame frame = frameOf(view);
-    const double depth = nearPlaneDepthMm(view, geometry);
+    const double behind = std::min(view.nearCutMm, depthAlongViewMm(view, geometry));  // deeper leaves nothing either
+    const double depth = nearPlaneDepthMm(view, geometry) - view.nearCutMm + behind;
     if (!front.surface) {
         front.surface = planeAs(frame, depth, geometry);
         return scene;
     }
     CutSurface& surface = *front.surface;
     const double rise = frame.forward.dot(surface.frame.forward);
-    // A plane along the surface's own way has no depth over its nodes.
-    constexpr double leastRise = 1e-6;
-    if (rise < leastRise) return scene;
     for (int row = 0; row < surface.rows; ++row)
         for (int column = 0; column < surface.columns; ++column) {
             float& node = surface.depthMm[static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.columns) +
                                           static_cast<std::size_t>(column)];
             const double ofPlane = (depth - frame.forward.dot(nodeOf(surface, column, row))) / rise;
-            node = std::max(node, static_cast<float>(ofPlane));
+            node = std::max(node, static_cast<float>(std::min(ofPlane, farthestMm)));
         }
     return scene;
 }
 
-std::string problemOf(const Scene& scene) {
+std::string problemOf(const Scene& scene, BeamAxis beam) {
     if (const std::string problem = problemOf(scene.box); !problem.empty()) return "box " + problem;
     for (std::size_t i = 0; i < scene.strokes.size(); ++i)
         if (const std::string problem = problemOf(scene.strokes[i]); !problem.empty())
@@ -71,6 +73,11 @@ std::string problemOf(const Scene& scene) {
     if (scene.front.surface)
         if (const std::string problem = problemOf(*scene.front.surface); !problem.empty())
             return "front.surface " + problem;
+    const Front& front = scene.front;
+    if (!front.surface || front.depthMm == 0.0 || !front.direction) return {};
+    const Vec3 forward = frameOf(viewpointOf(beam, *front.direction, 0.0)).forward;
+    if (forward.dot(front.surface->frame.forward) < leastRise)
+        return "front.direction must look about the same way as front.surface";
     return {};
 }
 

@@ -24,12 +24,12 @@ enum class FrontSource {
 [[nodiscard]] std::string_view nameOf(FrontSource source);
 [[nodiscard]] std::optional<FrontSource> frontSourceFromName(std::string_view name);
 
-/// A surface that is fixed in the volume. What lies before it, seen from the side it was made for, is cut away. It is a
-/// plane, a bowed surface, or both; the default cuts nothing.
+/// What lies before it, seen from the side it was made for, is cut away. It is a plane, a bowed surface that is fixed
+/// in the volume, or both; the default cuts nothing.
 struct Front {
     /// Of the plane: mm behind the volume's foremost point along `direction`; >= 0, and 0 is no plane.
     double depthMm = 0.0;
-    /// That the plane lies across. No value: the pose's, along with which the plane turns.
+    /// The plane lies across it and is fixed in the volume. No value: it lies across the pose and turns with it.
     std::optional<ViewDirection> direction{};
     std::optional<CutSurface> surface{};  ///< the bowed surface
     FrontSource source = FrontSource::person;
@@ -51,13 +51,13 @@ struct Scene {
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// The scene whose front has no plane but one across its pose: another plane becomes a part of the bowed surface, which
-/// cuts away the same within the volume; where there was a bowed surface already, what either of both cuts away at its
-/// nodes.
+/// The scene whose front has no plane but one across its pose. A plane that is fixed in the volume becomes a surface
+/// that cuts away the same of the volume. If there is a bowed surface already, it is moved at each node to the deeper
+/// of both.
 [[nodiscard]] Scene withFrontAcrossPose(Scene scene, BeamAxis beam, const VolumeGeometry& geometry);
 
-/// What is wrong with a scene, with its key ("box.size_mm must ..."), lower case, no full stop; an empty text where
-/// nothing is.
-[[nodiscard]] std::string problemOf(const Scene& scene);
+/// What is wrong with a scene, with its key ("box has a size that is not above 0"), lower case, no full stop; an empty
+/// text if nothing is.
+[[nodiscard]] std::string problemOf(const Scene& scene, BeamAxis beam);
 
 }  // namespace echolucent

@@ -79,8 +79,24 @@ private slots:
         QVERIFY(writeSession(session.toStdString(), changed).has_value());
         const Document before = document();
         window().open(session);
-        QTRY_VERIFY(message()->text().contains("scene.phase asks for phase 4, but the study has 1"));
+        QTRY_VERIFY(message()->text().contains("phases asks for phase 4, but the study has 1"));
         QVERIFY(document() == before);
+    }
+
+    void aFrontThatIsFixedInTheVolumeStaysThere() {
+        const QString session = savedSession();
+        SavedSession changed = readSession(session.toStdString()).value();
+        changed.document.scene.front = {.depthMm = 9, .direction = ViewDirection{.azimuth = 120}};
+        changed.snapshots.push_back({"fixed", changed.document});
+        QVERIFY(writeSession(session.toStdString(), changed).has_value());
+        const VolumeGeometry geometry = window().openStudy().volume()->geometry();
+        again(session);
+        waitUntilIdle();
+        const Document& saved = changed.document;
+        const Scene expected = withFrontAcrossPose(saved.scene, saved.beam.axis, geometry);
+        QVERIFY(expected.front.surface.has_value());
+        QVERIFY(document().scene == expected);
+        QVERIFY(window().sessionKeeping().snapshots().list().back().document.scene == expected);
     }
 
     void aSessionThatMovesTheObjectOpensWithoutPhases() {

@@ -92,6 +92,18 @@ TEST(RenderDocument, IsTheConvergedPictureOfTheView) {
     EXPECT_NE(apart(first, unlimited, firstPane), 0);
 }
 
+TEST(RenderDocument, AFrontThatIsFixedInTheVolumeStaysThere) {
+    const Folder folder;
+    Document document = everything(shapesFile());
+    document.scene.front = {.depthMm = 12, .direction = ViewDirection{.azimuth = -30}};
+    ASSERT_TRUE(writeDocument(folder / "fixed.json", document));
+    const cv::Mat picture = pictureOf("--document \"" + folder / "fixed.json" + "\"", folder);
+    EXPECT_NE(apart(picture, document, firstPane), 0) << "its plane does not lie across the pose";
+    document.scene =
+        withFrontAcrossPose(document.scene, document.beam.axis, readStudy(shapesFile())->phases.front()->geometry());
+    EXPECT_EQ(apart(picture, document, firstPane), 0);
+}
+
 TEST(RenderDocument, FindsTheStudyBesideTheDocumentOrOnTheCommandLine) {
     const Folder folder;
     std::filesystem::copy_file(shapesFile(), folder / "scan.mha");

@@ -50,6 +50,8 @@ TEST(StudyProgram, ASignalToTheCommandLineEndsIt) {
         ASSERT_EQ(waitpid(child, &status, WNOHANG), 0) << "the study ended before it began";
         sched_yield();
     }
+    const auto running = std::filesystem::read_symlink("/proc/" + std::to_string(child) + "/exe");
+    EXPECT_EQ(running.filename(), "echolucent-study") << "the signal goes to the program that measures";
     ASSERT_EQ(kill(child, SIGINT), 0);
     ASSERT_EQ(waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status));

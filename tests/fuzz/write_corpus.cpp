@@ -15,10 +15,11 @@ int main(int count, char** arguments) {
     const std::filesystem::path folder = arguments[2];
     std::filesystem::create_directories(folder);
     for (const echolucent::FuzzSample& sample : echolucent::fuzzTargetNamed(arguments[1]).samples()) {
-        std::ofstream stream(folder / ("sample-" + sample.name), std::ios::binary);
+        const std::filesystem::path path = folder / ("sample-" + sample.name);
+        std::ofstream stream(path, std::ios::binary);
         stream.write(sample.bytes.data(), static_cast<std::streamsize>(sample.bytes.size()));
         if (!stream.flush()) {
-            std::cerr << "write_corpus: " << (folder / sample.name).string() << " could not be written.\n";
+            std::cerr << "write_corpus: " << path.string() << " could not be written.\n";
             return 1;
         }
     }

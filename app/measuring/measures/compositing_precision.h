@@ -16,7 +16,8 @@ enum class CompositingPrecision {
 /// "8 bit", "half", "single", "double".
 [[nodiscard]] std::string_view nameOf(CompositingPrecision precision);
 
-/// What it makes of a number, for PlainCasting::rounded; null where it keeps all of a double.
+/// The function that rounds a number to a precision, for PlainCasting::rounded. Null for `twofold`, which rounds
+/// nothing.
 using Rounding = double (*)(double);
 [[nodiscard]] Rounding roundingOf(CompositingPrecision precision);
 

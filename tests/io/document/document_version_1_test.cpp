@@ -43,7 +43,6 @@ TEST(DocumentVersion1, EveryViewIsReadByItsId) {
     expected.scene.front.direction.reset();
     expected.scene.box = {};
     expected.panes = {{.curve = CurveKind::quartic, .designer = expected.panes[2].designer}};
-    expected.comparison = {};
     EXPECT_TRUE(third->document.scene == expected.scene);
     EXPECT_TRUE(third->document == expected);
     EXPECT_EQ(third->pane, firstPane);
@@ -68,6 +67,39 @@ TEST(DocumentVersion1, APhaseOfItsOwnStaysAPanesOwn) {
     EXPECT_EQ(phaseOf(*read, 0), 3);
     EXPECT_EQ(phaseOf(*read, 1), 6);
     EXPECT_EQ(read->panes[1].phase, 6);
+}
+
+TEST(DocumentVersion1, PanesThatSharedADesignHaveItEach) {
+    auto object = nlohmann::ordered_json::parse(text());
+    object["views"][2]["design"] = object["views"][1]["design"];
+    const auto read = documentFromJson(object.dump());
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->panes[0].designer, unusualDocument().panes[1].designer);
+    EXPECT_EQ(read->panes[1].designer, unusualDocument().panes[1].designer);
+}
+
+TEST(DocumentVersion1, WhatOldDocumentsLackMayBeMissing) {
+    auto object = nlohmann::ordered_json::parse(text());
+    object.erase("comparison");
+    for (auto& view : object["views"]) view.erase("design");
+    object.erase("designs");
+    for (auto& snapshot : object["session"]["snapshots"]) snapshot["document"].erase("version");
+    const auto session = sessionFromJson(object.dump());
+    ASSERT_TRUE(session) << session.error().sentence();
+    EXPECT_EQ(session->document.panes, (std::vector<Pane>{{.curve = CurveKind::linear}}));
+    EXPECT_EQ(session->document.comparison, Comparison{});
+    EXPECT_EQ(session->snapshots[0].document.scene.motionAngle, 17) << "of the session's version";
+    object["session"]["snapshots"][0]["document"]["version"] = 99;
+    EXPECT_EQ(sessionFromJson(object.dump()).error().element, "session.snapshots[0].document.version");
+}
+
+TEST(DocumentVersion1, TheWindowGetsTheFirstViewIfThereIsNoView1) {
+    auto object = nlohmann::ordered_json::parse(text());
+    object.erase("comparison");
+    object["views"][2]["id"] = 4;
+    const auto read = documentFromJson(object.dump());
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->panes.front().curve, CurveKind::quartic);
 }
 
 TEST(DocumentVersion1, SnapshotsAreReadAsTheSession) {

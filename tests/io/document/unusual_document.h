@@ -42,9 +42,11 @@ inline Document unusualDocument() {
     Scene& scene = document.scene;
     scene.pose = {{std::numbers::pi * 50, -89.999999999999986, 1e-300}, {0.1 + 0.2, -1.0 / 3.0, 1e17}, 4.0 / 3.0};
     scene.side = {12.3, -4.5, 6.7};
-    scene.front = {.depthMm = 18.04000000000001, .direction = ViewDirection{1.0 / 3.0, 0.7, -1e-17}};
+    const ViewFrame front = frameOf(Viewpoint{.azimuthDegrees = 12.3});
+    scene.front = {.depthMm = 18.04000000000001,
+                   .direction = directionOf(viewAlong(front.forward, front.down, BeamAxis::minusX, 0.0))};
     scene.front.source = FrontSource::found;
-    scene.front.surface = CutSurface{.frame = frameOf(Viewpoint{.azimuthDegrees = 12.3}),
+    scene.front.surface = CutSurface{.frame = front,
                                      .firstRightMm = -1.0 / 3.0,
                                      .firstDownMm = 0.1,
                                      .spacingMm = 2.0 / 7.0,

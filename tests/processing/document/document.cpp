@@ -153,21 +153,58 @@ TEST(Scene, AFrontThatStaysInTheVolumeCutsTheSameWhateverThePose) {
     EXPECT_LT(cut, places / 2);
 }
 
+/// A surface over a cube of 40 voxels, bowed along its columns.
+CutSurface bowedSurface() {
+    CutSurface surface{.frame = frameOf(Viewpoint{}), .columns = 42, .rows = 42};
+    surface.firstRightMm = surface.firstDownMm = -1;
+    for (int i = 0; i < 42 * 42; ++i) surface.depthMm.push_back(static_cast<float>(i % 42) / 3.0f);
+    return surface;
+}
+
 TEST(Scene, AFrontThatIsBowedAndFlatIsOneSurface) {
     VolumeGeometry geometry;
     geometry.size = {40, 40, 40};
     Scene scene;
     scene.pose.direction = {90, 0, 0};
-    scene.front = {.depthMm = 8, .direction = ViewDirection{}};
-    CutSurface& surface = scene.front.surface.emplace();
-    surface.frame = frameOf(Viewpoint{});
-    surface.firstRightMm = surface.firstDownMm = -1;
-    surface.columns = surface.rows = 42;
-    for (int i = 0; i < 42 * 42; ++i) surface.depthMm.push_back(static_cast<float>(i % 42) / 3.0f);
+    scene.front = {.depthMm = 8, .direction = ViewDirection{25, -15, 40}, .surface = bowedSurface()};
+    EXPECT_EQ(problemOf(scene, BeamAxis::plusZ), "");
     const Scene turned = withFrontAcrossPose(scene, BeamAxis::plusZ, geometry);
-    const double plane = nearPlaneDepthMm(Viewpoint{.nearCutMm = 8}, geometry);
-    for (std::size_t i = 0; i < surface.depthMm.size(); ++i)
-        EXPECT_NEAR(turned.front.surface->depthMm[i], std::max<double>(surface.depthMm[i], plane), 1e-5) << i;
+    const CutSurface& surface = *turned.front.surface;
+    int ofPlane = 0;
+    for (int row = 0; row < 42; ++row)
+        for (int column = 0; column < 42; ++column) {
+            const auto node = static_cast<std::size_t>(row * 42 + column);
+            for (const double aside : {-0.01, 0.01}) {
+                const Vec3 place(column - 1, row - 1, surface.depthMm[node] + aside);
+                EXPECT_EQ(cutsAway(scene, BeamAxis::plusZ, geometry, place), aside < 0) << column << ' ' << row;
+            }
+            ofPlane += surface.depthMm[node] != scene.front.surface->depthMm[node] ? 1 : 0;
+        }
+    EXPECT_GT(ofPlane, 42 * 42 / 10);
+    EXPECT_LT(ofPlane, 42 * 42 * 9 / 10);
+}
+
+TEST(Scene, APlaneThatABowedSurfaceCannotFollowIsRefused) {
+    Scene scene;
+    scene.front = {.depthMm = 8, .direction = ViewDirection{170, 0, 0}, .surface = bowedSurface()};
+    EXPECT_EQ(problemOf(scene, BeamAxis::plusZ), "front.direction must look about the same way as front.surface");
+    EXPECT_EQ(problemOf(scene, BeamAxis::minusZ), "");
+    scene.front.depthMm = 0;
+    EXPECT_EQ(problemOf(scene, BeamAxis::plusZ), "");
+}
+
+TEST(Scene, AFrontBehindTheVolumeLeavesNothingAndStaysFinite) {
+    VolumeGeometry geometry;
+    geometry.size = {20, 20, 20};
+    for (const bool bowed : {false, true}) {
+        Scene scene;
+        scene.front = {.depthMm = 1e300, .direction = ViewDirection{20, 0, 0}};
+        if (bowed) scene.front.surface = bowedSurface();
+        const Scene turned = withFrontAcrossPose(scene, BeamAxis::plusZ, geometry);
+        EXPECT_EQ(problemOf(*turned.front.surface), "");
+        for (const double z : {0.0, 10.0, 18.9})
+            EXPECT_TRUE(turned.front.surface->cutsAway({10, 10, z})) << bowed << ' ' << z;
+    }
 }
 
 TEST(Document, NamesOfChoicesGoBothWays) {
