@@ -3,10 +3,10 @@
 
 #include <QObject>
 
-#include "app/document/document_model.h"
-#include "app/document/hand_gesture.h"
 #include "app/study/open_study.h"
 #include "widgets/compare/compare_panel.h"
+#include "widgets/document/document_model.h"
+#include "widgets/hand_gesture.h"
 
 namespace echolucent {
 

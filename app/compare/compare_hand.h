@@ -4,11 +4,11 @@
 #include <QObject>
 #include <functional>
 
-#include "app/document/document_model.h"
-#include "app/document/hand_gesture.h"
 #include "app/study/open_study.h"
 #include "processing/picture/camera_pose.h"
 #include "widgets/compare/compare_grid.h"
+#include "widgets/document/document_model.h"
+#include "widgets/hand_gesture.h"
 
 namespace echolucent {
 

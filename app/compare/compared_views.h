@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "app/compare/compare_caster.h"
-#include "app/document/document_model.h"
 #include "app/motion/course_key.h"
 #include "app/otf/view_designs.h"
 #include "app/study/open_study.h"
 #include "processing/document/panes.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_rows.h"
+#include "widgets/document/document_model.h"
 #include "widgets/motion/otf_course.h"
 
 namespace echolucent {

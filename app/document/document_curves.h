@@ -1,7 +1,7 @@
 // The document's curves and the curve of the first pane, as the OTF editor edits them.
 #pragma once
 
-#include "app/document/document_model.h"
+#include "widgets/document/document_model.h"
 #include "widgets/otf_editor/curve_owner.h"
 
 namespace echolucent {
@@ -13,7 +13,7 @@ public:
     DocumentCurves(DocumentModel& model, QObject* parent = nullptr);
 
     [[nodiscard]] EditedCurves edited() const override;
-    [[nodiscard]] QUndoStack* undoStack() override { return &m_model.steps(); }
+    [[nodiscard]] DocumentSteps& steps() override { return m_model.steps(); }
     void edit(const EditedCurves& next, const QString& what, int gesture) override;
     void preview(const EditedCurves& next, const QString& what) override;
     void commitPreview() override { m_model.commitPreview(); }

@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/document/document_model.h"
-#include "app/document/hand_gesture.h"
 #include "processing/classification.h"
+#include "widgets/document/document_model.h"
+#include "widgets/hand_gesture.h"
 
 namespace echolucent {
 

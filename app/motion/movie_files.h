@@ -5,11 +5,11 @@
 #include <QObject>
 #include <functional>
 
-#include "app/document/document_model.h"
 #include "app/motion/frame_files.h"
 #include "app/study/open_study.h"
 #include "app/window/file_writing.h"
 #include "app/window/settings.h"
+#include "widgets/document/document_model.h"
 #include "widgets/panels/movie_dialog.h"
 
 class QWidget;

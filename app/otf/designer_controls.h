@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
-#include "app/document/document_model.h"
-#include "app/document/hand_gesture.h"
 #include "app/otf/view_designs.h"
 #include "processing/designers/designer_config.h"
+#include "widgets/document/document_model.h"
+#include "widgets/hand_gesture.h"
 
 namespace echolucent {
 

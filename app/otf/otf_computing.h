@@ -4,8 +4,8 @@
 #include <QObject>
 #include <optional>
 
-#include "app/document/document_model.h"
 #include "app/study/open_study.h"
+#include "widgets/document/document_model.h"
 
 namespace echolucent {
 

@@ -9,10 +9,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/document_model.h"
 #include "app/study/open_study.h"
 #include "processing/designers/design.h"
 #include "processing/designers/designer_config.h"
+#include "widgets/document/document_model.h"
 #include "widgets/newest_wins_thread.h"
 
 namespace echolucent {

@@ -3,8 +3,8 @@
 
 #include <QObject>
 
-#include "app/document/document_model.h"
-#include "app/document/hand_gesture.h"
+#include "widgets/document/document_model.h"
+#include "widgets/hand_gesture.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/curve_sliders.h"
 

@@ -5,13 +5,13 @@
 #include <functional>
 #include <vector>
 
-#include "app/document/document_model.h"
 #include "app/picture/preset_pictures.h"
 #include "app/study/open_study.h"
 #include "app/window/settings.h"
 #include "io/output/overwriting.h"
 #include "processing/document/preset.h"
 #include "processing/result.h"
+#include "widgets/document/document_model.h"
 
 class QWidget;
 

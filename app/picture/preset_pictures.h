@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/document_model.h"
 #include "app/study/open_study.h"
 #include "processing/document/preset.h"
 #include "processing/document/preset_caster.h"
+#include "widgets/document/document_model.h"
 #include "widgets/newest_wins_thread.h"
 
 namespace echolucent {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/document_model.h"
 #include "app/study/open_study.h"
 #include "processing/box_section.h"
+#include "widgets/document/document_model.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
 namespace echolucent {

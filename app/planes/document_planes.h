@@ -4,9 +4,9 @@
 #include <QObject>
 #include <array>
 
-#include "app/document/document_model.h"
-#include "app/document/hand_gesture.h"
 #include "app/study/open_study.h"
+#include "widgets/document/document_model.h"
+#include "widgets/hand_gesture.h"
 #include "widgets/planes/plane_pane.h"
 #include "widgets/planes/plane_resampler.h"
 

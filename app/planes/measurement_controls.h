@@ -3,10 +3,10 @@
 
 #include <QObject>
 
-#include "app/document/document_model.h"
 #include "app/motion/motion_player.h"
 #include "app/planes/measuring_hand.h"
 #include "app/study/open_study.h"
+#include "widgets/document/document_model.h"
 #include "widgets/panels/measurements_panel.h"
 
 namespace echolucent {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/document_model.h"
 #include "app/planes/box_in_3d.h"
 #include "app/study/open_study.h"
 #include "processing/document/shown_measurement.h"
+#include "widgets/document/document_model.h"
 #include "widgets/marking_pointer.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/planes/plane_pane.h"

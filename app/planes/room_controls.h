@@ -3,9 +3,9 @@
 
 #include <QObject>
 
-#include "app/document/document_model.h"
-#include "app/document/hand_gesture.h"
 #include "app/study/open_study.h"
+#include "widgets/document/document_model.h"
+#include "widgets/hand_gesture.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/volume_view/volume_view_widget.h"
 

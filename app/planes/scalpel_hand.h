@@ -4,8 +4,8 @@
 #include <QObject>
 #include <optional>
 
-#include "app/document/document_model.h"
 #include "app/planes/box_in_3d.h"
+#include "widgets/document/document_model.h"
 #include "widgets/panels/room_panel.h"
 
 namespace echolucent {

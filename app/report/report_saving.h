@@ -6,11 +6,11 @@
 #include <functional>
 #include <optional>
 
-#include "app/document/document_model.h"
 #include "app/motion/motion_frames.h"
 #include "app/report/case_report.h"
 #include "app/study/open_study.h"
 #include "app/window/file_writing.h"
+#include "widgets/document/document_model.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 class QWidget;

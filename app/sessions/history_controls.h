@@ -3,8 +3,8 @@
 
 #include <QObject>
 
-#include "app/document/document_model.h"
 #include "app/sessions/snapshots.h"
+#include "widgets/document/document_model.h"
 
 namespace echolucent {
 

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/document/document_model.h"
 #include "app/sessions/autosave.h"
 #include "app/sessions/leftovers.h"
 #include "app/sessions/snapshots.h"
 #include "app/study/shown_study.h"
+#include "widgets/document/document_model.h"
 
 class QMainWindow;
 

@@ -4,9 +4,9 @@
 #include <QImage>
 #include <QObject>
 
-#include "app/document/document_model.h"
 #include "app/document/document_view.h"
 #include "app/study/open_study.h"
+#include "widgets/document/document_model.h"
 #include "widgets/newest_wins_thread.h"
 
 namespace echolucent {

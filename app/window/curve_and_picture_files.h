@@ -5,12 +5,12 @@
 #include <QObject>
 #include <vector>
 
-#include "app/document/document_model.h"
 #include "app/study/open_study.h"
 #include "app/window/settings.h"
 #include "io/output/overwriting.h"
 #include "processing/document/curve_set.h"
 #include "processing/result.h"
+#include "widgets/document/document_model.h"
 
 class QWidget;
 

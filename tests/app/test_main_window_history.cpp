@@ -3,8 +3,6 @@
 #include <QDir>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QUndoStack>
-#include <QUndoView>
 
 #include "app/sessions/leftovers.h"
 #include "app/sessions/session_keeping.h"
@@ -39,7 +37,7 @@ private slots:
             states.push_back(document());
         }
         openHistory();
-        auto* list = child<QUndoView>("history.list");
+        auto* list = child<QListView>("history.list");
         QCOMPARE(list->model()->rowCount(), 4);
         for (const int row : {1, 3, 0}) {
             clickRow(*list, row);

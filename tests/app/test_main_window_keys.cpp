@@ -12,7 +12,6 @@
 #include <QSlider>
 #include <QTableView>
 #include <QTableWidget>
-#include <QUndoStack>
 #include <QWheelEvent>
 #include <QWindow>
 #include <cmath>

@@ -14,7 +14,6 @@
 #include <QProgressBar>
 #include <QSpinBox>
 #include <QToolButton>
-#include <QUndoStack>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>

@@ -1,7 +1,6 @@
 // Strokes of the scalpel and the render box of the document in the real window, and the same picture without a window.
 #include <QElapsedTimer>
 #include <QTimer>
-#include <QUndoStack>
 
 #include "processing/document/box_editing.h"
 #include "processing/document/view_picture.h"

@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QMouseEvent>
 #include <QSlider>
-#include <QUndoStack>
 #include <QWheelEvent>
 #include <QWindow>
 
@@ -191,7 +190,7 @@ private slots:
 
 private:
     std::string document() { return jsonOf(window().document().document()); }
-    QUndoStack& steps() { return window().document().steps(); }
+    DocumentSteps& steps() { return window().document().steps(); }
     QWindow* picture() { return pictureWindow(); }
     void orbit(const QPoint& from, const QPoint& to) {
         QTest::mousePress(picture(), Qt::LeftButton, {}, from);

@@ -3,7 +3,6 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
-#include <QUndoStack>
 
 #include "app/sessions/session_keeping.h"
 #include "app/window/review_room.h"
@@ -60,7 +59,7 @@ QList<Stall> LargeStudy::stalls(const QString& volume) {
         await("the checksum", [&] { return !window().openStudy().takingChecksum(); });
         m_checksumMilliseconds = static_cast<double>(taken.nsecsElapsed()) * 1e-6;
     });
-    QUndoStack& steps = window().document().steps();
+    DocumentSteps& steps = window().document().steps();
     const QTemporaryDir reports;
     listen("report", [&] {
         window().saveReport(reports.filePath(QStringLiteral("report.html")), false);

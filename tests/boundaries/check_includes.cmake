@@ -40,6 +40,8 @@ forbid_files("VTK stays in widgets/volume_view" "${vtk}" ${shared_widgets})
 forbid("widgets do not know the 3D view" "widgets/volume_view/" widgets/otf_editor widgets/panels widgets/motion
     widgets/picture_labels)
 forbid_files("widgets do not know the 3D view" "widgets/volume_view/" ${shared_widgets})
+# Of Qt its target has the core alone on its path.
+forbid("the document knows no other widgets and Qt Core only" "(widgets/([^d]|d[^o])|Qt(Gui|Widgets)/)" widgets/document)
 forbid("the scene knows no other widgets" "widgets/([^v]|volume_view/[^s])" widgets/volume_view/scene)
 forbid("the scene knows no Qt" "${qt}" widgets/volume_view/scene)
 forbid("the scene knows no QVTK" "QVTK" widgets/volume_view/scene)

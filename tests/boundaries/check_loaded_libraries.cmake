@@ -1,4 +1,4 @@
-# The window loads Qt 6 and no Qt 5; the command line loads neither Qt Widgets nor VTK.
+# The window loads Qt 6 and no Qt 5; the command line loads neither Qt Widgets nor VTK; the document loads Qt Core alone.
 find_program(LDD ldd REQUIRED)
 function(libraries_of program result)
     execute_process(COMMAND ${LDD} ${program} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
@@ -21,4 +21,8 @@ foreach(program IN LISTS COMMAND_LINES)
         message(FATAL_ERROR "${program} loads Qt, VTK or a slow OpenCV module: ${CMAKE_MATCH_0}\n${command_line}")
     endif()
 endforeach()
+libraries_of(${DOCUMENT} document)
+if(NOT document MATCHES "libQt6Core" OR document MATCHES "libQt6(Gui|Widgets)|libvtk")
+    message(FATAL_ERROR "${DOCUMENT} loads more of Qt than its core:\n${document}")
+endif()
 message(STATUS "Qt 6 and no Qt 5; the command line without Qt and VTK")

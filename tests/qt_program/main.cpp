@@ -1,7 +1,3 @@
-#include <QDir>
-#include <QGuiApplication>
-#include <QPixmap>
-#include <QScreen>
 #include <QStringList>
 #include <QTest>
 #include <algorithm>
@@ -116,19 +112,9 @@ int runNamed(const char* program, const QStringList& words) {
 
 }  // namespace
 
-bool isLongRun() { return qEnvironmentVariableIsSet(longRun); }
+const std::string& runningClass() { return nameOfRunningClass; }
 
-void keepPictureOfFailure() {
-    if (!QTest::currentTestFailed() || qobject_cast<QGuiApplication*>(qApp) == nullptr) return;
-    QString name = QString::fromStdString(nameOfRunningClass) + '.' + QTest::currentTestFunction();
-    if (const char* row = QTest::currentDataTag()) name += QString(".") + row;
-    for (QChar& letter : name)
-        if (!letter.isLetterOrNumber() && letter != '.' && letter != '-') letter = '_';
-    const QDir folder(QCoreApplication::applicationDirPath() + "/../failed");
-    const QString path = QDir::cleanPath(folder.filePath(name + ".png"));
-    if (folder.mkpath(".") && QGuiApplication::primaryScreen()->grabWindow(0).save(path))
-        std::printf("The screen at the failure: %s\n", qPrintable(path));
-}
+bool isLongRun() { return qEnvironmentVariableIsSet(longRun); }
 
 }  // namespace echolucent
 

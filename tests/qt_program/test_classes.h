@@ -18,6 +18,9 @@ inline constexpr int patience = 30000;
 /// Whether this process runs the long tests (`--long`), in which some functions take more inputs.
 [[nodiscard]] bool isLongRun();
 
+/// The name of the class that runs in this process.
+[[nodiscard]] const std::string& runningClass();
+
 /// A test class as main() finds it. Every class registers itself, by ECHOLUCENT_TEST_CLASS behind its definition.
 struct TestClass {
     std::function<std::unique_ptr<QObject>()> make;
@@ -38,7 +41,7 @@ struct DrivenProgram {
 [[nodiscard]] std::unique_ptr<QCoreApplication> makeTestApplication(int& count, char** arguments);
 
 /// Saves the screen as failed/CLASS.FUNCTION.ROW.png beside the programs' folder, if the test that runs has failed.
-/// Fixtures call it before their windows close.
+/// Fixtures call it before their windows close. Only programs with a screen have it.
 void keepPictureOfFailure();
 
 }  // namespace echolucent

@@ -5,8 +5,7 @@
 #include <QString>
 
 #include "processing/document/curve_set.h"
-
-class QUndoStack;
+#include "widgets/document/document_steps.h"
 
 namespace echolucent {
 
@@ -27,7 +26,7 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] virtual EditedCurves edited() const = 0;
-    [[nodiscard]] virtual QUndoStack* undoStack() = 0;
+    [[nodiscard]] virtual DocumentSteps& steps() = 0;
     /// One step named `what`; edits of one gesture (not 0) and name become one step.
     virtual void edit(const EditedCurves& next, const QString& what, int gesture) = 0;
     /// Shows `next` without a step, until it is committed as one or cancelled, or an undo ends it.

@@ -8,7 +8,6 @@
 #include <QMenu>
 #include <QStackedWidget>
 #include <QToolButton>
-#include <QUndoStack>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -81,7 +80,7 @@ OtfEditor::OtfEditor(CurveOwner& owner, QWidget* parent) : QWidget(parent), m_mo
 OtfEditor::~OtfEditor() {
     // A number still being typed is committed as the focus goes, and the table refers to the model: both first.
     hide();
-    undoStack()->disconnect(this);
+    steps().disconnect(this);
     qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
 }
 
@@ -104,8 +103,8 @@ void OtfEditor::makeActions() {
     m_saveCurve->setToolTip(tr("Save the curve that is rendered to a file"));
     m_addNode->setToolTip(tr("Add a node on the curve, after the selected one"));
     m_deleteNode->setToolTip(tr("Delete the selected node (Delete)"));
-    connect(m_undo, &QAction::triggered, undoStack(), &QUndoStack::undo);
-    connect(m_redo, &QAction::triggered, undoStack(), &QUndoStack::redo);
+    connect(m_undo, &QAction::triggered, &steps(), &DocumentSteps::undo);
+    connect(m_redo, &QAction::triggered, &steps(), &DocumentSteps::redo);
     connect(m_reset, &QAction::triggered, &m_model, &OtfEditorModel::resetActiveCurve);
     connect(m_copyAdaptive, &QAction::triggered, &m_model, &OtfEditorModel::copyIntoNodes);
     connect(m_openCurve, &QAction::triggered, this, &OtfEditor::openCurveRequested);
@@ -238,14 +237,14 @@ void OtfEditor::connectModel() {
     connect(&m_model, &OtfEditorModel::changed, this, &OtfEditor::showState);
     connect(&m_model, &OtfEditorModel::activeCurveChanged, this, &OtfEditor::activeCurveChanged);
     const auto showSteps = [this] {
-        m_undo->setEnabled(undoStack()->canUndo());
-        m_redo->setEnabled(undoStack()->canRedo());
-        m_undo->setText(undoStack()->canUndo() ? tr("Undo %1").arg(undoStack()->undoText()) : tr("Undo"));
-        m_redo->setText(undoStack()->canRedo() ? tr("Redo %1").arg(undoStack()->redoText()) : tr("Redo"));
+        m_undo->setEnabled(steps().canUndo());
+        m_redo->setEnabled(steps().canRedo());
+        m_undo->setText(steps().canUndo() ? tr("Undo %1").arg(steps().undoText()) : tr("Undo"));
+        m_redo->setText(steps().canRedo() ? tr("Redo %1").arg(steps().redoText()) : tr("Redo"));
         m_undo->setToolTip(tr("%1 (Ctrl+Z)").arg(m_undo->text()));
         m_redo->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(m_redo->text()));
     };
-    connect(undoStack(), &QUndoStack::indexChanged, this, showSteps);
+    connect(&steps(), &DocumentSteps::changed, this, showSteps);
     showSteps();
     connect(m_canvas, &CurveCanvas::hovered, this, &OtfEditor::showHovered);
     connect(m_nodeTable, &NodeTable::refused, m_readout, &QLabel::setText);

@@ -55,7 +55,7 @@ public:
     void setManualSaved() { m_model.setManualSaved(); }
 
     [[nodiscard]] OtfEditorModel& model() { return m_model; }
-    [[nodiscard]] QUndoStack* undoStack() { return m_model.undoStack(); }
+    [[nodiscard]] DocumentSteps& steps() { return m_model.steps(); }
     [[nodiscard]] CurveCanvas& canvas() { return *m_canvas; }
 
     [[nodiscard]] QAction* undoAction() const { return m_undo; }

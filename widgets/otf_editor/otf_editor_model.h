@@ -39,7 +39,7 @@ public:
     void setDesign(const std::string& designer, const std::optional<OpacityCurve>& upper);
     void setDesignVisible(bool visible);
 
-    [[nodiscard]] QUndoStack* undoStack() { return m_owner.undoStack(); }
+    [[nodiscard]] DocumentSteps& steps() { return m_owner.steps(); }
     [[nodiscard]] Gesture newGesture() { return ++m_lastGesture; }
 
     /// Puts a node among the others (clamped into [0,1]), selects it and returns its index.

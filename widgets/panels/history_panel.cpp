@@ -2,26 +2,31 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QListView>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStringListModel>
 #include <QToolButton>
-#include <QUndoView>
 #include <QVBoxLayout>
 #include <algorithm>
+
+#include "widgets/document/document_steps.h"
 
 namespace echolucent {
 
 HistoryPanel::HistoryPanel(QWidget* parent)
     : QWidget(parent),
-      m_steps(new QUndoView(this)),
+      m_steps(new QListView(this)),
+      m_texts(new QStringListModel(this)),
       m_snapshots(new QListWidget(this)),
       m_none(new QLabel(tr("A snapshot keeps what is set now under a name. The session file holds it."), this)),
       m_rename(new QToolButton(this)),
       m_remove(new QToolButton(this)) {
     m_steps->setObjectName("history.list");
     m_steps->setAccessibleName(tr("Steps"));
-    m_steps->setEmptyLabel(tr("as opened"));
+    m_steps->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_steps->setModel(m_texts);
     m_snapshots->setObjectName("history.snapshots");
     m_snapshots->setAccessibleName(tr("Snapshots"));
     m_snapshots->setEditTriggers(QAbstractItemView::EditKeyPressed);
@@ -67,7 +72,20 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     setSnapshots({});
 }
 
-void HistoryPanel::setSteps(QUndoStack& steps) { m_steps->setStack(&steps); }
+void HistoryPanel::setSteps(DocumentSteps& steps) {
+    connect(&steps, &DocumentSteps::changed, this, [this, &steps] { showSteps(steps); });
+    connect(m_steps->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [&steps](const QModelIndex& row) { steps.setIndex(row.row()); });
+    showSteps(steps);
+}
+
+void HistoryPanel::showSteps(const DocumentSteps& steps) {
+    const QSignalBlocker quiet(m_steps->selectionModel());
+    QStringList texts{tr("as opened")};
+    for (int step = 0; step < steps.count(); ++step) texts << steps.text(step);
+    m_texts->setStringList(texts);
+    m_steps->setCurrentIndex(m_texts->index(steps.index()));
+}
 
 void HistoryPanel::setSnapshots(const QStringList& names) {
     const QSignalBlocker quiet(m_snapshots);

@@ -5,15 +5,16 @@
 #include <QWidget>
 
 class QLabel;
+class QListView;
 class QListWidget;
-class QPushButton;
+class QStringListModel;
 class QToolButton;
-class QUndoStack;
-class QUndoView;
 
 namespace echolucent {
 
-/// Objects: history.list, the steps of a stack, of which the present one is marked and a click goes to another;
+class DocumentSteps;
+
+/// Objects: history.list, the steps of the document, of which the present one is marked and a click goes to another;
 /// history.keep, history.snapshots, history.rename, history.remove. A click or Enter chooses a snapshot, F2 lets its
 /// name be typed. Snapshots are counted from 0. No setter emits a signal.
 class HistoryPanel : public QWidget {
@@ -22,8 +23,8 @@ class HistoryPanel : public QWidget {
 public:
     explicit HistoryPanel(QWidget* parent = nullptr);
 
-    /// The stack outlives this.
-    void setSteps(QUndoStack& steps);
+    /// Shows these steps, which outlive this. Called once.
+    void setSteps(DocumentSteps& steps);
     void setSnapshots(const QStringList& names);
     /// Lets a person type the name of a snapshot.
     void editName(int snapshot);
@@ -35,10 +36,12 @@ signals:
     void removeRequested(int snapshot);
 
 private:
+    void showSteps(const DocumentSteps& steps);
     void requestRename(int snapshot, const QString& before, const QString& name);
     void enableButtons();
 
-    QUndoView* m_steps;
+    QListView* m_steps;
+    QStringListModel* m_texts;  ///< of the states: how it began, then each step
     QListWidget* m_snapshots;
     QStringList m_names;  ///< of the snapshots, as they were set
     QLabel* m_none;

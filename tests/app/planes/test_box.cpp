@@ -285,7 +285,7 @@ private slots:
         const std::string first = jsonOf(document());
         for (int i = 0; i < 200; ++i) actions[random() % actions.size()]();
         const std::string last = jsonOf(document());
-        QUndoStack& steps = window().document().steps();
+        DocumentSteps& steps = window().document().steps();
         QVERIFY2(steps.count() > 120, qPrintable(QString::number(steps.count())));
         while (steps.canUndo()) steps.undo();
         QCOMPARE(QByteArray::fromStdString(jsonOf(document())), QByteArray::fromStdString(first));

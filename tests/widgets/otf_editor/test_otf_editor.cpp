@@ -35,7 +35,7 @@ private slots:
         editor().setActive(CurveKind::quartic);  // what is rendered is drawn
         QVERIFY(find<QCheckBox>("otfEditor.legend.quartic.visible")->isChecked());
         QVERIFY(!find<QCheckBox>("otfEditor.legend.linear.visible")->isChecked());
-        QCOMPARE(editor().undoStack()->count(), 1);  // the choice of the rendered curve, and no step for what is drawn
+        QCOMPARE(editor().steps().count(), 1);  // the choice of the rendered curve, and no step for what is drawn
     }
 
     void radioButtonsAndKeysSwitchTheActiveCurve() {
@@ -87,7 +87,7 @@ private slots:
         editor().findChild<QAction*>("otfEditor.presets.parabolic")->trigger();
         QVERIFY(std::abs(opacityAt(manual(), 0.5) - 0.25) <= copiedCurveMaxError);
         QVERIFY(find<QToolButton>("otfEditor.presets")->menu() == editor().presetsMenu());
-        editor().undoStack()->setIndex(0);
+        editor().steps().setIndex(0);
         QVERIFY(manual() == threeNodes);
     }
 
@@ -122,7 +122,7 @@ private slots:
         editor().openManualCurve(read);
         QVERIFY(editor().activeCurve() == OpacityCurve(read));
         QVERIFY(!editor().isManualModified());
-        editor().undoStack()->undo();
+        editor().steps().undo();
         QCOMPARE(editor().state().active, CurveKind::linear);
         QCOMPARE(manual().nodes.size(), std::size_t{3});
     }

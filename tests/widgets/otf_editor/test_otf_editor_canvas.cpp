@@ -98,11 +98,11 @@ void TestOtfEditorCanvas::dragMovesExactlyThatNode() {
     QVERIFY(nodes()[0] == threeNodes.nodes[0]);
     QVERIFY(nodes()[2] == threeNodes.nodes[2]);
     QCOMPARE(m_model->selectedNode(), 1);
-    QCOMPARE(m_model->undoStack()->count(), 1);
+    QCOMPARE(m_model->steps().count(), 1);
     const ManualCurve dragged = m_model->state().manual;
-    m_model->undoStack()->undo();
+    m_model->steps().undo();
     QVERIFY(m_model->state().manual == threeNodes);
-    m_model->undoStack()->redo();
+    m_model->steps().redo();
     QVERIFY(m_model->state().manual == dragged);
 }
 
@@ -124,11 +124,11 @@ void TestOtfEditorCanvas::nodeIsHitEightPixelsAway() {
 
 void TestOtfEditorCanvas::clickAloneChangesNothing() {
     m_model->setActive(CurveKind::quartic);
-    const int before = m_model->undoStack()->count();
+    const int before = m_model->steps().count();
     QTest::mouseClick(window(), Qt::LeftButton, {}, pixelOf(threeNodes.nodes[2]) + QPoint(3, 2));
     QVERIFY(m_model->state().manual == threeNodes);
     QCOMPARE(m_model->state().active, CurveKind::quartic);
-    QCOMPARE(m_model->undoStack()->count(), before);
+    QCOMPARE(m_model->steps().count(), before);
     QCOMPARE(m_model->selectedNode(), 2);
     QTest::mouseClick(window(), Qt::LeftButton, {}, pixelOf({0.5, 0.9}));
     QCOMPARE(m_model->selectedNode(), -1);
@@ -147,7 +147,7 @@ void TestOtfEditorCanvas::escapeEndsADragWithoutChange() {
     move(from + QPoint(60, -60));
     release(from + QPoint(60, -60));
     QVERIFY(m_model->state().manual == threeNodes);
-    QCOMPARE(m_model->undoStack()->count(), 0);
+    QCOMPARE(m_model->steps().count(), 0);
 }
 
 void TestOtfEditorCanvas::doubleClickAddsWhereItFell() {
@@ -161,8 +161,8 @@ void TestOtfEditorCanvas::doubleClickAddsWhereItFell() {
     QCOMPARE(m_model->selectedNode(), 2);
     QTest::mouseDClick(window(), Qt::LeftButton, {}, position);  // on a node: no second one
     QCOMPARE(nodes().size(), std::size_t{4});
-    QCOMPARE(m_model->undoStack()->count(), 1);
-    m_model->undoStack()->undo();
+    QCOMPARE(m_model->steps().count(), 1);
+    m_model->steps().undo();
     QVERIFY(m_model->state().manual == threeNodes);
 }
 
@@ -172,7 +172,7 @@ void TestOtfEditorCanvas::deleteRemovesTheSelectedNode() {
     QTest::mouseClick(window(), Qt::LeftButton, {}, pixelOf(threeNodes.nodes[1]));
     QTest::keyClick(window(), Qt::Key_Delete);
     QVERIFY(m_model->state().manual == ManualCurve({{threeNodes.nodes[0], threeNodes.nodes[2]}}));
-    m_model->undoStack()->undo();
+    m_model->steps().undo();
     QVERIFY(m_model->state().manual == threeNodes);
 }
 
@@ -202,7 +202,7 @@ void TestOtfEditorCanvas::arrowsMoveByExactSteps() {
     m_model->selectNode(1);
     QTest::keyClick(window(), key, modifiers);
     QVERIFY((nodes()[1] == CurveNode{intensity, opacity}));  // 1/256 is exact in binary
-    QCOMPARE(m_model->undoStack()->count(), 2);
+    QCOMPARE(m_model->steps().count(), 2);
 }
 
 void TestOtfEditorCanvas::autoRepeatIsOneStep() {
@@ -214,7 +214,7 @@ void TestOtfEditorCanvas::autoRepeatIsOneStep() {
         QApplication::sendEvent(m_canvas.get(), &event);
     }
     QCOMPARE(nodes()[1].opacity, 70.0 / 256);
-    QCOMPARE(m_model->undoStack()->count(), 2);
+    QCOMPARE(m_model->steps().count(), 2);
     QTRY_VERIFY(!announced.isEmpty());
     QTRY_VERIFY(announced.last().first().value<OpacityCurve>() == OpacityCurve(m_model->state().manual));
 }

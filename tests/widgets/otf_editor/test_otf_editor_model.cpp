@@ -1,7 +1,6 @@
 // The OTF editor's state: undo, drags as one step, throttled announcements, the modified flag.
 #include <QSignalSpy>
 #include <QTest>
-#include <QUndoStack>
 #include <cmath>
 #include <limits>
 
@@ -93,11 +92,11 @@ void TestOtfEditorModel::everyEditIsOneStepThatUndoRestoresExactly() {
     edit(model);
     const OtfEditorState after = model.state();
     QVERIFY(static_cast<const CurveSet&>(before) != after);
-    QCOMPARE(model.undoStack()->count(), 1);
-    model.undoStack()->undo();
+    QCOMPARE(model.steps().count(), 1);
+    model.steps().undo();
     QVERIFY(model.state() == before);
     QVERIFY(model.activeCurve() == curveOf(before, active));
-    model.undoStack()->redo();
+    model.steps().redo();
     QVERIFY(model.state() == after);
 }
 
@@ -106,12 +105,12 @@ void TestOtfEditorModel::dragIsOneStep() {
     model.setState(stateWith(threeNodes));
     model.beginDrag();
     for (int i = 1; i <= 10; ++i) model.dragNode(1, {0.5 + 0.01 * i, 0.4 + 0.02 * i});
-    QCOMPARE(model.undoStack()->count(), 0);
+    QCOMPARE(model.steps().count(), 0);
     QVERIFY(model.dragging());
     model.endDrag();
-    QCOMPARE(model.undoStack()->count(), 1);
+    QCOMPARE(model.steps().count(), 1);
     QVERIFY((model.state().manual.nodes[1] == CurveNode{0.5 + 0.01 * 10, 0.4 + 0.02 * 10}));
-    model.undoStack()->undo();
+    model.steps().undo();
     QVERIFY(model.state().manual == threeNodes);
 }
 
@@ -124,9 +123,9 @@ void TestOtfEditorModel::cancelledDragLeavesNothing() {
     QCOMPARE(model.state().active, CurveKind::manual);
     model.cancelDrag();
     QVERIFY(model.state() == before);
-    QCOMPARE(model.undoStack()->count(), 0);
+    QCOMPARE(model.steps().count(), 0);
     model.endDrag();
-    QCOMPARE(model.undoStack()->count(), 0);
+    QCOMPARE(model.steps().count(), 0);
 }
 
 void TestOtfEditorModel::undoDuringADragEndsIt() {
@@ -135,12 +134,12 @@ void TestOtfEditorModel::undoDuringADragEndsIt() {
     model.moveNode(0, {0.25, 0.2});
     model.beginDrag();
     model.dragNode(1, {0.6, 0.6});
-    model.undoStack()->undo();
+    model.steps().undo();
     QVERIFY(!model.dragging());
     QVERIFY(model.state().manual == threeNodes);
     model.endDrag();
-    QCOMPARE(model.undoStack()->count(), 1);
-    QVERIFY(model.undoStack()->canRedo());
+    QCOMPARE(model.steps().count(), 1);
+    QVERIFY(model.steps().canRedo());
 }
 
 void TestOtfEditorModel::previewsAreCoalescedAndTheFinalValueArrives() {
@@ -183,7 +182,7 @@ void TestOtfEditorModel::activeSwitchEmitsThatCurve() {
     }
     model.setActive(CurveKind::manual);
     QCOMPARE(announced.count(), expected);
-    QCOMPARE(model.undoStack()->count(), 0);
+    QCOMPARE(model.steps().count(), 0);
 }
 
 void TestOtfEditorModel::heldKeyIsOneStep() {
@@ -191,12 +190,12 @@ void TestOtfEditorModel::heldKeyIsOneStep() {
     model.setState(stateWith(threeNodes));
     const auto held = model.newGesture();
     for (int i = 1; i <= 5; ++i) model.moveNode(1, {0.5 + 0.01 * i, 0.4}, held);
-    QCOMPARE(model.undoStack()->count(), 1);
+    QCOMPARE(model.steps().count(), 1);
     model.moveNode(1, {0.6, 0.4}, model.newGesture());
-    QCOMPARE(model.undoStack()->count(), 2);
-    model.undoStack()->undo();
+    QCOMPARE(model.steps().count(), 2);
+    model.steps().undo();
     QCOMPARE(model.state().manual.nodes[1].intensity, 0.5 + 0.01 * 5);
-    model.undoStack()->undo();
+    model.steps().undo();
     QVERIFY(model.state().manual == threeNodes);
 }
 
@@ -210,7 +209,7 @@ void TestOtfEditorModel::editsOfInactiveNodesActivateManualAndUndoGoesBack() {
     QCOMPARE(model.state().active, CurveKind::manual);
     QVERIFY(model.state().visible[indexOf(CurveKind::manual)]);
     QVERIFY(lastCurve(announced) == OpacityCurve(model.state().manual));
-    model.undoStack()->undo();
+    model.steps().undo();
     QCOMPARE(model.state().active, CurveKind::quartic);
     QVERIFY(lastCurve(announced) == OpacityCurve(before.quartic));
 }
@@ -223,13 +222,13 @@ void TestOtfEditorModel::adaptiveCurveIsNoStep() {
     model.setAdaptiveCurve(steepSamples());
     QCOMPARE(announced.count(), 1);
     QVERIFY(lastCurve(announced) == OpacityCurve(steepSamples()));
-    QCOMPARE(model.undoStack()->count(), 0);
+    QCOMPARE(model.steps().count(), 0);
     // A result that arrives between an edit and its undo stays.
     model.setScale(CurveKind::parabolic, 0.5);
     SampledCurve newer = steepSamples();
     newer.opacities[100] = 0.99;
     model.setAdaptiveCurve(newer);
-    model.undoStack()->undo();
+    model.steps().undo();
     QVERIFY(model.state().adaptive == newer);
 }
 
@@ -271,12 +270,12 @@ void TestOtfEditorModel::modifiedFollowsTheNodes() {
     QVERIFY(!model.isManualModified());  // only nodes are files
     model.moveNode(0, {0.1, 0.1});
     QVERIFY(model.isManualModified());
-    model.undoStack()->undo();
+    model.steps().undo();
     QVERIFY(!model.isManualModified());
-    model.undoStack()->redo();
+    model.steps().redo();
     model.setManualSaved();
     QVERIFY(!model.isManualModified());
-    model.undoStack()->undo();
+    model.steps().undo();
     QVERIFY(model.isManualModified());  // what is shown is not what was saved
     model.replaceManual(curvePresets()[0].curve, "preset");
     QVERIFY(!model.isManualModified());  // a preset cannot be lost

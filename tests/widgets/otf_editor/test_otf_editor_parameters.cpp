@@ -51,15 +51,15 @@ private slots:
         type("otfEditor.quartic.scale", "3");
         QCOMPARE(editor().state().parabolic.scale, 0.125);
         QCOMPARE(editor().state().quartic.scale, 3.0);
-        QCOMPARE(editor().undoStack()->count(), 8);  // five numbers and three choices of a curve
-        editor().undoStack()->setIndex(0);
+        QCOMPARE(editor().steps().count(), 8);  // five numbers and three choices of a curve
+        editor().steps().setIndex(0);
         QCOMPARE(find<QDoubleSpinBox>("otfEditor.quartic.scale")->value(), 1.0);
         QVERIFY(editor().state().linear == LinearCurve{});
     }
 
     void parameterButtonsHeldAreOneStep() {
         editor().setActive(CurveKind::parabolic);
-        const int before = editor().undoStack()->count();
+        const int before = editor().steps().count();
         auto* box = find<QDoubleSpinBox>("otfEditor.parabolic.scale");
         for (int i = 0; i < 4; ++i) {
             QKeyEvent event(QEvent::KeyPress, Qt::Key_Down, Qt::NoModifier, QString(), i > 0);
@@ -67,15 +67,15 @@ private slots:
         }
         QTRY_VERIFY(editor().state().parabolic.scale < 0.945);  // the box goes on by itself while the key is down
         QTest::keyRelease(box, Qt::Key_Down);
-        QCOMPARE(editor().undoStack()->count(), before + 1);
+        QCOMPARE(editor().steps().count(), before + 1);
         box->setValue(0.5);
         box->setValue(0.4);
-        QCOMPARE(editor().undoStack()->count(), before + 3);
+        QCOMPARE(editor().steps().count(), before + 3);
     }
 
     void aBurstOfTheWheelOverAParameterIsOneStep() {
         editor().setActive(CurveKind::parabolic);
-        const int before = editor().undoStack()->count();
+        const int before = editor().steps().count();
         auto* box = find<QDoubleSpinBox>("otfEditor.parabolic.scale");
         box->setFocus();
         const auto turnWheel = [box] {
@@ -87,10 +87,10 @@ private slots:
         turnWheel();
         turnWheel();
         QCOMPARE(editor().state().parabolic.scale, 0.98);
-        QCOMPARE(editor().undoStack()->count(), before + 1);
+        QCOMPARE(editor().steps().count(), before + 1);
         QTest::keyClick(box, Qt::Key_Down);
         turnWheel();
-        QCOMPARE(editor().undoStack()->count(), before + 3);
+        QCOMPARE(editor().steps().count(), before + 3);
     }
 
     void halfTypedNumberSurvivesANewAdaptiveCurve() {

@@ -26,8 +26,8 @@ private slots:
         QVERIFY(manual().nodes[2].intensity == 120.0 / 255.0);
         QCOMPARE(manual().nodes[2].opacity, 0.8);
         QVERIFY(manual().nodes[0] == threeNodes.nodes[0]);
-        QCOMPARE(editor().undoStack()->count(), 3);
-        for (int i = 0; i < 3; ++i) editor().undoStack()->undo();
+        QCOMPARE(editor().steps().count(), 3);
+        for (int i = 0; i < 3; ++i) editor().steps().undo();
         QVERIFY(manual() == threeNodes);
     }
 
@@ -50,7 +50,7 @@ private slots:
         const QString readoutBefore = find<QLabel>("otfEditor.readout")->text();
         typeInto(1, column, text);
         QVERIFY(manual() == threeNodes);
-        QCOMPARE(editor().undoStack()->count(), 0);
+        QCOMPARE(editor().steps().count(), 0);
         QCOMPARE(table()->model()->index(1, column).data().toString(), before);
         QVERIFY(find<QLabel>("otfEditor.readout")->text() != readoutBefore);
         QVERIFY(find<QLabel>("otfEditor.readout")->text().contains("node 2"));

@@ -1,4 +1,4 @@
-#include "app/document/hand_gesture.h"
+#include "widgets/hand_gesture.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>

@@ -3,10 +3,10 @@
 
 #include <QObject>
 #include <QString>
-#include <QUndoStack>
 #include <optional>
 
 #include "processing/document/document.h"
+#include "widgets/document/document_steps.h"
 
 namespace echolucent {
 
@@ -29,7 +29,7 @@ public:
     explicit DocumentModel(QObject* parent = nullptr);
 
     [[nodiscard]] const Document& document() const { return m_document; }
-    [[nodiscard]] QUndoStack& steps() { return m_steps; }
+    [[nodiscard]] DocumentSteps& steps() { return m_steps; }
 
     /// Makes `wanted` the document, as one step named `what`. Equal documents, the shown phase and frame aside, make no
     /// step.
@@ -86,8 +86,7 @@ private:
     Document m_document;
     std::optional<Document> m_beforePreview;
     QString m_previewed;  ///< name of the step that the preview becomes
-    QUndoStack m_steps;
-    bool m_pushing = false;  ///< the next restore() is a new step's own: its phase and frame are shown
+    DocumentSteps m_steps;
 };
 
 }  // namespace echolucent

@@ -4,9 +4,9 @@
 #include <functional>
 #include <random>
 
-#include "app/document/document_model.h"
 #include "io/document/document_file.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/document/document_model.h"
 
 using namespace echolucent;
 

@@ -4,8 +4,8 @@
 #include <QTest>
 #include <QWheelEvent>
 
-#include "app/document/hand_gesture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/hand_gesture.h"
 
 using namespace echolucent;
 

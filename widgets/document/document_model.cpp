@@ -1,23 +1,21 @@
-#include "app/document/document_model.h"
+#include "widgets/document/document_model.h"
 
 #include <stdexcept>
 #include <utility>
 
-#include "app/document/document_step.h"
-
 namespace echolucent {
 
-DocumentModel::DocumentModel(QObject* parent) : QObject(parent) {}
+DocumentModel::DocumentModel(QObject* parent)
+    : QObject(parent), m_steps([this](const Document& document) { restore(document); }) {}
 
 void DocumentModel::edit(const Document& wanted, const QString& what, Gesture gesture) {
     const Document next = keepingChecksum(wanted);
     const Document before =
         keepingChecksum(withShown(std::exchange(m_beforePreview, std::nullopt).value_or(m_document), m_document));
     if (withShown(next, before) == before) return set(next);
-    m_pushing = true;
-    m_steps.push(
-        new DocumentStep(before, next, what, gesture, [this](const Document& document) { restore(document); }));
-    m_pushing = false;
+    m_steps.push(before, next, what, gesture);
+    set(next);
+    emit m_steps.changed();
 }
 
 void DocumentModel::preview(const Document& wanted, const QString& what) {
@@ -68,15 +66,14 @@ void DocumentModel::noteChecksum(const StudyReference& study) {
 
 void DocumentModel::begin(const Document& document) {
     m_beforePreview.reset();
-    m_steps.clear();
+    m_steps.begin(document);
     set(document);
 }
 
 void DocumentModel::restore(const Document& document) {
     // A drag ends where it began, and then the step before it is undone.
     m_beforePreview.reset();
-    const bool pushing = std::exchange(m_pushing, false);
-    set(keepingChecksum(pushing ? document : withShown(document, m_document)));
+    set(keepingChecksum(withShown(document, m_document)));
 }
 
 void DocumentModel::set(Document next) {
