@@ -3,8 +3,8 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "processing/shared_list.h"
 #include "processing/view_frame.h"
 #include "processing/volume/geometry.h"
 
@@ -18,7 +18,7 @@ struct CutSurface {
     double firstRightMm = 0.0, firstDownMm = 0.0;  ///< place of node (0,0) along frame.right and frame.down
     double spacingMm = 1.0;                        ///< between nodes, > 0
     int columns = 0, rows = 0;                     ///< of nodes, at least 2 each
-    std::vector<float> depthMm{};                  ///< of node (column, row) at row * columns + column; finite
+    SharedList<float> depthMm{};                   ///< of node (column, row) at row * columns + column; finite
 
     /// The depth of the surface over (or under) a point. Beyond the outermost nodes it goes on at their depth.
     [[nodiscard]] double depthAt(const Vec3& gridMm) const;

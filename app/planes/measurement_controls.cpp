@@ -63,7 +63,8 @@ void MeasurementControls::remove(int id) {
     const auto found = std::ranges::find(next.measurements, id, &Measurement::id);
     if (found == next.measurements.end()) return;
     const QString what = tr("remove %1 %2").arg(textOf(nameOf(found->kind))).arg(id);
-    next.measurements.erase(found);
+    next.measurements.change(
+        [place = found - next.measurements.begin()](auto& all) { all.erase(all.begin() + place); });
     m_parts.model.edit(next, what);
 }
 

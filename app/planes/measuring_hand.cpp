@@ -233,14 +233,17 @@ void MeasuringHand::moveMark(PlanePane& pane, const QPointF& pixel) {
     if (!m_before) m_before = m_parts.model.document();
     const auto before = std::ranges::find(m_before->measurements, m_held->id, &Measurement::id);
     Document next = m_parts.model.document();
-    const auto moved = std::ranges::find(next.measurements, m_held->id, &Measurement::id);
-    if (before == m_before->measurements.end() || moved == next.measurements.end()) return;
+    std::vector<Measurement> measurements = next.measurements;
+    const auto moved = std::ranges::find(measurements, m_held->id, &Measurement::id);
+    if (before == m_before->measurements.end() || moved == measurements.end()) return;
     const PlaneMapping mapping = pane.mapping();
     // A place beside the plane stays as far beside it.
     const Vec3 place = before->placesMm[m_held->place] + mapping.gridAt(pixel) - mapping.gridAt(m_pressedAt);
     moved->placesMm[m_held->place] = place;
     if (!holds(m_parts.openStudy.volume()->dataBox(), place) || !measuredValue(*moved, geometry())) return;
-    m_parts.model.preview(next, tr("move %1").arg(stepName(*moved)));
+    const QString what = tr("move %1").arg(stepName(*moved));
+    next.measurements = std::move(measurements);
+    m_parts.model.preview(next, what);
 }
 
 bool MeasuringHand::cancelDrag() {

@@ -83,7 +83,9 @@ CutSurface surfaceIn(JsonFields fields) {
     surface.spacingMm = fields.number("spacing_mm");
     surface.columns = static_cast<int>(fields.whole("columns", 2, mostNodes));
     surface.rows = static_cast<int>(fields.whole("rows", 2, mostNodes));
-    for (const double depth : fields.numbers("depth_mm")) surface.depthMm.push_back(static_cast<float>(depth));
+    std::vector<float> depths;
+    for (const double depth : fields.numbers("depth_mm")) depths.push_back(static_cast<float>(depth));
+    surface.depthMm = std::move(depths);
     return surface;
 }
 

@@ -57,7 +57,7 @@ ordered_json surfaceJson(const CutSurface& surface) {
     return {{"frame", frameJson(surface.frame)},    {"first_right_mm", surface.firstRightMm},
             {"first_down_mm", surface.firstDownMm}, {"spacing_mm", surface.spacingMm},
             {"columns", surface.columns},           {"rows", surface.rows},
-            {"depth_mm", surface.depthMm}};
+            {"depth_mm", surface.depthMm.values()}};
 }
 
 ordered_json frontJson(const Front& front, const Pose& pose) {
@@ -103,7 +103,7 @@ ordered_json strokesJson(const std::vector<ScalpelStroke>& strokes) {
         ordered_json object{{"tool", nameOf(stroke.tool)},
                             {"side", nameOf(stroke.side)},
                             {"camera", cameraJson(stroke.camera)},
-                            {"places", stroke.places},
+                            {"places", stroke.places.values()},
                             {"radius", stroke.radius}};
         object["depth_mm"] = stroke.depthMm ? ordered_json(*stroke.depthMm) : ordered_json();
         list.push_back(std::move(object));

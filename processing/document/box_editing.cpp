@@ -113,8 +113,8 @@ CutSurface startSurface(const Document& document, const Volume& volume) {
     surface.firstDownMm = surface.frame.down.dot(place.centreMm) - surface.spacingMm * (surface.rows - 1) / 2.0;
     double front = surface.frame.forward.dot(place.centreMm) - place.extentAlong(surface.frame.forward) / 2.0;
     if (cut.depthMm > 0.0) front = std::max(front, nearPlaneDepthMm(looksIn, volume.geometry()));
-    surface.depthMm.assign(static_cast<std::size_t>(surface.columns) * static_cast<std::size_t>(surface.rows),
-                           static_cast<float>(front));
+    const auto nodesInAll = static_cast<std::size_t>(surface.columns) * static_cast<std::size_t>(surface.rows);
+    surface.depthMm = std::vector<float>(nodesInAll, static_cast<float>(front));
     return surface;
 }
 
@@ -128,14 +128,16 @@ double bowAt(const CutSurface& surface, const Vec3& gridMm) {
 }
 
 CutSurface bowed(CutSurface surface, double mm) {
+    std::vector<float> depths = surface.depthMm;
     for (int row = 0; row < surface.rows; ++row)
         for (int column = 0; column < surface.columns; ++column) {
             const Vec3 place = surface.frame.right * (surface.firstRightMm + surface.spacingMm * column) +
                                surface.frame.down * (surface.firstDownMm + surface.spacingMm * row);
-            float& depth = surface.depthMm[static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.columns) +
-                                           static_cast<std::size_t>(column)];
+            float& depth = depths[static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.columns) +
+                                  static_cast<std::size_t>(column)];
             depth += static_cast<float>(mm * bowAt(surface, place));
         }
+    surface.depthMm = std::move(depths);
     return surface;
 }
 

@@ -13,6 +13,7 @@
 #include "processing/document/scene.h"
 #include "processing/document/study_reference.h"
 #include "processing/motion/motion_choice.h"
+#include "processing/shared_list.h"
 
 namespace echolucent {
 
@@ -26,7 +27,7 @@ struct Document {
     Scene scene;
     std::vector<Pane> panes{Pane{}};  ///< one to mostPanes; several are compared
     Comparison comparison;            ///< how several panes are compared
-    std::vector<Measurement> measurements{};
+    SharedList<Measurement> measurements{};
     CurveSet curves;
     MethodChoice method;
     MotionChoice motion;

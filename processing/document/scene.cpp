@@ -29,7 +29,7 @@ CutSurface planeAs(const ViewFrame& frame, double depthMm, const VolumeGeometry&
     plane.spacingMm = length(geometry.boxMaxMm() - geometry.boxMinMm());
     plane.firstRightMm = frame.right.dot(middle) - plane.spacingMm / 2;
     plane.firstDownMm = frame.down.dot(middle) - plane.spacingMm / 2;
-    plane.depthMm.assign(4, static_cast<float>(depthMm));
+    plane.depthMm = std::vector<float>(4, static_cast<float>(depthMm));
     return plane;
 }
 
@@ -54,14 +54,16 @@ Scene withFrontAcrossPose(Scene scene, BeamAxis beam, const VolumeGeometry& geom
         return scene;
     }
     CutSurface& surface = *front.surface;
+    std::vector<float> depths = surface.depthMm;
     const double rise = frame.forward.dot(surface.frame.forward);
     for (int row = 0; row < surface.rows; ++row)
         for (int column = 0; column < surface.columns; ++column) {
-            float& node = surface.depthMm[static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.columns) +
-                                          static_cast<std::size_t>(column)];
+            float& node = depths[static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.columns) +
+                                 static_cast<std::size_t>(column)];
             const double ofPlane = (depth - frame.forward.dot(nodeOf(surface, column, row))) / rise;
             node = std::max(node, static_cast<float>(std::min(ofPlane, farthestMm)));
         }
+    surface.depthMm = std::move(depths);
     return scene;
 }
 

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "processing/cut_surface.h"
 #include "processing/document/box.h"
@@ -11,6 +10,7 @@
 #include "processing/document/pose.h"
 #include "processing/picture/look.h"
 #include "processing/scalpel/scalpel_stroke.h"
+#include "processing/shared_list.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
@@ -44,7 +44,7 @@ struct Scene {
     Look look = lookAtStart();
     Box box;
     Planes planes;
-    std::vector<ScalpelStroke> strokes{};  ///< what the scalpel cut, in the order in which it was drawn
+    SharedList<ScalpelStroke> strokes{};  ///< what the scalpel cut, in the order in which it was drawn
     // What plays. Showing another phase or frame is no step that is undone (withShown()).
     int phase = 0;             ///< of a 4D study, counted from 0
     double motionAngle = 0.0;  ///< degrees by which the motion has turned the pose

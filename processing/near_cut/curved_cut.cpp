@@ -157,9 +157,11 @@ public:
                            {}};
         const auto [shallow, deep] = std::minmax_element(
             m_targets.begin(), m_targets.end(), [](const Target& a, const Target& b) { return a.depth < b.depth; });
+        std::vector<float> depths;
         for (int node = 0; node < m_heights.rows; ++node)
-            surface.depthMm.push_back(static_cast<float>(
+            depths.push_back(static_cast<float>(
                 m_tubes.depthMm(std::clamp(m_heights(node), std::max(front, shallow->depth), deep->depth))));
+        surface.depthMm = std::move(depths);
         return surface;
     }
 

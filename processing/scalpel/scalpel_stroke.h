@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "processing/picture/camera.h"
+#include "processing/shared_list.h"
 
 namespace echolucent {
 
@@ -36,7 +36,7 @@ struct ScalpelStroke {
     /// Places in the picture: right and down of its centre, in picture heights. An outline (three places or more) is
     /// closed from its last place to its first, and what it winds around an odd number of times is inside it; an
     /// eraser's line has one place or more.
-    std::vector<std::array<double, 2>> places{};
+    SharedList<std::array<double, 2>> places{};
     double radius = 0.0;  ///< of an eraser, picture heights, above 0; 0 for the other tools
     /// Nothing is cut farther than this along camera.frame.forward, mm from the grid origin; not set: through
     /// everything.

@@ -170,8 +170,9 @@ TEST(CutSurface, SaysWhatIsWrongWithIt) {
     EXPECT_EQ(wrong([](CutSurface& s) { s.columns = 1; }), "has fewer than 2 columns");
     EXPECT_EQ(wrong([](CutSurface& s) { s.rows = -4; }), "has fewer than 2 rows");
     EXPECT_EQ(wrong([](CutSurface& s) { s.rows = 5000; }), "has more than 4096 columns or rows");
-    EXPECT_EQ(wrong([](CutSurface& s) { s.depthMm.pop_back(); }), "does not have one depth for each node");
-    EXPECT_EQ(wrong([](CutSurface& s) { s.depthMm[3] = std::nanf(""); }), "has a depth that is not finite");
+    EXPECT_EQ(wrong([](CutSurface& s) { s.depthMm = {1, 2, 3}; }), "does not have one depth for each node");
+    EXPECT_EQ(wrong([](CutSurface& s) { s.depthMm.change([](auto& depths) { depths[3] = std::nanf(""); }); }),
+              "has a depth that is not finite");
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // The panel of steps and snapshots: a name that is typed goes to the snapshot that it was typed for, or to none.
 #include <QApplication>
 #include <QCoreApplication>
+#include <QLabel>
 #include <QLineEdit>
+#include <QListView>
 #include <QListWidget>
 #include <QObject>
 #include <QSignalSpy>
@@ -12,6 +14,7 @@
 #include <QVariantList>
 
 #include "tests/qt_program/test_classes.h"
+#include "widgets/document/document_model.h"
 #include "widgets/panels/history_panel.h"
 
 using namespace echolucent;
@@ -60,6 +63,40 @@ private slots:
         m_panel->setSnapshots({"first", "second", "third", "fourth"});
         QTRY_COMPARE(renamed.count(), 1);
         QCOMPARE(renamed.first(), (QVariantList{1, "face"}));
+    }
+
+    void stepsAreListedAndItIsSaidThatOlderOnesWereDropped() {
+        DocumentModel model(nullptr, 8 * sizeof(Document));
+        m_panel->setSteps(model.steps());
+        auto* list = m_panel->findChild<QListView*>("history.list");
+        auto* dropped = m_panel->findChild<QLabel*>("history.dropped");
+        QVERIFY(list && dropped);
+        const auto text = [&](int row) { return list->model()->index(row, 0).data().toString(); };
+        const auto turnTo = [&](int azimuth) {
+            Document next = model.document();
+            next.scene.pose.direction.azimuth = azimuth;
+            model.edit(next, QString("turn to %1").arg(azimuth));
+        };
+        turnTo(1);
+        turnTo(2);
+        QCOMPARE(list->model()->rowCount(), 3);
+        QCOMPARE(text(0), "as opened");
+        QCOMPARE(text(2), "turn to 2");
+        QCOMPARE(list->currentIndex().row(), 2);
+        QVERIFY(dropped->isHidden());
+        list->setCurrentIndex(list->model()->index(1, 0));
+        QCOMPARE(model.document().scene.pose.direction.azimuth, 1.0);
+        for (int azimuth = 3; azimuth < 20; ++azimuth) turnTo(azimuth);
+        QVERIFY(!dropped->isHidden());
+        QCOMPARE(dropped->text(), "Older steps were dropped: undo keeps 0 MB");
+        QCOMPARE(list->model()->rowCount(), model.steps().count() + 1);
+        QCOMPARE(text(0), "before these steps");
+        QCOMPARE(text(model.steps().count()), "turn to 19");
+        list->setCurrentIndex(list->model()->index(0, 0));
+        QCOMPARE(model.document().scene.pose.direction.azimuth, 19.0 - model.steps().count());
+        model.begin(Document{});
+        QVERIFY(dropped->isHidden());
+        QCOMPARE(list->model()->rowCount(), 1);
     }
 
 private:

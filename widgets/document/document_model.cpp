@@ -3,13 +3,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "widgets/document/kept_bytes.h"
+
 namespace echolucent {
 
-DocumentModel::DocumentModel(QObject* parent)
-    : QObject(parent), m_steps([this](const Document& document) { restore(document); }) {}
+DocumentModel::DocumentModel(QObject* parent, std::size_t mostBytes)
+    : QObject(parent), m_steps([this](const Document& document) { restore(document); }, mostBytes) {}
 
 void DocumentModel::edit(const Document& wanted, const QString& what, Gesture gesture) {
-    const Document next = keepingChecksum(wanted);
+    const Document next = keptOf(wanted);
     const Document before =
         keepingChecksum(withShown(std::exchange(m_beforePreview, std::nullopt).value_or(m_document), m_document));
     if (withShown(next, before) == before) return set(next);
@@ -19,7 +21,7 @@ void DocumentModel::edit(const Document& wanted, const QString& what, Gesture ge
 }
 
 void DocumentModel::preview(const Document& wanted, const QString& what) {
-    const Document next = keepingChecksum(wanted);
+    const Document next = keptOf(wanted);
     if (next == m_document) return;
     if (!m_beforePreview) m_beforePreview = m_document;
     m_previewed = what;
@@ -56,6 +58,10 @@ Document DocumentModel::keepingChecksum(Document document) const {
     return document;
 }
 
+Document DocumentModel::keptOf(Document document) const {
+    return sharing(keepingChecksum(std::move(document)), m_beforePreview ? *m_beforePreview : m_document);
+}
+
 void DocumentModel::noteChecksum(const StudyReference& study) {
     if (!nameTheSame(study, m_document.study))
         throw std::invalid_argument("DocumentModel::noteChecksum: the document is of another study");
@@ -68,6 +74,7 @@ void DocumentModel::begin(const Document& document) {
     m_beforePreview.reset();
     m_steps.begin(document);
     set(document);
+    emit m_steps.changed();
 }
 
 void DocumentModel::restore(const Document& document) {

@@ -26,7 +26,8 @@ public:
     using Gesture = int;
     static constexpr Gesture noGesture = 0;
 
-    explicit DocumentModel(QObject* parent = nullptr);
+    /// The steps keep so many bytes at most.
+    explicit DocumentModel(QObject* parent = nullptr, std::size_t mostBytes = DocumentSteps::mostBytesKept);
 
     [[nodiscard]] const Document& document() const { return m_document; }
     [[nodiscard]] DocumentSteps& steps() { return m_steps; }
@@ -80,8 +81,10 @@ private:
     /// What undo and redo do.
     void restore(const Document& document);
     void set(Document next);
-    /// The document with what is known of the bytes of its study, where that is still the same.
+    /// The document with what is known of the bytes of its study, if that is still the same.
     [[nodiscard]] Document keepingChecksum(Document document) const;
+    /// The same, sharing lists with the document that an undo would lead to.
+    [[nodiscard]] Document keptOf(Document document) const;
 
     Document m_document;
     std::optional<Document> m_beforePreview;

@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/document/kept_bytes.h"
+
 namespace echolucent {
 
-DocumentSteps::DocumentSteps(Restore restore, QObject* parent) : QObject(parent), m_restore(std::move(restore)) {}
+DocumentSteps::DocumentSteps(Restore restore, std::size_t mostBytes)
+    : m_restore(std::move(restore)), m_mostBytes(mostBytes) {
+    begin({});
+}
 
 void DocumentSteps::setIndex(int index) {
     index = std::clamp(index, 0, count());
     if (index == m_index) return;
     m_index = index;
-    m_restore(Document(m_states[static_cast<std::size_t>(index)].document));  // a slot may forget this state
+    m_restore(Document(shown().document));  // a slot may forget this state
     emit changed();
 }
 
@@ -21,25 +26,60 @@ QString DocumentSteps::text(int step) const {
 
 void DocumentSteps::begin(const Document& document) {
     m_states.clear();
-    m_states.push_back({document, {}, 0});
+    m_states.push_back({document, {}, 0, 0});
     m_index = 0;
+    m_bytes = 0;
+    m_dropped = 0;
+    measureLast();
+}
+
+void DocumentSteps::clear() {
+    begin(Document(shown().document));
     emit changed();
 }
 
 void DocumentSteps::push(const Document& before, const Document& after, const QString& what, int gesture) {
-    m_states.resize(static_cast<std::size_t>(m_index) + 1);
-    State& shown = m_states.back();
-    if (m_index > 0 && gesture != 0 && gesture == shown.gesture && what == shown.what) {
-        shown.document = after;
+    while (canRedo()) removeLast();
+    if (canUndo() && gesture != 0 && gesture == shown().gesture && what == shown().what) {
         const Document& began = m_states[static_cast<std::size_t>(m_index) - 1].document;
-        if (withShown(after, began) != began) return;
-        m_states.pop_back();
-        --m_index;
-        return;
+        if (withShown(after, began) == began) {
+            removeLast();
+            --m_index;
+            return;
+        }
+        shown().document = after;
+        measureLast();
+    } else {
+        shown().document = before;
+        measureLast();
+        m_states.push_back({after, what, gesture, 0});
+        ++m_index;
+        measureLast();
     }
-    shown.document = before;
-    m_states.push_back({after, what, gesture});
-    ++m_index;
+    while (m_bytes > m_mostBytes && count() > 1) dropOldest();
+}
+
+void DocumentSteps::removeLast() {
+    m_bytes -= m_states.back().bytes;
+    m_states.pop_back();
+}
+
+void DocumentSteps::measureLast() {
+    State& last = m_states.back();
+    m_bytes -= last.bytes;
+    last.bytes = bytesBeside(last.document, count() > 0 ? &m_states[m_states.size() - 2].document : nullptr);
+    m_bytes += last.bytes;
+}
+
+void DocumentSteps::dropOldest() {
+    m_bytes -= m_states[0].bytes + m_states[1].bytes;
+    m_states.pop_front();
+    State& oldest = m_states.front();
+    oldest.bytes = bytesBeside(oldest.document, nullptr);
+    oldest.what.clear();
+    m_bytes += oldest.bytes;
+    --m_index;
+    ++m_dropped;
 }
 
 }  // namespace echolucent

@@ -3,23 +3,28 @@
 
 #include <QObject>
 #include <QString>
+#include <cstddef>
+#include <deque>
 #include <functional>
-#include <vector>
 
 #include "processing/document/document.h"
 
 namespace echolucent {
 
 /// A chain of states: the first is as the document was begun, and each step leads to one more. Step i, counted from 0,
-/// leads from state i to state i + 1, and each state keeps one document.
+/// leads from state i to state i + 1. Each state keeps one document, and documents share the lists that did not change.
+/// States that take more than their bytes lose the oldest step, again and again; the newest step always stays.
 class DocumentSteps : public QObject {
     Q_OBJECT
 
 public:
     /// Makes a kept document the present one.
     using Restore = std::function<void(const Document& document)>;
+    /// Some ten thousand steps of all that is small, or sixteen bowed surfaces of the most nodes that a file may have
+    /// (1024 by 1024): less than the voxels of a small study.
+    static constexpr std::size_t mostBytesKept = 64'000'000;
 
-    explicit DocumentSteps(Restore restore, QObject* parent = nullptr);
+    explicit DocumentSteps(Restore restore, std::size_t mostBytes = mostBytesKept);
 
     [[nodiscard]] int count() const { return static_cast<int>(m_states.size()) - 1; }
     /// Of the state shown: so many steps can be undone. From 0 to count().
@@ -35,29 +40,46 @@ public:
     [[nodiscard]] QString undoText() const { return text(m_index - 1); }
     [[nodiscard]] QString redoText() const { return text(m_index); }
 
+    /// How many of the oldest steps were dropped since begin(). Then the first state is not as the document was begun.
+    [[nodiscard]] int dropped() const { return m_dropped; }
+    /// The bytes that all states keep (bytesBeside()), and the most that they may; more only with a single step.
+    [[nodiscard]] std::size_t bytes() const { return m_bytes; }
+    [[nodiscard]] std::size_t mostBytes() const { return m_mostBytes; }
+
+    /// Forgets all steps: the first state is the one shown.
+    void clear();
+
+    // What the model calls. These emit nothing: it shows the document first, and emits changed() then.
     /// Forgets all steps: the first state is `document`.
     void begin(const Document& document);
-    /// Forgets all steps: the first state is the one shown.
-    void clear() { begin(Document(m_states[static_cast<std::size_t>(m_index)].document)); }
     /// Adds a step from the state shown, which is now `before`, to `after`; what was undone is forgotten. It becomes
     /// one with the step before it if both have the same text and gesture, and is no step if it leads back to where
-    /// that began. Gesture 0 stands alone. Emits nothing: whoever pushes shows `after` first and emits changed() then.
+    /// that began. Gesture 0 stands alone.
     void push(const Document& before, const Document& after, const QString& what, int gesture);
 
 signals:
-    /// Steps were added, undone, done again or forgotten. The document is that of the state shown.
+    /// Steps were added, undone, done again, forgotten or dropped. The document is that of the state shown.
     void changed();
 
 private:
     struct State {
         Document document;
-        QString what;     ///< the step that led here; none led to the first
-        int gesture = 0;  ///< of that step
+        QString what;           ///< the step that led here; none led to the first
+        int gesture = 0;        ///< of that step
+        std::size_t bytes = 0;  ///< beside the state before it
     };
+    [[nodiscard]] State& shown() { return m_states[static_cast<std::size_t>(m_index)]; }
+    void removeLast();
+    /// Measures the last state anew.
+    void measureLast();
+    void dropOldest();
 
     Restore m_restore;
-    std::vector<State> m_states{State{}};
+    std::size_t m_mostBytes;
+    std::deque<State> m_states;  ///< at least one
     int m_index = 0;
+    std::size_t m_bytes = 0;
+    int m_dropped = 0;
 };
 
 }  // namespace echolucent

@@ -19,6 +19,7 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     : QWidget(parent),
       m_steps(new QListView(this)),
       m_texts(new QStringListModel(this)),
+      m_dropped(new QLabel(this)),
       m_snapshots(new QListWidget(this)),
       m_none(new QLabel(tr("A snapshot keeps what is set now under a name. The session file holds it."), this)),
       m_rename(new QToolButton(this)),
@@ -27,6 +28,9 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     m_steps->setAccessibleName(tr("Steps"));
     m_steps->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_steps->setModel(m_texts);
+    m_dropped->setObjectName("history.dropped");
+    m_dropped->setWordWrap(true);
+    m_dropped->hide();
     m_snapshots->setObjectName("history.snapshots");
     m_snapshots->setAccessibleName(tr("Snapshots"));
     m_snapshots->setEditTriggers(QAbstractItemView::EditKeyPressed);
@@ -45,6 +49,7 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     auto* snapshotsTitle = new QLabel(tr("Snapshots"), this);
     column->addWidget(stepsTitle);
     column->addWidget(m_steps, 3);
+    column->addWidget(m_dropped);
     column->addWidget(snapshotsTitle);
     column->addWidget(m_none);
     column->addWidget(m_snapshots, 2);
@@ -74,17 +79,20 @@ HistoryPanel::HistoryPanel(QWidget* parent)
 
 void HistoryPanel::setSteps(DocumentSteps& steps) {
     connect(&steps, &DocumentSteps::changed, this, [this, &steps] { showSteps(steps); });
-    connect(m_steps->selectionModel(), &QItemSelectionModel::currentChanged, this,
-            [&steps](const QModelIndex& row) { steps.setIndex(row.row()); });
+    connect(m_steps->selectionModel(), &QItemSelectionModel::currentChanged, &steps, [&steps](const QModelIndex& row) {
+        if (row.isValid()) steps.setIndex(row.row());
+    });
     showSteps(steps);
 }
 
 void HistoryPanel::showSteps(const DocumentSteps& steps) {
-    const QSignalBlocker quiet(m_steps->selectionModel());
-    QStringList texts{tr("as opened")};
+    const bool isWhole = steps.dropped() == 0;
+    QStringList texts{isWhole ? tr("as opened") : tr("before these steps")};
     for (int step = 0; step < steps.count(); ++step) texts << steps.text(step);
     m_texts->setStringList(texts);
     m_steps->setCurrentIndex(m_texts->index(steps.index()));
+    m_dropped->setText(tr("Older steps were dropped: undo keeps %1 MB").arg(steps.mostBytes() / 1'000'000));
+    m_dropped->setVisible(!isWhole);
 }
 
 void HistoryPanel::setSnapshots(const QStringList& names) {

@@ -15,8 +15,9 @@ namespace echolucent {
 class DocumentSteps;
 
 /// Objects: history.list, the steps of the document, of which the present one is marked and a click goes to another;
-/// history.keep, history.snapshots, history.rename, history.remove. A click or Enter chooses a snapshot, F2 lets its
-/// name be typed. Snapshots are counted from 0. No setter emits a signal.
+/// history.dropped, which says that older steps were dropped; history.keep, history.snapshots, history.rename,
+/// history.remove. A click or Enter chooses a snapshot, F2 lets its name be typed. Snapshots are counted from 0. No
+/// setter emits a signal.
 class HistoryPanel : public QWidget {
     Q_OBJECT
 
@@ -42,6 +43,7 @@ private:
 
     QListView* m_steps;
     QStringListModel* m_texts;  ///< of the states: how it began, then each step
+    QLabel* m_dropped;
     QListWidget* m_snapshots;
     QStringList m_names;  ///< of the snapshots, as they were set
     QLabel* m_none;

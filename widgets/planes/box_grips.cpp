@@ -142,7 +142,9 @@ BoxDrag dragged(const BoxScene& scene, const PlaneMapping& mapping, const BoxGri
         }
         case BoxGrip::Kind::start:
             next.startMm = scene.start->frame.forward.dot(moved);
-            for (float& depth : next.start.depthMm) depth += static_cast<float>(next.startMm);
+            next.start.depthMm.change([mm = static_cast<float>(next.startMm)](std::vector<float>& depths) {
+                for (float& depth : depths) depth += mm;
+            });
             break;
     }
     return next;

@@ -184,20 +184,23 @@ TEST(SessionFile, IsNotWrittenWhereItCouldNotBeReadAgain) {
     const TemporaryFolder folder;
     const std::string path = folder.file("many.session.json");
     SavedSession many;
-    many.document.measurements.resize(mostMeasurements + 1);
-    for (std::size_t i = 0; i < many.document.measurements.size(); ++i)
-        many.document.measurements[i] = {.id = static_cast<int>(i) + 1, .placesMm = {{0, 0, 0}, {1, 0, 0}}};
+    std::vector<Measurement> measurements;
+    for (std::size_t i = 0; i <= mostMeasurements; ++i)
+        measurements.push_back({.id = static_cast<int>(i) + 1, .placesMm = {{0, 0, 0}, {1, 0, 0}}});
+    many.document.measurements = measurements;
     const auto refused = writeSession(path, many);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence().find("measurements are more than 1000"), std::string::npos)
         << refused.error().sentence();
-    many.document.measurements.pop_back();
-    many.document.scene.strokes.resize(1001, ScalpelStroke{.places = {{0, 0}, {0.1, 0}, {0, 0.1}}});
+    measurements.pop_back();
+    many.document.measurements = measurements;
+    many.document.scene.strokes =
+        std::vector<ScalpelStroke>(1001, ScalpelStroke{.places = {{0, 0}, {0.1, 0}, {0, 0.1}}});
     ASSERT_TRUE(writeSession(path, many));
     const auto read = readSession(path);
     ASSERT_TRUE(read) << read.error().sentence();
     EXPECT_EQ(*read, many);
-    many.document.scene.strokes.resize(mostStrokes + 1);
+    many.document.scene.strokes = std::vector<ScalpelStroke>(mostStrokes + 1);
     EXPECT_FALSE(writeSession(path, many));
 }
 
