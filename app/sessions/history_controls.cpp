@@ -7,7 +7,6 @@ namespace echolucent {
 
 HistoryControls::HistoryControls(DocumentModel& model, Snapshots& snapshots, HistoryPanel& panel, MessageBar& messages)
     : m_model(model), m_snapshots(snapshots), m_panel(panel), m_messages(messages) {
-    m_panel.setSteps(m_model.steps());
     connect(&m_panel, &HistoryPanel::keepRequested, this, &HistoryControls::keep);
     connect(&m_panel, &HistoryPanel::chosen, this, &HistoryControls::choose);
     connect(&m_panel, &HistoryPanel::removeRequested, this, &HistoryControls::remove);

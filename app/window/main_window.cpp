@@ -15,7 +15,6 @@
 #include "app/otf/method_controls.h"
 #include "app/otf/near_cut_finder.h"
 #include "app/otf/shown_design.h"
-#include "app/picture/curve_controls.h"
 #include "app/picture/explanation.h"
 #include "app/picture/picture_caption.h"
 #include "app/picture/picture_controls.h"
@@ -47,13 +46,14 @@ constexpr int layoutVersion = 3;  // of the docks: an arrangement of an older ki
 }  // namespace
 
 MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> openStudy)
-    : m_settings(settingsFile), m_curves(m_document), m_openStudy(std::move(openStudy)) {
+    : m_settings(settingsFile), m_openStudy(std::move(openStudy)) {
     wearTheme(m_settings.theme());  // before there are widgets, which would be dressed twice
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));
     setAcceptDrops(true);
     resize(1440, 920);
-    m_widgets = layOut(*this, m_curves, m_course);
+    m_document.setHand([this] { return m_hand.current(); });
+    m_widgets = layOut(*this, m_document, m_course);
     m_fullScreen = new FullScreen(*this, {m_widgets.motion});
     m_escapes.add(EscapeStep::drag, [this] { return m_widgets.picture->cancelDrag(); });
     m_escapes.add(EscapeStep::fullScreen, [this] { return m_fullScreen->leave(); });
@@ -96,7 +96,6 @@ void MainWindow::createUnits() {
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
-    m_curveControls = std::make_unique<CurveControls>(m_document, m_hand, *m_widgets.sliders, *m_widgets.editor);
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
         *this, m_document, *m_openStudy, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_openStudy, *m_computing, *m_designs,

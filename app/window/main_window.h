@@ -4,7 +4,6 @@
 #include <QMainWindow>
 #include <memory>
 
-#include "app/document/document_curves.h"
 #include "app/document/document_view.h"
 #include "app/motion/motion_frames.h"
 #include "app/picture/picture_caption.h"
@@ -21,7 +20,6 @@ namespace echolucent {
 
 class CompareRoom;
 class CurveAndPictureFiles;
-class CurveControls;
 class DesignerControls;
 class FullScreen;
 class HistoryControls;
@@ -119,7 +117,6 @@ private:
     Settings m_settings;
     StudyNames m_names{m_settings};
     DocumentModel m_document;
-    DocumentCurves m_curves;
     HandGesture m_hand;
     ControlKeys m_controlKeys;
     EscapeOrder m_escapes;
@@ -138,7 +135,6 @@ private:
     std::unique_ptr<DesignerControls> m_designerControls;
     std::unique_ptr<MethodControls> m_methodControls;
     std::unique_ptr<PictureControls> m_pictureControls;
-    std::unique_ptr<CurveControls> m_curveControls;
     std::unique_ptr<PresetControls> m_presets;
     std::unique_ptr<MotionFrames> m_motion;
     std::unique_ptr<ShownStudy> m_shownStudy;

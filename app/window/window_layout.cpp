@@ -128,7 +128,7 @@ void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
 
 }  // namespace
 
-WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& course) {
+WindowLayout layOut(QMainWindow& window, DocumentModel& document, const OtfCourse& course) {
     auto* centre = new QWidget(&window);
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -148,19 +148,20 @@ WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& co
     layout.messages = new MessageBar(centre);
     layout.messages->lieOver(*layout.picture);
 
-    layout.editor = new OtfEditor(curves, &window);
+    layout.editor = new OtfEditor(document, &window);
     layout.method = new MethodPanel(&window);
     layout.designers = new DesignerPanel(&window);
     layout.controls = new ViewPanel(&window);
     layout.presets = new PresetsPanel(&window);
-    layout.sliders = new CurveSliders(&window);
+    layout.sliders = new CurveSliders(document, &window);
+    QObject::connect(layout.sliders, &CurveSliders::resetRequested, layout.editor->resetAction(), &QAction::trigger);
     layout.room = new RoomPanel(&window);
     layout.measurements = new MeasurementsPanel(&window);
     layout.compare = new ComparePanel(&window);
     layout.facts = new StudyPanel(&window);
     layout.course = new OtfCoursePanel(course, &window);
     layout.explain = new ExplainPanel(&window);
-    layout.history = new HistoryPanel(&window);
+    layout.history = new HistoryPanel(document.steps(), &window);
     arrangeDocks(window, layout);
 
     layout.status = new RunStatus(&window);

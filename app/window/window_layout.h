@@ -11,9 +11,9 @@ namespace echolucent {
 
 class CompareGrid;
 class ComparePanel;
-class CurveOwner;
 class CurveSliders;
 class DesignerPanel;
+class DocumentModel;
 class ExplainPanel;
 class MeasurementsPanel;
 class HistoryPanel;
@@ -62,7 +62,7 @@ struct WindowLayout {
 };
 
 /// Makes the widgets and puts them into the window: planes and picture in the middle, the panels in one column of tabs
-/// beside it, the messages over the picture's lower edge.
-[[nodiscard]] WindowLayout layOut(QMainWindow& window, CurveOwner& curves, const OtfCourse& course);
+/// beside it, the messages over the picture's lower edge. The document outlives them.
+[[nodiscard]] WindowLayout layOut(QMainWindow& window, DocumentModel& document, const OtfCourse& course);
 
 }  // namespace echolucent

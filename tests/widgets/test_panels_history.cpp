@@ -24,7 +24,9 @@ class TestPanelsHistory : public QObject {
 
 private slots:
     void init() {
-        m_panel = std::make_unique<HistoryPanel>();
+        // Of about eight steps.
+        m_model = std::make_unique<DocumentModel>(nullptr, 8 * sizeof(Document));
+        m_panel = std::make_unique<HistoryPanel>(m_model->steps());
         m_panel->setSnapshots({"first", "second", "third"});
         m_panel->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
@@ -66,8 +68,7 @@ private slots:
     }
 
     void stepsAreListedAndItIsSaidThatOlderOnesWereDropped() {
-        DocumentModel model(nullptr, 8 * sizeof(Document));
-        m_panel->setSteps(model.steps());
+        DocumentModel& model = *m_model;
         auto* list = m_panel->findChild<QListView*>("history.list");
         auto* dropped = m_panel->findChild<QLabel*>("history.dropped");
         QVERIFY(list && dropped);
@@ -109,6 +110,7 @@ private:
         QTest::keyClick(field, Qt::Key_Tab);
     }
 
+    std::unique_ptr<DocumentModel> m_model;
     std::unique_ptr<HistoryPanel> m_panel;
 };
 

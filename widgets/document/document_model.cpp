@@ -29,7 +29,7 @@ void DocumentModel::preview(const Document& wanted, const QString& what) {
 }
 
 void DocumentModel::commitPreview() {
-    if (m_beforePreview) edit(m_document, m_previewed);
+    if (m_beforePreview) edit(m_document, m_previewed, noGesture);
 }
 
 void DocumentModel::cancelPreview() {

@@ -3,7 +3,9 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "processing/document/document.h"
 #include "widgets/document/document_steps.h"
@@ -32,9 +34,29 @@ public:
     [[nodiscard]] const Document& document() const { return m_document; }
     [[nodiscard]] DocumentSteps& steps() { return m_steps; }
 
-    /// Makes `wanted` the document, as one step named `what`. Equal documents, the shown phase and frame aside, make no
-    /// step.
-    void edit(const Document& wanted, const QString& what, Gesture gesture = noGesture);
+    /// Says which gesture a hand makes now, noGesture if none. Without it there is none.
+    using Hand = std::function<Gesture()>;
+    void setHand(Hand hand) { m_hand = std::move(hand); }
+    [[nodiscard]] Gesture gesture() const { return m_hand ? m_hand() : noGesture; }
+
+    /// Makes `wanted` the document, as one step named `what`, of the hand's gesture or of another one. Equal documents,
+    /// the shown phase and frame aside, make no step.
+    void edit(const Document& wanted, const QString& what) { edit(wanted, what, gesture()); }
+    void edit(const Document& wanted, const QString& what, Gesture gesture);
+    /// The same for the document as how(Document&) changes it.
+    template <typename Change>
+    void change(const QString& what, Change&& how) {
+        Document next = m_document;
+        std::forward<Change>(how)(next);
+        edit(next, what);
+    }
+    /// Calls show(const Document&) now, and after each such signal as long as the receiver is there.
+    template <typename Signal, typename Show>
+    void bind(Signal signal, const QObject* receiver, Show show) const {
+        connect(this, signal, receiver, [this, show] { show(m_document); });
+        show(m_document);
+    }
+
     /// Shows `wanted` without a step, as a drag goes on.
     void preview(const Document& wanted, const QString& what);
     void commitPreview();
@@ -86,6 +108,7 @@ private:
     /// The same, sharing lists with the document that an undo would lead to.
     [[nodiscard]] Document keptOf(Document document) const;
 
+    Hand m_hand;
     Document m_document;
     std::optional<Document> m_beforePreview;
     QString m_previewed;  ///< name of the step that the preview becomes

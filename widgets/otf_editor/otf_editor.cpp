@@ -49,7 +49,7 @@ std::optional<double> intensityReaching(const OpacityCurve& curve, double opacit
 
 }  // namespace
 
-OtfEditor::OtfEditor(CurveOwner& owner, QWidget* parent) : QWidget(parent), m_model(owner) {
+OtfEditor::OtfEditor(DocumentModel& document, QWidget* parent) : QWidget(parent), m_model(document) {
     setObjectName("otfEditor");
     setAccessibleName(tr("Opacity transfer function"));
     makeActions();

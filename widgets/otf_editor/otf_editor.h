@@ -28,8 +28,8 @@ class OtfEditor : public QWidget {
     Q_OBJECT
 
 public:
-    /// The owner outlives the editor.
-    explicit OtfEditor(CurveOwner& owner, QWidget* parent = nullptr);
+    /// The document outlives the editor.
+    explicit OtfEditor(DocumentModel& document, QWidget* parent = nullptr);
     ~OtfEditor() override;
 
     [[nodiscard]] const OtfEditorState& state() const { return m_model.state(); }

@@ -38,12 +38,13 @@ double middleOfGap(const std::vector<CurveNode>& nodes, int selected) {
 
 }  // namespace
 
-OtfEditorModel::OtfEditorModel(CurveOwner& owner, QObject* parent) : QObject(parent), m_owner(owner) {
+OtfEditorModel::OtfEditorModel(DocumentModel& document, QObject* parent) : QObject(parent), m_document(document) {
     m_announceTimer.setSingleShot(true);
     m_announceTimer.setTimerType(Qt::PreciseTimer);
     connect(&m_announceTimer, &QTimer::timeout, this, &OtfEditorModel::announceNow);
-    connect(&m_owner, &CurveOwner::changed, this, &OtfEditorModel::takeFromOwner);
-    takeFromOwner();
+    connect(&m_document, &DocumentModel::curvesChanged, this, &OtfEditorModel::takeFromDocument);
+    connect(&m_document, &DocumentModel::panesChanged, this, &OtfEditorModel::takeFromDocument);
+    takeFromDocument();
     m_savedManual = m_state.manual;
     updateManualModified();
 }
@@ -201,14 +202,14 @@ void OtfEditorModel::endDrag() {
     if (!m_beforeDrag) return;
     if (m_beforeDrag->manual == m_state.manual) return cancelDrag();  // dragged back to where it came from
     m_beforeDrag.reset();
-    m_owner.commitPreview();
+    m_document.commitPreview();
     announceNow();
 }
 
 void OtfEditorModel::cancelDrag() {
     if (!m_beforeDrag) return;
     const OtfEditorState before = *std::exchange(m_beforeDrag, std::nullopt);
-    m_owner.cancelPreview();
+    m_document.cancelPreview();
     OtfEditorState shown = m_state;
     shown.visible = before.visible;
     apply(shown, Announce::now);
@@ -243,7 +244,7 @@ void OtfEditorModel::edit(const OtfEditorState& next, const QString& what, Gestu
         apply(shown, Announce::soon);
     }
     m_announce = gesture == noGesture ? Announce::now : Announce::soon;
-    m_owner.edit({next, next.active, next.designed}, what, gesture);
+    m_document.edit(documentOf(next), what, gesture);
     m_announce = Announce::now;
 }
 
@@ -253,20 +254,31 @@ void OtfEditorModel::preview(const OtfEditorState& next) {
     apply(shown, Announce::soon);
     m_announce = Announce::soon;
     m_draggedNode = true;
-    m_owner.preview({next, next.active, next.designed}, tr("move node"));
+    m_document.preview(documentOf(next), tr("move node"));
     m_draggedNode = false;
     m_announce = Announce::now;
 }
 
-void OtfEditorModel::takeFromOwner() {
-    const EditedCurves edited = m_owner.edited();
-    if (edited == EditedCurves{m_state, m_state.active, m_state.designed}) return;
-    if (m_beforeDrag && !m_draggedNode && !m_owner.previewing()) m_beforeDrag.reset();  // an undo has ended the drag
+Document OtfEditorModel::documentOf(const OtfEditorState& next) const {
+    Document document = m_document.document();
+    document.curves = next;
+    if (!next.designed) return withCurve(std::move(document), firstPane, next.active);
+    document.panes.at(firstPane).curve = next.active;
+    return document;
+}
+
+void OtfEditorModel::takeFromDocument() {
+    const CurveSet& curves = m_document.document().curves;
+    const Pane& pane = m_document.document().panes.at(firstPane);
+    const bool designed = pane.designer.has_value();
+    if (curves == static_cast<const CurveSet&>(m_state) && pane.curve == m_state.active && designed == m_state.designed)
+        return;
+    if (m_beforeDrag && !m_draggedNode && !m_document.previewing()) m_beforeDrag.reset();  // an undo has ended the drag
     OtfEditorState next = m_state;
-    static_cast<CurveSet&>(next) = edited.curves;
-    if (next.active != edited.active) next.visible[indexOf(edited.active)] = true;
-    next.active = edited.active;
-    next.designed = edited.designed;
+    static_cast<CurveSet&>(next) = curves;
+    if (next.active != pane.curve) next.visible[indexOf(pane.curve)] = true;
+    next.active = pane.curve;
+    next.designed = designed;
     if (!next.designed) next.design.reset();
     apply(next, m_announce);
 }

@@ -6,15 +6,15 @@
 #include <QTimer>
 #include <optional>
 
-#include "widgets/otf_editor/curve_owner.h"
+#include "widgets/document/document_model.h"
 #include "widgets/otf_editor/otf_editor_state.h"
 
 namespace echolucent {
 
-/// The curves and the active one are the owner's; every edit goes there, as one step: a drag is one, and so are edits
-/// that share a gesture (a key or button held down) and choices of the active curve that follow each other. Which
-/// curves are drawn, the selection and new adaptive curves are no steps; a step that made the manual curve active takes
-/// that back too.
+/// The curves are the document's, the active one is its first pane's; every edit goes there, as one step: a drag is
+/// one, and so are edits that share a gesture (a key or button held down) and choices of the active curve that follow
+/// each other. Which curves are drawn, the selection and new adaptive curves are no steps; a step that made the manual
+/// curve active takes that back too.
 class OtfEditorModel : public QObject {
     Q_OBJECT
 
@@ -23,8 +23,8 @@ public:
     using Gesture = int;
     static constexpr Gesture noGesture = 0;
 
-    /// The owner outlives the model.
-    explicit OtfEditorModel(CurveOwner& owner, QObject* parent = nullptr);
+    /// The document outlives the model.
+    explicit OtfEditorModel(DocumentModel& document, QObject* parent = nullptr);
 
     [[nodiscard]] const OtfEditorState& state() const { return m_state; }
 
@@ -34,12 +34,12 @@ public:
     void setVisible(CurveKind kind, bool visible);
     /// The newest result of the adaptive method; not undoable.
     void setAdaptiveCurve(const SampledCurve& curve);
-    /// What the designer of that name made whose OTF the owner says is rendered: its upper curve; none where it is not
-    /// computed yet. Not undoable.
+    /// What the designer of that name made whose OTF the document says is rendered: its upper curve; none where it is
+    /// not computed yet. Not undoable.
     void setDesign(const std::string& designer, const std::optional<OpacityCurve>& upper);
     void setDesignVisible(bool visible);
 
-    [[nodiscard]] DocumentSteps& steps() { return m_owner.steps(); }
+    [[nodiscard]] DocumentSteps& steps() { return m_document.steps(); }
     [[nodiscard]] Gesture newGesture() { return ++m_lastGesture; }
 
     /// Puts a node among the others (clamped into [0,1]), selects it and returns its index.
@@ -94,24 +94,25 @@ signals:
 private:
     enum class Announce { now, soon };
 
-    /// Asks the owner for a step from the present state to `next`.
+    /// Asks the document for a step from the present state to `next`.
     void edit(const OtfEditorState& next, const QString& what, Gesture gesture = noGesture);
     void preview(const OtfEditorState& next);
-    void takeFromOwner();
+    void takeFromDocument();
+    [[nodiscard]] Document documentOf(const OtfEditorState& next) const;
     void apply(const OtfEditorState& next, Announce announce);
     void announceNow();
     void updateManualModified();
     [[nodiscard]] OtfEditorState withManualActive() const;
 
-    CurveOwner& m_owner;
-    OtfEditorState m_state;  ///< curves and active curve as the owner has them, beside what only the editor shows
+    DocumentModel& m_document;
+    OtfEditorState m_state;  ///< curves and active curve as the document has them, beside what only the editor shows
     std::optional<OtfEditorState> m_beforeDrag;
     ManualCurve m_savedManual;
     OpacityCurve m_announced;
     QTimer m_announceTimer;
     QElapsedTimer m_sinceAnnounced;
-    Announce m_announce = Announce::now;  ///< how a change of the owner is announced: soon within a gesture
-    bool m_draggedNode = false;           ///< the present change of the owner is the drag's own
+    Announce m_announce = Announce::now;  ///< how a change of the document is announced: soon within a gesture
+    bool m_draggedNode = false;           ///< the present change of the document is the drag's own
     Gesture m_lastGesture = noGesture;
     int m_selectedNode = -1;
     bool m_manualModified = false;

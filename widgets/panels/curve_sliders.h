@@ -3,32 +3,22 @@
 
 #include <QWidget>
 
-#include "processing/document/curve_adjustment.h"
-
-class QPushButton;
+#include "widgets/document/document_model.h"
 
 namespace echolucent {
 
-class ValueSlider;
-
-/// Objects: view.threshold (+ .value), view.transparency (+ .value), view.resetCurve. No setter emits a signal.
+/// Shows and edits the document's CurveAdjustment. Objects: view.threshold (+ .value), view.transparency (+ .value),
+/// view.resetCurve.
 class CurveSliders : public QWidget {
     Q_OBJECT
 
 public:
-    explicit CurveSliders(QWidget* parent = nullptr);
-
-    void setAdjustment(const CurveAdjustment& adjustment);
+    /// The document outlives the sliders.
+    explicit CurveSliders(DocumentModel& document, QWidget* parent = nullptr);
 
 signals:
-    void adjustmentChanged(const echolucent::CurveAdjustment& adjustment, const QString& what);
     /// The person wants the curve as it is without these sliders, and unedited.
     void resetRequested();
-
-private:
-    CurveAdjustment m_adjustment;
-    ValueSlider* m_threshold = nullptr;
-    ValueSlider* m_transparency = nullptr;
 };
 
 }  // namespace echolucent

@@ -15,7 +15,7 @@
 
 namespace echolucent {
 
-HistoryPanel::HistoryPanel(QWidget* parent)
+HistoryPanel::HistoryPanel(DocumentSteps& steps, QWidget* parent)
     : QWidget(parent),
       m_steps(new QListView(this)),
       m_texts(new QStringListModel(this)),
@@ -75,9 +75,6 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     connect(m_rename, &QToolButton::clicked, this, [this] { editName(m_snapshots->currentRow()); });
     connect(m_remove, &QToolButton::clicked, this, [this] { emit removeRequested(m_snapshots->currentRow()); });
     setSnapshots({});
-}
-
-void HistoryPanel::setSteps(DocumentSteps& steps) {
     connect(&steps, &DocumentSteps::changed, this, [this, &steps] { showSteps(steps); });
     connect(m_steps->selectionModel(), &QItemSelectionModel::currentChanged, &steps, [&steps](const QModelIndex& row) {
         if (row.isValid()) steps.setIndex(row.row());

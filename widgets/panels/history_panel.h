@@ -22,10 +22,9 @@ class HistoryPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit HistoryPanel(QWidget* parent = nullptr);
+    /// The steps outlive the panel.
+    explicit HistoryPanel(DocumentSteps& steps, QWidget* parent = nullptr);
 
-    /// Shows these steps, which outlive this. Called once.
-    void setSteps(DocumentSteps& steps);
     void setSnapshots(const QStringList& names);
     /// Lets a person type the name of a snapshot.
     void editName(int snapshot);

@@ -1,7 +1,6 @@
 // The OTF editor and its model on a document of their own.
 #pragma once
 
-#include "app/document/document_curves.h"
 #include "widgets/otf_editor/otf_editor.h"
 
 namespace echolucent {
@@ -10,7 +9,6 @@ inline const ManualCurve threeNodes{{{0.2, 0.1}, {0.5, 0.4}, {0.9, 0.8}}};
 
 struct EditedDocument {
     DocumentModel document;
-    DocumentCurves curves{document};
 
     /// A document of these curves, without steps.
     void begin(const OtfEditorState& state) {
@@ -29,7 +27,7 @@ struct EditedDocument {
 
 class EditedModel : private EditedDocument, public OtfEditorModel {
 public:
-    EditedModel() : OtfEditorModel(curves) {}
+    EditedModel() : OtfEditorModel(document) {}
     /// Begins a document of these curves; the steps are forgotten, and the manual curve counts as saved.
     void setState(const OtfEditorState& state) {
         begin(state);
@@ -39,7 +37,7 @@ public:
 
 class EditedEditor : private EditedDocument, public OtfEditor {
 public:
-    EditedEditor() : OtfEditor(curves) {}
+    EditedEditor() : OtfEditor(document) {}
     void setState(const OtfEditorState& state) {
         begin(state);
         showIn(model(), state);
