@@ -9,17 +9,16 @@
 
 namespace echolucent {
 
-DocumentPlanes::DocumentPlanes(DocumentModel& model, HandGesture& hand, OpenStudy& openStudy, const Panes& panes,
-                               QObject* parent)
-    : QObject(parent), m_model(model), m_hand(hand), m_openStudy(openStudy), m_panes(panes) {
+DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, const Panes& panes, QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy), m_panes(panes) {
     for (PlanePane* pane : m_panes) {
         connect(pane, &PlanePane::changed, this, [this, pane](const Planes& next, const QString& what) {
-            pane->dragging() ? m_model.preview(with(next), what) : take(next, what, m_hand.current());
+            pane->dragging() ? m_model.preview(with(next), what) : take(next, what, m_model.gesture());
         });
         connect(pane, &PlanePane::boxDragged, this, &DocumentPlanes::takeBox);
         connect(pane, &PlanePane::dragEnded, this, [this](const QString& what) {
             m_beforeBoxDrag.reset();
-            if (m_model.previewing()) take(m_model.document().scene.planes, what, m_hand.current());
+            if (m_model.previewing()) take(m_model.document().scene.planes, what, m_model.gesture());
         });
         connect(pane, &PlanePane::dragCancelled, this, [this] {
             m_beforeBoxDrag.reset();

@@ -6,7 +6,6 @@
 
 #include "app/study/open_study.h"
 #include "widgets/document/document_model.h"
-#include "widgets/hand_gesture.h"
 #include "widgets/planes/plane_pane.h"
 #include "widgets/planes/plane_resampler.h"
 
@@ -21,8 +20,7 @@ public:
     using Panes = std::array<PlanePane*, 3>;  ///< A, B, C
 
     /// All of them must outlive this.
-    DocumentPlanes(DocumentModel& model, HandGesture& hand, OpenStudy& openStudy, const Panes& panes,
-                   QObject* parent = nullptr);
+    DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, const Panes& panes, QObject* parent = nullptr);
 
     /// True while planes that are wanted are not there yet.
     [[nodiscard]] bool busy() const { return m_resampler.busy(); }
@@ -47,7 +45,6 @@ private:
     [[nodiscard]] Document with(const Planes& next) const;
 
     DocumentModel& m_model;
-    HandGesture& m_hand;
     OpenStudy& m_openStudy;
     Panes m_panes;
     PlaneResampler m_resampler;

@@ -52,10 +52,10 @@ void MeasurementControls::show(int id) {
     m_parts.player.pause();
     if (phaseOf(m_parts.model.document(), firstPane) != measurement->phase) m_parts.model.showPhase(measurement->phase);
     if (measurement->ground != MeasurementGround::plane) return;
-    Document next = m_parts.model.document();
-    Planes& planes = next.scene.planes;
-    planes = planesHolding(planes, measurement->placesMm, next.beam.axis, m_parts.openStudy.volume()->dataBox());
-    m_parts.model.edit(next, tr("planes to %1 %2").arg(textOf(nameOf(measurement->kind))).arg(id));
+    m_parts.model.change(tr("planes to %1 %2").arg(textOf(nameOf(measurement->kind))).arg(id), [&](Document& next) {
+        Planes& planes = next.scene.planes;
+        planes = planesHolding(planes, measurement->placesMm, next.beam.axis, m_parts.openStudy.volume()->dataBox());
+    });
 }
 
 void MeasurementControls::remove(int id) {
@@ -69,9 +69,7 @@ void MeasurementControls::remove(int id) {
 }
 
 void MeasurementControls::removeAll() {
-    Document next = m_parts.model.document();
-    next.measurements.clear();
-    m_parts.model.edit(next, tr("remove all measurements"));
+    m_parts.model.change(tr("remove all measurements"), [](Document& next) { next.measurements.clear(); });
 }
 
 }  // namespace echolucent

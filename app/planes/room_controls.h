@@ -1,11 +1,10 @@
-// The panel of planes and box, with the document behind it.
+// What the panel of the room asks for: the box, which follows the voxels.
 #pragma once
 
 #include <QObject>
 
 #include "app/study/open_study.h"
 #include "widgets/document/document_model.h"
-#include "widgets/hand_gesture.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
@@ -16,26 +15,22 @@ class RoomControls : public QObject {
 
 public:
     /// All of them must outlive this. `picture` is the view's.
-    RoomControls(DocumentModel& model, HandGesture& hand, OpenStudy& openStudy, const VolumeViewWidget& picture,
-                 RoomPanel& panel, QObject* parent = nullptr);
+    RoomControls(DocumentModel& model, OpenStudy& openStudy, const VolumeViewWidget& picture, RoomPanel& panel,
+                 QObject* parent = nullptr);
 
     void switchBox(bool on);
     /// Looks in through a side of the box, which fills the picture.
     void chooseFront(BoxSide front);
 
 private:
-    void show();
-    void edit(const Document& next, const QString& what);
     [[nodiscard]] Document fitted(Document document) const;
     void resizeBox(int axis, double mm);
     void makeWhole();
     void makeSlab(PlaneName plane, double thicknessMm);
 
     DocumentModel& m_model;
-    HandGesture& m_hand;
     OpenStudy& m_openStudy;
     const VolumeViewWidget& m_picture;
-    RoomPanel& m_panel;
 };
 
 }  // namespace echolucent

@@ -33,9 +33,6 @@ ScalpelHand::ScalpelHand(const Parts& parts, QObject* parent) : QObject(parent),
     connect(&m_parts.model, &DocumentModel::poseChanged, this, drop);
     connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, drop);
     connect(&m_parts.model, &DocumentModel::studyChanged, this, drop);
-    const auto show = [this] { m_parts.panel.setStrokes(m_parts.model.document().scene.strokes); };
-    connect(&m_parts.model, &DocumentModel::strokesChanged, this, show);
-    show();
 }
 
 void ScalpelHand::setTool(std::optional<ScalpelTool> tool) {

@@ -119,9 +119,9 @@ void MainWindow::createUnits() {
         *this, m_document, *m_openStudy, m_settings, *m_widgets.messages, m_names,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
         [this](const QString& what) { return m_files->proposedName(what); }});
-    m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{
-        m_document, m_hand, *m_openStudy, m_motionPlayer, *m_widgets.panes, m_widgets.planes, *m_widgets.picture,
-        *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
+    m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{m_document, *m_openStudy, m_motionPlayer, *m_widgets.panes,
+                                                            m_widgets.planes, *m_widgets.picture, *m_widgets.room,
+                                                            *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_compare = std::make_unique<CompareRoom>(CompareRoom::Parts{
         *this, m_document, *m_openStudy, m_hand, m_motionPlayer, *m_widgets.rooms, *m_designs, *m_widgets.compared,
         *m_widgets.compare, *m_widgets.messages, m_settings, m_names, [this] { return m_view->adaptiveCurve(); },

@@ -15,8 +15,8 @@ namespace echolucent {
 ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
-      m_planes(parts.model, parts.hand, parts.openStudy, parts.planes),
-      m_controls(parts.model, parts.hand, parts.openStudy, parts.picture, parts.panel),
+      m_planes(parts.model, parts.openStudy, parts.planes),
+      m_controls(parts.model, parts.openStudy, parts.picture, parts.panel),
       m_boxIn3d(parts.model, parts.openStudy, parts.picture),
       m_scalpel({parts.model, parts.picture, m_boxIn3d, parts.panel}),
       m_measuring({parts.model, parts.openStudy, parts.planes, parts.picture, m_boxIn3d, parts.messages}),
@@ -102,11 +102,11 @@ void ReviewRoom::addPlanes(QMenu& menu) {
         action->setObjectName(name);
         action->setCheckable(true);
         connect(action, &QAction::triggered, this, [this, what, member](bool on) {
-            editPlanes(what, [member, on](Planes& planes) { planes.*member = on; });
+            m_parts.model.change(what, [&](Document& next) { next.scene.planes.*member = on; });
         });
-        const auto show = [this, action, member] { action->setChecked(m_parts.model.document().scene.planes.*member); };
-        connect(&m_parts.model, &DocumentModel::planesChanged, action, show);
-        show();
+        m_parts.model.bind(&DocumentModel::planesChanged, action, [action, member](const Document& document) {
+            action->setChecked(document.scene.planes.*member);
+        });
     };
     addSwitch(tr("Planes show &quiet voxels"), QStringLiteral("room.quietPlanes"), tr("voxels of planes"),
               &Planes::quiet);
@@ -122,9 +122,8 @@ void ReviewRoom::addBox(QMenu& menu) {
     box->setShortcut(keyOf(box->objectName()));
     box->setCheckable(true);
     connect(box, &QAction::triggered, &m_controls, &RoomControls::switchBox);
-    const auto show = [this, box] { box->setChecked(m_parts.model.document().scene.box.on); };
-    connect(&m_parts.model, &DocumentModel::boxChanged, box, show);
-    show();
+    m_parts.model.bind(&DocumentModel::boxChanged, box,
+                       [box](const Document& document) { box->setChecked(document.scene.box.on); });
     QMenu* fronts = menu.addMenu(tr("&Look in from"));
     const std::array texts{tr("&Top"), tr("&Bottom"), tr("&Left"), tr("&Right"), tr("&Near"), tr("&Far")};
     for (const BoxSide side : allBoxSides) {
@@ -168,12 +167,6 @@ void ReviewRoom::addMeasuring(QMenu& menu) {
     QAction* remove = menu.addAction(tr("Remove all m&easurements"));
     remove->setObjectName(QStringLiteral("room.removeAllMeasurements"));
     connect(remove, &QAction::triggered, &m_measurements, &MeasurementControls::removeAll);
-}
-
-void ReviewRoom::editPlanes(const QString& what, const std::function<void(Planes& planes)>& change) {
-    Document next = m_parts.model.document();
-    change(next.scene.planes);
-    m_parts.model.edit(next, what);
 }
 
 void ReviewRoom::restore() { m_parts.panes.setPaneLayout(m_parts.settings.paneLayout()); }

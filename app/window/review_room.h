@@ -29,7 +29,6 @@ class ReviewRoom : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        HandGesture& hand;
         OpenStudy& openStudy;
         MotionPlayer& player;
         PaneGrid& panes;
@@ -64,7 +63,6 @@ private:
     void addBox(QMenu& menu);
     void addScalpel(QMenu& menu);
     void addMeasuring(QMenu& menu);
-    void editPlanes(const QString& what, const std::function<void(Planes& planes)>& change);
 
     Parts m_parts;
     DocumentPlanes m_planes;

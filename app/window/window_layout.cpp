@@ -155,7 +155,7 @@ WindowLayout layOut(QMainWindow& window, DocumentModel& document, const OtfCours
     layout.presets = new PresetsPanel(&window);
     layout.sliders = new CurveSliders(document, &window);
     QObject::connect(layout.sliders, &CurveSliders::resetRequested, layout.editor->resetAction(), &QAction::trigger);
-    layout.room = new RoomPanel(&window);
+    layout.room = new RoomPanel(document, &window);
     layout.measurements = new MeasurementsPanel(&window);
     layout.compare = new ComparePanel(&window);
     layout.facts = new StudyPanel(&window);

@@ -65,7 +65,7 @@ constexpr std::array<ScalpelTool, 4> allTools{ScalpelTool::freehand, ScalpelTool
 
 }  // namespace
 
-RoomPanel::RoomPanel(QWidget* parent) : QWidget(parent) {
+RoomPanel::RoomPanel(DocumentModel& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setObjectName("room");
     setAccessibleName(tr("Planes, box and scalpel"));
     auto* column = new QVBoxLayout(this);
@@ -74,9 +74,8 @@ RoomPanel::RoomPanel(QWidget* parent) : QWidget(parent) {
     column->addWidget(createBox());
     column->addWidget(createScalpel());
     column->addStretch(1);
-    setPlanes({});
-    setBox({});
-    setStrokes({});
+    m_document.bind(&DocumentModel::boxChanged, this, [this](const Document&) { showBox(); });
+    m_document.bind(&DocumentModel::strokesChanged, this, [this](const Document&) { showStrokes(); });
     setTool(std::nullopt);
 }
 
@@ -84,43 +83,42 @@ QGroupBox* RoomPanel::createPlanes() {
     auto* group = new QGroupBox(tr("Planes A, B, C"));
     auto* column = new QVBoxLayout(group);
     column->setContentsMargins(6, 6, 6, 6);
-    m_quiet = named(new QCheckBox(tr("Planes show quiet voxels")), "room.quiet", tr("Planes show quiet voxels"),
-                    tr("Off: the planes show the voxels that were read"));
-    m_lines = named(new QCheckBox(tr("Show planes in 3D")), "room.linesIn3d", tr("Show planes in 3D"),
-                    tr("Draws where the planes lie over the 3D picture"));
-    const auto changed = [this](const QString& what) { emit planesChanged(m_planes, what); };
-    connect(m_quiet, &QCheckBox::toggled, this, [this, changed](bool on) {
-        m_planes.quiet = on;
-        changed(tr("voxels of planes"));
-    });
-    connect(m_lines, &QCheckBox::toggled, this, [this, changed](bool on) {
-        m_planes.linesIn3d = on;
-        changed(tr("planes in 3D"));
-    });
-    m_window = new ValueSlider("room.window", tr("Window"), 0.01, 2);
-    m_window->setRange(leastPlaneWindow, largestPlaneWindow);
-    m_window->setToolTip(tr("Intensities from black to white; right drag to the right in a plane"));
-    m_level = new ValueSlider("room.level", tr("Level"), 0.01, 2);
-    m_level->setRange(leastPlaneLevel, largestPlaneLevel);
-    m_level->setToolTip(tr("The intensity shown half bright; right drag down in a plane"));
-    connect(m_window, &ValueSlider::valueChanged, this, [this, changed](double value) {
-        m_planes.window = value;
-        changed(tr("window and level"));
-    });
-    connect(m_level, &ValueSlider::valueChanged, this, [this, changed](double value) {
-        m_planes.level = value;
-        changed(tr("window and level"));
+    auto* quiet = named(new QCheckBox(tr("Planes show quiet voxels")), "room.quiet", tr("Planes show quiet voxels"),
+                        tr("Off: the planes show the voxels that were read"));
+    auto* lines = named(new QCheckBox(tr("Show planes in 3D")), "room.linesIn3d", tr("Show planes in 3D"),
+                        tr("Draws where the planes lie over the 3D picture"));
+    auto* window = new ValueSlider("room.window", tr("Window"), 0.01, 2);
+    window->setRange(leastPlaneWindow, largestPlaneWindow);
+    window->setToolTip(tr("Intensities from black to white; right drag to the right in a plane"));
+    auto* level = new ValueSlider("room.level", tr("Level"), 0.01, 2);
+    level->setRange(leastPlaneLevel, largestPlaneLevel);
+    level->setToolTip(tr("The intensity shown half bright; right drag down in a plane"));
+    const auto change = [this](const QString& what, auto member) {
+        return [this, what, member](auto value) {
+            m_document.change(what, [&](Document& next) { next.scene.planes.*member = value; });
+        };
+    };
+    connect(quiet, &QCheckBox::toggled, this, change(tr("voxels of planes"), &Planes::quiet));
+    connect(lines, &QCheckBox::toggled, this, change(tr("planes in 3D"), &Planes::linesIn3d));
+    connect(window, &ValueSlider::valueChanged, this, change(tr("window and level"), &Planes::window));
+    connect(level, &ValueSlider::valueChanged, this, change(tr("window and level"), &Planes::level));
+    m_document.bind(&DocumentModel::planesChanged, this, [=](const Document& document) {
+        const QSignalBlocker ofQuiet(quiet), ofLines(lines);
+        quiet->setChecked(document.scene.planes.quiet);
+        lines->setChecked(document.scene.planes.linesIn3d);
+        window->setValue(document.scene.planes.window);
+        level->setValue(document.scene.planes.level);
     });
     auto* reset = named(new QPushButton(tr("Reset planes")), "room.resetPlanes", tr("Reset planes"),
                         tr("The planes through the middle, unturned, whole, with their own greys"));
     connect(reset, &QPushButton::clicked, this, &RoomPanel::planesResetRequested);
     auto* grid = new QGridLayout;
-    grid->addWidget(labelFor(m_window, tr("Window")), 0, 0);
-    grid->addWidget(m_window, 0, 1);
-    grid->addWidget(labelFor(m_level, tr("Level")), 1, 0);
-    grid->addWidget(m_level, 1, 1);
-    column->addWidget(m_quiet);
-    column->addWidget(m_lines);
+    grid->addWidget(labelFor(window, tr("Window")), 0, 0);
+    grid->addWidget(window, 0, 1);
+    grid->addWidget(labelFor(level, tr("Level")), 1, 0);
+    grid->addWidget(level, 1, 1);
+    column->addWidget(quiet);
+    column->addWidget(lines);
     column->addLayout(grid);
     column->addWidget(reset);
     return group;
@@ -132,7 +130,11 @@ QGroupBox* RoomPanel::createBox() {
     column->setContentsMargins(6, 6, 6, 6);
     m_box = named(new QCheckBox(tr("Show only what lies in it")), "room.box", tr("Show only what lies in the box"),
                   tr("The box limits picture and tube cores; drag it in the planes and in the picture"));
-    connect(m_box, &QCheckBox::toggled, this, &RoomPanel::boxSwitched);
+    // What was pressed shows what the document says, if nothing came of it too.
+    connect(m_box, &QCheckBox::toggled, this, [this](bool on) {
+        emit boxSwitched(on);
+        showBox();
+    });
     column->addWidget(m_box);
     addFronts(*column);
     addSizes(*column);
@@ -149,7 +151,10 @@ void RoomPanel::addFronts(QVBoxLayout& column) {
         auto* button =
             createSwitch(sideText(side), "room.front." + name, tr("Look in from the side: %1").arg(sideText(side)),
                          tr("The picture looks in from this side of the box, and so do the tube cores"));
-        connect(button, &QToolButton::clicked, this, [this, side] { emit frontChosen(side); });
+        connect(button, &QToolButton::clicked, this, [this, side] {
+            emit frontChosen(side);
+            showBox();
+        });
         m_fronts[index] = button;
         grid->addWidget(button, static_cast<int>(index) / 3, static_cast<int>(index) % 3);
     }
@@ -162,8 +167,10 @@ void RoomPanel::addSizes(QVBoxLayout& column) {
     auto* grid = new QGridLayout;
     for (std::size_t i = 0; i < m_sizes.size(); ++i) {
         m_sizes[i] = createLength(names[i], texts[i], tr("Size of the box; its centre stays"), 0.1);
-        connect(m_sizes[i], &QDoubleSpinBox::valueChanged, this,
-                [this, i](double mm) { emit boxSizeChanged(static_cast<int>(i), mm); });
+        connect(m_sizes[i], &QDoubleSpinBox::valueChanged, this, [this, i](double mm) {
+            emit boxSizeChanged(static_cast<int>(i), mm);
+            showBox();
+        });
         grid->addWidget(labelFor(m_sizes[i], texts[i]), static_cast<int>(i), 0);
         grid->addWidget(m_sizes[i], static_cast<int>(i), 1);
     }
@@ -260,16 +267,8 @@ void RoomPanel::addStrokes(QVBoxLayout& column) {
     column.addLayout(row);
 }
 
-void RoomPanel::setPlanes(const Planes& planes) {
-    m_planes = planes;
-    const QSignalBlocker quiet(m_quiet), lines(m_lines);
-    m_quiet->setChecked(planes.quiet);
-    m_lines->setChecked(planes.linesIn3d);
-    m_window->setValue(planes.window);
-    m_level->setValue(planes.level);
-}
-
-void RoomPanel::setBox(const Box& box) {
+void RoomPanel::showBox() {
+    const Box& box = m_document.document().scene.box;
     const QSignalBlocker on(m_box);
     m_box->setChecked(box.on);
     for (const BoxSide side : allBoxSides)
@@ -290,7 +289,8 @@ void RoomPanel::setUnit(double unitMm, bool known) {
     }
 }
 
-void RoomPanel::setStrokes(const std::vector<ScalpelStroke>& strokes) {
+void RoomPanel::showStrokes() {
+    const SharedList<ScalpelStroke>& strokes = m_document.document().scene.strokes;
     const QSignalBlocker blocker(m_strokes);
     m_strokes->clear();
     for (std::size_t i = 0; i < strokes.size(); ++i) {

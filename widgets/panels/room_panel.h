@@ -5,9 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "processing/document/box.h"
-#include "processing/document/planes.h"
-#include "processing/scalpel/scalpel_stroke.h"
+#include "widgets/document/document_model.h"
 
 class QAbstractButton;
 class QCheckBox;
@@ -20,8 +18,6 @@ class QVBoxLayout;
 
 namespace echolucent {
 
-class ValueSlider;
-
 /// How the scalpel cuts; which tool is in the hand is no part of it.
 struct ScalpelSettings {
     ScalpelSide side = ScalpelSide::inside;
@@ -33,23 +29,21 @@ struct ScalpelSettings {
 /// Objects: room.quiet, room.linesIn3d, room.window (+ .value), room.level (+ .value), room.resetPlanes; room.box,
 /// room.front.top … room.front.far, room.width, room.depth, room.height (each .value), room.wholeBox,
 /// room.slab.thickness, room.slab.a, .b, .c; room.scalpel.freehand … .eraser, room.scalpel.inside, .outside,
-/// room.scalpel.size, .limited, .limit, room.scalpel.strokes, .takeBack, .takeAllBack. No setter emits a signal.
+/// room.scalpel.size, .limited, .limit, room.scalpel.strokes, .takeBack, .takeAllBack. It shows what the
+/// document says, and changes the planes itself; it asks for the rest. No setter emits a signal.
 class RoomPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit RoomPanel(QWidget* parent = nullptr);
+    /// The document outlives the panel.
+    explicit RoomPanel(DocumentModel& document, QWidget* parent = nullptr);
 
-    void setPlanes(const Planes& planes);
-    void setBox(const Box& box);
     /// The unit of a volume, mm, and whether lengths in mm are facts.
     void setUnit(double unitMm, bool known);
-    void setStrokes(const std::vector<ScalpelStroke>& strokes);
     void setTool(std::optional<ScalpelTool> tool);
     [[nodiscard]] ScalpelSettings scalpel() const;
 
 signals:
-    void planesChanged(const echolucent::Planes& planes, const QString& what);
     void planesResetRequested();
     void boxSwitched(bool on);
     void frontChosen(echolucent::BoxSide front);
@@ -70,13 +64,11 @@ private:
     void addSlab(QVBoxLayout& column);
     void addTools(QVBoxLayout& column);
     void addStrokes(QVBoxLayout& column);
+    void showBox();
+    void showStrokes();
     void updateEnabled();
 
-    Planes m_planes;
-    QCheckBox* m_quiet = nullptr;
-    QCheckBox* m_lines = nullptr;
-    ValueSlider* m_window = nullptr;
-    ValueSlider* m_level = nullptr;
+    DocumentModel& m_document;
     QCheckBox* m_box = nullptr;
     std::array<QAbstractButton*, 6> m_fronts{};
     std::array<QDoubleSpinBox*, 3> m_sizes{};
