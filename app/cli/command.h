@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,11 +10,11 @@
 #include <vector>
 
 #include "app/cli/options/option_text.h"
+#include "app/cli/options/parameter_options.h"
 #include "app/cli/options/polar_options.h"
 #include "io/study/series_list.h"
 #include "io/study/study.h"
 #include "processing/adaptive/adaptive_otf_config.h"
-#include "processing/parameter.h"
 #include "processing/result.h"
 #include "processing/viewpoint.h"
 
@@ -124,14 +123,7 @@ struct MethodOptions {
     [[nodiscard]] Result<AdaptiveOtfConfig> get() const;
 
 private:
-    void add(CLI::App& command, const Parameter<AdaptiveOtfConfig>& parameter);
-    [[nodiscard]] Result<void> override(AdaptiveOtfConfig& config) const;
-    /// What the command line says of a parameter.
-    struct Given {
-        std::string option;  ///< as it was written
-        ParameterValue value;
-    };
-    std::map<std::string_view, Given> m_given;  ///< by the parameter's name
+    GivenParameters m_given;
     const CLI::Option* m_initialOption = nullptr;
 };
 

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <memory>
 
 #include "app/cli/command.h"
 #include "app/cli/report/parameter_page.h"
@@ -10,9 +11,15 @@ namespace echolucent::cli {
 void addParametersCommand(CLI::App& program, Action& action) {
     CLI::App& command = *program.add_subcommand(
         "parameters", "Prints the method's parameters with range, default and source, as docs/cli-otf.md has them");
+    const auto json = std::make_shared<bool>(false);
+    command.add_flag("--json", *json, "Prints all parameters as JSON: of the method, of every designer, of the look");
     command.footer("Example: echolucent-cli parameters");
-    command.callback(
-        [&action] { action = [] { return writeFileAtomically("-", parameterPage(methodParameters())); }; });
+    command.callback([json, &action] {
+        action = [json] {
+            return writeFileAtomically("-",
+                                       *json ? allParametersJson() : parameterPage(defaultsOf(methodParameters())));
+        };
+    });
 }
 
 }  // namespace echolucent::cli

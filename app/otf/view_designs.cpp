@@ -21,12 +21,6 @@ bool differInVoxelsOnly(auto one, const auto& other) {
 
 }  // namespace
 
-bool readsTubeCores(const DesignerConfig& config) {
-    if (std::holds_alternative<AdaptiveConfig>(config)) return true;
-    const auto* levoy = std::get_if<LevoyConfig>(&config);
-    return levoy != nullptr && levoy->levels == LevoyLevels::tubeCores;
-}
-
 ViewDesigns::ViewDesigns(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
     : QObject(parent),
       m_model(model),

@@ -25,9 +25,6 @@ struct ViewDesign {
     DesignerConfig config{};  ///< that it was made with
 };
 
-/// Whether what a designer makes depends on the view and on the method: where it reads tube cores.
-[[nodiscard]] bool readsTubeCores(const DesignerConfig& config);
-
 /// Follows document and study, and computes in a thread of its own what is not there yet: what several panes ask for
 /// alike is computed once, and what was made before is kept, as long as it is few. Of the phase otfPhaseOf() a designer
 /// is given the raw voxels and the newest ones, which are its quiet ones once they are made; while the quiet ones of a

@@ -19,11 +19,17 @@ namespace echolucent {
 
 namespace {
 
+/// The value of a row of the look, for a person.
+QString shownOf(const Look& look, std::string_view name) {
+    const Parameter<Look>& row = *parameterNamed(lookParameters(), name);
+    return QString::fromStdString(shownValue(row, *row.get(look)));
+}
+
 /// What a preset sets, for a person: the mode, and in direct mode the curve and the light.
 QString contentsOf(const Preset& preset) {
-    if (preset.look.mode != RenderMode::direct) return textOf(labelOfChoice(nameOf(preset.look.mode)));
+    if (preset.look.mode != RenderMode::direct) return shownOf(preset.look, "mode");
     return PresetControls::tr("%1 curve, light: %2")
-        .arg(curveName(preset.curve), textOf(labelOfChoice(nameOf(preset.look.lighting))).toLower());
+        .arg(curveName(preset.curve), shownOf(preset.look, "lighting").toLower());
 }
 
 }  // namespace

@@ -18,18 +18,12 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string textOfValue(const ParameterValue& value) {
-    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "yes" : "no";
-    if (const auto* choice = std::get_if<std::string>(&value)) return labelOfChoice(*choice);
-    return textOf(*numberOf(value));
-}
-
 template <typename Values>
-Rows rowsOf(std::span<const Parameter<Values>> table, const Values& values) {
+Rows rowsOf(const ParameterTable<Values>& table, const Values& values) {
     Rows rows;
-    for (const Parameter<Values>& parameter : table)
-        if (const auto value = parameter.get(values))
-            rows.push_back({std::string(parameter.label), textOfValue(*value), std::string(parameter.unit)});
+    for (const Parameter<Values>& row : table)
+        if (const auto value = row.get(values))
+            rows.push_back({std::string(row.label), shownValue(row, *value), std::string(row.unit)});
     return rows;
 }
 

@@ -5,10 +5,12 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
+#include "io/document/value_text.h"
 #include "processing/adaptive/method_parameters.h"
 #include "widgets/panels/panel_controls.h"
 
@@ -27,14 +29,11 @@ constexpr auto themeKey = "window/theme";
 constexpr auto paneLayoutKey = "window/paneLayout";
 constexpr auto presetsOpenKey = "picture/presetsOpen";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
-constexpr auto pingPongKey = "motion/pingPong";
-constexpr auto phasesPingPongKey = "motion/phasesPingPong";
-constexpr auto motionSpeedKey = "motion/speed";
-constexpr auto motionOtfKey = "motion/otf";
-constexpr auto motionAxisKey = "motion/axis";
 constexpr auto activeCurveKey = "otfEditor/activeCurve";
-constexpr auto initialKey = "method/initial";
-constexpr auto initialScaleKey = "method/initialScale";
+// These hold JSON as documents have it (io/document/value_text.h).
+constexpr auto lookKey = "picture/look";
+constexpr auto motionKey = "motion/choice";
+constexpr auto methodKey = "method/choice";
 
 QString absolutePath(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
 
@@ -45,34 +44,40 @@ bool boolOr(const QVariant& value, bool otherwise) {
     return text == "false" ? false : otherwise;
 }
 
+// Settings of 0.1 have a key for each row of a table, "picture/colourMap"; each is read by itself.
+
 template <typename Values>
-QString settingKey(const QString& group, const Parameter<Values>& row) {
-    return group + '/' + QString::fromStdString(camelCase(row.name));
+QString keyOf01(const char* group, const Parameter<Values>& row) {
+    return QStringLiteral("%1/%2").arg(group, QString::fromStdString(camelCase(row.name)));
 }
 
-QString settingKey(const Parameter<Look>& row) { return settingKey("picture", row); }
-
-/// A stored value of the kind of `standard`; nothing where it is not understood.
-std::optional<ParameterValue> valueOf(const QVariant& stored, const ParameterValue& standard,
-                                      const ParameterRange& range) {
+/// A stored value of the kind of `like`; nothing if it is not understood.
+std::optional<ParameterValue> valueOf01(const QVariant& stored, const ParameterValue& like,
+                                        const ParameterRange& range) {
     const QString text = stored.toString();
-    if (std::holds_alternative<std::string>(standard)) return text.toStdString();
-    if (std::holds_alternative<bool>(standard))
+    if (std::holds_alternative<std::string>(like)) return text.toStdString();
+    if (std::holds_alternative<bool>(like))
         return text == "true" || text == "false" ? std::optional<ParameterValue>(text == "true") : std::nullopt;
     bool understood = false;
     const double number = stored.toDouble(&understood);
     if (!understood || !inRange(number, range)) return std::nullopt;
-    if (std::holds_alternative<std::int64_t>(standard)) return static_cast<std::int64_t>(std::llround(number));
+    if (std::holds_alternative<std::int64_t>(like)) return static_cast<std::int64_t>(std::llround(number));
     return number;
 }
 
-QVariant storedOf(const ParameterValue& value) {
-    if (const auto* flag = std::get_if<bool>(&value)) return *flag;
-    if (const auto* choice = std::get_if<std::string>(&value)) return textOf(*choice);
-    return *numberOf(value);
+/// A choice stands before what belongs to it.
+template <typename Values>
+void takeKeysOf01(const SettingsStore& store, const char* group, const ParameterTable<Values>& table, Values& values) {
+    for (const Parameter<Values>& row : table)
+        if (const auto like = row.get(values))
+            if (const auto value = valueOf01(store.value(keyOf01(group, row)), *like, row.range))
+                row.set(values, *value);
 }
 
-ParameterRange initialScaleRange() { return parameterNamed(methodParameters(), "opacity_scale")->range; }
+template <typename Values>
+void removeKeysOf01(SettingsStore& store, const char* group, const ParameterTable<Values>& table) {
+    for (const Parameter<Values>& row : table) store.remove(keyOf01(group, row));
+}
 
 /// The choice that a stored name names, or the standard one.
 template <typename Choice>
@@ -153,21 +158,18 @@ QByteArray Settings::windowState() const { return m_store.value(stateKey).toByte
 void Settings::setWindowState(const QByteArray& state) { m_store.setValue(stateKey, state); }
 
 Look Settings::look() const {
-    Look look = lookAtStart();
-    for (const Parameter<Look>& row : lookParameters()) {
-        if (!chosenByPersons(row)) continue;
-        // Files of before 0.2 know depth colours by another key.
-        const QVariant older = row.name == "depth_colouring" ? m_store.value("picture/depthColoured") : QVariant();
-        if (const auto value = valueOf(m_store.value(settingKey(row), older), *row.get(Look{}), row.range))
-            row.set(look, *value);
+    Look look = lookParameters().standard;
+    if (m_store.contains(lookKey)) {
+        look = lookFromText(m_store.value(lookKey).toString().toStdString()).value_or(look);
+    } else {
+        takeKeysOf01(m_store, "picture", lookParameters(), look);
     }
+    look.step = Look{}.step;  // a matter of the quality
     return look;
 }
 void Settings::setLook(const Look& look) {
-    for (const Parameter<Look>& row : lookParameters()) {
-        if (!chosenByPersons(row)) continue;
-        m_store.setValue(settingKey(row), storedOf(*row.get(look)));
-    }
+    removeKeysOf01(m_store, "picture", lookParameters());
+    m_store.setValue(lookKey, QString::fromStdString(textOf(look)));
 }
 
 RendererChoice Settings::renderer() const {
@@ -193,22 +195,41 @@ QString Settings::recentPicturesFolder() const { return m_dataFolder + QStringLi
 bool Settings::presetsOpen() const { return boolOr(m_store.value(presetsOpenKey), false); }
 void Settings::setPresetsOpen(bool open) { m_store.setValue(presetsOpenKey, open); }
 
-MotionChoice Settings::motion() const {
+namespace {
+
+/// What moves and which phases are a matter of the study.
+MotionChoice rememberedOf(const MotionChoice& motion) {
+    return {.axis = motion.axis,
+            .otf = motion.otf,
+            .pingPong = motion.pingPong,
+            .phasesPingPong = motion.phasesPingPong,
+            .speed = motion.speed};
+}
+
+constexpr std::array motionKeysOf01{"motion/axis", "motion/otf", "motion/pingPong", "motion/phasesPingPong",
+                                    "motion/speed"};
+
+MotionChoice motionOf01(const SettingsStore& store) {
+    const auto& [axis, otf, pingPong, phasesPingPong, speed] = motionKeysOf01;
     const MotionChoice standard;
-    MotionChoice motion{.axis = choiceOr(m_store.value(motionAxisKey), &motionAxisFromName, standard.axis),
-                        .otf = choiceOr(m_store.value(motionOtfKey), &motionOtfFromName, standard.otf),
-                        .pingPong = boolOr(m_store.value(pingPongKey), standard.pingPong),
-                        .phasesPingPong = boolOr(m_store.value(phasesPingPongKey), standard.phasesPingPong),
-                        .speed = m_store.value(motionSpeedKey, standard.speed).toDouble()};
+    MotionChoice motion{.axis = choiceOr(store.value(axis), &motionAxisFromName, standard.axis),
+                        .otf = choiceOr(store.value(otf), &motionOtfFromName, standard.otf),
+                        .pingPong = boolOr(store.value(pingPong), standard.pingPong),
+                        .phasesPingPong = boolOr(store.value(phasesPingPong), standard.phasesPingPong),
+                        .speed = store.value(speed, standard.speed).toDouble()};
     if (!problemOf(motion).empty()) motion.speed = standard.speed;
     return motion;
 }
+
+}  // namespace
+
+MotionChoice Settings::motion() const {
+    if (!m_store.contains(motionKey)) return motionOf01(m_store);
+    return rememberedOf(motionFromText(m_store.value(motionKey).toString().toStdString()).value_or(MotionChoice{}));
+}
 void Settings::setMotion(const MotionChoice& motion) {
-    m_store.setValue(motionAxisKey, textOf(nameOf(motion.axis)));
-    m_store.setValue(motionOtfKey, textOf(nameOf(motion.otf)));
-    m_store.setValue(pingPongKey, motion.pingPong);
-    m_store.setValue(phasesPingPongKey, motion.phasesPingPong);
-    m_store.setValue(motionSpeedKey, motion.speed);
+    for (const char* key : motionKeysOf01) m_store.remove(key);
+    m_store.setValue(motionKey, QString::fromStdString(textOf(rememberedOf(motion))));
 }
 
 CurveKind Settings::activeCurve() const {
@@ -217,28 +238,21 @@ CurveKind Settings::activeCurve() const {
 void Settings::setActiveCurve(CurveKind kind) { m_store.setValue(activeCurveKey, textOf(nameOf(kind))); }
 
 MethodChoice Settings::method() const {
+    if (m_store.contains(methodKey))
+        return methodFromText(m_store.value(methodKey).toString().toStdString()).value_or(MethodChoice{});
     MethodChoice method;
-    method.initial = choiceOr(m_store.value(initialKey), &initialKindFromName, method.initial);
-    const ParameterValue scale =
-        valueOf(m_store.value(initialScaleKey), method.initialScale, initialScaleRange()).value_or(method.initialScale);
-    method.initialScale = *numberOf(scale);
-    // The choices stand first in the table, so that what applies to them alone is read after them.
-    for (const Parameter<AdaptiveOtfConfig>& row : methodParameters()) {
-        const auto standard = row.get(method.config);
-        if (!standard) continue;
-        if (const auto value = valueOf(m_store.value(settingKey("method", row)), *standard, row.range))
-            row.set(method.config, *value);
-    }
+    takeKeysOf01(m_store, "method", initialFunctionParameters(), method);
+    takeKeysOf01(m_store, "method", methodParameters(), method.config);
     method.config.initial = AdaptiveOtfConfig{}.initial;
     if (!problemOf(method.config).empty()) method.config = AdaptiveOtfConfig{};
     return method;
 }
 void Settings::setMethod(const MethodChoice& method) {
-    m_store.remove("method");  // what belongs to a choice that was left is not kept
-    m_store.setValue(initialKey, textOf(nameOf(method.initial)));
-    m_store.setValue(initialScaleKey, method.initialScale);
-    for (const Parameter<AdaptiveOtfConfig>& row : methodParameters())
-        if (const auto value = row.get(method.config)) m_store.setValue(settingKey("method", row), storedOf(*value));
+    removeKeysOf01(m_store, "method", initialFunctionParameters());
+    removeKeysOf01(m_store, "method", methodParameters());
+    MethodChoice remembered = method;
+    remembered.config.grid.withoutTubes.clear();  // a matter of the study
+    m_store.setValue(methodKey, QString::fromStdString(textOf(remembered)));
 }
 
 bool Settings::save() { return m_store.save(); }

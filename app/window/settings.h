@@ -60,7 +60,7 @@ public:
     [[nodiscard]] QByteArray windowState() const;
     void setWindowState(const QByteArray& state);
 
-    /// Each choice of the look by itself; one that is not understood is that of lookAtStart().
+    /// Of lookAtStart() if what is kept is not understood. Its step stays as by default.
     [[nodiscard]] Look look() const;
     void setLook(const Look& look);
     [[nodiscard]] RendererChoice renderer() const;  ///< [automatic]
@@ -86,7 +86,7 @@ public:
     void setMotion(const MotionChoice& motion);
     [[nodiscard]] CurveKind activeCurve() const;  ///< [adaptive]
     void setActiveCurve(CurveKind kind);
-    /// Parameters and initial function, each by itself; its direction is a matter of the study and stays as by default.
+    /// Parameters and initial function; the tube cores that are never placed are a matter of the study.
     [[nodiscard]] MethodChoice method() const;
     void setMethod(const MethodChoice& method);
 

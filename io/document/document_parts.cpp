@@ -137,6 +137,19 @@ Beam beamIn(JsonFields fields) {
 
 int phaseIn(JsonFields& fields) { return static_cast<int>(fields.whole("phase", 0, largestNumber)); }
 
+nlohmann::ordered_json motionJson(const MotionChoice& motion) {
+    nlohmann::ordered_json range;
+    if (motion.phaseRange) range = {{"first", motion.phaseRange->first}, {"last", motion.phaseRange->last}};
+    return {{"axis", nameOf(motion.axis)},
+            {"scenario", nameOf(motion.scenario)},
+            {"otf", nameOf(motion.otf)},
+            {"ping_pong", motion.pingPong},
+            {"phases_ping_pong", motion.phasesPingPong},
+            {"phase_range", range},
+            {"otf_phase", motion.otfPhase},
+            {"speed", motion.speed}};
+}
+
 MotionChoice motionIn(JsonFields& fields) {
     MotionChoice motion{.axis = fields.choice("axis", &motionAxisFromName),
                         .scenario = fields.choice("scenario", &motionScenarioFromName),

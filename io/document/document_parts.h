@@ -2,6 +2,7 @@
 // problems of the fields (json_fields.h).
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "io/json/json_fields.h"
@@ -25,6 +26,7 @@ inline constexpr std::int64_t largestNumber = 1'000'000;
 [[nodiscard]] std::vector<ScalpelStroke> strokesIn(JsonFields& fields);
 /// Of the key "phase".
 [[nodiscard]] int phaseIn(JsonFields& fields);
+[[nodiscard]] nlohmann::ordered_json motionJson(const MotionChoice& motion);
 [[nodiscard]] MotionChoice motionIn(JsonFields& fields);
 [[nodiscard]] Comparison comparisonIn(JsonFields& fields);
 /// Of the key "measurements" in a document's root.

@@ -3,6 +3,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "io/document/document_parts.h"
 #include "io/document/session_file.h"
 #include "io/json/json_design.h"
 #include "io/json/json_document.h"
@@ -135,19 +136,6 @@ ordered_json panesJson(const std::vector<Pane>& panes) {
         entries.push_back(std::move(object));
     }
     return entries;
-}
-
-ordered_json motionJson(const MotionChoice& motion) {
-    ordered_json range;
-    if (motion.phaseRange) range = {{"first", motion.phaseRange->first}, {"last", motion.phaseRange->last}};
-    return {{"axis", nameOf(motion.axis)},
-            {"scenario", nameOf(motion.scenario)},
-            {"otf", nameOf(motion.otf)},
-            {"ping_pong", motion.pingPong},
-            {"phases_ping_pong", motion.phasesPingPong},
-            {"phase_range", range},
-            {"otf_phase", motion.otfPhase},
-            {"speed", motion.speed}};
 }
 
 ordered_json measurementsJson(const std::vector<Measurement>& measurements) {

@@ -25,7 +25,7 @@ double largestScale() {
 ordered_json lookJson(const Look& look) { return parametersJson(lookParameters(), look); }
 
 Look lookIn(JsonFields& fields) {
-    Look look = lookAtStart();
+    Look look = lookParameters().standard;
     fields.parameters(lookParameters(), look);
     return look;
 }
@@ -36,7 +36,7 @@ ordered_json curvesJson(const CurveSet& curves) {
         {"linear", {{"lower", curves.linear.lower}, {"slope", curves.linear.slope}, {"upper", curves.linear.upper}}},
         {"parabolic", {{"scale", curves.parabolic.scale}}},
         {"quartic", {{"scale", curves.quartic.scale}}},
-        {"adjustment", {{"threshold", curves.adjustment.threshold}, {"transparency", curves.adjustment.transparency}}}};
+        {"adjustment", parametersJson(adjustmentParameters(), curves.adjustment)}};
 }
 
 CurveSet curvesIn(JsonFields fields) {
@@ -49,8 +49,9 @@ CurveSet curvesIn(JsonFields fields) {
     curves.parabolic.scale = fields.object("parabolic").number("scale", 0, largestScale());
     curves.quartic.scale = fields.object("quartic").number("scale", 0, largestScale());
     JsonFields adjustment = fields.object("adjustment");
-    curves.adjustment.threshold = adjustment.number("threshold", -largestThreshold, largestThreshold);
-    curves.adjustment.transparency = adjustment.number("transparency", -largestTransparency, largestTransparency);
+    for (const Parameter<CurveAdjustment>& row : adjustmentParameters())
+        row.set(curves.adjustment,
+                adjustment.number(std::string(row.name).c_str(), row.range.least, row.range.largest));
     return curves;
 }
 
@@ -58,7 +59,9 @@ ordered_json methodJson(const MethodChoice& method) {
     ordered_json parameters = parametersJson(methodParameters(), method.config);
     parameters.erase("opacity_scale");  // of the initial function, which stands beside the config
     if (const auto& without = method.config.grid.withoutTubes; !without.empty()) parameters[withoutTubesKey] = without;
-    return {{"initial", nameOf(method.initial)}, {"initial_scale", method.initialScale}, {"parameters", parameters}};
+    ordered_json object = parametersJson(initialFunctionParameters(), method);
+    object["parameters"] = parameters;
+    return object;
 }
 
 MethodChoice methodIn(JsonFields& fields) {

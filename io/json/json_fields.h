@@ -6,12 +6,11 @@
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
 #include "processing/result.h"
 #include "processing/volume/geometry.h"
 
@@ -83,7 +82,7 @@ public:
     /// The parameters of a table that stand here; what is not here stays. A table holds each choice before the
     /// parameters that have a meaning by it.
     template <typename Values>
-    void parameters(std::span<const Parameter<Values>> table, Values& values) {
+    void parameters(const ParameterTable<Values>& table, Values& values) {
         for (const Parameter<Values>& row : table) take(row, values);
     }
     /// Whether anything was wrong so far, in this object or in others of the same problems.

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <variant>
 
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
 
 namespace echolucent {
 
 /// What a table says of values; rows that mean nothing in them are left out.
 template <typename Values>
-nlohmann::ordered_json parametersJson(std::span<const Parameter<Values>> table, const Values& values) {
+nlohmann::ordered_json parametersJson(const ParameterTable<Values>& table, const Values& values) {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();
     for (const Parameter<Values>& row : table)
         if (const auto value = row.get(values))

@@ -1,54 +1,89 @@
 #include "processing/adaptive/method_parameters.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
-#include "processing/adaptive/method_rows.h"
+#include "processing/parameters/parameter_rows.h"
 #include "processing/tube_core/cell_statistics.h"
 
 namespace echolucent {
 
-namespace method_rows {
-
 namespace {
 
-constexpr std::array samplings{Named{Interpolation::trilinear, "trilinear"}, Named{Interpolation::nearest, "nearest"}};
-constexpr std::array precisions{Named{Precision::single32, "single"}, Named{Precision::double64, "double"}};
-constexpr std::array borders{Named{TubeBorder::mirrorThenZero, "mirror"}, Named{TubeBorder::circular, "circular"}};
-constexpr std::array routes{Named{SmoothingRoute::direct, "direct"}, Named{SmoothingRoute::fourier, "fourier"}};
-constexpr std::array kernelEnds{Named{true, "zero"}, Named{false, "cut"}};
-constexpr std::array coarsestMaxima{Named{true, "needed"}, Named{false, "any"}};
-constexpr std::array priorCells{Named{true, "overlapping"}, Named{false, "apart"}};
+namespace method_rows {
 
-/// a of the initial function where it has one: of a power its scale, of a linear curve its slope.
+using namespace parameter_rows;
+using Row = Parameter<AdaptiveOtfConfig>;
+
+constexpr auto grid = &AdaptiveOtfConfig::grid;
+constexpr auto cells = &AdaptiveOtfConfig::cells;
+constexpr auto detection = &AdaptiveOtfConfig::detection;
+constexpr auto surface = &AdaptiveOtfConfig::surface;
+constexpr auto weights = &AdaptiveOtfConfig::weights;
+constexpr auto curve = &AdaptiveOtfConfig::curve;
+
+constexpr std::array samplings{Choice{Interpolation::trilinear, "trilinear"},
+                               Choice{Interpolation::nearest, "nearest"}};
+constexpr std::array precisions{Choice{Precision::single32, "single"}, Choice{Precision::double64, "double"}};
+constexpr std::array borders{Choice{TubeBorder::mirrorThenZero, "mirror"}, Choice{TubeBorder::circular, "circular"}};
+constexpr std::array routes{Choice{SmoothingRoute::direct, "direct"}, Choice{SmoothingRoute::fourier, "fourier"}};
+constexpr std::array kernelEnds{Choice{true, "zero"}, Choice{false, "cut"}};
+constexpr std::array coarsestMaxima{Choice{true, "needed"}, Choice{false, "any"}};
+constexpr std::array priorCells{Choice{true, "overlapping"}, Choice{false, "apart"}};
+
+/// What a number's control moves by; a number without it has none in the panel.
+constexpr ParameterSteps byOne{1, 0};
+constexpr ParameterSteps bySteps(double step) { return {step, 2}; }
+
+/// Sets how many tube cores lie across or down. If that changes, an index means another tube core: none is left out any
+/// more.
+template <auto member>
+bool setTubeCount(AdaptiveOtfConfig& config, const ParameterValue& value) {
+    const int before = config.grid.*member;
+    if (!setNumber<grid, member>(config, value)) return false;
+    if (config.grid.*member != before) config.grid.withoutTubes.clear();
+    return true;
+}
+
+template <auto member>
+Row tubeCount(const Words& words) {
+    Row row = number<grid, member>(words, {1, 4096}, {.offered = ParameterRange{1, 400}, .steps = byOne});
+    row.set = setTubeCount<member>;
+    return row;
+}
+
+/// a of the initial function if it has one: of a power its scale, of a linear curve its slope.
+template <typename Curve>
+auto* scaleOf(Curve& initial) {
+    auto* power = std::get_if<PowerCurve>(&initial);
+    auto* linear = std::get_if<LinearCurve>(&initial);
+    return power != nullptr ? &power->scale : linear != nullptr ? &linear->slope : nullptr;
+}
+
 Row opacityScale() {
-    const auto scaleOf = [](auto& curve) -> decltype(&std::get<PowerCurve>(curve).scale) {
-        if (auto* power = std::get_if<PowerCurve>(&curve)) return &power->scale;
-        if (auto* linear = std::get_if<LinearCurve>(&curve)) return &linear->slope;
-        return nullptr;
-    };
-    const auto get = [](const AdaptiveOtfConfig& config) -> std::optional<ParameterValue> {
-        const double* scale = decltype(scaleOf)()(config.initial);
+    Row row = rowOf<AdaptiveOtfConfig>(
+        {"opacity_scale", "Opacity scale a",
+         "Opacity of the initial function at full intensity; of a linear one its slope, of a manual one a factor", "",
+         "chosen by looking"},
+        {.offered = ParameterRange{0, 10}, .steps = bySteps(0.05)});
+    row.range = {0, 1e6};
+    row.get = [](const AdaptiveOtfConfig& config) -> std::optional<ParameterValue> {
+        const double* scale = scaleOf(config.initial);
         return scale == nullptr ? std::nullopt : std::optional<ParameterValue>(*scale);
     };
-    const auto set = [](AdaptiveOtfConfig& config, const ParameterValue& value) {
-        double* scale = decltype(scaleOf)()(config.initial);
+    row.set = [](AdaptiveOtfConfig& config, const ParameterValue& value) {
+        double* scale = scaleOf(config.initial);
         const auto number = numberOf(value);
         if (scale == nullptr || !number) return false;
         *scale = *number;
         return true;
     };
-    return {"opacity_scale",
-            "Opacity scale a",
-            "Opacity of the initial function at full intensity; of a linear one its slope, of a manual one a factor",
-            "",
-            "chosen by looking",
-            {0, 1e6},
-            {},
-            get,
-            set,
-            ParameterRange{0, 10}};
+    return row;
 }
+
+constexpr ParameterChoice ramp{"ramp", "Ramp"}, product{"product", "Product of basis functions"};
+constexpr ParameterChoice ratio{"ratio", "Ratio of means"}, variance{"variance", "Variance in scale space"};
 
 constexpr std::string_view published = "Petersch 2005, 4.1";
 constexpr std::string_view withoutFluid =
@@ -57,225 +92,250 @@ constexpr std::string_view withoutFluid =
 std::vector<Row> gridAndCells() {
     return {
         tubeCount<&TubeGrid::columns>(
-            {"tube_columns", "Tube columns", "Tube cores across the picture", "", "Petersch 2005, 6.1"}, {1, 4096},
-            {1, 400}),
-        tubeCount<&TubeGrid::rows>({"tube_rows", "Tube rows", "Tube cores down the picture", "", "Petersch 2005, 6.1"},
-                                   {1, 4096}, {1, 400}),
-        number<&TubeGrid::spacing>({"tube_spacing", "Tube spacing",
-                                    "Distance of neighbouring tube cores; 0: automatic, the grid covers the volume",
-                                    "units", "Petersch 2005, 6.1"},
-                                   {0, 1e6}, ParameterRange{0, 1000}),
-        number<&CellRule::size>({"cell_size", "Cell size", "Edge of the cells along a tube core", "units", published},
-                                {2, largestCellSize}),
-        choice<&CellRule::sampling, samplings>(
+            {"tube_columns", "Tube columns", "Tube cores across the picture", "", "Petersch 2005, 6.1"}),
+        tubeCount<&TubeGrid::rows>({"tube_rows", "Tube rows", "Tube cores down the picture", "", "Petersch 2005, 6.1"}),
+        number<grid, &TubeGrid::spacing>(
+            {"tube_spacing", "Tube spacing",
+             "Distance of neighbouring tube cores; 0: automatic, the grid covers the volume", "units",
+             "Petersch 2005, 6.1"},
+            {0, 1e6}, {.offered = ParameterRange{0, 1000}, .steps = ParameterSteps{1, 1}}),
+        number<cells, &CellRule::size>(
+            {"cell_size", "Cell size", "Edge of the cells along a tube core", "units", published}, {2, largestCellSize},
+            {.steps = byOne}),
+        choice<samplings, cells, &CellRule::sampling>(
             {"sampling", "Sampling", "How samples that lie on no voxel are taken", "", "docs/cli-study.md, study otf"}),
-        choice<&CellRule::precision, precisions>({"precision", "Precision",
-                                                  "Arithmetic of samples, moments and interface function", "",
-                                                  "docs/cli-study.md, study otf"}),
+        choice<precisions, cells, &CellRule::precision>({"precision", "Precision",
+                                                         "Arithmetic of samples, moments and interface function", "",
+                                                         "docs/cli-study.md, study otf"}),
     };
 }
 
 std::vector<Row> detectionByVariance() {
-    return {
-        number<&VarianceRule::coarsestScale>(
+    std::vector<Row> rows{
+        number<detection, &VarianceRule::coarsestScale>(
             {"coarsest_scale", "Coarsest scale",
              "The widest kernel in which a surface is looked for has a size of 2 to this power, in units", "",
              published},
-            {0, 10}, ParameterRange{1, 10}),
-        number<&VarianceRule::finestScale>(
+            {0, 10}, {.offered = ParameterRange{1, 10}, .steps = byOne}),
+        number<detection, &VarianceRule::finestScale>(
             {"finest_scale", "Finest scale",
              "The narrowest kernel to which a surface is followed has a size of 2 to this power, in units", "",
              published},
-            {0, 10}, ParameterRange{1, 10}),
-        number<&VarianceRule::sigmaPerKernelSize>(
+            {0, 10}, {.offered = ParameterRange{1, 10}, .steps = byOne}),
+        number<detection, &VarianceRule::sigmaPerKernelSize>(
             {"sigma_per_kernel_size", "Sigma", "Standard deviation of a kernel, as a share of its size", "kernel sizes",
              "docs/experiments.md, What the paper leaves open"},
             {0.01, 4}),
-        number<&VarianceRule::kernelCut>(
+        number<detection, &VarianceRule::kernelCut>(
             {"kernel_cut", "Kernel cut", "Kernels end at this many standard deviations and are renormalised",
              "standard deviations", "docs/experiments.md, What the paper leaves open"},
             {0.5, 10}),
-        choice<&VarianceRule::kernelEndsAtZero, kernelEnds>(
+        choice<kernelEnds, detection, &VarianceRule::kernelEndsAtZero>(
             {"kernel_end", "Kernel end", "Kernels are lowered so that they end at zero, or they are cut", "",
              "docs/experiments.md, What the paper leaves open"}),
-        choice<&VarianceRule::border, borders>(
+        choice<borders, detection, &VarianceRule::border>(
             {"border", "Border", "Beyond a tube core's ends: mirrored in front and zero behind, or the other end", "",
              "docs/experiments.md, What the paper leaves open"}),
-        choice<&VarianceRule::smoothing, routes>(
+        choice<routes, detection, &VarianceRule::smoothing>(
             {"smoothing_route", "Smoothing route",
              "How the interface function is smoothed: sums of products, or a Fourier transform", "",
              "docs/experiments.md, What the paper leaves open"}),
-        number<&VarianceRule::significance>(
+        number<detection, &VarianceRule::significance>(
             {"significance", "Significance", "A local maximum counts from this share of the largest value in its range",
              "share", "docs/experiments.md, What the paper leaves open"},
-            {0, 1}),
-        number<&VarianceRule::floorQuantile>(
+            {0, 1}, {.steps = bySteps(0.05)}),
+        number<detection, &VarianceRule::floorQuantile>(
             {"floor_quantile", "Floor quantile",
              "This quantile of a tube's interface function is taken off before tracking; 0: nothing is", "share",
              "docs/experiments.md, Three readings"},
             {0, 1}),
-        number<&VarianceRule::trackingRangeSigmas>(
+        number<detection, &VarianceRule::trackingRangeSigmas>(
             {"tracking_range", "Tracking range",
              "How far around a maximum the next scale looks; 0: from valley to valley", "standard deviations",
              "docs/experiments.md, What the paper leaves open"},
             {0, 1000}),
-        choice<&VarianceRule::coarsestMustHaveMaximum, coarsestMaxima>(
+        choice<coarsestMaxima, detection, &VarianceRule::coarsestMustHaveMaximum>(
             {"coarsest_maximum", "Coarsest maximum",
              "Needed: there is no surface without a maximum at the coarsest scale; any: tracking begins at the "
              "coarsest scale that has one",
              "", "docs/experiments.md, Three readings"}),
-        number<&VarianceRule::leastEdgeToNoise>(
+        number<detection, &VarianceRule::leastEdgeToNoise>(
             {"least_edge_to_noise", "Least edge to noise",
              "A surface that stands out less from its tube's own speckle weighs nothing; 0: there is no test", "",
              "docs/experiments.md, Three readings"},
             {0, 1e6}),
     };
+    return within({"interface_function", variance.name}, std::move(rows));
 }
 
 std::vector<Row> detectionByRatio() {
     constexpr ParameterRange slabs{1, 1000};
-    return {
-        number<&RatioRule::falseAlarm>({"false_alarm", "Least contrast",
-                                        "A surface counts from this contrast on, in standard deviations of the "
-                                        "contrast where there is no boundary",
-                                        "standard deviations", "docs/experiments.md, Detection by ratio"},
-                                       {0, 1e6}, ParameterRange{0, 20}),
-        number<&RatioRule::contrastFloor>(
+    std::vector<Row> rows{
+        number<detection, &RatioRule::falseAlarm>(
+            {"false_alarm", "Least contrast",
+             "A surface counts from this contrast on, in standard deviations of the "
+             "contrast where there is no boundary",
+             "standard deviations", "docs/experiments.md, Detection by ratio"},
+            {0, 1e6}, {.offered = ParameterRange{0, 20}, .steps = bySteps(0.25)}),
+        number<detection, &RatioRule::contrastFloor>(
             {"contrast_floor", "Contrast floor", "The least contrast of a surface is never below this",
              "standard deviations of voxels",
              "docs/experiments.md, Detection by ratio: figures of other values were not kept"},
             {0, 1e6}),
-        number<&RatioRule::contrastCeiling>(
+        number<detection, &RatioRule::contrastCeiling>(
             {"contrast_ceiling", "Contrast ceiling", "The least contrast of a surface is never above this",
              "standard deviations of voxels",
              "docs/experiments.md, Detection by ratio: figures of other values were not kept"},
             {0, 1e6}),
-        number<&RatioRule::slabsBefore>(
+        number<detection, &RatioRule::slabsBefore>(
             {"slabs_before", "Slabs before", "Slabs averaged before a boundary", "units",
              "docs/experiments.md, Detection by ratio: windows of 5 and 8, or 8 and 12, are within half "
              "a point"},
             slabs),
-        number<&RatioRule::slabsBehind>(
+        number<detection, &RatioRule::slabsBehind>(
             {"slabs_behind", "Slabs behind", "Slabs averaged behind a boundary", "units",
              "docs/experiments.md, Detection by ratio: windows of 5 and 8, or 8 and 12, are within half "
              "a point"},
             slabs),
-        number<&RatioRule::rampSlabs>(
+        number<detection, &RatioRule::rampSlabs>(
             {"ramp_slabs", "Ramp slabs", "Slabs on each side of a boundary that may lie on its ramp", "units",
              "docs/experiments.md, Detection by ratio"},
             {0, 1000}),
-        number<&RatioRule::leastFluid>({"least_fluid", "Least fluid", "Slabs of fluid that must lie before a surface",
-                                        "units", "docs/experiments.md, Detection by ratio"},
-                                       slabs),
-        number<&RatioRule::leastDark>(
+        number<detection, &RatioRule::leastFluid>(
+            {"least_fluid", "Least fluid", "Slabs of fluid that must lie before a surface", "units",
+             "docs/experiments.md, Detection by ratio"},
+            slabs),
+        number<detection, &RatioRule::leastDark>(
             {"least_dark", "Least dark", "Slabs before a surface that must be darker than the fluid level", "units",
              withoutFluid},
             {0, 1000}),
-        number<&RatioRule::leastStep>(
+        number<detection, &RatioRule::leastStep>(
             {"least_step", "Least step", "A surface rises by at least this share of the view's bright mean", "share",
              withoutFluid},
             {0, 1}),
-        number<&RatioRule::certainty>({"certainty", "Certainty",
-                                       "A contrast of this many standard deviations is no accident even among "
-                                       "thousands of boundaries",
-                                       "standard deviations", withoutFluid},
-                                      {0, 1e6}),
-        number<&RatioRule::certainShare>({"certain_share", "Certain share",
-                                          "A view holds surfaces only if this share of its tube cores, at least one, "
-                                          "holds a certain contrast",
-                                          "share", withoutFluid},
-                                         {0, 1}),
-        number<&RatioRule::leastRatio>({"least_ratio", "Least ratio",
-                                        "Where echo is not compressed, tissue must typically be this many times as "
-                                        "bright as fluid",
-                                        "", withoutFluid},
-                                       {1, 1000}),
+        number<detection, &RatioRule::certainty>(
+            {"certainty", "Certainty",
+             "A contrast of this many standard deviations is no accident even among "
+             "thousands of boundaries",
+             "standard deviations", withoutFluid},
+            {0, 1e6}),
+        number<detection, &RatioRule::certainShare>(
+            {"certain_share", "Certain share",
+             "A view holds surfaces only if this share of its tube cores, at least one, "
+             "holds a certain contrast",
+             "share", withoutFluid},
+            {0, 1}),
+        number<detection, &RatioRule::leastRatio>(
+            {"least_ratio", "Least ratio",
+             "Where echo is not compressed, tissue must typically be this many times as "
+             "bright as fluid",
+             "", withoutFluid},
+            {1, 1000}),
     };
+    return within({"interface_function", ratio.name}, std::move(rows));
 }
 
 std::vector<Row> surfacesAndWeights() {
     return {
-        number<&SurfaceRule::lowReach>(
+        number<surface, &SurfaceRule::lowReach>(
             {"low_reach", "Low reach", "I_L is the mean over this many of the last prior cells; 0: over all of them",
              "units", "docs/method.md, 5. Read I_L, I_H and the slope; 0: Petersch 2005, 4.1"},
             {0, 1000}),
-        number<&SurfaceRule::highReach>(
+        number<surface, &SurfaceRule::highReach>(
             {"high_reach", "High reach",
              "I_H is the largest cell mean up to this far behind the surface; 0: the mean at the surface", "units",
              "docs/method.md, 5. Read I_L, I_H and the slope; 0: Petersch 2005, 4.1"},
             {0, 1000}),
-        number<&SurfaceRule::slopeHalfStep>(
+        number<surface, &SurfaceRule::slopeHalfStep>(
             {"slope_half_step", "Slope half step",
              "The slope at a surface is a central difference over this far to either side", "units",
              "docs/experiments.md, What the paper leaves open"},
-            {1, 1000}, ParameterRange{1, 32}),
-        choice<&SurfaceRule::priorCellsMayOverlap, priorCells>(
+            {1, 1000}, {.offered = ParameterRange{1, 32}, .steps = byOne}),
+        choice<priorCells, surface, &SurfaceRule::priorCellsMayOverlap>(
             {"prior_cells", "Prior cells",
              "Apart: cells that end before the surface cell; overlapping: all that begin before it", "",
              "docs/experiments.md, What the paper leaves open; overlapping: Petersch 2005, eq. 8"}),
-        number<&WeightRule::rankBins>({"rank_bins", "Rank bins",
-                                       "Bins of the histograms of eqs. 9 and 10, from 0 to the largest value; 0: exact "
-                                       "ranks",
-                                       "", "docs/experiments.md, What the paper leaves open"},
-                                      {0, 1 << 20}),
+        number<weights, &WeightRule::rankBins>(
+            {"rank_bins", "Rank bins",
+             "Bins of the histograms of eqs. 9 and 10, from 0 to the largest value; 0: exact "
+             "ranks",
+             "", "docs/experiments.md, What the paper leaves open"},
+            {0, 1 << 20}),
     };
 }
 
-std::vector<Row> curves() {
-    constexpr std::string_view tried = "docs/experiments.md, The curve";
-    return {
-        alternative<&AdaptiveOtfConfig::curve, ProductRule, RampRule>(
-            {"form", "Form",
-             "Ramp: clear up to the fluid, full from the surface on, averaged over the tube cores; product: the "
-             "initial function times one basis function for each tube core, as published",
-             "", tried}),
-        number<&ProductRule::strength>(
-            {"strength", "Strength", "How far the found surfaces bend the initial function: T times d_max", "",
-             "docs/experiments.md, What the paper leaves open: d_max 0.03 at 225 tube cores"},
-            {0, 1e12}, ParameterRange{0, 40}),
-        number<&RampRule::begin>({"ramp_begin", "Ramp begin",
-                                  "An intensity is clear up to this share of the way from I_L to I_H", "share", tried},
-                                 {-10, 10}),
-        number<&RampRule::clearSpreads>(
-            {"clear_spreads", "Clear spreads",
-             "An intensity is clear up to this far above I_L, in deviations of the fluid's own voxels",
-             "standard deviations", tried},
-            {0, 1000}),
-        number<&RampRule::end>(
-            {"ramp_end", "Ramp end", "The ramp is full from this share of the way from I_L to I_H on", "share", tried},
-            {-9.999, 20}),
-        number<&RampRule::opacity>(
-            {"ramp_opacity", "Opacity", "Opacity where all tube cores say surface", "opacity per unit length", tried},
-            {1e-6, 1}, ParameterRange{0.01, 1}),
-        number<&RampRule::trustedShare>({"trusted_share", "Trusted share",
-                                         "Share of the tube cores that must have a weight for the initial function to "
-                                         "have no say",
-                                         "share", "no experiment on record; docs/method.md, 7. Curve"},
-                                        {0, 1}),
-        opacityScale(),
-    };
-}
+constexpr std::string_view triedCurves = "docs/experiments.md, The curve";
 
-std::vector<Row> allRows() {
-    std::vector<Row> all = gridAndCells();
-    const auto append = [&](const std::vector<Row>& rows) { all.insert(all.end(), rows.begin(), rows.end()); };
-    append({alternative<&AdaptiveOtfConfig::detection, VarianceRule, RatioRule>(
+Row detectionRule() {
+    return alternative<detection, RatioRule, ratio, VarianceRule, variance>(
         {"interface_function", "Interface function",
          "What tells tissue from fluid along a tube core. Ratio: how much brighter it is behind than before, which "
          "speckle does not disturb; variance: where intensities vary most, followed through scale space, as published",
-         "", "docs/experiments.md, Detection by ratio"})});
+         "", "docs/experiments.md, Detection by ratio"});
+}
+
+Row curveRule() {
+    return alternative<curve, RampRule, ramp, ProductRule, product>(
+        {"form", "Form",
+         "Ramp: clear up to the fluid, full from the surface on, averaged over the tube cores; product: the "
+         "initial function times one basis function for each tube core, as published",
+         "", triedCurves});
+}
+
+std::vector<Row> curveByProduct() {
+    std::vector<Row> rows{number<curve, &ProductRule::strength>(
+        {"strength", "Strength", "How far the found surfaces bend the initial function: T times d_max", "",
+         "docs/experiments.md, What the paper leaves open: d_max 0.03 at 225 tube cores"},
+        {0, 1e12}, {.offered = ParameterRange{0, 40}, .steps = bySteps(0.25)})};
+    return within({"form", product.name}, std::move(rows));
+}
+
+std::vector<Row> curveByRamp() {
+    std::vector<Row> rows{
+        number<curve, &RampRule::begin>(
+            {"ramp_begin", "Ramp begin", "An intensity is clear up to this share of the way from I_L to I_H", "share",
+             triedCurves},
+            {-10, 10}),
+        number<curve, &RampRule::clearSpreads>(
+            {"clear_spreads", "Clear spreads",
+             "An intensity is clear up to this far above I_L, in deviations of the fluid's own voxels",
+             "standard deviations", triedCurves},
+            {0, 1000}),
+        number<curve, &RampRule::end>(
+            {"ramp_end", "Ramp end", "The ramp is full from this share of the way from I_L to I_H on", "share",
+             triedCurves},
+            {-9.999, 20}),
+        number<curve, &RampRule::opacity>({"ramp_opacity", "Opacity", "Opacity where all tube cores say surface",
+                                           "opacity per unit length", triedCurves},
+                                          {1e-6, 1}, {.offered = ParameterRange{0.01, 1}, .steps = bySteps(0.01)}),
+        number<curve, &RampRule::trustedShare>(
+            {"trusted_share", "Trusted share",
+             "Share of the tube cores that must have a weight for the initial function to "
+             "have no say",
+             "share", "no experiment on record; docs/method.md, 7. Curve"},
+            {0, 1}),
+    };
+    return within({"form", ramp.name}, std::move(rows));
+}
+
+std::vector<Row> allRows() {
+    std::vector<Row> all;
+    const auto append = [&](const std::vector<Row>& rows) { all.insert(all.end(), rows.begin(), rows.end()); };
+    append(gridAndCells());
+    append({detectionRule()});
     append(detectionByVariance());
     append(detectionByRatio());
     append(surfacesAndWeights());
-    append(curves());
+    append({curveRule()});
+    append(curveByProduct());
+    append(curveByRamp());
+    append({opacityScale()});
+    // Of so many parameters the panel offers the choices of rules and those that say how a hand moves them.
+    for (Row& row : all) row.inPanels = row.steps.has_value() || row.name == "form" || row.name == "interface_function";
     return all;
 }
 
-}  // namespace
-
 }  // namespace method_rows
-
-namespace {
 
 /// What is wrong with the list of tube cores that are never placed.
 std::string problemWithLeftOut(const TubeGrid& grid) {
@@ -291,16 +351,8 @@ std::string problemWithLeftOut(const TubeGrid& grid) {
     return {};
 }
 
-}  // namespace
-
-std::span<const Parameter<AdaptiveOtfConfig>> methodParameters() {
-    static const std::vector<Parameter<AdaptiveOtfConfig>> rows = method_rows::allRows();
-    return rows;
-}
-
-std::string problemOf(const AdaptiveOtfConfig& config) {
-    if (std::string problem = problemIn(methodParameters(), config); !problem.empty()) return problem;
-    // What two parameters must be to each other.
+/// What two parameters must be to each other.
+std::string problemBetweenRows(const AdaptiveOtfConfig& config) {
     constexpr int mostTubes = 1 << 18;
     if (config.grid.columns * config.grid.rows > mostTubes)
         return "the tube grid must have at most " + std::to_string(mostTubes) + " tube cores";
@@ -315,5 +367,14 @@ std::string problemOf(const AdaptiveOtfConfig& config) {
         if (!(ramp->end >= ramp->begin + 1e-3)) return "the ramp must end at least 0.001 behind where it begins";
     return {};
 }
+
+}  // namespace
+
+const ParameterTable<AdaptiveOtfConfig>& methodParameters() {
+    static const ParameterTable<AdaptiveOtfConfig> table{method_rows::allRows(), {}, problemBetweenRows};
+    return table;
+}
+
+std::string problemOf(const AdaptiveOtfConfig& config) { return problemIn(methodParameters(), config); }
 
 }  // namespace echolucent

@@ -107,7 +107,10 @@ std::vector<std::string> explanationOf(const AdaptiveOtf& otf) {
 
 }  // namespace
 
-std::span<const Parameter<AdaptiveConfig>> parametersOf(const AdaptiveConfig& /*config*/) { return {}; }
+const ParameterTable<AdaptiveConfig>& parametersOf(const AdaptiveConfig& /*config*/) {
+    static const ParameterTable<AdaptiveConfig> table;
+    return table;
+}
 
 std::optional<Design> design(const AdaptiveConfig& /*config*/, const DesignerInput& input, const Progress& progress) {
     const auto otf = adaptOpacity(input.raw, input.view, input.method, progress, {&input.shown, input.reduction});

@@ -2,19 +2,18 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
+#include "processing/designers/adaptive_config.h"
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
 
 struct AdaptiveOtf;
 
-/// No row.
-[[nodiscard]] std::span<const Parameter<AdaptiveConfig>> parametersOf(const AdaptiveConfig& config);
+/// No row: the rows of methodParameters() are its parameters.
+[[nodiscard]] const ParameterTable<AdaptiveConfig>& parametersOf(const AdaptiveConfig& config);
 
 /// Runs adaptOpacity() (Petersch 2005; docs/method.md): tube cores read the raw voxels along input.view, and the curve
 /// is meant for the shown ones. Where no surface is found the curve is the initial function, and `message` says so. The

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
 
 namespace echolucent {
 
@@ -11,9 +11,6 @@ std::optional<Design> design(const DesignerConfig& config, const DesignerInput& 
 }
 
 std::string problemOf(const DesignerConfig& config) {
-    // What a person draws, and a reference, stand in no table.
-    if (const auto* kindlmann = std::get_if<KindlmannConfig>(&config)) return problemOf(*kindlmann);
-    if (const auto* carried = std::get_if<TemplateConfig>(&config)) return problemOf(*carried);
     return std::visit([](const auto& values) { return problemIn(parametersOf(values), values); }, config);
 }
 

@@ -1,40 +1,44 @@
 #include "processing/designers/designer_config.h"
 
-#include <cstddef>
-#include <utility>
-#include <variant>
-
-#include "processing/choice_names.h"
+#include <algorithm>
 
 namespace echolucent {
 
 namespace {
 
-constexpr ChoiceNames<allDesigners.size()> designerNames{"adaptive",         "levoy", "kindlmann",  "template",
-                                                         "contour-spectrum", "otsu",  "percentile", "fetal-preset",
-                                                         "echo-ramp"};
-constexpr ChoiceNames<allDesigners.size()> designerLabels{
-    "Adaptive",  "Levoy",           "Kindlmann and Durkin", "Template", "Contour spectrum",
-    "Otsu ramp", "Percentile ramp", "Fetal preset",         "Echo ramp"};
+template <typename Ask>
+auto ofEach(const Ask& ask) {
+    return [&]<typename... Configs>(const std::variant<Configs...>*) {
+        return std::array{ask(Configs{})...};
+    }(static_cast<const DesignerConfig*>(nullptr));
+}
 
-static_assert(std::variant_size_v<DesignerConfig> == allDesigners.size());
-
-template <std::size_t... index>
-DesignerConfig defaultAt(std::size_t wanted, std::index_sequence<index...>) {
-    DesignerConfig config;
-    (void)((index == wanted ? (config.emplace<index>(), true) : false) || ...);
-    return config;
+const DesignerWords& wordsOf(Designer designer) {
+    static const auto all = ofEach([](const auto& config) { return config.words; });
+    return all.at(static_cast<std::size_t>(designer));
 }
 
 }  // namespace
 
-std::string_view nameOf(Designer designer) { return nameIn(designerNames, designer); }
-std::optional<Designer> designerFromName(std::string_view name) { return choiceNamed<Designer>(designerNames, name); }
-std::string_view labelOf(Designer designer) { return nameIn(designerLabels, designer); }
+std::string_view nameOf(Designer designer) { return wordsOf(designer).name; }
+std::string_view labelOf(Designer designer) { return wordsOf(designer).label; }
+
+std::optional<Designer> designerFromName(std::string_view name) {
+    const auto found = std::ranges::find(allDesigners, name, [](Designer each) { return nameOf(each); });
+    return found != allDesigners.end() ? std::optional(*found) : std::nullopt;
+}
 
 DesignerConfig defaultConfigOf(Designer designer) {
-    return defaultAt(static_cast<std::size_t>(designer),
-                     std::make_index_sequence<std::variant_size_v<DesignerConfig>>());
+    return ofEach([](const auto& config) { return DesignerConfig(config); }).at(static_cast<std::size_t>(designer));
+}
+
+bool readsTubeCores(const DesignerConfig& config) {
+    return std::visit(
+        [](const auto& values) {
+            if constexpr (requires { values.readsTubeCores(); }) return values.readsTubeCores();
+            return false;
+        },
+        config);
 }
 
 }  // namespace echolucent

@@ -2,20 +2,19 @@
 #pragma once
 
 #include <cmath>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "processing/designers/design.h"
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
 
 namespace echolucent {
 
-/// Throws std::invalid_argument, its text after "`configName`: ", where a parameter is out of its range or the volumes
+/// Throws std::invalid_argument, its text after "`configName`: ", where problemIn() finds something or the volumes
 /// of the input have different grids.
 template <typename Config>
-void requireDesignable(std::string_view configName, std::span<const Parameter<Config>> table, const Config& config,
+void requireDesignable(std::string_view configName, const ParameterTable<Config>& table, const Config& config,
                        const DesignerInput& input) {
     std::string problem = problemIn(table, config);
     const VolumeGeometry &raw = input.raw.geometry(), &shown = input.shown.geometry();

@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "processing/designers/config_rows.h"
 #include "processing/designers/designer_contract.h"
 #include "processing/designers/fetal_preset.h"
 #include "processing/intensity/intensity_counts.h"
+#include "processing/parameters/parameter_rows.h"
 
 namespace echolucent {
 
@@ -59,25 +59,28 @@ Design presetDesign(ManualCurve curve, const Volume& shown, const std::string& n
     return design;
 }
 
-const auto& echoRampRows() {
-    using namespace config_rows;
+const ParameterTable<EchoRampConfig>& echoRampTable() {
+    using namespace parameter_rows;
     constexpr std::string_view source = "SlicerHeart, Echo Volume Render";
-    static const std::array table{
+    static const ParameterTable<EchoRampConfig> table{{
         number<&EchoRampConfig::threshold>(
             {"threshold", "Threshold", "Intensity from which on opacity is high: white times this share", "share",
              source},
             {0, 1}),
         number<&EchoRampConfig::edge>(
             {"edge", "Edge width", "How far the ramp reaches below and above the threshold", "share", source}, {0, 1},
-            ParameterRange{0, 0.2}),
-    };
+            {.offered = ParameterRange{0, 0.2}}),
+    }};
     return table;
 }
 
 }  // namespace
 
-std::span<const Parameter<FetalPresetConfig>> parametersOf(const FetalPresetConfig&) { return {}; }
-std::span<const Parameter<EchoRampConfig>> parametersOf(const EchoRampConfig&) { return echoRampRows(); }
+const ParameterTable<FetalPresetConfig>& parametersOf(const FetalPresetConfig&) {
+    static const ParameterTable<FetalPresetConfig> table;
+    return table;
+}
+const ParameterTable<EchoRampConfig>& parametersOf(const EchoRampConfig&) { return echoRampTable(); }
 
 std::optional<Design> design(const FetalPresetConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("FetalPresetConfig", parametersOf(config), config, input);

@@ -3,18 +3,17 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
-#include "processing/parameter.h"
+#include "processing/designers/fixed_presets_config.h"
+#include "processing/parameters/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
 
 /// Their tables; the argument only selects one.
-[[nodiscard]] std::span<const Parameter<FetalPresetConfig>> parametersOf(const FetalPresetConfig&);
-[[nodiscard]] std::span<const Parameter<EchoRampConfig>> parametersOf(const EchoRampConfig&);
+[[nodiscard]] const ParameterTable<FetalPresetConfig>& parametersOf(const FetalPresetConfig&);
+[[nodiscard]] const ParameterTable<EchoRampConfig>& parametersOf(const EchoRampConfig&);
 
 /// The same curve for every volume. How many voxels of input.shown it shows is a fact; where it shows none, the message
 /// says so. The result is empty only where progress.cancel was raised. Throws std::invalid_argument where the volumes

@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "processing/designers/config_rows.h"
 #include "processing/designers/designer_contract.h"
+#include "processing/parameters/parameter_rows.h"
 
 namespace echolucent {
 
@@ -67,16 +67,16 @@ DesignPlot betweenVariances(const IntensityCounts& counts) {
     return plot;
 }
 
-const auto& otsuRows() {
-    using namespace config_rows;
-    static const std::array table{
+const ParameterTable<OtsuConfig>& otsuTable() {
+    using namespace parameter_rows;
+    static const ParameterTable<OtsuConfig> table{{
         number<&OtsuConfig::spreads>(
             {"spreads", "Spreads", "How far the ramp reaches below and above the threshold, each by its own class",
              "standard deviations", "docs/designers/otsu.md"},
             {0, 4}),
         number<&OtsuConfig::opacity>(
             {"opacity", "Opacity", "Opacity of the bright class beyond the ramp", "", "chosen by looking"}, {0, 1}),
-    };
+    }};
     return table;
 }
 
@@ -98,7 +98,7 @@ std::optional<OtsuClasses> otsuClasses(const IntensityCounts& counts) {
                        classOf(counts, best, intensities), largest};
 }
 
-std::span<const Parameter<OtsuConfig>> parametersOf(const OtsuConfig&) { return otsuRows(); }
+const ParameterTable<OtsuConfig>& parametersOf(const OtsuConfig&) { return otsuTable(); }
 
 std::optional<Design> design(const OtsuConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("OtsuConfig", parametersOf(config), config, input);

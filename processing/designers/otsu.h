@@ -3,12 +3,11 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
+#include "processing/designers/otsu_config.h"
 #include "processing/intensity/intensity_counts.h"
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
@@ -34,7 +33,7 @@ struct OtsuClasses {
 [[nodiscard]] std::optional<OtsuClasses> otsuClasses(const IntensityCounts& counts);
 
 /// Its table; the argument only selects it.
-[[nodiscard]] std::span<const Parameter<OtsuConfig>> parametersOf(const OtsuConfig&);
+[[nodiscard]] const ParameterTable<OtsuConfig>& parametersOf(const OtsuConfig&);
 
 /// A curve that is clear below the ramp and rises in a straight line from the threshold minus the spread of the dark
 /// class to the threshold plus that of the bright class, both within [0,1]. It reads input.shown; voxels without data

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <string>
 
-#include "processing/designers/config_rows.h"
 #include "processing/designers/designer_contract.h"
 #include "processing/intensity/intensity_counts.h"
+#include "processing/parameters/parameter_rows.h"
 
 namespace echolucent {
 
@@ -59,10 +59,10 @@ DesignPlot sharesUpTo(const IntensityCounts& counts) {
     return plot;
 }
 
-const auto& percentileRows() {
-    using namespace config_rows;
+const ParameterTable<PercentileConfig>& percentileTable() {
+    using namespace parameter_rows;
     constexpr std::string_view byLooking = "docs/designers/percentile.md; chosen by looking";
-    static const std::array table{
+    static const ParameterTable<PercentileConfig> table{{
         number<&PercentileConfig::clear>(
             {"clear", "Clear up to", "Percentile of the voxels up to which opacity is 0", "%", byLooking}, {0, 100}),
         number<&PercentileConfig::full>({"full", "Full from",
@@ -71,13 +71,13 @@ const auto& percentileRows() {
                                          "%", byLooking},
                                         {0, 100}),
         number<&PercentileConfig::opacity>({"opacity", "Opacity", "Full opacity", "", byLooking}, {0, 1}),
-    };
+    }};
     return table;
 }
 
 }  // namespace
 
-std::span<const Parameter<PercentileConfig>> parametersOf(const PercentileConfig&) { return percentileRows(); }
+const ParameterTable<PercentileConfig>& parametersOf(const PercentileConfig&) { return percentileTable(); }
 
 std::optional<Design> design(const PercentileConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("PercentileConfig", parametersOf(config), config, input);

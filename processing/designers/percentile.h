@@ -2,17 +2,16 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
-#include "processing/parameter.h"
+#include "processing/designers/percentile_config.h"
+#include "processing/parameters/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
 
 /// Its table; the argument only selects it.
-[[nodiscard]] std::span<const Parameter<PercentileConfig>> parametersOf(const PercentileConfig&);
+[[nodiscard]] const ParameterTable<PercentileConfig>& parametersOf(const PercentileConfig&);
 
 /// A curve that is clear up to one percentile (percentileOf(), the nearest rank) of input.shown and full from the other
 /// on, in a straight line between. Where both are one intensity that many voxels share, the voxels above it alone give

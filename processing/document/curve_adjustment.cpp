@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "processing/parameters/parameter_rows.h"
+
 namespace echolucent {
 
 namespace {
@@ -41,6 +43,21 @@ bool isClear(const std::vector<double>& opacities) {
 double depthFactorOf(const CurveAdjustment& adjustment) { return std::pow(4.0, -adjustment.transparency); }
 
 }  // namespace
+
+const ParameterTable<CurveAdjustment>& adjustmentParameters() {
+    using namespace parameter_rows;
+    static const ParameterTable<CurveAdjustment> table{
+        {number<&CurveAdjustment::threshold>(
+             {"threshold", "Threshold",
+              "To the right only brighter echoes show; moves the rise of the curve that is rendered", "",
+              "chosen by looking"},
+             {-0.5, 0.5}),
+         number<&CurveAdjustment::transparency>(
+             {"transparency", "Transparency", "To the right you see deeper; black fluid stays clear either way", "",
+              "chosen by looking"},
+             {-1, 1}, {.steps = ParameterSteps{0.01, 2}})}};
+    return table;
+}
 
 OpacityCurve adjusted(const OpacityCurve& curve, const CurveAdjustment& adjustment) {
     if (adjustment == CurveAdjustment{}) return curve;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "processing/classification.h"
+#include "processing/parameters/parameter.h"
 
 namespace echolucent {
 
@@ -13,7 +14,8 @@ struct CurveAdjustment {
     friend bool operator==(const CurveAdjustment&, const CurveAdjustment&) = default;
 };
 
-inline constexpr double largestThreshold = 0.5, largestTransparency = 1.0;
+/// A row for each of both.
+[[nodiscard]] const ParameterTable<CurveAdjustment>& adjustmentParameters();
 
 /// The curve as it is rendered; the same one, to the bit, where nothing is adjusted. Else it is sampled at the
 /// intensities of the ray caster's table.

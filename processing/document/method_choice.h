@@ -6,6 +6,7 @@
 
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/document/curve_set.h"
+#include "processing/parameters/parameter.h"
 
 namespace echolucent {
 
@@ -27,6 +28,9 @@ struct MethodChoice {
     double initialScale = defaultOpacityScale;  ///< a of the parabolic and quartic initial function, >= 0
     friend bool operator==(const MethodChoice&, const MethodChoice&) = default;
 };
+
+/// The rows of the initial function and of its scale; those of the config are methodParameters().
+[[nodiscard]] const ParameterTable<MethodChoice>& initialFunctionParameters();
 
 /// The initial function that a choice names.
 [[nodiscard]] OpacityCurve initialCurve(const MethodChoice& method, const CurveSet& curves);

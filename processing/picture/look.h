@@ -1,11 +1,7 @@
 // What a person chooses of a picture's look: one table says each choice once.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
-
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
 #include "processing/picture/camera.h"
 #include "processing/picture/colour_map.h"
 #include "processing/picture/light_direction.h"
@@ -36,18 +32,9 @@ struct Look {
     friend bool operator==(const Look&, const Look&) = default;
 };
 
-/// A row for every member of Look, in the order in which people are shown them. The command line, the settings file,
-/// the panel, the JSON and docs/cli-render.md are made from these rows; a default is what lookAtStart() holds.
-[[nodiscard]] std::span<const Parameter<Look>> lookParameters();
-
-/// Whether a person chooses a row's value in a window: all but the step, which the qualities of the view choose.
-[[nodiscard]] bool chosenByPersons(const Parameter<Look>& row);
-
-/// Whether a row's value can change the picture of a look: a light plays no part in a picture without light.
-[[nodiscard]] bool playsAPart(std::string_view name, const Look& look);
-
-/// A choice's name for a person ("Mean (x-ray)" for "mean"), sentence case.
-[[nodiscard]] std::string labelOfChoice(std::string_view choice);
+/// A row for every member of Look, in the order in which people are shown them. The command line, the panel, the JSON
+/// and docs/cli-render.md are made from these rows; the defaults are those of lookAtStart().
+[[nodiscard]] const ParameterTable<Look>& lookParameters();
 
 /// The look that the window and the command line start with: quiet voxels and light that tells depth, from whole
 /// degrees, as the panel's sliders show them.

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "processing/choice_names.h"
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
 
 namespace echolucent {
 

@@ -113,7 +113,7 @@ private slots:
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(
                 "[picture]\ncolourMap=ice\ninterpolation=nearest\nprojection=perspective\nlighting=flat\n"
-                "mode=mean\nlightAzimuth=71\nlightElevation=-12.5\ndepthColoured=true\n");
+                "mode=mean\nlightAzimuth=71\nlightElevation=-12.5\ndepthColouring=true\n");
         }
         const Look expected{.mode = RenderMode::mean,
                             .reduction = lookAtStart().reduction,
@@ -125,6 +125,54 @@ private slots:
                             .projection = Projection::perspective,
                             .interpolation = Interpolation::nearest};
         QCOMPARE(Settings(store()).look(), expected);
+    }
+
+    void theMotionAndTheMethodOfAnOlderFileAreRead() {
+        {
+            QFile file(store());
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(
+                "[motion]\naxis=x\notf=least_flicker\npingPong=false\nphasesPingPong=true\nspeed=0.5\n"
+                "[method]\ninitial=quartic\ninitialScale=0.75\nform=product\ninterfaceFunction=variance\n"
+                "tubeColumns=11\nstrength=3.5\ncoarsestScale=6\nsignificance=9\n");
+        }
+        Settings settings(store());
+        QVERIFY(settings.motion() == (MotionChoice{.axis = MotionAxis::x,
+                                                   .otf = MotionOtf::leastFlicker,
+                                                   .pingPong = false,
+                                                   .phasesPingPong = true,
+                                                   .speed = 0.5}));
+        MethodChoice method;
+        method.initial = InitialKind::quartic;
+        method.initialScale = 0.75;
+        method.config.detection = VarianceRule{.coarsestScale = 6};
+        method.config.curve = ProductRule{3.5};
+        method.config.grid.columns = 11;
+        QVERIFY(settings.method() == method);
+        // From here on each stands in one key.
+        settings.setMotion(settings.motion());
+        settings.setMethod(method);
+        settings.setLook(settings.look());
+        QVERIFY(settings.save());
+        QFile file(store());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray text = file.readAll();
+        QVERIFY(!text.contains("pingPong=") && !text.contains("tubeColumns="));
+        QCOMPARE(text.count("choice="), 2);
+        QCOMPARE(text.count("look="), 1);
+        QVERIFY(Settings(store()).method() == method);
+    }
+
+    void aKeyThatIsNoJsonGivesTheDefault() {
+        {
+            QFile file(store());
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("[picture]\nlook=mauve\ncolourMap=ice\n[motion]\nchoice={\n[method]\nchoice=\n");
+        }
+        const Settings settings(store());
+        QCOMPARE(settings.look(), lookAtStart());
+        QVERIFY(settings.motion() == MotionChoice{});
+        QVERIFY(settings.method() == MethodChoice{});
     }
 
     void recentFilesAreNewestFirstWithoutDoubles() {

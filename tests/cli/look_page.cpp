@@ -26,8 +26,8 @@ std::string lineOf(const Parameter<Look>& parameter) {
                            parameter.unit.empty() ? "SHARE" : upper(parameter.unit), parameter.meaning,
                            textOf(parameter.range.least), textOf(parameter.range.largest), *number);
     std::string choices;
-    for (const std::string_view choice : parameter.choices)
-        choices += fmt::format("{}`{}`", choices.empty() ? "" : ", ", choice);
+    for (const ParameterChoice& choice : parameter.choices)
+        choices += fmt::format("{}`{}`", choices.empty() ? "" : ", ", choice.name);
     return fmt::format("| `{} NAME` | {}: {} | `{}` |", option, parameter.meaning, choices,
                        std::get<std::string>(standard));
 }

@@ -18,8 +18,8 @@ TEST(Look, EveryRowReadsWhatItWrote) {
         ParameterValue other = standard;
         if (const auto* flag = std::get_if<bool>(&standard)) other = !*flag;
         if (std::holds_alternative<std::string>(standard)) {
-            EXPECT_EQ(standard, ParameterValue(std::string(row.choices.front()))) << row.name;
-            other = std::string(row.choices.back());
+            EXPECT_EQ(standard, ParameterValue(std::string(row.choices.front().name))) << row.name;
+            other = std::string(row.choices.back().name);
         }
         if (const auto number = numberOf(standard)) {
             EXPECT_TRUE(inRange(*number, row.range)) << row.name;
@@ -87,8 +87,8 @@ TEST(Look, SettingsHoldWhatPlaysAPart) {
     EXPECT_EQ(direct.camera.projection, Projection::perspective);
     look.mode = RenderMode::maximum;
     EXPECT_FALSE(rayCastSettings(look).shading || rayCastSettings(look).depthColouring);
-    EXPECT_FALSE(playsAPart("lighting", look));
-    EXPECT_TRUE(playsAPart("colour_map", look));
+    EXPECT_FALSE(playsAPart(*parameterNamed(lookParameters(), "lighting"), look));
+    EXPECT_TRUE(playsAPart(*parameterNamed(lookParameters(), "colour_map"), look));
 }
 
 TEST(Look, TheUsualLightIsUpperLeftInFrontOfTheViewer) {

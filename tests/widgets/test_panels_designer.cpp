@@ -123,7 +123,8 @@ private slots:
         QSignalSpy changed(&panel, &DesignerPanel::configChanged);
         QTest::mouseClick(child<QAbstractButton>(panel, "designer.reset"), Qt::LeftButton);
         QCOMPARE(changed.count(), 1);
-        QVERIFY(changed.first().at(0).value<DesignerConfig>() == DesignerConfig(OtsuConfig{}));
+        const DesignerConfig standard = OtsuConfig{};
+        QVERIFY(changed.first().at(0).value<DesignerConfig>() == standard);
     }
 
     void whatWasMadeIsToldAndPlotted() {

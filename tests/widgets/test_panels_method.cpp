@@ -179,6 +179,14 @@ private slots:
         QCOMPARE(onlyConfigOf(spy), config);
     }
 
+    void aScaleThatNobodyMovedKeepsItsDigits() {
+        MethodPanel panel;
+        panel.setConfig({.initial = PowerCurve{2, 0.123456}});
+        QCOMPARE(panel.opacityScale(), 0.123456);
+        QTest::keyClick(child<QComboBox>(panel, "adaptive.initial"), Qt::Key_Down);
+        QCOMPARE(panel.config().initial, OpacityCurve(PowerCurve{4, 0.123456}));
+    }
+
     void settingBeyondTheRangeClamps() {
         MethodPanel panel;
         panel.setConfig({.grid = {.columns = 0},

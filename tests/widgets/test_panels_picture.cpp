@@ -126,7 +126,7 @@ private slots:
         ViewPanel panel;
         panel.show();
         for (const Parameter<Look>& row : lookParameters()) {
-            if (!chosenByPersons(row)) continue;
+            if (!row.inPanels) continue;
             const std::string name = "view." + camelCase(row.name);
             auto* control = child<QWidget>(panel, name.c_str());
             QVERIFY2(control && control->isVisible(), name.c_str());

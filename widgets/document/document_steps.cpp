@@ -9,7 +9,8 @@ namespace echolucent {
 
 DocumentSteps::DocumentSteps(Restore restore, std::size_t mostBytes)
     : m_restore(std::move(restore)), m_mostBytes(mostBytes) {
-    begin({});
+    const Document empty;  // GCC 12 takes a temporary for uninitialised
+    begin(empty);
 }
 
 void DocumentSteps::setIndex(int index) {

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "widgets/document/document_model.h"
+#include "widgets/panels/parameter_controls.h"
 
 namespace echolucent {
 
@@ -19,6 +20,9 @@ public:
 signals:
     /// The person wants the curve as it is without these sliders, and unedited.
     void resetRequested();
+
+private:
+    ParameterControls<CurveAdjustment> m_controls;
 };
 
 }  // namespace echolucent

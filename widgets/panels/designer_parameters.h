@@ -3,19 +3,17 @@
 
 #include <QString>
 #include <QWidget>
-#include <functional>
+#include <map>
 #include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "processing/designers/designer_config.h"
-#include "processing/parameter.h"
+#include "widgets/panels/parameter_controls.h"
 
 namespace echolucent {
 
-/// A check box for a flag, a combo box for a choice, a spin box for a number; those that mean nothing beside what is
-/// chosen are hidden. A control's object name is "designer." and the row's name in camel case
+/// Those that mean nothing beside what is chosen are hidden. A control's object name is "designer." and the row's name
+/// in camel case
 /// ("designer.fluidOpacity"). A number that no person has moved keeps all its digits, whatever the control shows.
 class DesignerParameters : public QWidget {
     Q_OBJECT
@@ -31,22 +29,12 @@ signals:
     void changed(const echolucent::DesignerConfig& config, const QString& label);
 
 private:
-    struct Row;
-    struct Control {
-        std::string name;
-        QWidget* label;
-        QWidget* widget;
-        std::function<void(const ParameterValue&)> show;  ///< emits nothing
-    };
     void makeControls();
     void showValues();
-    void take(const std::string& name, const QString& label, const ParameterValue& value);
-    [[nodiscard]] Control createFlag(const Row& row);
-    [[nodiscard]] Control createChoice(const Row& row);
-    [[nodiscard]] Control createNumber(const Row& row, const ParameterValue& standard);
+    void take(const AnyParameter& row, const ParameterValue& value);
 
     DesignerConfig m_config;
-    std::vector<Control> m_controls;
+    std::map<std::string_view, ParameterControl> m_controls;  ///< by the row's name
     bool m_made = false;
 };
 

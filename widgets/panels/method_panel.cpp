@@ -6,39 +6,31 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QSpinBox>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 #include <vector>
 
 #include "processing/adaptive/method_parameters.h"
+#include "processing/adaptive/method_reading.h"
 #include "widgets/panels/panel_controls.h"
-#include "widgets/panels/value_slider.h"
 
 namespace echolucent {
 namespace {
 
-/// The parameter's row; it must be there.
-const Parameter<AdaptiveOtfConfig>& rowOf(std::string_view name) { return *parameterNamed(methodParameters(), name); }
+/// The entry of the choice of readings that nobody can choose: a parameter was changed.
+constexpr int changedReading = -1;
 
-QString methodObjectName(std::string_view name) {
-    return QStringLiteral("adaptive.") + QString::fromStdString(camelCase(name));
-}
-
-QString methodToolTip(const Parameter<AdaptiveOtfConfig>& row) {
-    return row.unit == "units" ? MethodPanel::tr("%1. A unit is the smallest voxel spacing").arg(textOf(row.meaning))
-                               : textOf(row.meaning);
-}
-
-template <typename SpinBox, typename Value>
-void showIn(SpinBox* spinBox, Value value) {
-    const QSignalBlocker blocker(spinBox);
-    spinBox->setValue(value);
-}
+/// The rows that stand above, in the order of the panel; those of the advanced parameters follow, and then what the
+/// table has besides.
+constexpr std::array mainRows{std::string_view("strength"), std::string_view("ramp_opacity"), std::string_view("form"),
+                              std::string_view("opacity_scale"), std::string_view("interface_function")};
+constexpr std::array advancedRows{
+    std::string_view("tube_columns"),   std::string_view("tube_rows"),    std::string_view("tube_spacing"),
+    std::string_view("cell_size"),      std::string_view("false_alarm"),  std::string_view("slope_half_step"),
+    std::string_view("coarsest_scale"), std::string_view("finest_scale"), std::string_view("significance")};
 
 /// Sets a parameter, clamped into what controls offer; a choice, or what means nothing in the config, stays.
 void clampInto(const Parameter<AdaptiveOtfConfig>& row, AdaptiveOtfConfig& config) {
@@ -54,75 +46,55 @@ void clampInto(const Parameter<AdaptiveOtfConfig>& row, AdaptiveOtfConfig& confi
 
 }  // namespace
 
-template <typename Control>
-void MethodPanel::bind(const Row& row, Control* control) {
-    control->setToolTip(methodToolTip(row));
-    const ParameterRange offered = row.offeredRange();
-    using Value = decltype(control->value());
-    control->setRange(static_cast<Value>(offered.least), static_cast<Value>(offered.largest));
-    const auto show = [control](double value) { showIn(control, static_cast<Value>(value)); };
-    show(numberOf(defaultOf(methodParameters(), row)).value());
-    m_numbers.push_back({&row, control, show});
-    connect(control, &Control::valueChanged, this,
-            [this, &row](auto value) { takeNumber(row, static_cast<double>(value)); });
-}
-
-QSpinBox* MethodPanel::createSpinBox(const char* parameter) {
-    const Row& row = rowOf(parameter);
-    auto* spinBox = named(new QSpinBox, methodObjectName(row.name), textOf(row.label));
-    if (row.unit == "units") spinBox->setSuffix(tr(" units"));
-    spinBox->setKeyboardTracking(false);
-    wheelNeedsFocus(spinBox);
-    bind(row, spinBox);
-    return spinBox;
-}
-
-QDoubleSpinBox* MethodPanel::createDoubleSpinBox(const char* parameter, int decimals, double step) {
-    const Row& row = rowOf(parameter);
-    auto* spinBox = named(new QDoubleSpinBox, methodObjectName(row.name), textOf(row.label));
-    spinBox->setDecimals(decimals);
-    spinBox->setSingleStep(step);
-    if (row.unit == "units") spinBox->setSuffix(tr(" units"));
-    spinBox->setKeyboardTracking(false);
-    wheelNeedsFocus(spinBox);
-    bind(row, spinBox);
-    return spinBox;
-}
-
-ValueSlider* MethodPanel::createSlider(const char* parameter, double step) {
-    const Row& row = rowOf(parameter);
-    auto* slider = new ValueSlider(methodObjectName(row.name), textOf(row.label), step, 2);
-    bind(row, slider);
-    return slider;
-}
-
 MethodPanel::MethodPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("adaptive");
     setAccessibleName(tr("Adaptive opacity transfer function"));
-    createMethodChoices();
+    createControls();
+    createReading();
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(createMainControls());
     layout->addWidget(createAdvancedControls());
     layout->addStretch(1);
-    connectControls();
     showConfig();
 }
 
+void MethodPanel::createControls() {
+    for (const Row& row : methodParameters()) {
+        if (!row.inPanels) continue;
+        const bool slider = row.name == "strength" || row.name == "ramp_opacity";
+        m_controls.emplace(row.name, parameterControl({&row, defaultOf(methodParameters(), row)}, "adaptive",
+                                                      slider ? NumberControl::slider : NumberControl::spinBox, this,
+                                                      [this, &row](const auto& value) { take(row, value); }));
+    }
+    const auto& initial = *parameterNamed(initialFunctionParameters(), "initial");
+    m_initial = parameterControl({&initial, defaultOf(initialFunctionParameters(), initial)}, "adaptive",
+                                 NumberControl::spinBox, this, [this](const ParameterValue& value) {
+                                     takeInitial(initialKindFromName(std::get<std::string>(value)).value());
+                                 });
+    // The column is narrow.
+    m_initial.label->setText(tr("Initial"));
+    of("opacity_scale").label->setText(tr("Scale a"));
+    of("interface_function").label->setText(tr("Interface"));
+    QWidget* scale = of("opacity_scale").widget;
+    scale->setToolTip(tr("%1. The linear curve and the manual nodes bring their own").arg(scale->toolTip()));
+    qobject_cast<QDoubleSpinBox*>(of("tube_spacing").widget)->setSpecialValueText(tr("automatic"));
+}
+
+void MethodPanel::createReading() {
+    m_reading = named(new QComboBox, "adaptive.reading", tr("Reading"),
+                      tr("How the method is understood, all parameters at once. As published: the paper's words taken "
+                         "literally. Settled: its open points settled by experiment. Default: what this "
+                         "program takes"));
+    wheelNeedsFocus(m_reading);
+    m_reading->addItem(tr("As published"), static_cast<int>(MethodReading::asPublished));
+    m_reading->addItem(tr("Settled"), static_cast<int>(MethodReading::settled));
+    m_reading->addItem(tr("Default"), static_cast<int>(MethodReading::standard));
+    m_reading->addItem(tr("Changed"), changedReading);
+    qobject_cast<QStandardItemModel*>(m_reading->model())->item(m_reading->count() - 1)->setEnabled(false);
+    connect(m_reading, &QComboBox::currentIndexChanged, this, &MethodPanel::takeReading);
+}
+
 QWidget* MethodPanel::createMainControls() {
-    m_strength = createSlider("strength", 0.25);
-    m_rampOpacity = createSlider("ramp_opacity", 0.01);
-    m_strengthLabel = labelFor(m_strength, textOf(rowOf("strength").label));
-    m_rampOpacityLabel = labelFor(m_rampOpacity, textOf(rowOf("ramp_opacity").label));
-    m_initial = named(new QComboBox, "adaptive.initial", tr("Initial function"),
-                      tr("The function that the method starts from"));
-    m_initial->addItem(tr("x² (parabolic)"), static_cast<int>(InitialKind::parabolic));
-    m_initial->addItem(tr("x⁴ (quartic)"), static_cast<int>(InitialKind::quartic));
-    m_initial->addItem(tr("Linear curve"), static_cast<int>(InitialKind::linear));
-    m_initial->addItem(tr("Manual nodes"), static_cast<int>(InitialKind::manual));
-    wheelNeedsFocus(m_initial);
-    m_opacityScale = createDoubleSpinBox("opacity_scale", 2, 0.05);
-    m_opacityScale->setToolTip(
-        tr("%1. The linear curve and the manual nodes bring their own").arg(textOf(rowOf("opacity_scale").meaning)));
     auto* compute = named(new QPushButton(tr("Compute for this view")), "adaptive.compute", tr("Compute for this view"),
                           tr("Lays the tube cores along the direction in which the camera looks (A)"));
     auto* reset = named(new QPushButton(tr("Defaults")), "adaptive.reset", tr("Reset to defaults"),
@@ -138,17 +110,16 @@ QWidget* MethodPanel::createMainControls() {
     auto* grid = new QGridLayout(controls);
     grid->setHorizontalSpacing(4);  // both forms fit the column
     grid->setContentsMargins(0, 0, 0, 0);
-    // One of the two, as the form has it.
-    grid->addWidget(m_strengthLabel, 0, 0);
-    grid->addWidget(m_strength, 0, 1, 1, 3);
-    grid->addWidget(m_rampOpacityLabel, 0, 0);
-    grid->addWidget(m_rampOpacity, 0, 1, 1, 3);
-    grid->addWidget(labelFor(m_form, textOf(rowOf("form").label)), 1, 0);
-    grid->addWidget(m_form, 1, 1, 1, 3);
-    grid->addWidget(labelFor(m_initial, tr("Initial")), 2, 0);
-    grid->addWidget(m_initial, 2, 1);
-    grid->addWidget(labelFor(m_opacityScale, tr("Scale a")), 2, 2);
-    grid->addWidget(m_opacityScale, 2, 3);
+    for (const std::string_view ofTheForm : {"strength", "ramp_opacity"}) {  // one of the two, as the form has it
+        grid->addWidget(of(ofTheForm).label, 0, 0);
+        grid->addWidget(of(ofTheForm).widget, 0, 1, 1, 3);
+    }
+    grid->addWidget(of("form").label, 1, 0);
+    grid->addWidget(of("form").widget, 1, 1, 1, 3);
+    grid->addWidget(m_initial.label, 2, 0);
+    grid->addWidget(m_initial.widget, 2, 1);
+    grid->addWidget(of("opacity_scale").label, 2, 2);
+    grid->addWidget(of("opacity_scale").widget, 2, 3);
     grid->addWidget(compute, 3, 0, 1, 3);
     grid->addWidget(reset, 3, 3);
     grid->addWidget(m_summary, 4, 0, 1, 4);
@@ -159,18 +130,6 @@ QWidget* MethodPanel::createMainControls() {
 }
 
 QWidget* MethodPanel::createAdvancedControls() {
-    auto* tubeSpacing = createDoubleSpinBox("tube_spacing", 1, 1);
-    tubeSpacing->setSpecialValueText(tr("automatic"));
-    const std::vector<QWidget*> controls{createSpinBox("tube_columns"),
-                                         createSpinBox("tube_rows"),
-                                         tubeSpacing,
-                                         createSpinBox("cell_size"),
-                                         createDoubleSpinBox("false_alarm", 2, 0.25),
-                                         createSpinBox("slope_half_step"),
-                                         createSpinBox("coarsest_scale"),
-                                         createSpinBox("finest_scale"),
-                                         createDoubleSpinBox("significance", 2, 0.05)};
-
     m_advanced = named(new QToolButton, "adaptive.advanced", tr("Advanced parameters"),
                        tr("Reading, tube cores, cells and scales"));
     m_advanced->setText(tr("Advanced"));
@@ -183,16 +142,20 @@ QWidget* MethodPanel::createAdvancedControls() {
     auto* hidden = new QWidget;
     auto* grid = new QGridLayout(hidden);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->addWidget(labelFor(m_reading, tr("Reading")), 0, 0);
-    grid->addWidget(m_reading, 0, 1);
-    grid->addWidget(labelFor(m_interfaceFunction, tr("Interface")), 1, 0);
-    grid->addWidget(m_interfaceFunction, 1, 1);
-    constexpr int rowsAbove = 2;
-    for (int i = 0; i < static_cast<int>(controls.size()); ++i) {
-        QWidget* control = controls[static_cast<std::size_t>(i)];
-        control->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        grid->addWidget(labelFor(control, control->accessibleName()), rowsAbove + i, 0);
-        grid->addWidget(control, rowsAbove + i, 1);
+    auto add = [grid, line = 0](QLabel* label, QWidget* control) mutable {
+        grid->addWidget(label, line, 0);
+        grid->addWidget(control, line++, 1);
+    };
+    add(labelFor(m_reading, tr("Reading")), m_reading);
+    add(of("interface_function").label, of("interface_function").widget);
+    std::vector<std::string_view> rows(advancedRows.begin(), advancedRows.end());
+    for (const Row& row : methodParameters())
+        if (row.inPanels && std::ranges::find(mainRows, row.name) == mainRows.end() &&
+            std::ranges::find(rows, row.name) == rows.end())
+            rows.push_back(row.name);
+    for (const std::string_view row : rows) {
+        of(row).widget->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        add(of(row).label, of(row).widget);
     }
     grid->setColumnStretch(1, 1);
     hidden->hide();
@@ -209,19 +172,17 @@ QWidget* MethodPanel::createAdvancedControls() {
     return disclosure;
 }
 
-void MethodPanel::connectControls() {
-    connect(m_form, &QComboBox::currentIndexChanged, this, &MethodPanel::takeForm);
-    connect(m_interfaceFunction, &QComboBox::currentIndexChanged, this, &MethodPanel::takeDetection);
-    connect(m_reading, &QComboBox::currentIndexChanged, this, &MethodPanel::takeReading);
-    connect(m_initial, &QComboBox::currentIndexChanged, this, &MethodPanel::takeInitial);
+bool MethodPanel::applies(const Row& row) const {
+    return row.get(m_config).has_value() &&
+           (row.name != "opacity_scale" || std::holds_alternative<PowerCurve>(m_config.initial));
 }
 
-void MethodPanel::takeNumber(const Row& row, double value) {
-    if (std::holds_alternative<std::int64_t>(defaultOf(methodParameters(), row)))
-        row.set(m_config, std::llround(value));
-    else
-        row.set(m_config, value);
-    if (auto* variance = std::get_if<VarianceRule>(&m_config.detection)) {
+void MethodPanel::take(const Row& row, const ParameterValue& value) {
+    row.set(m_config, value);
+    if (!row.choices.empty()) {
+        m_config.detection = m_detections[m_config.detection.index()];
+        m_config.curve = m_curves[m_config.curve.index()];
+    } else if (auto* variance = std::get_if<VarianceRule>(&m_config.detection)) {
         // The scale that was not touched gives way.
         if (row.name == "coarsest_scale")
             variance->finestScale = std::min(variance->finestScale, variance->coarsestScale);
@@ -231,27 +192,35 @@ void MethodPanel::takeNumber(const Row& row, double value) {
     changed();
 }
 
-void MethodPanel::takeInitial() {
-    const InitialKind kind = initialKind();
-    const bool power = kind == InitialKind::parabolic || kind == InitialKind::quartic;
-    m_opacityScale->setEnabled(power);
-    if (power) {
-        m_config.initial = PowerCurve{kind == InitialKind::parabolic ? 2 : 4, opacityScale()};
-    } else {
-        m_config.initial = kind == InitialKind::linear ? m_linear : m_manual;
+void MethodPanel::takeInitial(InitialKind kind) {
+    switch (kind) {
+        case InitialKind::parabolic: m_config.initial = PowerCurve{2, m_opacityScale}; break;
+        case InitialKind::quartic: m_config.initial = PowerCurve{4, m_opacityScale}; break;
+        case InitialKind::linear: m_config.initial = m_linear; break;
+        case InitialKind::manual: m_config.initial = m_manual; break;
     }
-    emit configChanged(config());
+    changed();
 }
 
-InitialKind MethodPanel::initialKind() const { return static_cast<InitialKind>(m_initial->currentData().toInt()); }
+void MethodPanel::takeReading() {
+    const int reading = m_reading->currentData().toInt();
+    if (reading == changedReading) return;
+    AdaptiveOtfConfig config = configOf(static_cast<MethodReading>(reading));
+    config.initial = m_config.initial;
+    forgetRulesNotChosen();
+    setConfig(config);
+    emit configChanged(m_config);
+}
 
-double MethodPanel::opacityScale() const { return m_opacityScale->value(); }
+void MethodPanel::changed() {
+    showConfig();
+    emit configChanged(m_config);
+}
 
 void MethodPanel::setConfig(const AdaptiveOtfConfig& config) {
     m_config = config;
-    for (const NumberControl& number : m_numbers)
-        if (number.widget != m_opacityScale || std::holds_alternative<PowerCurve>(m_config.initial))
-            clampInto(*number.row, m_config);
+    for (const Row& row : methodParameters())
+        if (row.inPanels && applies(row)) clampInto(row, m_config);
     if (auto* variance = std::get_if<VarianceRule>(&m_config.detection))
         variance->finestScale = std::min(variance->finestScale, variance->coarsestScale);
     showConfig();
@@ -261,40 +230,50 @@ void MethodPanel::showConfig() {
     m_detections[m_config.detection.index()] = m_config.detection;
     m_curves[m_config.curve.index()] = m_config.curve;
     showInitial();
-    for (const NumberControl& number : m_numbers) {
-        const auto value = number.row->get(m_config);
-        // The scale belongs to the powers alone; showInitial() says whether one is chosen.
-        const bool applies =
-            value && (number.widget != m_opacityScale || std::holds_alternative<PowerCurve>(m_config.initial));
-        if (applies) number.show(numberOf(*value).value());
-        number.widget->setEnabled(applies);
+    for (const Row& row : methodParameters()) {
+        if (!row.inPanels) continue;
+        if (applies(row)) of(row.name).show(*row.get(m_config));
+        of(row.name).widget->setEnabled(applies(row));
     }
-    selectData(m_form, static_cast<int>(m_config.curve.index()));
-    selectData(m_interfaceFunction, static_cast<int>(m_config.detection.index()));
     showReading();
 }
 
 void MethodPanel::showInitial() {
-    InitialKind kind = InitialKind::manual;
     if (auto* power = std::get_if<PowerCurve>(&m_config.initial)) {
         // The panel offers two exponents; another one, from a file perhaps, becomes the nearer of them.
         power->exponent = power->exponent < 4 ? 2 : 4;
-        kind = power->exponent == 2 ? InitialKind::parabolic : InitialKind::quartic;
+        m_initialKind = power->exponent == 2 ? InitialKind::parabolic : InitialKind::quartic;
+        m_opacityScale = power->scale;
     } else if (std::holds_alternative<LinearCurve>(m_config.initial)) {
-        kind = InitialKind::linear;
+        m_initialKind = InitialKind::linear;
         m_linear = m_config.initial;
     } else {
+        m_initialKind = InitialKind::manual;
         m_manual = m_config.initial;
     }
-    selectData(m_initial, static_cast<int>(kind));
-    m_opacityScale->setEnabled(kind == InitialKind::parabolic || kind == InitialKind::quartic);
+    m_initial.show(std::string(nameOf(m_initialKind)));
+}
+
+void MethodPanel::showReading() {
+    const auto reading = readingOf(m_config);
+    selectData(m_reading, reading ? static_cast<int>(*reading) : changedReading);
+    const bool ramp = std::holds_alternative<RampRule>(m_config.curve);
+    for (QWidget* ofProduct : {static_cast<QWidget*>(of("strength").label), of("strength").widget})
+        ofProduct->setVisible(!ramp);
+    for (QWidget* ofRamp : {static_cast<QWidget*>(of("ramp_opacity").label), of("ramp_opacity").widget})
+        ofRamp->setVisible(ramp);
+}
+
+void MethodPanel::forgetRulesNotChosen() {
+    m_detections = {DetectionRule(std::in_place_index<0>), DetectionRule(std::in_place_index<1>)};
+    m_curves = {CurveRule(std::in_place_index<0>), CurveRule(std::in_place_index<1>)};
 }
 
 void MethodPanel::resetToDefaults() {
     const AdaptiveOtfConfig before = m_config;
     forgetRulesNotChosen();
     setConfig(AdaptiveOtfConfig{});
-    if (m_config != before) emit configChanged(config());
+    if (m_config != before) emit configChanged(m_config);
 }
 
 void MethodPanel::showResult(const AdaptiveOtf& result) {

@@ -3,22 +3,19 @@
 
 #include <QWidget>
 #include <array>
-#include <functional>
-#include <vector>
+#include <map>
+#include <string_view>
 
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/document/method_choice.h"
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
+#include "widgets/panels/parameter_controls.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
-class QSpinBox;
 class QToolButton;
 
 namespace echolucent {
-
-class ValueSlider;
 
 /// Objects: adaptive.strength (+ .value; product) or .rampOpacity (+ .value; ramp), .form, .initial, .opacityScale,
 /// .compute, .reset, .summary, .message, .advanced and, under it, .reading, .interfaceFunction, .tubeColumns,
@@ -34,9 +31,9 @@ public:
     /// the last curve of that kind given to setConfig (else an empty one): the window puts the editor's curve there.
     /// Parameters without a control are as last set.
     [[nodiscard]] AdaptiveOtfConfig config() const { return m_config; }
-    [[nodiscard]] InitialKind initialKind() const;
+    [[nodiscard]] InitialKind initialKind() const { return m_initialKind; }
     /// a of the parabolic and quartic initial functions.
-    [[nodiscard]] double opacityScale() const;
+    [[nodiscard]] double opacityScale() const { return m_opacityScale; }
 
     /// Shows a configuration, each value clamped into what its control offers; emits nothing. A sampled initial curve
     /// counts as manual.
@@ -54,52 +51,37 @@ signals:
 
 private:
     using Row = Parameter<AdaptiveOtfConfig>;
-    /// A control of one number of the method.
-    struct NumberControl {
-        const Row* row;
-        QWidget* widget;
-        std::function<void(double)> show;  ///< shows a value; emits nothing
-    };
 
+    void createControls();
+    void createReading();
     QWidget* createMainControls();
     QWidget* createAdvancedControls();
-    QSpinBox* createSpinBox(const char* parameter);
-    QDoubleSpinBox* createDoubleSpinBox(const char* parameter, int decimals, double step);
-    ValueSlider* createSlider(const char* parameter, double step);
-    template <typename Control>
-    void bind(const Row& row, Control* control);
-    void createMethodChoices();
-    QComboBox* createChoice(const char* parameter);
-    void connectControls();
+    /// Of a row that the panel has.
+    [[nodiscard]] const ParameterControl& of(std::string_view name) const { return m_controls.at(name); }
+    /// Whether the person can set a row; the scale belongs to the powers alone.
+    [[nodiscard]] bool applies(const Row& row) const;
     void showConfig();
     void showReading();
     void showInitial();
+    void take(const Row& row, const ParameterValue& value);
     void takeReading();
-    void takeNumber(const Row& row, double value);
-    void takeDetection();
-    void takeForm();
+    void takeInitial(InitialKind kind);
     void changed();
     /// What was last set of rules that are not chosen goes back to its defaults.
     void forgetRulesNotChosen();
-    void takeInitial();
     void resetToDefaults();
 
     AdaptiveOtfConfig m_config;
     OpacityCurve m_linear = LinearCurve{};  // last given to setConfig
     OpacityCurve m_manual = ManualCurve{};
+    InitialKind m_initialKind = InitialKind::parabolic;
+    double m_opacityScale = defaultOpacityScale;  // last of a power
     // What was last set of each alternative, by its index, so that choosing another and coming back loses nothing.
     std::array<DetectionRule, 2> m_detections{VarianceRule{}, RatioRule{}};
     std::array<CurveRule, 2> m_curves{ProductRule{}, RampRule{}};
-    std::vector<NumberControl> m_numbers;
-    ValueSlider* m_strength = nullptr;
-    ValueSlider* m_rampOpacity = nullptr;
-    QLabel* m_strengthLabel = nullptr;
-    QLabel* m_rampOpacityLabel = nullptr;
-    QComboBox* m_form = nullptr;
+    std::map<std::string_view, ParameterControl> m_controls;  // by the row's name
+    ParameterControl m_initial;
     QComboBox* m_reading = nullptr;
-    QComboBox* m_interfaceFunction = nullptr;
-    QComboBox* m_initial = nullptr;
-    QDoubleSpinBox* m_opacityScale = nullptr;
     QToolButton* m_advanced = nullptr;
     QLabel* m_summary = nullptr;
     QLabel* m_message = nullptr;

@@ -11,8 +11,8 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "widgets/panels/look_controls.h"
 #include "widgets/panels/panel_controls.h"
+#include "widgets/panels/parameter_controls.h"
 #include "widgets/panels/value_slider.h"
 
 namespace echolucent {
@@ -64,7 +64,13 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Picture"));
     m_nearCut = new ValueSlider("view.nearCut", tr("Near cut"), 0.1, 1);
     m_nearCut->setToolTip(tr("Removes what lies before this distance along the view; the tube cores begin there too"));
-    m_look = new LookControls(this);
+    m_look = std::make_unique<ParameterControls<Look>>(lookParameters(), "view", NumberControl::resettingSlider,
+                                                       [this](const Look& look, const AnyParameter&) {
+                                                           updateForMode();
+                                                           emit lookChanged(look);
+                                                       });
+    QWidget* lighting = m_look->of("lighting").widget;
+    lighting->setToolTip(tr("%1. Ctrl + left drag in the picture moves the light").arg(lighting->toolTip()));
     createChoices();
     createPhaseSelector();
     arrange();
@@ -75,12 +81,10 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     connectControls();
 }
 
+ViewPanel::~ViewPanel() = default;
+
 void ViewPanel::connectControls() {
     connect(m_nearCut, &ValueSlider::valueChanged, this, &ViewPanel::nearCutChanged);
-    connect(m_look, &LookControls::changed, this, [this](const Look& look) {
-        updateForMode();
-        emit lookChanged(look);
-    });
     connect(m_renderer, &QComboBox::currentIndexChanged, this, [this] { emit rendererChanged(renderer()); });
     connect(m_beamAxis, &QComboBox::currentIndexChanged, this, [this] { emit beamAxisChanged(beamAxis()); });
 }
@@ -179,16 +183,13 @@ void ViewPanel::addLookGroups(QGridLayout& grid) {
             groups, [name](const Group& group) { return std::ranges::find(group.rows, name) != group.rows.end(); });
     };
     for (const Parameter<Look>& row : lookParameters())
-        if (m_look->control(row.name) != nullptr && !placed(row.name)) groups.back().rows.push_back(row.name);
+        if (row.inPanels && !placed(row.name)) groups.back().rows.push_back(row.name);
     for (const Group& group : groups) {
         QToolButton* reset =
             addGroup(grid, "view." + group.name + ".reset", group.title, tr("Reset: %1").arg(group.title.toLower()));
         connect(reset, &QToolButton::clicked, this, [this, group] { resetLook(group.title, group.rows); });
         for (const std::string_view row : group.rows) {
-            QWidget* control = m_look->control(row);
-            const bool saysItself = qobject_cast<QAbstractButton*>(control) != nullptr;
-            const QString label = LookControls::label(*parameterNamed(lookParameters(), row));
-            addRow(grid, saysItself ? nullptr : labelFor(control, label), control);
+            addRow(grid, m_look->of(row).label, m_look->of(row).widget);
             if (row == "mode") {
                 m_modeRemark = named(new QLabel(tr("In this mode the opacity curve, light and depth colours play no "
                                                    "part.")),
@@ -211,12 +212,12 @@ void ViewPanel::addViewGroup(QGridLayout& grid) {
 }
 
 void ViewPanel::resetLook(const QString& group, const std::vector<std::string_view>& rows) {
-    Look look = m_look->look();
+    Look look = m_look->values();
     for (const std::string_view name : rows) {
         const Parameter<Look>& row = *parameterNamed(lookParameters(), name);
-        row.set(look, *row.get(lookAtStart()));
+        row.set(look, defaultOf(lookParameters(), row));
     }
-    if (look == m_look->look()) return;
+    if (look == m_look->values()) return;
     setLook(look);
     emit lookReset(look, group);
 }
@@ -232,10 +233,10 @@ void ViewPanel::setNearCutRange(double maxMm, bool spacingKnown) {
     m_nearCut->setSuffix(spacingKnown ? tr(" mm") : tr(" mm (guess)"));
 }
 
-const Look& ViewPanel::look() const { return m_look->look(); }
+const Look& ViewPanel::look() const { return m_look->values(); }
 
 void ViewPanel::setLook(const Look& look) {
-    m_look->setLook(look);
+    m_look->setValues(look);
     updateForMode();
 }
 

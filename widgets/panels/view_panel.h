@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -18,8 +19,9 @@ class QSpinBox;
 
 namespace echolucent {
 
-class LookControls;
 class ValueSlider;
+template <typename Values>
+class ParameterControls;
 
 /// Objects: view.nearCut (+ .value, .suggest), view.mode (+ .remark), view.reduction, view.lighting, view.lightAzimuth
 /// (+ .value), view.lightElevation (+ .value), view.lightSoftness, view.shadow, view.occlusion, view.translucency,
@@ -33,6 +35,7 @@ class ViewPanel : public QWidget {
 
 public:
     explicit ViewPanel(QWidget* parent = nullptr);
+    ~ViewPanel() override;
 
     [[nodiscard]] double nearCutMm() const;
     void setNearCutMm(double mm);
@@ -87,7 +90,7 @@ private:
     void showPhase(int phase);
 
     ValueSlider* m_nearCut = nullptr;
-    LookControls* m_look = nullptr;
+    std::unique_ptr<ParameterControls<Look>> m_look;
     QLabel* m_modeRemark = nullptr;
     QComboBox* m_renderer = nullptr;
     QComboBox* m_beamAxis = nullptr;

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "app/cli/options/option_text.h"
+#include "app/cli/options/parameter_options.h"
 #include "processing/designers/designer.h"
 
 namespace echolucent::cli {
@@ -29,45 +30,25 @@ std::optional<ParameterValue> valueFrom(const std::string& text, const Parameter
     return std::holds_alternative<std::int64_t>(like) ? number(std::int64_t{}) : number(double{});
 }
 
-/// What a value of a row may be, as the end of a sentence.
-template <typename Values>
-std::string allowedBy(const Parameter<Values>& row, const ParameterValue& like) {
-    if (!row.choices.empty()) return "Use " + listed(row.choices) + ".";
-    if (std::holds_alternative<bool>(like)) return "Use true or false.";
-    const std::string unit = row.unit.empty() ? std::string() : fmt::format(" ({})", row.unit);
-    return fmt::format("Use a number from {} to {}{}.", textOf(row.range.least), textOf(row.range.largest), unit);
-}
-
 /// Sets one parameter of a config.
-Result<void> set(DesignerConfig& config, const std::string& name, const std::string& text) {
-    Result<void> done;
-    std::string known;
-    std::visit(
-        [&](auto& values) {
-            for (const auto& row : parametersOf(values)) {
-                known += fmt::format("{}{}", known.empty() ? "" : ", ", row.name);
-                if (row.name != name) continue;
-                const auto like = row.get(values);
-                if (!like) {
-                    done = wrongUsage(setOption, fmt::format("names \"{}\", which plays no part here", name),
-                                      fmt::format("Set {} to {} before it.", row.scope.parameter, row.scope.choice));
-                    return;
-                }
-                const auto value = valueFrom(text, *like);
-                const auto number = value ? numberOf(*value) : std::nullopt;
-                if (!value || (number && !inRange(*number, row.range)) || !row.set(values, *value)) {
-                    done = wrongUsage(setOption, fmt::format("says \"{}\" for {}", text, name), allowedBy(row, *like));
-                    return;
-                }
-                return;
-            }
-            done = wrongUsage(
-                setOption,
-                fmt::format("names \"{}\", which is no parameter of {}", name, echolucent::nameOf(designerOf(config))),
-                known.empty() ? "It has none." : "It has " + known + ".");
-        },
-        config);
-    return done;
+template <typename Values>
+Result<void> set(const ParameterTable<Values>& table, Values& values, const std::string& name,
+                 const std::string& text) {
+    const Parameter<Values>* row = parameterNamed(table, name);
+    if (row == nullptr) {
+        std::string known;
+        for (const AnyParameter& each : table) known += fmt::format("{}{}", known.empty() ? "" : ", ", each.name);
+        return wrongUsage(setOption, fmt::format("names \"{}\", which is no parameter of {}", name, Values::words.name),
+                          known.empty() ? "It has none." : "It has " + known + ".");
+    }
+    const auto like = row->get(values);
+    if (!like)
+        return wrongUsage(setOption, fmt::format("names \"{}\", which plays no part here", name),
+                          fmt::format("Set {} to {} before it.", row->scope.parameter, row->scope.choice));
+    const auto value = valueFrom(text, *like);
+    if (!value || !problemOfValue(*row, *value).empty() || !row->set(values, *value))
+        return wrongUsage(setOption, fmt::format("says \"{}\" for {}", text, name), allowedBy(*row, *like));
+    return {};
 }
 
 }  // namespace
@@ -99,8 +80,12 @@ Result<std::optional<DesignerConfig>> DesignerOptions::get() const {
         const std::size_t sign = setting.find('=');
         if (sign == std::string::npos)
             return wrongUsage(setOption, "is \"" + setting + "\"", "Write NAME=VALUE, as in opacity=0.5.");
-        if (const auto done = set(config, setting.substr(0, sign), setting.substr(sign + 1)); !done)
-            return tl::unexpected<Failure>(done.error());
+        const auto done = std::visit(
+            [&](auto& values) {
+                return set(parametersOf(values), values, setting.substr(0, sign), setting.substr(sign + 1));
+            },
+            config);
+        if (!done) return tl::unexpected<Failure>(done.error());
     }
     if (const std::string problem = problemOf(config); !problem.empty()) return wrongUsage(setOption, problem);
     return std::optional(config);

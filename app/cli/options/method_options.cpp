@@ -15,23 +15,8 @@ namespace echolucent::cli {
 
 namespace {
 
-using Row = Parameter<AdaptiveOtfConfig>;
-
 /// Options that say the same as a parameter's own and are shorter.
 constexpr std::array<std::pair<std::string_view, const char*>, 1> shortOptions{{{"sigma_per_kernel_size", "--sigma"}}};
-
-std::string mustBe(const ParameterRange& range) {
-    return "must be " + textOf(range.least) + " to " + textOf(range.largest);
-}
-
-std::string helpOf(const Row& row) {
-    std::string help(row.meaning);
-    if (!row.choices.empty()) help += ": " + listed(row.choices);
-    if (!row.unit.empty()) help += fmt::format(", {}", row.unit);
-    if (!row.scope.parameter.empty())
-        help += fmt::format(" (with {} {})", optionOf(row.scope.parameter), row.scope.choice);
-    return help;
-}
 
 }  // namespace
 
@@ -46,7 +31,17 @@ void MethodOptions::addTo(CLI::App& command) {
         command.add_option("--initial", initial, "Initial function: parabolic, quartic, linear or manual:FILE")
             ->type_name("NAME")
             ->capture_default_str();
-    for (const Row& row : methodParameters()) add(command, row);
+    for (const auto& [row, standard] : defaultsOf(methodParameters())) {
+        if (row->name == "opacity_scale") {  // belongs to the initial function that is named beside it
+            command.add_option(optionOf(row->name), opacityScale, helpOf(*row))
+                ->type_name("A")
+                ->default_str(wordOf(standard));
+            continue;
+        }
+        CLI::Option& added = m_given.add(command, *row, standard);
+        for (const auto& [name, shorter] : shortOptions)
+            if (name == row->name) m_given.addShort(command, *row, shorter, added);
+    }
     command
         .add_option("--tube-grid", tubeGrid, "Tube cores across and down the view, as --tube-columns and --tube-rows")
         ->type_name("NxM")
@@ -58,53 +53,6 @@ void MethodOptions::addTo(CLI::App& command) {
         ->type_name("N,...")
         ->delimiter(',')
         ->allow_extra_args(false);
-}
-
-void MethodOptions::add(CLI::App& command, const Row& row) {
-    const std::string option = optionOf(row.name);
-    const ParameterValue standard = defaultOf(methodParameters(), row);
-    const auto takingAs = [this, &row](const std::string& written) {
-        return [this, &row, written](const auto& value) { m_given[row.name] = {written, ParameterValue(value)}; };
-    };
-    const auto taking = takingAs(option);
-    CLI::Option* added = nullptr;
-    if (!row.choices.empty())
-        added = command.add_option_function<std::string>(option, taking, helpOf(row))->type_name("NAME");
-    else if (row.name == "opacity_scale")  // belongs to the initial function that is named beside it
-        added = command.add_option(option, opacityScale, helpOf(row))->type_name("A");
-    else if (std::holds_alternative<std::int64_t>(standard))
-        added = command.add_option_function<std::int64_t>(option, taking, helpOf(row))->type_name("N");
-    else
-        added = command.add_option_function<double>(option, taking, helpOf(row))->type_name("NUMBER");
-    added->default_str(wordOf(standard));
-    for (const auto& [name, shorter] : shortOptions)
-        if (name == row.name)
-            command.add_option_function<double>(shorter, takingAs(shorter), "Short for " + option)
-                ->type_name("NUMBER")
-                ->excludes(added);
-}
-
-Result<void> MethodOptions::override(AdaptiveOtfConfig& config) const {
-    // In the table's order: a choice stands before what belongs to it.
-    for (const Row& row : methodParameters()) {
-        const auto given = m_given.find(row.name);
-        if (given == m_given.end()) continue;
-        const auto& [option, value] = given->second;
-        const auto wrong = [&written = option](const std::string& problem, const std::string& remedy = {}) {
-            return wrongUsage(written, problem, remedy);
-        };
-        if (!row.choices.empty() &&
-            std::find(row.choices.begin(), row.choices.end(), std::get<std::string>(value)) == row.choices.end())
-            return wrong("is \"" + std::get<std::string>(value) + "\"", "Use " + listed(row.choices) + ".");
-        if (const auto number = numberOf(value); number && !inRange(*number, row.range))
-            return wrong(mustBe(row.range));
-        if (row.set(config, value)) continue;
-        const auto chosen = parameterNamed(methodParameters(), row.scope.parameter)->get(config);
-        const std::string owner = optionOf(row.scope.parameter);
-        return wrong(fmt::format("belongs to {} {}, and {} is chosen", owner, row.scope.choice, wordOf(*chosen)),
-                     fmt::format("Give {} {} too, or leave it out.", owner, row.scope.choice));
-    }
-    return {};
 }
 
 Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid) {
@@ -133,7 +81,8 @@ Result<AdaptiveOtfConfig> MethodOptions::get() const {
     const auto base = methodReadingFromName(reading);
     if (!base) return wrongUsage("--reading", "is \"" + reading + "\"", "Use published, settled or default.");
     AdaptiveOtfConfig chosen = configOf(*base);
-    if (auto overridden = override(chosen); !overridden) return tl::unexpected<Failure>(overridden.error());
+    if (auto overridden = m_given.override(methodParameters(), chosen); !overridden)
+        return tl::unexpected<Failure>(overridden.error());
     if (!tubeGrid.empty()) {
         const auto grid = tubeGridFrom(tubeGrid, chosen.grid);
         if (!grid) return tl::unexpected<Failure>(grid.error());
@@ -168,8 +117,8 @@ std::string curveFileOf(const std::string& name) {
 }
 
 Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale) {
-    const ParameterRange range = parameterNamed(methodParameters(), "opacity_scale")->range;
-    if (opacityScale && !inRange(*opacityScale, range)) return wrongUsage("--opacity-scale", mustBe(range));
+    const AnyParameter& row = *parameterNamed(methodParameters(), "opacity_scale");
+    if (opacityScale && !inRange(*opacityScale, row.range)) return wrongUsage(optionOf(row.name), mustBe(row));
     const double scale = opacityScale.value_or(defaultOpacityScale);
     if (name == "parabolic") return OpacityCurve(PowerCurve{2, scale});
     if (name == "quartic") return OpacityCurve(PowerCurve{4, scale});

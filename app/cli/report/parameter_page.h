@@ -1,39 +1,21 @@
-// A table of parameters as a page of docs/ has it.
+// Tables of parameters as pages of docs/ have them, and as JSON.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <span>
 #include <string>
+#include <vector>
 
-#include "processing/parameter.h"
+#include "app/cli/report/report_json.h"
+#include "processing/parameters/parameter.h"
 
 namespace echolucent::cli {
 
 /// A value as people write it on the command line.
-[[nodiscard]] inline std::string wordOf(const ParameterValue& value) {
-    if (const auto number = numberOf(value)) return textOf(*number);
-    if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
-    return std::get<std::string>(value);
-}
+[[nodiscard]] std::string wordOf(const ParameterValue& value);
 
 /// One row a parameter, in the table's order, as a table in Markdown; ends with a newline.
-template <typename Values>
-[[nodiscard]] std::string parameterPage(std::span<const Parameter<Values>> table) {
-    std::string page = "| option | meaning | values | default | with | chosen by |\n|---|---|---|---|---|---|\n";
-    for (const Parameter<Values>& row : table) {
-        std::string values;
-        for (const std::string_view choice : row.choices)
-            values += fmt::format("{}`{}`", values.empty() ? "" : ", ", choice);
-        if (row.choices.empty()) values = textOf(row.range.least) + " to " + textOf(row.range.largest);
-        if (!row.unit.empty()) values += fmt::format(", {}", row.unit);
-        const std::string scope = row.scope.parameter.empty()
-                                      ? std::string()
-                                      : fmt::format("`{} {}`", optionOf(row.scope.parameter), row.scope.choice);
-        page += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", optionOf(row.name), row.meaning, values,
-                            wordOf(defaultOf(table, row)), scope, row.source);
-    }
-    return page;
-}
+[[nodiscard]] std::string parameterPage(const std::vector<ParameterDefault>& rows);
+
+/// Every row of the method, of each designer, of the look and of what else a person sets, with all that it says.
+[[nodiscard]] std::string allParametersJson();
 
 }  // namespace echolucent::cli

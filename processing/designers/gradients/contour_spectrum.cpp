@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "processing/designers/config_rows.h"
 #include "processing/designers/designer_contract.h"
 #include "processing/designers/gradients/isovalue_spectrum.h"
+#include "processing/parameters/parameter_rows.h"
 
 namespace echolucent {
 
@@ -20,17 +20,19 @@ constexpr std::string_view contourSpectrumPage = "docs/designers/contour-spectru
 /// The threshold means nothing while no person chooses it.
 bool thresholdIsGiven(const ContourSpectrumConfig& config) { return config.choice == IsovalueChoice::given; }
 
-const std::vector<Parameter<ContourSpectrumConfig>>& contourSpectrumRows() {
-    using namespace config_rows;
+constexpr auto isovalueChoices = parameter_rows::choicesOf<IsovalueChoice>(isovalueChoiceNames);
+
+const ParameterTable<ContourSpectrumConfig>& contourSpectrumTable() {
+    using namespace parameter_rows;
     using Config = ContourSpectrumConfig;
-    static const std::vector<Parameter<Config>> table{
-        choice<&Config::choice, isovalueChoiceNames>(
+    static const ParameterTable<Config> table{{
+        choice<isovalueChoices, &Config::choice>(
             {"isovalue", "Isovalue",
              "Where the ramp stands: where the isosurfaces are steepest, or at a given threshold", "",
              "Bajaj, Pascucci, Schikore 1997"}),
-        number<&Config::threshold, thresholdIsGiven>(
-            {"threshold", "Threshold", "Intensity of the middle of the ramp", "", contourSpectrumPage}, {0, 1}, {},
-            {"isovalue", "given"}),
+        number<&thresholdIsGiven, &Config::threshold>(
+            {"threshold", "Threshold", "Intensity of the middle of the ramp", "", contourSpectrumPage}, {0, 1},
+            {.scope = {"isovalue", "given"}}),
         number<&Config::leastArea>(
             {"least_area", "Least area",
              "Isosurfaces that are smaller than this share of the largest one are not asked, because they are noise",
@@ -38,10 +40,10 @@ const std::vector<Parameter<ContourSpectrumConfig>>& contourSpectrumRows() {
             {0, 1}),
         number<&Config::halfWidth>({"half_width", "Half-width", "How far the ramp reaches to both sides of its middle",
                                     "", contourSpectrumPage},
-                                   {0, 1}, ParameterRange{0, 0.5}),
+                                   {0, 1}, {.offered = ParameterRange{0, 0.5}}),
         number<&Config::opacity>(
             {"opacity", "Opacity", "Opacity of what is brighter than the ramp", "", contourSpectrumPage}, {0, 1}),
-    };
+    }};
     return table;
 }
 
@@ -109,8 +111,8 @@ std::string whyNoMaximum(const ContourSpectrum& spectrum) {
 
 }  // namespace
 
-std::span<const Parameter<ContourSpectrumConfig>> parametersOf(const ContourSpectrumConfig&) {
-    return contourSpectrumRows();
+const ParameterTable<ContourSpectrumConfig>& parametersOf(const ContourSpectrumConfig&) {
+    return contourSpectrumTable();
 }
 
 std::optional<Design> design(const ContourSpectrumConfig& config, const DesignerInput& input,

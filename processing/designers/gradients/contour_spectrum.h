@@ -4,16 +4,15 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
-#include "processing/parameter.h"
+#include "processing/designers/gradients/contour_spectrum_config.h"
+#include "processing/parameters/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
 
-[[nodiscard]] std::span<const Parameter<ContourSpectrumConfig>> parametersOf(const ContourSpectrumConfig&);
+[[nodiscard]] const ParameterTable<ContourSpectrumConfig>& parametersOf(const ContourSpectrumConfig&);
 
 /// The ramp rises from 0 at the threshold less the half-width to the opacity at the threshold plus the half-width; what
 /// of it lies outside [0,1] is cut off. The plots are "area", "volume", "gradient_integral" and "mean_gradient"; the

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "processing/designers/config_rows.h"
 #include "processing/designers/designer_contract.h"
 #include "processing/designers/gradients/boundary_position.h"
 #include "processing/designers/gradients/histogram_volume.h"
+#include "processing/parameters/parameter_rows.h"
 
 namespace echolucent {
 
@@ -23,49 +22,12 @@ bool isHat(const KindlmannConfig& config) { return config.emphasis == BoundaryEm
 constexpr std::string_view theirs = "Kindlmann and Durkin 1998, section 5";
 constexpr std::string_view kindlmannPage = "docs/designers/kindlmann.md";
 
-const std::vector<Parameter<KindlmannConfig>>& kindlmannRows() {
-    using namespace config_rows;
-    using Config = KindlmannConfig;
-    // Numbers of the hat mean nothing of what a person drew.
-    constexpr ParameterScope ofHat{"emphasis", "hat"};
-    static const std::vector<Parameter<Config>> table{
-        choice<&Config::dimensions, kindlmannDimensionsNames>(
-            {"dimensions", "Dimensions",
-             "Whether opacity follows the intensity alone, or the intensity and the gradient magnitude", "", theirs}),
-        number<&Config::prefilter>(
-            {"prefilter", "Prefilter",
-             "Standard deviation of the Gaussian under which derivatives are taken; 0 takes them "
-             "of the voxels themselves",
-             "units", kindlmannPage},
-            {0, 8}, ParameterRange{0, 4}),
-        number<&Config::smoothing>(
-            {"smoothing", "Smoothing over the intensity",
-             "Standard deviation of the Gaussian that smooths the mean derivatives over the intensity", "levels of 255",
-             kindlmannPage},
-            {0, 16}),
-        number<&Config::threshold>(
-            {"threshold", "Gradient threshold",
-             "Share of the largest mean gradient magnitude that is taken for the floor of speckle and noise", "share",
-             kindlmannPage},
-            {0, 0.9}),
-        choice<&Config::emphasis, boundaryEmphasisNames>(
-            {"emphasis", "Boundary emphasis",
-             "Whether the opacity over the position in a boundary is a hat or was drawn by hand", "", theirs}),
-        number<&Config::centre, isHat>(
-            {"centre", "Centre of the hat",
-             "Position in the boundary where the opacity is largest; 0 is its middle, below 0 is its darker side",
-             "standard deviations", theirs},
-            {-4, 4}, {}, ofHat),
-        number<&Config::halfWidth, isHat>({"half_width", "Half-width of the hat",
-                                           "How far from its centre the hat ends", "standard deviations", theirs},
-                                          {0.05, 8}, ParameterRange{0.05, 4}, ofHat),
-        number<&Config::peak, isHat>({"peak", "Peak of the hat", "Largest opacity of the hat", "per unit", theirs},
-                                     {0, 1}, {}, ofHat),
-    };
-    return table;
-}
+constexpr auto kindlmannDimensions = parameter_rows::choicesOf<KindlmannDimensions>(kindlmannDimensionsNames);
+constexpr auto boundaryEmphases = parameter_rows::choicesOf<BoundaryEmphasis>(boundaryEmphasisNames);
 
-std::string problemOfDrawn(const std::vector<EmphasisNode>& nodes) {
+/// What a person draws stands in no row.
+std::string problemOfDrawn(const KindlmannConfig& config) {
+    const std::vector<EmphasisNode>& nodes = config.drawn;
     if (nodes.size() < 2 || nodes.size() > mostEmphasisNodes)
         return "the drawn emphasis must have 2 to " + std::to_string(mostEmphasisNodes) + " nodes";
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -75,6 +37,52 @@ std::string problemOfDrawn(const std::vector<EmphasisNode>& nodes) {
             return "the positions of the drawn emphasis must not descend";
     }
     return {};
+}
+
+const ParameterTable<KindlmannConfig>& kindlmannTable() {
+    using namespace parameter_rows;
+    using Config = KindlmannConfig;
+    // Numbers of the hat mean nothing of what a person drew.
+    constexpr ParameterScope ofHat{"emphasis", "hat"};
+    static const ParameterTable<Config> table{
+        {
+            choice<kindlmannDimensions, &Config::dimensions>(
+                {"dimensions", "Dimensions",
+                 "Whether opacity follows the intensity alone, or the intensity and the gradient magnitude", "",
+                 theirs}),
+            number<&Config::prefilter>(
+                {"prefilter", "Prefilter",
+                 "Standard deviation of the Gaussian under which derivatives are taken; 0 takes them "
+                 "of the voxels themselves",
+                 "units", kindlmannPage},
+                {0, 8}, {.offered = ParameterRange{0, 4}}),
+            number<&Config::smoothing>(
+                {"smoothing", "Smoothing over the intensity",
+                 "Standard deviation of the Gaussian that smooths the mean derivatives over the intensity",
+                 "levels of 255", kindlmannPage},
+                {0, 16}),
+            number<&Config::threshold>(
+                {"threshold", "Gradient threshold",
+                 "Share of the largest mean gradient magnitude that is taken for the floor of speckle and noise",
+                 "share", kindlmannPage},
+                {0, 0.9}),
+            choice<boundaryEmphases, &Config::emphasis>(
+                {"emphasis", "Boundary emphasis",
+                 "Whether the opacity over the position in a boundary is a hat or was drawn by hand", "", theirs}),
+            number<&isHat, &Config::centre>(
+                {"centre", "Centre of the hat",
+                 "Position in the boundary where the opacity is largest; 0 is its middle, below 0 is its darker side",
+                 "standard deviations", theirs},
+                {-4, 4}, {.scope = ofHat}),
+            number<&isHat, &Config::halfWidth>({"half_width", "Half-width of the hat",
+                                                "How far from its centre the hat ends", "standard deviations", theirs},
+                                               {0.05, 8}, {.offered = ParameterRange{0.05, 4}, .scope = ofHat}),
+            number<&isHat, &Config::peak>({"peak", "Peak of the hat", "Largest opacity of the hat", "per unit", theirs},
+                                          {0, 1}, {.scope = ofHat}),
+        },
+        {},
+        problemOfDrawn};
+    return table;
 }
 
 double drawnAt(const std::vector<EmphasisNode>& nodes, double position) {
@@ -218,12 +226,7 @@ double widestSigma(const VolumeGeometry& geometry) {
 
 }  // namespace
 
-std::span<const Parameter<KindlmannConfig>> parametersOf(const KindlmannConfig&) { return kindlmannRows(); }
-
-std::string problemOf(const KindlmannConfig& config) {
-    if (std::string problem = problemIn(parametersOf(config), config); !problem.empty()) return problem;
-    return problemOfDrawn(config.drawn);
-}
+const ParameterTable<KindlmannConfig>& parametersOf(const KindlmannConfig&) { return kindlmannTable(); }
 
 double emphasisAt(const KindlmannConfig& config, double position) {
     if (config.emphasis == BoundaryEmphasis::drawn) return drawnAt(config.drawn, position);
@@ -232,8 +235,6 @@ double emphasisAt(const KindlmannConfig& config, double position) {
 
 std::optional<Design> design(const KindlmannConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("KindlmannConfig", parametersOf(config), config, input);
-    if (const std::string problem = problemOfDrawn(config.drawn); !problem.empty())
-        throw std::invalid_argument("KindlmannConfig: " + problem);
     const bool flat = config.dimensions == KindlmannDimensions::one;
     std::optional<HistogramVolume> histogram =
         histogramVolume(input.shown, {config.prefilter, flat ? 0 : kindlmannGradientNodes}, progress);

@@ -2,20 +2,16 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string>
 
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
-#include "processing/parameter.h"
+#include "processing/designers/gradients/kindlmann_config.h"
+#include "processing/parameters/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
 
-[[nodiscard]] std::span<const Parameter<KindlmannConfig>> parametersOf(const KindlmannConfig&);
-
-/// What is wrong in a config, lower case, no full stop, nodes included; empty where nothing is.
-[[nodiscard]] std::string problemOf(const KindlmannConfig& config);
+/// Its table, which also knows what is wrong with the nodes that were drawn; the argument only selects it.
+[[nodiscard]] const ParameterTable<KindlmannConfig>& parametersOf(const KindlmannConfig&);
 
 /// The boundary emphasis function b of a position, standard deviations of the boundary: the opacity, [0,1].
 [[nodiscard]] double emphasisAt(const KindlmannConfig& config, double position);
@@ -27,7 +23,8 @@ namespace echolucent {
 /// Where no boundary is found, where what is found is speckle or thin layers
 /// (BoundaryWidth::isSharperThanBoundaries()), or where b leaves nothing of it, x^2 is given and the message says so.
 /// The result is empty only where progress.cancel was raised, and has the same bits for any number of threads. Throws
-/// std::invalid_argument where problemOf(config) is not empty or where the volumes have different grids.
+/// std::invalid_argument where problemIn(parametersOf(config), config) is not empty or where the volumes have different
+/// grids.
 [[nodiscard]] std::optional<Design> design(const KindlmannConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

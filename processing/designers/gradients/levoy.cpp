@@ -10,11 +10,10 @@
 #include <vector>
 
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/choice_names.h"
-#include "processing/designers/config_rows.h"
 #include "processing/designers/designer_contract.h"
 #include "processing/designers/otsu.h"
 #include "processing/intensity/intensity_counts.h"
+#include "processing/parameters/parameter_rows.h"
 #include "processing/sampling/gradient_magnitude.h"
 #include "processing/volume/filled_volume.h"
 
@@ -22,9 +21,9 @@ namespace echolucent {
 
 namespace {
 
-constexpr ChoiceNames<2> levoyFormNames{"isovalues", "boundaries"};
-constexpr ChoiceNames<3> levoyLevelsNames{"tube_cores", "otsu", "given"};
-constexpr ChoiceNames<2> levoyGradientScaleNames{"largest", "quantile"};
+constexpr auto levoyForms = parameter_rows::choicesOf<LevoyForm, 2>({"isovalues", "boundaries"});
+constexpr auto levoyLevels = parameter_rows::choicesOf<LevoyLevels, 3>({"tube_cores", "otsu", "given"});
+constexpr auto levoyGradientScales = parameter_rows::choicesOf<LevoyGradientScale, 2>({"largest", "quantile"});
 
 constexpr int levoyIntensityNodes = 1021;  // three between each two bytes, so that bytes lie on nodes
 constexpr int levoyGradientNodes = 256;
@@ -35,41 +34,41 @@ bool levelsAreGiven(const LevoyConfig& config) { return config.levels == LevoyLe
 bool hasContours(const LevoyConfig& config) { return config.form == LevoyForm::isovalues; }
 bool hasBoundaries(const LevoyConfig& config) { return config.form == LevoyForm::boundaries; }
 
-const std::vector<Parameter<LevoyConfig>>& levoyRows() {
-    using namespace config_rows;
+const ParameterTable<LevoyConfig>& levoyTable() {
+    using namespace parameter_rows;
     constexpr ParameterScope given{"levels", "given"}, isovalues{"form", "isovalues"}, boundaries{"form", "boundaries"};
-    static const std::vector<Parameter<LevoyConfig>> table{
-        choice<&LevoyConfig::form, levoyFormNames>(
+    static const ParameterTable<LevoyConfig> table{{
+        choice<levoyForms, &LevoyConfig::form>(
             {"form", "Form", "Contours of values, as thick everywhere, or boundaries, as opaque as they are steep", "",
              "Levoy 1988"}),
-        choice<&LevoyConfig::levels, levoyLevelsNames>(
+        choice<levoyLevels, &LevoyConfig::levels>(
             {"levels", "Levels", "What gives the levels of fluid and tissue", "", levoyPage}),
-        number<&LevoyConfig::fluidLevel, levelsAreGiven>(
+        number<&levelsAreGiven, &LevoyConfig::fluidLevel>(
             {"fluid_level", "Fluid level", "Intensity of fluid, as a share of white", "share", "chosen by looking"},
-            {0, 1}, {}, given),
-        number<&LevoyConfig::tissueLevel, levelsAreGiven>(
+            {0, 1}, {.scope = given}),
+        number<&levelsAreGiven, &LevoyConfig::tissueLevel>(
             {"tissue_level", "Tissue level", "Intensity of tissue, as a share of white", "share", "chosen by looking"},
-            {0, 1}, {}, given),
+            {0, 1}, {.scope = given}),
         number<&LevoyConfig::fluidOpacity>(
             {"fluid_opacity", "Fluid opacity", "Opacity of the fluid level", "", levoyPage}, {0, 1}),
         number<&LevoyConfig::tissueOpacity>(
             {"tissue_opacity", "Tissue opacity", "Opacity of the tissue level", "", levoyPage}, {0, 1}),
-        number<&LevoyConfig::surfaceOpacity, hasContours>(
+        number<&hasContours, &LevoyConfig::surfaceOpacity>(
             {"surface_opacity", "Surface opacity", "Opacity of the contour between fluid and tissue", "", levoyPage},
-            {0, 1}, {}, isovalues),
-        number<&LevoyConfig::surfaceShare, hasContours>(
+            {0, 1}, {.scope = isovalues}),
+        number<&hasContours, &LevoyConfig::surfaceShare>(
             {"surface_share", "Place of the surface",
              "How far the value of the surface's contour lies from the fluid level to the tissue level", "share",
              levoyPage},
-            {0, 1}, {}, isovalues),
-        number<&LevoyConfig::transitionWidth, hasContours>(
+            {0, 1}, {.scope = isovalues}),
+        number<&hasContours, &LevoyConfig::transitionWidth>(
             {"transition_width", "Transition width r", "Half the thickness of a contour", "units", levoyPage},
-            {0.1, 100}, ParameterRange{0.5, 10}, isovalues),
-        choice<&LevoyConfig::gradientScale, levoyGradientScaleNames, hasBoundaries>(
+            {0.1, 100}, {.offered = ParameterRange{0.5, 10}, .scope = isovalues}),
+        choice<levoyGradientScales, &hasBoundaries, &LevoyConfig::gradientScale>(
             {"gradient_scale", "Gradient scale", "Which gradient counts as the steepest: larger ones count as it", "",
              levoyPage},
-            boundaries),
-    };
+            {.scope = boundaries}),
+    }};
     return table;
 }
 
@@ -202,7 +201,7 @@ double boundaryOpacity(double intensity, double scaledGradient, std::span<const 
     return steepness * levels.back().opacity;
 }
 
-std::span<const Parameter<LevoyConfig>> parametersOf(const LevoyConfig&) { return levoyRows(); }
+const ParameterTable<LevoyConfig>& parametersOf(const LevoyConfig&) { return levoyTable(); }
 
 std::optional<Design> design(const LevoyConfig& config, const DesignerInput& input, const Progress& progress) {
     requireDesignable("LevoyConfig", parametersOf(config), config, input);

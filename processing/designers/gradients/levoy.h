@@ -6,14 +6,14 @@
 #include <span>
 
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
-#include "processing/parameter.h"
+#include "processing/designers/gradients/levoy_config.h"
+#include "processing/parameters/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
 
 /// Its table; the argument only selects it.
-[[nodiscard]] std::span<const Parameter<LevoyConfig>> parametersOf(const LevoyConfig&);
+[[nodiscard]] const ParameterTable<LevoyConfig>& parametersOf(const LevoyConfig&);
 
 /// A level of the intensity and what it is to look like.
 struct LevoyLevel {

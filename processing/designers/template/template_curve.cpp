@@ -5,15 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "processing/designers/config_rows.h"
 #include "processing/designers/designer_contract.h"
 #include "processing/designers/template/intensity_warp.h"
 #include "processing/designers/template/template_reference.h"
+#include "processing/parameters/parameter_rows.h"
 
 namespace echolucent {
 
@@ -22,33 +21,45 @@ namespace {
 constexpr std::string_view templatePage = "docs/designers/template.md";
 constexpr int curveNodes = 256;
 
-const std::vector<Parameter<TemplateConfig>>& templateRows() {
-    using namespace config_rows;
-    using Config = TemplateConfig;
-    static const std::vector<Parameter<Config>> table{
-        choice<&Config::comparison, templateComparisonNames>(
-            {"comparison", "Comparison",
-             "What the intensities of the volume and of the template are compared by: the logarithms of their shares, "
-             "which asks little how much of a tissue there is, or the cumulative distributions, which find a change of "
-             "gain alone more exactly",
-             "", templatePage}),
-        number<&Config::leastSlope>(
-            {"least_slope", "Least slope", "How much the intensity axis of the template may be pressed together",
-             "times", "Rezk-Salama and others 2000"},
-            {1.0 / 8.0, 1}),
-        number<&Config::largestSlope>(
-            {"largest_slope", "Largest slope", "How much the intensity axis of the template may be stretched", "times",
-             "Rezk-Salama and others 2000"},
-            {1, 8}),
-    };
-    return table;
-}
-
 /// Whether a reference that came from elsewhere holds a histogram.
 bool isHistogram(const std::vector<double>& histogram) {
     const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
     const bool areShares = std::ranges::all_of(histogram, [](double share) { return share >= 0.0; });
     return histogram.size() == warpBins && areShares && (sum == 0.0 || std::abs(sum - 1.0) < 1e-6);
+}
+
+/// A reference stands in no row.
+std::string problemOfReference(const TemplateConfig& config) {
+    if (isHistogram(config.reference->histogram)) return {};
+    return "the histogram of the reference must be 256 shares, 0 or more, with a sum of 1, or 0";
+}
+
+constexpr auto templateComparisons = parameter_rows::choicesOf<TemplateComparison>(templateComparisonNames);
+
+const ParameterTable<TemplateConfig>& templateTable() {
+    using namespace parameter_rows;
+    using Config = TemplateConfig;
+    static const ParameterTable<Config> table{
+        {
+            choice<templateComparisons, &Config::comparison>({"comparison", "Comparison",
+                                                              "What the intensities of the volume and of the template "
+                                                              "are compared by: the logarithms of their shares, "
+                                                              "which asks little how much of a tissue there is, or the "
+                                                              "cumulative distributions, which find a change of "
+                                                              "gain alone more exactly",
+                                                              "", templatePage}),
+            number<&Config::leastSlope>(
+                {"least_slope", "Least slope", "How much the intensity axis of the template may be pressed together",
+                 "times", "Rezk-Salama and others 2000"},
+                {1.0 / 8.0, 1}),
+            number<&Config::largestSlope>(
+                {"largest_slope", "Largest slope", "How much the intensity axis of the template may be stretched",
+                 "times", "Rezk-Salama and others 2000"},
+                {1, 8}),
+        },
+        {},
+        problemOfReference};
+    return table;
 }
 
 /// Why a histogram cannot be compared; empty where it can.
@@ -122,17 +133,9 @@ void describe(const FoundWarp& found, const std::string& name, Design& design) {
 
 }  // namespace
 
-std::span<const Parameter<TemplateConfig>> parametersOf(const TemplateConfig&) { return templateRows(); }
-
-std::string problemOf(const TemplateConfig& config) {
-    if (std::string problem = problemIn(parametersOf(config), config); !problem.empty()) return problem;
-    if (isHistogram(config.reference->histogram)) return {};
-    return "the histogram of the reference must be 256 shares, 0 or more, with a sum of 1, or 0";
-}
+const ParameterTable<TemplateConfig>& parametersOf(const TemplateConfig&) { return templateTable(); }
 
 std::optional<Design> design(const TemplateConfig& config, const DesignerInput& input, const Progress& progress) {
-    if (const std::string problem = problemOf(config); !problem.empty())
-        throw std::invalid_argument("TemplateConfig: " + problem);
     requireDesignable("TemplateConfig", parametersOf(config), config, input);
     const TemplateReference& reference = *config.reference;
     if (progress.cancelled()) return std::nullopt;

@@ -3,20 +3,16 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string>
 
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
-#include "processing/parameter.h"
+#include "processing/designers/template/template_config.h"
+#include "processing/parameters/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
 
-[[nodiscard]] std::span<const Parameter<TemplateConfig>> parametersOf(const TemplateConfig&);
-
-/// What is wrong in a config, lower case, no full stop, its reference included; empty where nothing is.
-[[nodiscard]] std::string problemOf(const TemplateConfig& config);
+/// Its table, which also knows what is wrong with the reference; the argument only selects it.
+[[nodiscard]] const ParameterTable<TemplateConfig>& parametersOf(const TemplateConfig&);
 
 /// The curve alpha(t^-1(v)) at 256 equidistant intensities v, alpha the reference's curve and t the warp that
 /// findWarp() finds between the reference's histogram and that of the shown voxels. The plots are "warp" (NaN where the

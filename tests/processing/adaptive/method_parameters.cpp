@@ -126,9 +126,9 @@ TEST(MethodParameters, EveryChoiceCanBeMadeAndNoOther) {
         if (row.choices.empty()) continue;
         SCOPED_TRACE(row.name);
         AdaptiveOtfConfig config = configFor(row);
-        for (const std::string_view choice : row.choices) {
-            ASSERT_TRUE(row.set(config, std::string(choice)));
-            EXPECT_EQ(row.get(config), ParameterValue(std::string(choice)));
+        for (const ParameterChoice& choice : row.choices) {
+            ASSERT_TRUE(row.set(config, std::string(choice.name)));
+            EXPECT_EQ(row.get(config), ParameterValue(std::string(choice.name)));
             EXPECT_EQ(problemOf(config), "");
         }
         const AdaptiveOtfConfig made = config;
@@ -143,7 +143,7 @@ TEST(MethodParameters, WhatDoesNotApplyCanNeitherBeReadNorSet) {
         if (row.scope.parameter.empty()) continue;
         SCOPED_TRACE(row.name);
         const Row& choice = *parameterNamed(methodParameters(), row.scope.parameter);
-        for (const std::string_view other : choice.choices) {
+        for (const auto& [other, label] : choice.choices) {
             AdaptiveOtfConfig config;
             ASSERT_TRUE(choice.set(config, std::string(other)));
             EXPECT_EQ(row.get(config).has_value(), other == row.scope.choice);

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "processing/designers/design.h"
-#include "processing/parameter.h"
+#include "processing/parameters/parameter.h"
 #include "tests/processing/grids.h"
 
 namespace echolucent {

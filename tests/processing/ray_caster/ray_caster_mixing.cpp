@@ -82,18 +82,18 @@ TEST(RayCasterMixing, TheLookCastsOnlyWhatIsSeen) {
     EXPECT_EQ(rayCastSettings(look).brightness, 1.0);
     look.mixedMode = RenderMode::mean;
     EXPECT_EQ(rayCastSettings(look), rayCastSettings(lookAtStart())) << "nothing is mixed";
-    EXPECT_FALSE(playsAPart("mixed_mode", look));
+    EXPECT_FALSE(playsAPart(*parameterNamed(lookParameters(), "mixed_mode"), look));
     look.mixing = 0.5;
     EXPECT_EQ(rayCastSettings(look).mixing, (ModeMixing{0.5, RenderMode::mean}));
-    EXPECT_TRUE(playsAPart("mixed_mode", look));
-    EXPECT_TRUE(playsAPart("shadow", look));
+    EXPECT_TRUE(playsAPart(*parameterNamed(lookParameters(), "mixed_mode"), look));
+    EXPECT_TRUE(playsAPart(*parameterNamed(lookParameters(), "shadow"), look));
     look.mixing = 1.0;
-    EXPECT_FALSE(playsAPart("shadow", look)) << "no light falls on a mean";
+    EXPECT_FALSE(playsAPart(*parameterNamed(lookParameters(), "shadow"), look)) << "no light falls on a mean";
     Look alone = lookAtStart();
     alone.mode = RenderMode::mean;
     EXPECT_EQ(rayCastSettings(look), rayCastSettings(alone));
     look.mode = RenderMode::minimum;
-    EXPECT_FALSE(playsAPart("mixing", look));
+    EXPECT_FALSE(playsAPart(*parameterNamed(lookParameters(), "mixing"), look));
     EXPECT_EQ(rayCastSettings(look).mixing, ModeMixing{});
 }
 

@@ -211,8 +211,8 @@ TEST(Kindlmann, AConfigThatMakesNoSenseIsRefused) {
         try {
             (void)design(config, DesignerInput{volume, volume});
         } catch (const std::invalid_argument& thrown) {
-            EXPECT_EQ("KindlmannConfig: " + problemOf(config), thrown.what());
-            return problemOf(config);
+            EXPECT_EQ("KindlmannConfig: " + problemIn(parametersOf(config), config), thrown.what());
+            return problemIn(parametersOf(config), config);
         }
         return "";
     };

@@ -196,7 +196,7 @@ TEST(LevoyLevels, TheTableOfParametersFollowsWhatIsChosen) {
         EXPECT_TRUE(row.set(one, standard)) << row.name;
         EXPECT_EQ(row.get(one), standard) << row.name;
         if (!row.scope.parameter.empty())
-            for (const std::string_view choice : parameterNamed(table, row.scope.parameter)->choices) {
+            for (const auto& [choice, label] : parameterNamed(table, row.scope.parameter)->choices) {
                 LevoyConfig other;
                 ASSERT_TRUE(parameterNamed(table, row.scope.parameter)->set(other, std::string(choice)));
                 EXPECT_EQ(row.get(other).has_value(), choice == row.scope.choice) << row.name;

@@ -1,0 +1,37 @@
+// The config of the designer by the contour spectrum (docs/designers/contour-spectrum.md).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "processing/choice_names.h"
+#include "processing/designers/designer_words.h"
+
+namespace echolucent {
+
+/// Where the middle of the ramp comes from.
+enum class IsovalueChoice {
+    steepest,  ///< the steepest of maximaOf() the spectrum
+    given,     ///< a person's choice
+};
+inline constexpr std::array allIsovalueChoices{IsovalueChoice::steepest, IsovalueChoice::given};
+inline constexpr ChoiceNames<allIsovalueChoices.size()> isovalueChoiceNames{"steepest", "given"};
+/// "steepest", "given".
+[[nodiscard]] inline std::string_view nameOf(IsovalueChoice choice) { return nameIn(isovalueChoiceNames, choice); }
+[[nodiscard]] inline std::optional<IsovalueChoice> isovalueChoiceFromName(std::string_view name) {
+    return choiceNamed<IsovalueChoice>(isovalueChoiceNames, name);
+}
+
+/// The ranges stand in parametersOf(), too.
+struct ContourSpectrumConfig {
+    static constexpr DesignerWords words{"contour-spectrum", "Contour spectrum"};
+    IsovalueChoice choice = IsovalueChoice::steepest;
+    double threshold = 0.2;   ///< normalised intensity, [0,1]; it plays a part where it is the choice
+    double leastArea = 0.1;   ///< share of the largest area, [0,1]: what smaller isosurfaces are like is noise
+    double halfWidth = 0.08;  ///< of the ramp, normalised intensity, [0,1]
+    double opacity = 0.6;     ///< behind the ramp, per unit, [0,1]
+    friend bool operator==(const ContourSpectrumConfig&, const ContourSpectrumConfig&) = default;
+};
+
+}  // namespace echolucent

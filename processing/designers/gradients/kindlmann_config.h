@@ -1,0 +1,69 @@
+// The config of the designer by Kindlmann and Durkin (docs/designers/kindlmann.md).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "processing/choice_names.h"
+#include "processing/designers/designer_words.h"
+
+namespace echolucent {
+
+/// What opacity is a function of.
+enum class KindlmannDimensions {
+    one,  ///< the intensity: alpha(v) = b(p(v))
+    two,  ///< the intensity and the gradient magnitude: alpha(v, g) = b(p(v, g))
+};
+inline constexpr ChoiceNames<2> kindlmannDimensionsNames{"one", "two"};
+[[nodiscard]] inline std::string_view nameOf(KindlmannDimensions dimensions) {
+    return nameIn(kindlmannDimensionsNames, dimensions);
+}
+[[nodiscard]] inline std::optional<KindlmannDimensions> kindlmannDimensionsFromName(std::string_view name) {
+    return choiceNamed<KindlmannDimensions>(kindlmannDimensionsNames, name);
+}
+
+/// Where the boundary emphasis function b comes from.
+enum class BoundaryEmphasis {
+    hat,    ///< made of three numbers
+    drawn,  ///< KindlmannConfig::drawn
+};
+inline constexpr ChoiceNames<2> boundaryEmphasisNames{"hat", "drawn"};
+[[nodiscard]] inline std::string_view nameOf(BoundaryEmphasis emphasis) {
+    return nameIn(boundaryEmphasisNames, emphasis);
+}
+[[nodiscard]] inline std::optional<BoundaryEmphasis> boundaryEmphasisFromName(std::string_view name) {
+    return choiceNamed<BoundaryEmphasis>(boundaryEmphasisNames, name);
+}
+
+/// One point of the boundary emphasis function.
+struct EmphasisNode {
+    double position = 0.0;  ///< within the boundary, standard deviations of it, negative on the darker side
+    double opacity = 0.0;   ///< per reference step, [0,1]
+    friend bool operator==(const EmphasisNode&, const EmphasisNode&) = default;
+};
+
+/// The most nodes that KindlmannConfig::drawn may have; it must have two.
+inline constexpr std::size_t mostEmphasisNodes = 64;
+
+/// parametersOf() has the ranges, the meanings and the sources of all members but `drawn`.
+struct KindlmannConfig {
+    static constexpr DesignerWords words{"kindlmann", "Kindlmann and Durkin"};
+    KindlmannDimensions dimensions = KindlmannDimensions::one;
+    double prefilter = 1.0;  ///< standard deviation of the Gaussian under which derivatives are taken, units
+    double smoothing = 2.0;  ///< standard deviation over the intensity of the mean derivatives, levels of 255
+    double threshold = 0.2;  ///< g0, share of the largest mean gradient magnitude
+    BoundaryEmphasis emphasis = BoundaryEmphasis::hat;
+    double centre = 0.0;     ///< of the hat, standard deviations of the boundary
+    double halfWidth = 1.0;  ///< of the hat, standard deviations of the boundary
+    double peak = 1.0;       ///< of the hat, opacity per reference step
+    /// What a person drew, piecewise linear, constant beyond its first and last node; two nodes at one position make a
+    /// step, of which the later one holds there. It counts where `emphasis` says so, and is kept where it does not, so
+    /// that a person can go to the hat and back. Tables of parameters hold scalars and so do not hold it. 2 to
+    /// mostEmphasisNodes nodes, of positions in [-8,8] that do not descend; the default is the default hat.
+    std::vector<EmphasisNode> drawn{{-1.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}};
+    friend bool operator==(const KindlmannConfig&, const KindlmannConfig&) = default;
+};
+
+}  // namespace echolucent

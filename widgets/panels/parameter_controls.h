@@ -1,0 +1,88 @@
+// Controls of parameters, made from the rows of their table.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QWidget>
+#include <functional>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "processing/parameters/parameter.h"
+
+class QLabel;
+
+namespace echolucent {
+
+/// A control of one parameter: a check box of a flag, a combo box of a choice, a spin box or a slider of a number.
+struct ParameterControl {
+    QWidget* widget = nullptr;
+    QLabel* label = nullptr;                            ///< its buddy; null if the widget says itself what it is
+    std::function<void(const ParameterValue&)> show{};  ///< shows a value; emits nothing
+};
+
+/// What shows a number.
+enum class NumberControl {
+    spinBox,
+    slider,           ///< a slider and a spin box
+    resettingSlider,  ///< the same with a button that sets the default
+};
+
+/// The control of a row; the caller owns its widgets. Its object name is the group's name, a point and the row's name
+/// in camel case ("view.colourMap"), its accessible name the row's label. It offers AnyParameter::offeredRange(), and
+/// shows the default at first. `taken` is called with each value that a person sets while `listener` lives, and with
+/// nothing else.
+[[nodiscard]] ParameterControl parameterControl(const ParameterDefault& row, const QString& group,
+                                                NumberControl numbers, const QObject* listener,
+                                                std::function<void(const ParameterValue&)> taken);
+
+/// Values and a control for each of their rows that panels show. A number that no person has moved keeps all its
+/// digits, whatever its control shows.
+template <typename Values>
+class ParameterControls {
+public:
+    /// `changed` is called if a person set a row. The controls have no parent; the table outlives this.
+    ParameterControls(const ParameterTable<Values>& table, const QString& group, NumberControl numbers,
+                      std::function<void(const Values&, const AnyParameter&)> changed)
+        : m_table(table), m_values(table.standard), m_changed(std::move(changed)) {
+        for (const Parameter<Values>& row : table)
+            if (row.inPanels)
+                m_controls.emplace(row.name,
+                                   parameterControl({&row, defaultOf(table, row)}, group, numbers, &m_listener,
+                                                    [this, &row](const auto& value) { take(row, value); }));
+        setValues(m_values);
+    }
+
+    [[nodiscard]] const Values& values() const { return m_values; }
+    /// Calls nobody. Rows that play no part are disabled.
+    void setValues(const Values& values) {
+        m_values = values;
+        for (const Parameter<Values>& row : m_table)
+            if (const auto found = m_controls.find(row.name); found != m_controls.end())
+                if (const auto value = row.get(m_values)) found->second.show(*value);
+        enable();
+    }
+    /// Of a row that panels show.
+    [[nodiscard]] const ParameterControl& of(std::string_view name) const { return m_controls.at(name); }
+
+private:
+    void take(const Parameter<Values>& row, const ParameterValue& value) {
+        row.set(m_values, value);
+        enable();
+        m_changed(m_values, row);
+    }
+    void enable() {
+        for (const Parameter<Values>& row : m_table)
+            if (const auto found = m_controls.find(row.name); found != m_controls.end())
+                found->second.widget->setEnabled(playsAPart(row, m_values));
+    }
+
+    const ParameterTable<Values>& m_table;
+    Values m_values;
+    std::function<void(const Values&, const AnyParameter&)> m_changed;
+    std::map<std::string_view, ParameterControl> m_controls;
+    QObject m_listener;  // last: no control is heard once this is destroyed
+};
+
+}  // namespace echolucent
