@@ -12,7 +12,6 @@
 #include "app/compare/compare_room.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/designer_controls.h"
-#include "app/otf/method_controls.h"
 #include "app/otf/near_cut_finder.h"
 #include "app/otf/shown_design.h"
 #include "app/picture/explanation.h"
@@ -92,7 +91,7 @@ void MainWindow::createUnits() {
         ShownDesign::Parts{m_document, *m_designs, *m_view, *m_widgets.editor, *m_widgets.messages});
     m_designerControls = std::make_unique<DesignerControls>(
         DesignerControls::Parts{m_document, m_hand, *m_designs, *m_widgets.designers});
-    m_methodControls = std::make_unique<MethodControls>(m_document, m_hand, *m_widgets.method);
+    m_widgets.method->showDocument(m_document);
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});

@@ -23,7 +23,6 @@ class CurveAndPictureFiles;
 class DesignerControls;
 class FullScreen;
 class HistoryControls;
-class MethodControls;
 class LoadingPicture;
 class LongWorks;
 class MovieFiles;
@@ -133,7 +132,6 @@ private:
     std::unique_ptr<ViewDesigns> m_designs;
     std::unique_ptr<ShownDesign> m_shownDesign;
     std::unique_ptr<DesignerControls> m_designerControls;
-    std::unique_ptr<MethodControls> m_methodControls;
     std::unique_ptr<PictureControls> m_pictureControls;
     std::unique_ptr<PresetControls> m_presets;
     std::unique_ptr<MotionFrames> m_motion;

@@ -15,6 +15,7 @@
 
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
+#include "widgets/document/document_model.h"
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
@@ -56,6 +57,16 @@ MethodPanel::MethodPanel(QWidget* parent) : QWidget(parent) {
     layout->addWidget(createAdvancedControls());
     layout->addStretch(1);
     showConfig();
+}
+
+void MethodPanel::showDocument(DocumentModel& document) {
+    connect(this, &MethodPanel::configChanged, &document, [this, &document](const AdaptiveOtfConfig& config) {
+        document.change(tr("method"), [&](Document& next) {
+            next.method = {config, m_initialKind, m_opacityScale};
+            next.method.config.initial = AdaptiveOtfConfig{}.initial;  // its name and scale stand beside it
+        });
+    });
+    document.bind(&DocumentModel::methodChanged, this, [this](const Document& shown) { setConfig(configOf(shown)); });
 }
 
 void MethodPanel::createControls() {

@@ -17,6 +17,8 @@ class QToolButton;
 
 namespace echolucent {
 
+class DocumentModel;
+
 /// Objects: adaptive.strength (+ .value; product) or .rampOpacity (+ .value; ramp), .form, .initial, .opacityScale,
 /// .compute, .reset, .summary, .message, .advanced and, under it, .reading, .interfaceFunction, .tubeColumns,
 /// .tubeRows, .tubeSpacing, .cellSize, .slopeHalfStep, for the ratio .falseAlarm, for the variance .coarsestScale,
@@ -26,6 +28,8 @@ class MethodPanel : public QWidget {
 
 public:
     explicit MethodPanel(QWidget* parent = nullptr);
+    /// Shows the document's method from here on, and makes steps of what is set. The document outlives the panel.
+    void showDocument(DocumentModel& document);
 
     /// What the panel shows. `initial` is a PowerCurve for the kinds parabolic and quartic. For linear and manual it is
     /// the last curve of that kind given to setConfig (else an empty one): the window puts the editor's curve there.
