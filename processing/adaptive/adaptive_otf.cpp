@@ -61,6 +61,8 @@ std::optional<AdaptedCurve> curveFor(const Volume& volume, const QuietVoxels& sh
                            : readQuiet(shown.volume->withDataMask(mask), config, samples, otf.tubes, progress);
     if (!quiet) return std::nullopt;
     otf.speckleLeft = quiet->speckleLeft;
+    for (const TubeCore& tube : quiet->tubes)
+        otf.quiet.push_back({tube.lowIntensity, tube.highIntensity, tube.fluidSpread});
     return adaptedCurve(quiet->curve, config.initial, quiet->tubes, AdaptiveOtf::sampleCount);
 }
 

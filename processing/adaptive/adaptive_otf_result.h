@@ -16,6 +16,12 @@
 
 namespace echolucent {
 
+/// Around the surface of a tube core, in the quiet voxels that the curve is meant for. No values without a surface; of
+/// a tube core that says nothing of these voxels the values of TubeCore.
+struct QuietInterface {
+    std::optional<double> low{}, high{}, fluidSpread{};  ///< I_L, I_H and the fluid's spread, as in TubeCore
+};
+
 /// The adaptive curve, the tube cores it was made of and what the run found out on the way. Units are those of
 /// processing/tube_core/tube_core.h.
 struct AdaptiveOtf {
@@ -41,6 +47,7 @@ struct AdaptiveOtf {
     std::optional<double> fluidIntensity;
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels that the curve is meant for
     double speckleLeft = 1.0;                            ///< in these, see QuietReading; 1 where nothing was reduced
+    std::vector<QuietInterface> quiet{};  ///< of each tube core; empty if the curve is meant for the voxels read
     double trust = 1.0;  ///< with RampRule the curve is trust * ramp + (1 - trust) * initial function, [0,1]
     /// sampleCount values: ln of the curve before any clamp; with ProductRule ln initial(x) + sum over the tubes of
     /// ln(1+d) g(x).

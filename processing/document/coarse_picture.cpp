@@ -36,10 +36,8 @@ std::optional<Picture> coarsePicture(const Document& before, std::size_t pane, c
     const Volume& volume = *coarse.voxels;
     const auto finds = findOnOpening(volume, silent);
     if (!finds) return std::nullopt;
-    Document document = withFinds(openedDocument(before, {}), *finds);
-    const double aspect = static_cast<double>(width) / height;
-    document.scene.pose =
-        wholeVolumePose(volume.dataBox(), viewAlongBeam(document.beam), document.scene.look.projection, aspect);
+    const Document document =
+        openedDocuments(before, {.box = volume.dataBox(), .finds = finds}, static_cast<double>(width) / height).found;
     SampledCurve adaptive;
     // What a design would make of so few voxels is not asked: the view's curve stands in for it.
     if (document.panes.at(pane).curve == CurveKind::adaptive && document.scene.look.mode == RenderMode::direct) {

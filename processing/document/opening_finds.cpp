@@ -13,32 +13,61 @@ BeamSource sourceOf(BeamEvidence evidence) {
     switch (evidence) {
         case BeamEvidence::file: return BeamSource::file;
         case BeamEvidence::sectorShape: return BeamSource::sectorShape;
-        case BeamEvidence::echo:
+        case BeamEvidence::echo: return BeamSource::echo;
         case BeamEvidence::none: break;
     }
-    return BeamSource::echo;
+    return BeamSource::person;
+}
+
+ViewDirection sideOf(const OpeningFinds& finds) { return finds.side.value_or(finds.lean); }
+
+/// All data, seen from the scene's side.
+Document shownWhole(Document document, const DataBox& box, double aspect) {
+    Scene& scene = document.scene;
+    scene.pose = wholeVolumePose(box, viewpointOf(document.beam.axis, scene.side, 0.0), scene.look.projection, aspect);
+    return document;
 }
 
 }  // namespace
 
-std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& progress) {
-    auto beam = guessBeamAxis(volume, progress);
-    if (!beam) return std::nullopt;
-    OpeningFinds finds{.beam = std::move(*beam)};
-    if (const auto& probe = volume.geometry().probe) finds.lean = directionOf(viewFromProbe(*probe));
-    if (!finds.beam.sure) return finds;
-    finds.cut = findNearCut(volume, viewpointOf(finds.beam.axis, finds.lean, 0.0), progress);
+std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& progress, const SaidOnOpening& said) {
+    OpeningFinds finds;
+    finds.side = said.side;
+    if (said.beam) {
+        finds.beam = {.axis = *said.beam, .confidence = 1.0, .sure = true};
+    } else {
+        auto beam = guessBeamAxis(volume, progress);
+        if (!beam) return std::nullopt;
+        finds.beam = std::move(*beam);
+        if (const auto& probe = volume.geometry().probe) finds.lean = directionOf(viewFromProbe(*probe));
+    }
+    if (said.front || (!finds.beam.sure && !said.side)) return finds;
+    finds.cut = findNearCut(volume, viewpointOf(finds.beam.axis, sideOf(finds), 0.0), progress);
     if (!finds.cut) return std::nullopt;
     return finds;
 }
 
+bool makesFront(const OpeningFinds& finds) {
+    return finds.cut && finds.cut->sure && finds.cut->answer == NearCutAnswer::wallBeforeFluid;
+}
+
 Document withFinds(Document document, const OpeningFinds& finds) {
-    if (!finds.beam.sure) return document;
-    document.beam = {finds.beam.axis, sourceOf(finds.beam.evidence), finds.lean};
-    document.scene.side = finds.lean;
-    if (!finds.cut || !finds.cut->sure || finds.cut->answer != NearCutAnswer::wallBeforeFluid) return document;
-    document.scene.front = {.depthMm = std::round(10 * finds.cut->nearCutMm) / 10, .source = FrontSource::found};
+    if (!finds.beam.sure && !finds.side) return document;
+    if (finds.beam.sure) document.beam = {finds.beam.axis, sourceOf(finds.beam.evidence), finds.lean};
+    document.scene.side = sideOf(finds);
+    if (makesFront(finds))
+        document.scene.front = {.depthMm = std::round(10 * finds.cut->nearCutMm) / 10, .source = FrontSource::found};
     return document;
+}
+
+OpenedDocuments openedDocuments(const Document& before, const OpenedStudy& study, double aspect) {
+    Document plain = shownWhole(openedDocument(before, study.reference), study.box, aspect);
+    if (study.phases < 2)
+        plain.motion.scenario = MotionScenario::probe;
+    else if (study.phasesBefore < 2)  // from one 4D study to the next, what was chosen to move stays
+        plain.motion.scenario = MotionScenario::object;
+    Document found = study.finds ? shownWhole(withFinds(plain, *study.finds), study.box, aspect) : plain;
+    return {std::move(plain), std::move(found)};
 }
 
 }  // namespace echolucent

@@ -112,11 +112,11 @@ std::optional<ViewCaster::TubeCoreReading> ViewCaster::readTubeCores(const Docum
 }
 
 std::optional<ViewPicture> ViewCaster::picture(const Document& document, std::size_t pane, int width, int height,
-                                               const ViewOtf& otf, const Progress& progress) {
+                                               const ViewOtf& otf, const Progress& progress, PictureQuality quality) {
     const Voxels* of = voxels(document, phaseOf(document, pane), Progress{{}, progress.cancel});
     if (!of) return std::nullopt;
-    const RayCastSettings settings =
-        converged(castSettingsOf(document, of->shown->geometry(), of->shown->dataBox(), width, height));
+    const RayCastSettings asked = castSettingsOf(document, of->shown->geometry(), of->shown->dataBox(), width, height);
+    const RayCastSettings settings = quality == PictureQuality::converged ? converged(asked) : asked;
     const Classification classification = classificationOf(document, pane, otf);
     // From the samples of a view that is cast again pictures follow to half a level only.
     if (!m_rays || m_rays->volume() != of->shown || m_cast == settings) m_rays.emplace(of->shown);

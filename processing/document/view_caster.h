@@ -24,6 +24,12 @@ namespace echolucent {
 [[nodiscard]] RayCastSettings castSettingsOf(const Document& document, const VolumeGeometry& geometry,
                                              const DataBox& box, int width, int height);
 
+/// How much a view's picture spares.
+enum class PictureQuality {
+    converged,  ///< converged(): what a window shows at rest, and saves
+    quick,      ///< the look's own step and the ray caster's own end of rays
+};
+
 /// What a view shows.
 struct ViewPicture {
     Picture picture;
@@ -84,11 +90,12 @@ public:
     /// where progress.cancel was raised.
     [[nodiscard]] std::optional<TubeCoreReading> readTubeCores(const Document& document, std::size_t pane,
                                                                const Progress& progress = {});
-    /// The converged picture of the phase that a view shows; `otf` is what is computed to render it with, where that
-    /// plays a part. The result is empty only where progress.cancel was raised. Throws std::out_of_range where there is
-    /// no such phase.
+    /// The picture of the phase that a view shows; `otf` is what is computed to render it with, where that plays a
+    /// part. The result is empty only where progress.cancel was raised. Throws std::out_of_range where there is no such
+    /// phase.
     [[nodiscard]] std::optional<ViewPicture> picture(const Document& document, std::size_t pane, int width, int height,
-                                                     const ViewOtf& otf, const Progress& progress = {});
+                                                     const ViewOtf& otf, const Progress& progress = {},
+                                                     PictureQuality quality = PictureQuality::converged);
 
 private:
     /// Voxels of a phase with what the scalpel cut of them.

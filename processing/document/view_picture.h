@@ -11,13 +11,14 @@
 
 namespace echolucent {
 
-/// The converged picture (processing/picture/converged.h) of a view. `scans`: all phases of the study, as they were
-/// read; the view shows one of them (std::out_of_range where there are not so many). The strokes cut raw and quiet
-/// voxels; the adaptive curve is computed from raw ones along otfViewpointOf(), in direct mode and where the view is
-/// rendered with it: those of the phase shown, or of otfPhaseOf(), where one OTF is chosen for all phases. The result
-/// is empty only where progress.cancel was raised.
+/// The picture of a view. `scans`: all phases of the study, as they were read; the view shows one of them
+/// (std::out_of_range where there are not so many). The strokes cut raw and quiet voxels; the adaptive curve is
+/// computed from raw ones along otfViewpointOf(), in direct mode and where the view is rendered with it: those of the
+/// phase shown, or of otfPhaseOf(), where one OTF is chosen for all phases. The result is empty only where
+/// progress.cancel was raised.
 [[nodiscard]] std::optional<ViewPicture> viewPicture(const Document& document, std::size_t pane,
                                                      std::span<const std::shared_ptr<const Volume>> scans, int width,
-                                                     int height, const Progress& progress = {});
+                                                     int height, const Progress& progress = {},
+                                                     PictureQuality quality = PictureQuality::converged);
 
 }  // namespace echolucent

@@ -63,17 +63,19 @@ void check(std::span<const std::shared_ptr<const Volume>> phases, std::span<cons
 /// Computes the frames named in `wanted` side by side. False where the run was cancelled.
 bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,
                    std::span<const std::size_t> wanted, const AdaptiveOtfConfig& config, const Progress& progress,
-                   std::span<FrameOtf> results) {
+                   std::span<const QuietVoxels> shown, std::span<FrameOtf> results) {
     ProgressCount count(progress, wanted.size());
     const Progress quiet{{}, progress.cancel};
     parallelFor(LoopRange<std::size_t>(0, wanted.size(), 1), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end() && !progress.cancelled(); ++i) {
             const SweepFrame& frame = frames[wanted[i]];
-            const Volume& volume = *phases[static_cast<std::size_t>(frame.phase)];
+            const auto phase = static_cast<std::size_t>(frame.phase);
+            const Volume& volume = *phases[phase];
+            const QuietVoxels meantFor = shown.empty() ? QuietVoxels{} : shown[phase];
             // A thread that waits for a frame's tubes must not begin another frame meanwhile: frames would pile up on
             // its stack.
-            const auto otf =
-                tbb::this_task_arena::isolate([&] { return adaptOpacity(volume, frame.view, config, quiet); });
+            const auto otf = tbb::this_task_arena::isolate(
+                [&] { return adaptOpacity(volume, frame.view, config, quiet, meantFor); });
             if (!otf) return;
             results[wanted[i]] = reduced(*otf);
             count.oneDone();
@@ -131,14 +133,17 @@ std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motio
 
 std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                std::span<const SweepFrame> frames, const AdaptiveOtfConfig& config,
-                                               OtfSmoothing smoothing, const Progress& progress) {
+                                               OtfSmoothing smoothing, const Progress& progress,
+                                               std::span<const QuietVoxels> shown) {
     check(phases, frames);
+    if (!shown.empty() && shown.size() != phases.size())
+        throw std::invalid_argument("sweepOtfs: needs the shown voxels of every phase");
     const std::vector<std::size_t> first = firstOfEqual(frames);
     std::vector<std::size_t> wanted;
     for (std::size_t i = 0; i < frames.size(); ++i)
         if (first[i] == i) wanted.push_back(i);
     std::vector<FrameOtf> otfs(frames.size());
-    if (!computeFrames(phases, frames, wanted, config, progress, otfs)) return std::nullopt;
+    if (!computeFrames(phases, frames, wanted, config, progress, shown, otfs)) return std::nullopt;
 
     std::vector<SweptOtf> swept;
     OtfHistory history(smoothing);

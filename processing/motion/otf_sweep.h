@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/adaptive/quiet_reading.h"
 #include "processing/motion/motion_mode.h"
 #include "processing/motion/otf_smoothing.h"
 #include "processing/opacity_curve.h"
@@ -58,14 +59,16 @@ struct Motion {
 /// firstPhase is not one of them.
 [[nodiscard]] std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motion, int phases);
 
-/// Computes every frame's OTF; `phases` are the volumes of the study. The result is empty only where the run was
-/// cancelled. Frames are computed side by side, with the same bits for any number of threads. Frames of one phase and
-/// view are computed once; a roll turns the grid of tube cores with the picture and is another view. The smoothing runs
-/// in frame order afterwards, so frame times must not descend. Throws std::invalid_argument where a phase is not there
-/// or problemOf(config) is not empty.
+/// Computes every frame's OTF; `phases` are the volumes of the study. `shown`, by phase, are the voxels that the OTFs
+/// are meant for; if it is empty, those of `phases` are. The result is empty only where the run was cancelled. Frames
+/// are computed side by side, with the same bits for any number of threads. Frames of one phase and view are computed
+/// once; a roll turns the grid of tube cores with the picture and is another view. The smoothing runs in frame order
+/// afterwards, so frame times must not descend. Throws std::invalid_argument where a phase is not there, `shown` holds
+/// another number of phases, or problemOf(config) is not empty.
 [[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                              std::span<const SweepFrame> frames,
                                                              const AdaptiveOtfConfig& config, OtfSmoothing smoothing,
-                                                             const Progress& progress = {});
+                                                             const Progress& progress = {},
+                                                             std::span<const QuietVoxels> shown = {});
 
 }  // namespace echolucent
