@@ -136,26 +136,15 @@ void ShownStudy::beginDocument() {
     m_parts.controls.setPhaseCount(m_phases);
     m_parts.motion.setStudy(*m_study);
     emit aboutToBegin();
-    Document opened = openedDocument(m_parts.model.document(), openStudy.reference());
-    const DataBox& box = openStudy.volume()->dataBox();
-    const auto showWhole = [&](Document& document) {
-        const Viewpoint alongBeam = viewAlongBeam(document.beam);
-        document.scene.pose = m_parts.picture.wholeVolume(alongBeam, box);
-    };
-    showWhole(opened);
-    if (m_phases < 2)
-        opened.motion.scenario = MotionScenario::probe;
-    else if (before < 2)  // from one 4D study to the next, what was chosen to move stays
-        opened.motion.scenario = MotionScenario::object;
-    m_opened = opened;
-    if (openStudy.finds()) {
-        m_opened = withFinds(opened, *openStudy.finds());
-        showWhole(m_opened);
-    }
+    OpenedDocuments opened =
+        openedDocuments(m_parts.model.document(),
+                        {openStudy.reference(), openStudy.volume()->dataBox(), m_phases, before, openStudy.finds()},
+                        m_parts.picture.aspect());
+    m_opened = std::move(opened.found);
     if (openStudy.saved()) {
         m_parts.model.begin(openStudy.saved()->session.document);
     } else {
-        m_parts.model.begin(opened);
+        m_parts.model.begin(opened.plain);
         m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be taken back
     }
     takeStrokes();  // the open study has forgotten those that the document before had too

@@ -87,6 +87,8 @@ public:
     /// picture. The second also of a volume of another geometry, which is to be shown next.
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view) const;
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view, const DataBox& box) const;
+    /// Width / height; 1 while the view has no size.
+    [[nodiscard]] double aspect() const;
     /// Whether a motion plays: its frames are cast in high quality and kept, and come from memory in its next turn.
     void setPlaying(bool playing);
     /// Frames of the motion that are kept in memory.
@@ -215,7 +217,6 @@ private:
     void updateBusy();
     void showToolCursor();
     [[nodiscard]] QSize pixelSize() const;
-    [[nodiscard]] double aspect() const;
 
     std::unique_ptr<Parts> m_parts;
     bool m_busy = false;
