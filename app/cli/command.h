@@ -15,6 +15,8 @@
 #include "io/study/series_list.h"
 #include "io/study/study.h"
 #include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/document/opening_finds.h"
+#include "processing/document/study_reference.h"
 #include "processing/result.h"
 #include "processing/viewpoint.h"
 
@@ -31,16 +33,22 @@ namespace echolucent::cli {
 /// What a command does once its options are parsed; a failure becomes one sentence on stderr and an exit status.
 using Action = std::function<Result<void>()>;
 
+/// How the program was called.
+struct Invocation {
+    std::string program;                 ///< name and version
+    std::vector<std::string> arguments;  ///< as they were given
+};
+
 /// Each adds one subcommand with its options, help and example, and sets `action` when it was chosen.
 void addInfoCommand(CLI::App& program, Action& action);
 void addFilesCommand(CLI::App& program, Action& action);
-void addOtfCommand(CLI::App& program, Action& action);
+void addOtfCommand(CLI::App& program, Action& action, const Invocation& invocation);
 void addParametersCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addCompareCommand(CLI::App& program, Action& action);
 void addPhantomCommand(CLI::App& program, Action& action);
 void addQuietCommand(CLI::App& program, Action& action);
-void addSweepCommand(CLI::App& program, Action& action);
+void addSweepCommand(CLI::App& program, Action& action, const Invocation& invocation);
 
 /// Options of commands that read a volume: VOLUME, --series, --phase, raw layout, --conversion-memory,
 /// --frames-as-slices, --all-voxels.
@@ -64,6 +72,12 @@ struct VolumeOptions {
     /// Reads the study as readAll() does, from what listedSeries() has found.
     [[nodiscard]] Result<Study> readListed(const std::optional<SeriesList>& list,
                                            const std::vector<std::string>& outputs) const;
+    /// Reads the study as readAll() does, and says what a document names it by.
+    struct Named {
+        Study study;
+        StudyFile reference;
+    };
+    [[nodiscard]] Result<Named> readNamed(const std::vector<std::string>& outputs) const;
     /// Reads the study as readAll() does, and gives the volume of the phase that --phase names.
     [[nodiscard]] Result<std::shared_ptr<const Volume>> readPhase(const std::vector<std::string>& outputs) const;
 };
@@ -76,21 +90,28 @@ struct ChosenBeam {
     std::string sentence;              ///< of a guess; else it is empty
 };
 
-/// What is looked at: a volume that was read, or a scan that the command simulates, of which nothing is guessed.
-enum class ViewOf { file, simulatedScan };
+/// What is looked at.
+enum class ViewOf {
+    file,           ///< a volume that was read; its front is chosen by the option alone
+    openedStudy,    ///< the same, with the front found on opening
+    simulatedScan,  ///< a scan that the command simulates, of which nothing is guessed
+};
 
 /// --beam-axis, --view-azimuth, --view-elevation, --near.
 struct ViewOptions {
     Viewpoint view;
     std::string beamAxis;  ///< empty where it is not given
-    std::string near = "0";
+    std::string near;      ///< empty where it is not given
     /// Adds the options to a command. They must stay where they are from here to get().
     void addTo(CLI::App& command, ViewOf of = ViewOf::file);
     [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
-    /// The view; uncut where the near cut is to be suggested. Fails (wrong usage) where an option is out of range.
+    /// The view; uncut where the near cut is not given or is to be suggested. Fails (wrong usage) where an option is
+    /// out of range.
     [[nodiscard]] Result<Viewpoint> get() const;
     /// The same of a simulated scan: fails (wrong usage) where the near cut is to be suggested.
     [[nodiscard]] Result<Viewpoint> getOfSimulatedScan() const;
+    /// What the options say of a study that is opened. An option that is out of range counts as not given.
+    [[nodiscard]] SaidOnOpening said() const;
     /// The axis of --beam-axis, else +z: that of simulated scans. An option that is out of range counts as not given.
     [[nodiscard]] ChosenBeam beam() const;
     /// The axis of --beam-axis, else the guess for a volume that was read from a file; +z where that is not sure.
@@ -106,7 +127,11 @@ private:
     [[nodiscard]] bool isTurned() const;
     const CLI::Option* m_azimuth = nullptr;
     const CLI::Option* m_elevation = nullptr;
+    const CLI::Option* m_near = nullptr;
 };
+
+/// The view, if its near cut leaves something of the data. Else it fails (wrong usage) and says what --near has to be.
+[[nodiscard]] Result<Viewpoint> leavesSomething(const Volume& volume, const Viewpoint& view);
 
 /// The method's options: --reading, --initial, --tube-grid, --without-tube, and one for each row of methodParameters().
 /// The reading sets everything; an option overrides it where it stands on the command line.

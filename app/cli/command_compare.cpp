@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/document_render.h"
+#include "app/cli/document_study.h"
 #include "io/output/atomic_file.h"
 #include "processing/document/pane_measures.h"
 #include "processing/document/panes.h"

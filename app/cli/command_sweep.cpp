@@ -2,19 +2,27 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "app/cli/command.h"
+#include "app/cli/document_study.h"
 #include "app/cli/options/look_options.h"
 #include "app/cli/output_names.h"
+#include "app/cli/report/opening_report.h"
 #include "app/cli/report/picture_words.h"
 #include "app/cli/report/sweep_report.h"
 #include "io/output/atomic_file.h"
 #include "io/study/import_report.h"
 #include "io/writers/movie_file.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/document/view_frames.h"
+#include "processing/motion/flicker.h"
+#include "processing/motion/otf_sweep.h"
 
 namespace echolucent::cli {
 
@@ -25,47 +33,116 @@ struct SweepOptions {
     ViewOptions view;
     MethodOptions method;
     LookOptions look;
-    std::string axis = "y", smoothing = "least-flicker", object = "still", probe = "moving", size = "512x512";
-    double from = Motion{}.from, to = Motion{}.to, step = Motion{}.step, frameRate = 25;
-    bool oneOtf = false, pictureFlicker = false;
+    std::string axis = "y", smoothing, object, probe, size = "512x512";
+    std::optional<double> from, to, step, frameRate;
+    bool oneOtf = false, pictureFlicker = false, words = false;
     std::string csv, json, movie;
 };
 
 constexpr int largestFrameEdge = 4096;
 constexpr double mostFrames = 100'000;
+constexpr double leastFrameRate = 1.0, largestFrameRate = 1000.0;
 
-Result<Motion> motionFrom(const SweepOptions& options) {
-    if (!isAngle(options.from) || !isAngle(options.to)) return wrongUsage("--from and --to", mustBeAngles);
-    if (!(options.step > 0.0) || !std::isfinite(options.step)) return wrongUsage("--step", "must be above 0 degrees");
-    if (std::abs(options.to - options.from) / options.step > mostFrames)
+Result<std::array<int, 2>> frameSizeFrom(const SweepOptions& options) {
+    if (options.frameRate && !(*options.frameRate >= leastFrameRate && *options.frameRate <= largestFrameRate))
+        return wrongUsage("--frame-rate", "must be 1 to 1000 a second");
+    return parseWholePair(options.size, 1, largestFrameEdge, "--size", "512x512");
+}
+
+/// The range of angles, which does not yet say what moves.
+Result<Motion> rangeFrom(const SweepOptions& options) {
+    Motion range{.axis = *motionAxisFromName(options.axis)};
+    range.from = options.from.value_or(range.from);
+    range.to = options.to.value_or(range.to);
+    range.step = options.step.value_or(range.step);
+    if (!isAngle(range.from) || !isAngle(range.to)) return wrongUsage("--from and --to", mustBeAngles);
+    if (!(range.step > 0.0) || !std::isfinite(range.step)) return wrongUsage("--step", "must be above 0 degrees");
+    if (std::abs(range.to - range.from) / range.step > mostFrames)
         return wrongUsage("--step", "makes more than 100000 frames", "Use a larger one.");
-    Motion motion{
-        .axis = *motionAxisFromName(options.axis), .from = options.from, .to = options.to, .step = options.step};
-    motion.probeMoves = options.probe == "moving";
-    motion.objectMoves = options.object == "moving";
-    motion.firstPhase = options.volume.phase;
-    if (!motion.probeMoves && !motion.objectMoves)
+    return range;
+}
+
+/// The motion that the window begins with, as the options edit it.
+Result<MotionChoice> motionFrom(const SweepOptions& options, const Document& opened, std::size_t phases) {
+    MotionChoice motion = opened.motion;
+    const bool probe = options.probe.empty() ? movesProbe(motion.scenario) : options.probe == "moving";
+    const bool object = options.object.empty() ? movesObject(motion.scenario) : options.object == "moving";
+    if (!probe && !object)
         return wrongUsage("--probe", "is still, and so is the object", "Use --object moving with a 4D volume.");
+    if (object && phases < 2)
+        return fail(FailureKind::wrongUsage, options.volume.path, "--object", "is moving, but the volume has one phase",
+                    "Use --object still, or a 4D volume.");
+    motion.axis = *motionAxisFromName(options.axis);
+    motion.scenario = probe && object ? MotionScenario::both : probe ? MotionScenario::probe : MotionScenario::object;
     return motion;
 }
 
-Result<RayCastSettings> frameSettingsFrom(const SweepOptions& options) {
-    const auto size = parseWholePair(options.size, 1, largestFrameEdge, "--size", "512x512");
-    if (!size) return tl::unexpected<Failure>(size.error());
-    if (!(options.frameRate >= 1 && options.frameRate <= 1000))
-        return wrongUsage("--frame-rate", "must be 1 to 1000 a second");
-    const auto look = options.look.get();
-    if (!look) return tl::unexpected<Failure>(look.error());
-    RayCastSettings settings = rayCastSettings(*look);
-    settings.width = (*size)[0];
-    settings.height = (*size)[1];
-    return settings;
+/// The frames, and how many of the last ones count as having been shown before the first.
+struct Frames {
+    std::vector<SweepFrame> frames;
+    std::size_t before = 0;
+};
+
+/// The frames of a range of angles; without one, those of a turn of the document's motion, which is shown over and
+/// over.
+Frames framesFrom(const SweepOptions& options, Motion range, const Document& document, std::size_t phases,
+                  std::size_t framesUsed) {
+    const Viewpoint start = viewpointOf(document);
+    if (options.from || options.to || options.step) {
+        range.probeMoves = movesProbe(document.motion.scenario);
+        range.objectMoves = movesObject(document.motion.scenario);
+        range.firstPhase = document.scene.phase;
+        return {motionFrames(start, range, static_cast<int>(phases))};
+    }
+    Frames turn;
+    for (const MotionPosition& at : turnOf(document, firstPane, static_cast<int>(phases)))
+        turn.frames.push_back({static_cast<double>(turn.frames.size()), static_cast<double>(at.angle), at.phase,
+                               turned(start, document.motion.axis, at.angle)});
+    turn.before = framesUsed - 1;
+    return turn;
 }
 
-/// The OTF of the view from which the probe turns, for all frames: what a person sees who computes no other.
-std::vector<SweptOtf> withOneOtf(const Study& study, const Viewpoint& start, const std::vector<SweepFrame>& frames,
-                                 const AdaptiveOtfConfig& config, int phase) {
-    const auto otf = adaptOpacity(*study.phases[static_cast<std::size_t>(phase)], start, config);
+/// The frames with those that were shown before the first of them.
+std::vector<SweepFrame> withBefore(const Frames& turn) {
+    std::vector<SweepFrame> all;
+    const auto count = static_cast<std::ptrdiff_t>(turn.frames.size());
+    for (auto i = -static_cast<std::ptrdiff_t>(turn.before); i < count; ++i) {
+        all.push_back(turn.frames[static_cast<std::size_t>((i % count + count) % count)]);
+        all.back().time = static_cast<double>(i);
+    }
+    return all;
+}
+
+/// The quiet voxels of every phase that is shown or whose OTF is computed; null for all others.
+StudyPhases phasesOf(const DocumentStudy& opened, const std::vector<SweepFrame>& frames) {
+    StudyPhases phases{.scans = opened.study.phases, .reduction = opened.document.scene.look.reduction};
+    if (phases.reduction == SpeckleReduction::off) return phases;
+    phases.quiet.resize(phases.scans.size());
+    const auto make = [&](int phase) {
+        const auto place = static_cast<std::size_t>(phase);
+        const Volume& scan = *phases.scans[place];
+        if (!phases.quiet[place])
+            phases.quiet[place] =
+                std::make_shared<const Volume>(quietVolume(scan, phases.reduction)->withDataBox(scan.dataBox()));
+    };
+    make(opened.document.motion.otfPhase);
+    for (const SweepFrame& frame : frames) make(frame.phase);
+    return phases;
+}
+
+std::vector<QuietVoxels> shownVoxels(const StudyPhases& phases) {
+    std::vector<QuietVoxels> shown;
+    for (const auto& quiet : phases.quiet) shown.push_back({quiet.get(), phases.reduction});
+    return shown;
+}
+
+/// The OTF of the view from which the motion begins, for all frames.
+std::vector<SweptOtf> withOneOtf(const Document& document, const StudyPhases& phases,
+                                 const std::vector<SweepFrame>& frames) {
+    const auto place = static_cast<std::size_t>(document.motion.otfPhase);
+    const auto shown = shownVoxels(phases);
+    const auto otf = adaptOpacity(*phases.scans[place], otfViewpointOf(document, firstPane),
+                                  configOf(document, firstPane), {}, shown.empty() ? QuietVoxels{} : shown[place]);
     double sumOfD = 0.0;
     for (const TubeCore& tube : otf->tubes) sumOfD += tube.d;
     std::vector<SweptOtf> swept;
@@ -75,24 +152,54 @@ std::vector<SweptOtf> withOneOtf(const Study& study, const Viewpoint& start, con
     return swept;
 }
 
-Result<void> writeMovie(const SweepOptions& options, const Study& study, const std::vector<SweptOtf>& swept,
-                        const RayCastSettings& settings) {
-    auto movie = MovieFile::begin(options.movie, settings.width, settings.height, options.frameRate);
+/// The OTF of each frame's own view and phase, smoothed over the frames before it.
+std::vector<SweptOtf> withOwnOtfs(const Document& document, const StudyPhases& phases, const Frames& frames,
+                                  OtfSmoothing smoothing) {
+    auto swept =
+        *sweepOtfs(phases.scans, withBefore(frames), configOf(document, firstPane), smoothing, {}, shownVoxels(phases));
+    swept.erase(swept.begin(), swept.begin() + static_cast<std::ptrdiff_t>(frames.before));
+    return swept;
+}
+
+/// Casts the frames of a document's motion as the window shows them at rest.
+class FramePictures {
+public:
+    FramePictures(Document document, const StudyPhases& phases, const std::array<int, 2>& size)
+        : m_document(std::move(document)), m_caster(phases), m_size(size) {}
+
+    Picture of(const SweepFrame& frame, const SampledCurve& curve) {
+        m_document.scene.motionAngle = frame.degrees;
+        m_document.scene.phase = frame.phase;
+        return std::move(m_caster.picture(m_document, firstPane, m_size[0], m_size[1], {.curve = curve})->picture);
+    }
+
+private:
+    Document m_document;
+    ViewCaster m_caster;
+    std::array<int, 2> m_size;
+};
+
+Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& opened, const std::vector<SweptOtf>& swept,
+                        FramePictures& pictures, const std::array<int, 2>& size) {
+    const double asShown = 1.0 / frameSeconds(opened.document.motion, opened.study.phaseSeconds);
+    const double rate = options.frameRate.value_or(std::clamp(asShown, leastFrameRate, largestFrameRate));
+    auto movie = MovieFile::begin(options.movie, size[0], size[1], rate);
     if (!movie) return tl::unexpected<Failure>(movie.error());
-    const FrameRenderer render = frameRenderer(study.phases, framesOf(swept), settings);
+    const std::string words = options.words ? pictureWordsOf(opened.study.phases.front()->geometry()) : "";
     for (const SweptOtf& frame : swept) {
-        std::vector<std::uint8_t> rgb = overBackground(*render(frame.frame, frame.shown), Vec3(0, 0, 0));
-        writeWords(rgb, settings.width, settings.height, pictureWordsOf(study.phases.front()->geometry()));
+        std::vector<std::uint8_t> rgb = overBackground(pictures.of(frame.frame, frame.shown), Vec3(0, 0, 0));
+        writeWords(rgb, size[0], size[1], words);
         if (auto added = movie->add(rgb); !added) return added;
     }
     return movie->finish();
 }
 
-Result<void> writeReport(const SweepOptions& options, const Study& study, SweepReport& report,
-                         const RayCastSettings& settings) {
+Result<void> writeReport(const SweepOptions& options, SweepReport& report, FramePictures& pictures) {
     if (options.pictureFlicker) {
         const std::vector<SweepFrame> frames = framesOf(report.frames);
-        const FrameRenderer render = frameRenderer(study.phases, frames, settings);
+        const FrameRenderer render = [&](const SweepFrame& frame, const SampledCurve& curve) {
+            return std::optional(pictures.of(frame, curve));
+        };
         report.unsmoothedPictures = pictureFlicker(frames, unsmoothedOf(report.frames), render);
         report.shownPictures = pictureFlicker(frames, shownOf(report.frames), render);
     }
@@ -117,43 +224,53 @@ void sayWhatIsMissing(const Study& study, const std::vector<SweptOtf>& swept, bo
 
 std::vector<std::string> outputsOf(const SweepOptions& options) { return {options.csv, options.json, options.movie}; }
 
-Result<void> checkSweepOutputs(const SweepOptions& options) {
-    if ((options.json == "-") + (options.csv == "-") + (options.movie == "-") > 1)
+Result<void> checkSweepOutputs(const SweepOptions& options, const std::array<int, 2>& size) {
+    if (std::ranges::count(outputsOf(options), "-") > 1)
         return wrongUsage("", "only one of --csv, --json and --movie can go to standard output");
     if (auto checked = checkMovieName(options.movie, "--movie"); !checked) return checked;
-    return checkOutputs(outputsOf(options), {options.method.initial});
+    if (auto checked = checkOutputs(outputsOf(options), {options.method.initial}); !checked) return checked;
+    return options.movie.empty() ? Result<void>() : MovieFile::check(options.movie, size[0], size[1]);
 }
 
-Result<void> sweep(const SweepOptions& options) {
-    if (auto possible = checkSweepOutputs(options); !possible) return possible;
-    const auto motion = motionFrom(options);
-    if (!motion) return tl::unexpected<Failure>(motion.error());
-    const auto settings = frameSettingsFrom(options);
-    if (!settings) return tl::unexpected<Failure>(settings.error());
-    if (!options.movie.empty())
-        if (auto possible = MovieFile::check(options.movie, settings->width, settings->height); !possible)
-            return possible;
-    if (const auto checked = options.view.get(); !checked) return tl::unexpected<Failure>(checked.error());
+Result<void> sweep(const SweepOptions& options, const Invocation& invocation) {
+    const auto range = rangeFrom(options);
+    if (!range) return tl::unexpected<Failure>(range.error());
+    const auto size = frameSizeFrom(options);
+    if (!size) return tl::unexpected<Failure>(size.error());
+    if (auto possible = checkSweepOutputs(options, *size); !possible) return possible;
+    if (const auto view = options.view.get(); !view) return tl::unexpected<Failure>(view.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
-    const auto study = options.volume.readAll(outputsOf(options));
-    if (!study) return tl::unexpected<Failure>(study.error());
-    if (motion->objectMoves && study->phases.size() < 2)
-        return fail(FailureKind::wrongUsage, options.volume.path, "--object", "is moving, but the volume has one phase",
-                    "Use --object still, or a 4D volume.");
+    const auto look = options.look.get();
+    if (!look) return tl::unexpected<Failure>(look.error());
+    auto opened = openStudy(options.volume, options.view, *look, outputsOf(options),
+                            static_cast<double>((*size)[0]) / (*size)[1]);
+    if (!opened) return tl::unexpected<Failure>(opened.error());
+    const auto motion = motionFrom(options, opened->document, opened->study.phases.size());
+    if (!motion) return tl::unexpected<Failure>(motion.error());
+    sayNote(findsText(*opened));
 
-    const auto view = options.view.get(*study->phases[static_cast<std::size_t>(motion->firstPhase)]);
-    if (!view) return tl::unexpected<Failure>(view.error());
-    const auto frames = motionFrames(*view, *motion, static_cast<int>(study->phases.size()));
-    SweepReport report{.volume = options.volume.path, .start = *view, .motion = *motion};
-    if (!options.oneOtf) report.smoothing = otfSmoothingFromName(options.smoothing);
-    const std::vector<SweptOtf> swept = report.smoothing
-                                            ? *sweepOtfs(study->phases, frames, *config, *report.smoothing)
-                                            : withOneOtf(*study, *view, frames, *config, motion->firstPhase);
+    Document& document = opened->document;
+    document = withMethod(std::move(document), *config);
+    document.motion = *motion;
+    SweepReport report{.motion = *motion};
+    report.start = viewpointOf(document);
+    report.smoothing = otfSmoothingFromName(options.smoothing);
+    const Frames frames = framesFrom(options, *range, document, opened->study.phases.size(),
+                                     framesUsed(report.smoothing.value_or(OtfSmoothing::none)));
+    if (!options.json.empty()) {
+        auto made = madeOf(invocation, *opened);
+        if (!made) return tl::unexpected<Failure>(made.error());
+        report.madeOf = *std::move(made);
+    }
+    const StudyPhases phases = phasesOf(*opened, frames.frames);
+    const std::vector<SweptOtf> swept = report.smoothing ? withOwnOtfs(document, phases, frames, *report.smoothing)
+                                                         : withOneOtf(document, phases, frames.frames);
     report.frames = swept;
-    sayWhatIsMissing(*study, swept, !options.movie.empty());
-    if (auto done = writeReport(options, *study, report, *settings); !done) return done;
-    return options.movie.empty() ? Result<void>() : writeMovie(options, *study, swept, *settings);
+    sayWhatIsMissing(opened->study, swept, !options.movie.empty());
+    FramePictures pictures(document, phases, *size);
+    if (auto done = writeReport(options, report, pictures); !done) return done;
+    return options.movie.empty() ? Result<void>() : writeMovie(options, *opened, swept, pictures, *size);
 }
 
 void addMotion(CLI::App& command, SweepOptions& options) {
@@ -161,22 +278,26 @@ void addMotion(CLI::App& command, SweepOptions& options) {
     command.add_option("--axis", options.axis, "Axis of the view about which the probe turns: x, y or z")
         ->check(CLI::IsMember({"x", "y", "z"}))
         ->capture_default_str();
-    command.add_option("--from", options.from, "First angle from the given view, degrees")
-        ->type_name("DEG")
-        ->capture_default_str();
-    command.add_option("--to", options.to, "Last angle, degrees")->type_name("DEG")->capture_default_str();
-    command.add_option("--step", options.step, "Degrees a frame")->type_name("DEG")->capture_default_str();
-    command.add_option("--probe", options.probe, "still (every frame from the given view) or moving")
-        ->check(movement)
-        ->capture_default_str();
     command
-        .add_option("--object", options.object, "still, or moving: a 4D volume's phases, one a frame, over and over")
-        ->check(movement)
-        ->capture_default_str();
-    auto* smoothing =
-        command.add_option("--smoothing", options.smoothing, "none, mean, mls or least-flicker (docs/motion.md)")
-            ->check(CLI::IsMember({"none", "mean", "mls", "least-flicker"}))
-            ->capture_default_str();
+        .add_option("--from", options.from,
+                    "First angle from the given view, degrees; without --from, --to and --step the frames are a turn "
+                    "of the window's motion [-45]")
+        ->type_name("DEG");
+    command.add_option("--to", options.to, "Last angle, degrees [45]")->type_name("DEG");
+    command.add_option("--step", options.step, "Degrees a frame [1]")->type_name("DEG");
+    command
+        .add_option("--probe", options.probe,
+                    "still (every frame from the given view) or moving [moving; still with a 4D volume]")
+        ->check(movement);
+    command
+        .add_option("--object", options.object,
+                    "still, or moving: a 4D volume's phases, one a frame, over and over [moving with a 4D volume]")
+        ->check(movement);
+    auto* smoothing = command
+                          .add_option("--smoothing", options.smoothing,
+                                      "An OTF for each frame, smoothed: none, mean, mls or least-flicker "
+                                      "(docs/motion.md); without it --static")
+                          ->check(CLI::IsMember({"none", "mean", "mls", "least-flicker"}));
     command.add_flag("--static", options.oneOtf, "One OTF, that of the given view, for all frames")
         ->excludes(smoothing);
 }
@@ -192,25 +313,26 @@ void addOutputs(CLI::App& command, SweepOptions& options) {
     command.add_option("--size", options.size, "Pixels of the movie and of --picture-flicker")
         ->type_name("WxH")
         ->capture_default_str();
-    command.add_option("--frame-rate", options.frameRate, "Frames a second of the movie")
-        ->type_name("RATE")
-        ->capture_default_str();
-    options.look.addTo(command, {"lighting"});
+    command.add_option("--frame-rate", options.frameRate, "Frames a second of the movie [as the window plays it]")
+        ->type_name("RATE");
+    command.add_flag("--words", options.words,
+                     "Writes into each frame that the spacing is unknown or that the volume was reduced");
+    options.look.addTo(command, {"reduction", "lighting"});
 }
 
 }  // namespace
 
-void addSweepCommand(CLI::App& program, Action& action) {
+void addSweepCommand(CLI::App& program, Action& action, const Invocation& invocation) {
     auto options = std::make_shared<SweepOptions>();
     CLI::App& command = *program.add_subcommand("sweep", "The OTFs of a moving probe, a moving object, or both");
     options->volume.addTo(command);
     addMotion(command, *options);
     addOutputs(command, *options);
-    options->view.addTo(command);
+    options->view.addTo(command, ViewOf::openedStudy);
     options->method.addTo(command);
-    command.footer(
-        "Example: echolucent-cli sweep heart.nrrd --beam-axis +y --near 110 --object moving --movie heart.mp4");
-    command.callback([options, &action] { action = [options] { return sweep(*options); }; });
+    command.footer("Example: echolucent-cli sweep heart.nrrd --movie heart.mp4");
+    command.callback(
+        [options, &action, invocation] { action = [options, invocation] { return sweep(*options, invocation); }; });
 }
 
 }  // namespace echolucent::cli

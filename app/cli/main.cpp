@@ -6,20 +6,19 @@
 
 namespace {
 
-void addCommands(CLI::App& program, echolucent::cli::Action& action) {
+void addCommands(CLI::App& program, echolucent::cli::Action& action, const echolucent::cli::Invocation& invocation) {
     using namespace echolucent::cli;
-    program.footer(
-        "Example: echolucent-cli render chest.mha --beam-axis +y --near 18 --otf adaptive --shade -o chest.png");
+    program.footer("Example: echolucent-cli render chest.mha -o chest.png");
     addInfoCommand(program, action);
     addFilesCommand(program, action);
-    addOtfCommand(program, action);
+    addOtfCommand(program, action, invocation);
     addParametersCommand(program, action);
     addRenderCommand(program, action);
     addCompareCommand(program, action);
     addQuietCommand(program, action);
     addPhantomCommand(program, action);
     addStudyProgram(program);
-    addSweepCommand(program, action);
+    addSweepCommand(program, action, invocation);
 }
 
 }  // namespace
@@ -32,5 +31,8 @@ int main(int count, char** arguments) {
         return exitStatus(failed.error());
     }
     CLI::App program{"Echolucent: adaptive opacity transfer functions for 3D ultrasound. Not a medical device."};
-    return runProgram(program, std::string("echolucent-cli ") + ECHOLUCENT_VERSION, addCommands, count, arguments);
+    const Invocation invocation{std::string("echolucent-cli ") + ECHOLUCENT_VERSION,
+                                {arguments + 1, arguments + count}};
+    const auto add = [&](CLI::App& commands, Action& action) { addCommands(commands, action, invocation); };
+    return runProgram(program, invocation.program, add, count, arguments);
 }

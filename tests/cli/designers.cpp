@@ -54,9 +54,11 @@ TEST(DesignersCommand, EveryDesignerButTheAdaptiveOneReportsItsOtf) {
 
 TEST(DesignersCommand, TheAdaptiveDesignerIsTheReportWithoutOne) {
     auto with = designOf("--designer adaptive"), without = designOf("");
-    with.erase("times_ms");
-    without.erase("times_ms");
-    EXPECT_EQ(with, without);
+    for (auto* report : {&with, &without}) {
+        report->erase("times_ms");
+        (*report)["made_of"].erase("command");
+    }
+    EXPECT_TRUE(with == without);
 }
 
 TEST(DesignersCommand, ParametersAreSetByName) {

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <vector>
 
+#include "app/cli/report/opening_report.h"
+#include "io/study/study_checksum.h"
 #include "otf_of.h"
 #include "program.h"
 #include "tables.h"
@@ -11,6 +14,9 @@ namespace echolucent {
 namespace {
 
 using nlohmann::json;
+
+/// What a tube core says: of the quiet voxels, if the report holds these.
+const json& readingOf(const json& tube) { return tube.contains("quiet") ? tube["quiet"] : tube; }
 
 /// The value is ln initial(x) + sum ln(1+d) g(x), by eqs. 5 to 7 as they stand (with (x - c) in eq. 5), in extended
 /// precision.
@@ -22,7 +28,7 @@ Reference logOpacityFrom(const json& tubes, long double initialLog, long double 
     for (const json& tube : tubes) {
         const long double d = tube["d"].get<double>();
         if (d == 0) continue;
-        const long double low = tube["i_low"].get<double>(), high = tube["i_high"].get<double>();
+        const long double low = readingOf(tube)["i_low"].get<double>(), high = readingOf(tube)["i_high"].get<double>();
         const long double b = 2 / ((high - low) * (high - low)), c = 1 / std::sqrt(2 * b) + low;
         const long double g =
             std::sqrt(2 * b * std::numbers::e_v<long double>) * (x - c) * std::exp(-b * (x - c) * (x - c));
@@ -48,6 +54,50 @@ void expectCurveFollowsFromTubes(const json& otf, int exponent) {
         EXPECT_NEAR(otf["otf"]["opacity"][i].get<double>(),
                     static_cast<double>(std::min(1.0L, std::exp(expected.value))), 1e-12);
     }
+}
+
+/// The initial function's opacity by what the report says of it.
+long double initialAt(const json& function, long double x) {
+    if (function.contains("exponent"))
+        return std::min(1.0L, function["scale"].get<double>() * std::pow(x, function["exponent"].get<int>()));
+    const long double lower = function["lower"].get<double>(), upper = function["upper"].get<double>();
+    return std::clamp(function["slope"].get<double>() * (std::min(x, upper) - lower), 0.0L, 1.0L);
+}
+
+/// The curve of the ramps by docs/method.md, "7. Curve", from the report alone, in extended precision.
+long double rampCurveAt(const json& otf, long double x) {
+    const json& parameters = otf["parameters"];
+    const long double initial = initialAt(parameters["initial_function"], x);
+    const long double gone = 1 - otf["speckle_left"].get<double>();
+    const long double begin = parameters["ramp_begin"].get<double>() + 0.16L * gone;
+    const long double end = std::max(begin, parameters["ramp_end"].get<double>() - 0.5L * gone);
+    long double weights = 0, ramps = 0;
+    int weighted = 0, meeting = 0;
+    for (const json& tube : otf["tubes"]) {
+        meeting += tube["entry_voxel"].is_null() ? 0 : 1;
+        const long double d = tube["d"].get<double>();
+        if (d == 0) continue;
+        ++weighted;
+        const json& reading = readingOf(tube);
+        const long double low = reading["i_low"].get<double>(), rise = reading["i_high"].get<double>() - low;
+        const long double spread = reading["fluid_spread"].is_null() ? 0.0 : reading["fluid_spread"].get<double>();
+        const long double clear = std::max(begin * rise, parameters["clear_spreads"].get<double>() * spread);
+        const long double full = std::max(end * rise, clear + 0.3L * rise);
+        weights += d;
+        ramps += d * std::clamp((x - low - clear) / (full - clear), 0.0L, 1.0L);
+    }
+    if (weighted == 0 || parameters["surfaces_where_data_begin"] == true) return initial;
+    const long double trust =
+        std::min(1.0L, weighted / (parameters["trusted_share"].get<double>() * static_cast<long double>(meeting)));
+    const long double opacity = parameters["ramp_opacity"].get<double>();
+    return std::min(1.0L, trust * opacity * ramps / weights + (1 - trust) * initial);
+}
+
+void expectCurveIsThatOfItsRamps(const json& otf) {
+    long double largest = 0;
+    for (std::size_t i = 0; i < 256; ++i)
+        largest = std::max(largest, std::abs(rampCurveAt(otf, i / 255.0L) - otf["otf"]["opacity"][i].get<double>()));
+    EXPECT_LE(largest, 1e-12L) << otf["made_of"]["study"]["file"] << ", " << otf["reduction"];
 }
 
 void expectWeightsFollowFromTubes(const json& otf) {
@@ -130,6 +180,51 @@ TEST(OtfJson, CurveFollowsFromTheTubesByEquations4To7) {
         4);
 }
 
+TEST(OtfJson, CurveFollowsFromTheQuietTubesToo) {
+    for (const std::string reduction : {"off", "light", "medium", "strong"}) {
+        const json otf = otfOf(shapesFile(), "--reduction " + reduction);
+        EXPECT_EQ(otf["tubes"][0].contains("quiet"), reduction != "off");
+        expectCurveIsThatOfItsRamps(otf);
+    }
+    expectCurveFollowsFromTubes(otfOf(shapesFile(), "--form product --reduction medium"), 2);
+    // Few tube cores, so that the initial function has a say.
+    const json few = otfOf(shapesFile(), "--reduction medium --initial linear --trusted-share 0.9");
+    EXPECT_LT(few["parameters"]["trust"].get<double>(), 1.0);
+    expectCurveIsThatOfItsRamps(few);
+}
+
+void expectRealCurvesAreThoseOfTheirRamps(const std::string& names) {
+    const std::string folder = ECHOLUCENT_SOURCE_DIR "/../shared/data/volumes";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the shared volumes are not here";
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().filename().string().find(names) != std::string::npos)
+            expectCurveIsThatOfItsRamps(otfOf(entry.path(), "--reduction medium"));
+}
+TEST(OtfOfRealData, CurveFollowsFromTheQuietTubes) { expectRealCurvesAreThoseOfTheirRamps("iso0.3mm"); }
+TEST(LongOtfOfRealData, CurvesFollowFromTheQuietTubes) { expectRealCurvesAreThoseOfTheirRamps(""); }
+
+TEST(OtfJson, SaysWhatItWasMadeOfAndNoFolder) {
+    const Folder folder;
+    const std::string path = folder / "scan of a day.mha";
+    std::filesystem::copy_file(shapesFile(), path);
+    const Outcome outcome = runProgram("otf \"" + path + "\" --near 3 --json \"" + folder / "o.json" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const std::string text = contentsOf(folder / "o.json");
+    EXPECT_EQ(text.find(std::filesystem::path(path).parent_path().string()), std::string::npos);
+    const json made = json::parse(text)["made_of"];
+    EXPECT_TRUE(made["program"].get<std::string>().starts_with("echolucent-cli "));
+    EXPECT_EQ(made["command"], (json{"otf", "scan of a day.mha", "--near", "3", "--json", "o.json"}));
+    EXPECT_EQ(made["study"]["file"], "scan of a day.mha");
+    EXPECT_EQ(made["study"]["checksum"], checksumOf({path})->text);
+    EXPECT_EQ(made["study"]["series"], "");
+    EXPECT_EQ(made["found"]["beam"]["source"], "assumed");
+    EXPECT_EQ(made["found"]["reduction"], "medium");
+    EXPECT_EQ(cli::withoutFolders("manual:/home/jane/curve.json"), "manual:curve.json");
+    EXPECT_EQ(cli::withoutFolders("--json=../out/o.json"), "--json=o.json");
+    EXPECT_EQ(cli::withoutFolders("/scans/jane/"), "jane");
+    EXPECT_EQ(cli::withoutFolders("+x"), "+x");
+}
+
 TEST(OtfJson, WeightsFollowFromTheTubesByEquations8To11) {
     expectWeightsFollowFromTubes(otfOf(shapesFile(), "--interface-function variance"));
     expectWeightsFollowFromTubes(
@@ -184,10 +279,11 @@ TEST(OtfJson, TheNearCutMovesTheTubesBeginning) {
 TEST(OtfJson, IsTheSameOnAnyNumberOfThreads) {
     const auto withoutTimes = [](json otf) {
         otf.erase("times_ms");
+        otf["made_of"].erase("command");
         return otf.dump();
     };
-    EXPECT_EQ(withoutTimes(otfOf(shapesFile(), "--threads 1 --view-azimuth 10")),
-              withoutTimes(otfOf(shapesFile(), "--threads 2 --view-azimuth 10")));
+    EXPECT_TRUE(withoutTimes(otfOf(shapesFile(), "--threads 1 --view-azimuth 10")) ==
+                withoutTimes(otfOf(shapesFile(), "--threads 2 --view-azimuth 10")));
 }
 
 TEST(OtfJson, AManualInitialFunctionIsTakenFromItsFile) {
@@ -218,7 +314,7 @@ TEST(OtfJson, SaysSoWhereThereIsNoSurface) {
         ASSERT_EQ(outcome.status, 0);
         const json otf = json::parse(outcome.output);
         EXPECT_EQ(otf["message"], "No surface found: the initial function is used.");
-        EXPECT_EQ(outcome.errors, "No surface found: the initial function is used.\n");
+        EXPECT_TRUE(outcome.errors.ends_with("\nNo surface found: the initial function is used.\n")) << outcome.errors;
         for (std::size_t i = 0; i < 256; ++i)
             EXPECT_NEAR(otf["otf"]["opacity"][i].get<double>(), static_cast<double>(i * i) / 65025, 1e-15);
         EXPECT_EQ(outcome.output.find("nan"), std::string::npos);

@@ -45,12 +45,14 @@ TEST(QuietCommand, RefusesWhatMakesNoSense) {
 }
 
 TEST(QuietCommand, TheReportOfOtfNamesTheReduction) {
-    const auto off = otfOf(shapesFile(), "--reduction off"), medium = otfOf(shapesFile(), "--reduction medium");
+    const auto off = otfOf(shapesFile(), "--reduction off");
+    auto medium = otfOf(shapesFile(), "--reduction medium");
     EXPECT_EQ(off["reduction"], "off");
     EXPECT_EQ(off["speckle_left"], 1.0);
     EXPECT_EQ(medium["reduction"], "medium");
     EXPECT_LT(medium["speckle_left"], 0.6);
-    EXPECT_EQ(off["tubes"], medium["tubes"]);
+    for (auto& tube : medium["tubes"]) tube.erase("quiet");
+    EXPECT_TRUE(off["tubes"] == medium["tubes"]) << "surfaces are those of the voxels as they were read";
     EXPECT_NE(off["otf"], medium["otf"]);
 }
 

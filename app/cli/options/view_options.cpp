@@ -13,7 +13,7 @@
 namespace echolucent::cli {
 
 void ViewOptions::addTo(CLI::App& command, ViewOf of) {
-    const bool ofFile = of == ViewOf::file;
+    const bool ofFile = of != ViewOf::simulatedScan;
     const std::string axis = "Grid axis along which sound travelled, the default view: +x -x +y -y +z -z ";
     command
         .add_option("--beam-axis", beamAxis,
@@ -31,9 +31,11 @@ void ViewOptions::addTo(CLI::App& command, ViewOf of) {
             ->type_name("DEG")
             ->capture_default_str();
     const std::string cut = "Near cut: nothing nearer than this behind the foremost corner, mm";
-    command.add_option("--near", near, cut + (ofFile ? "; auto: inside the fluid behind a wall" : ""))
-        ->type_name(ofFile ? "MM|auto" : "MM")
-        ->capture_default_str();
+    m_near = command
+                 .add_option("--near", near,
+                             cut + (ofFile ? "; auto: inside the fluid behind a wall" : "") +
+                                 (of == ViewOf::openedStudy ? " [the cut found on opening, if it is sure]" : " [0]"))
+                 ->type_name(ofFile ? "MM|auto" : "MM");
 }
 
 namespace {
@@ -43,12 +45,11 @@ std::optional<BeamAxis> axisNamed(const std::string& name) {
     return beamAxisFromName(name.size() == 1 ? "+" + name : name);
 }
 
+bool isGiven(const CLI::Option* option) { return option != nullptr && option->count() > 0; }
+
 }  // namespace
 
-bool ViewOptions::isTurned() const {
-    const auto isGiven = [](const CLI::Option* option) { return option != nullptr && option->count() > 0; };
-    return isGiven(m_azimuth) || isGiven(m_elevation);
-}
+bool ViewOptions::isTurned() const { return isGiven(m_azimuth) || isGiven(m_elevation); }
 
 Result<Viewpoint> ViewOptions::get() const {
     if (!beamAxis.empty() && !axisNamed(beamAxis))
@@ -57,7 +58,7 @@ Result<Viewpoint> ViewOptions::get() const {
         return wrongUsage("--view-azimuth and --view-elevation", mustBeAngles);
     Viewpoint chosen = view;
     chosen.beamAxis = beam().axis;
-    if (nearCutSuggested()) return chosen;
+    if (!isGiven(m_near) || nearCutSuggested()) return chosen;
     const auto cut = parseNumbers(near, 1, "--near", "18");
     if (!cut || !std::isfinite(cut->front()) || cut->front() < 0.0)
         return wrongUsage("--near", "must be 0 mm or more, or auto");
@@ -72,6 +73,12 @@ Result<Viewpoint> ViewOptions::getOfSimulatedScan() const {
     return get();
 }
 
+SaidOnOpening ViewOptions::said() const {
+    SaidOnOpening said{.beam = axisNamed(beamAxis), .front = isGiven(m_near) && !nearCutSuggested()};
+    if (isTurned()) said.side = ViewDirection{view.azimuthDegrees, view.elevationDegrees};
+    return said;
+}
+
 ChosenBeam ViewOptions::beam() const {
     if (const auto axis = axisNamed(beamAxis)) return {*axis, "option", std::nullopt, ""};
     return {};
@@ -84,9 +91,6 @@ ChosenBeam ViewOptions::beamOf(const Volume& volume) const {
     return {guess->axis, std::string(nameOf(guess->evidence)), guess->confidence, guess->sentence};
 }
 
-namespace {
-
-/// The view, where its near cut leaves something of the data; else what --near would have to be.
 Result<Viewpoint> leavesSomething(const Volume& volume, const Viewpoint& view) {
     const Vec3 forward = frameOf(view).forward;
     const double nearest = volume.geometry().depthsAlong(forward).nearest;
@@ -100,8 +104,6 @@ Result<Viewpoint> leavesSomething(const Volume& volume, const Viewpoint& view) {
                                   view.nearCutMm, depth),
                       fmt::format("Give less than {:.4g}.", depth));
 }
-
-}  // namespace
 
 Result<Viewpoint> ViewOptions::get(const Volume& volume) const { return get(volume, beamOf(volume)); }
 

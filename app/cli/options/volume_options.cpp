@@ -160,13 +160,23 @@ Result<const SeriesEntry*> VolumeOptions::chosenSeries(const SeriesList& list) c
     return &list.series[static_cast<std::size_t>(*number - 1)];
 }
 
-Result<Study> VolumeOptions::readAll(const std::vector<std::string>& outputs) const {
+Result<VolumeOptions::Named> VolumeOptions::readNamed(const std::vector<std::string>& outputs) const {
     // The path itself is compared at once, the files behind it when they are known.
     keepFromOverwriting({path});
     if (auto possible = checkOutputs(outputs); !possible) return tl::unexpected(possible.error());
     const auto list = listedSeries();
     if (!list) return tl::unexpected(list.error());
-    return readListed(*list, outputs);
+    auto study = readListed(*list, outputs);
+    if (!study) return tl::unexpected(study.error());
+    StudyFile reference{.path = path, .options = read, .checksum = {}};
+    if (*list) reference.options.series = (*chosenSeries(**list))->uid;
+    return Named{std::move(*study), std::move(reference)};
+}
+
+Result<Study> VolumeOptions::readAll(const std::vector<std::string>& outputs) const {
+    auto named = readNamed(outputs);
+    if (!named) return tl::unexpected(named.error());
+    return std::move(named->study);
 }
 
 Result<Study> VolumeOptions::readListed(const std::optional<SeriesList>& list,

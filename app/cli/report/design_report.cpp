@@ -54,11 +54,13 @@ Json plotsArray(const Design& design) {
 
 }  // namespace
 
-std::string jsonReport(const Volume& volume, const DesignRun& run, const ChosenBeam& beam) {
+std::string jsonReport(const Volume& volume, const DesignRun& run, const OtfContext& context) {
     const VolumeGeometry& geometry = volume.geometry();
+    const ChosenBeam& beam = context.beam;
     Json report;
     report["designer"] = echolucent::nameOf(designerOf(run.config));
     report["message"] = run.design.message;
+    report["made_of"] = context.madeOf;
     report["explanation"] = run.design.explanation;
     report["volume"] = {{"size", Json::array({geometry.size[0], geometry.size[1], geometry.size[2]})},
                         {"spacing_mm", vectorJson(geometry.spacing)},
@@ -75,6 +77,8 @@ std::string jsonReport(const Volume& volume, const DesignRun& run, const ChosenB
     report["reduction"] = echolucent::nameOf(run.reduction);
     report["parameters"] = designerParametersJson(run.config);
     report["time_ms"] = run.milliseconds;
+    report["finding_ms"] = context.findingMilliseconds;
+    report["quietening_ms"] = context.quieteningMilliseconds;
     report["facts"] = Json::object();
     for (const DesignFact& fact : run.design.facts)
         report["facts"][fact.name] = {{"label", fact.label}, {"value", finiteJson(fact.value)}, {"unit", fact.unit}};

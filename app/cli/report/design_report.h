@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/command.h"
+#include "app/cli/report/otf_report.h"
 #include "processing/designers/design.h"
 #include "processing/designers/designer_config.h"
 #include "processing/volume/volume.h"
@@ -20,7 +21,7 @@ struct DesignRun {
 };
 
 /// One JSON object, numbers round-trip, ends with a newline.
-[[nodiscard]] std::string jsonReport(const Volume& volume, const DesignRun& run, const ChosenBeam& beam);
+[[nodiscard]] std::string jsonReport(const Volume& volume, const DesignRun& run, const OtfContext& context);
 /// intensity, opacity: 256 rows and a header; of a two-dimensional OTF intensity, gradient, opacity: one row a node.
 [[nodiscard]] std::string curveTable(const Design& design);
 [[nodiscard]] std::string summary(const DesignRun& run);

@@ -9,6 +9,7 @@
 #include "app/cli/report/report_json.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
+#include "processing/adaptive/quiet_reading.h"
 #include "processing/tube_core/tube_grid.h"
 
 namespace echolucent::cli {
@@ -80,6 +81,12 @@ Json methodParametersJson(const AdaptiveOtf& otf, const std::string& initialName
     all["least_contrast"] = maybe(otf.leastContrast);
     all["fluid_intensity"] = maybe(otf.fluidIntensity);
     all["trust"] = otf.trust;
+    all["surfaces_where_data_begin"] = otf.surfacesWhereDataBegin;
+    const CurveRule used = quieterRule(config.curve, otf.speckleLeft);
+    if (const auto* ramp = std::get_if<RampRule>(&used)) {
+        all["quiet_ramp_begin"] = ramp->begin;
+        all["quiet_ramp_end"] = ramp->end;
+    }
     return all;
 }
 
@@ -100,6 +107,16 @@ Json tubeObject(const TubeCore& tube, std::string_view status) {
             {"w_slope", tube.slopeWeight},
             {"w_extra", tube.extraWeight},
             {"d", tube.d}};
+}
+
+/// A tube core, with what it says of the quiet voxels if there are any.
+Json tubeObject(const AdaptiveOtf& otf, std::size_t tube) {
+    Json object = tubeObject(otf.tubes[tube], statusOf(otf, tube));
+    if (otf.quiet.empty()) return object;
+    const QuietInterface& quiet = otf.quiet[tube];
+    object["quiet"] = {
+        {"i_low", maybe(quiet.low)}, {"i_high", maybe(quiet.high)}, {"fluid_spread", maybe(quiet.fluidSpread)}};
+    return object;
 }
 
 Json curveObject(const AdaptiveOtf& otf) {
@@ -123,12 +140,14 @@ std::string vectorCells(const std::optional<Vec3>& value) {
 
 }  // namespace
 
-std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const ChosenBeam& beam,
+std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfContext& context,
                        const std::string& initialName, double manualFactor) {
     const VolumeGeometry& geometry = volume.geometry();
     const StageTimes& times = otf.times;
+    const ChosenBeam& beam = context.beam;
     Json report;
     report["message"] = otf.message;
+    report["made_of"] = context.madeOf;
     report["volume"] = {{"size", Json::array({geometry.size[0], geometry.size[1], geometry.size[2]})},
                         {"spacing_mm", vectorJson(geometry.spacing)},
                         {"spacing_known", geometry.spacingKnown},
@@ -144,11 +163,16 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const Chose
     report["reduction"] = echolucent::nameOf(otf.reduction);
     report["speckle_left"] = otf.speckleLeft;
     report["parameters"] = methodParametersJson(otf, initialName, manualFactor);
-    report["times_ms"] = {{"sampling", times.sampling}, {"cells", times.cells}, {"detection", times.detection},
-                          {"weights", times.weights},   {"curve", times.curve}, {"total", times.total}};
+    report["times_ms"] = {{"sampling", times.sampling},
+                          {"cells", times.cells},
+                          {"detection", times.detection},
+                          {"weights", times.weights},
+                          {"curve", times.curve},
+                          {"total", times.total},
+                          {"finding", context.findingMilliseconds},
+                          {"quietening", context.quieteningMilliseconds}};
     report["tubes"] = Json::array();
-    for (std::size_t t = 0; t < otf.tubes.size(); ++t)
-        report["tubes"].push_back(tubeObject(otf.tubes[t], statusOf(otf, t)));
+    for (std::size_t t = 0; t < otf.tubes.size(); ++t) report["tubes"].push_back(tubeObject(otf, t));
     report["otf"] = curveObject(otf);
     // A file name in another encoding must not end the program.
     return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

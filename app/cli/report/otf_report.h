@@ -1,16 +1,26 @@
 // An adaptive OTF as text: JSON, CSV and a summary for a person. docs/cli-otf.md describes each field and column.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/cli/command.h"
+#include "app/cli/report/report_json.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::cli {
 
+/// What stands in the JSON beside the OTF.
+struct OtfContext {
+    Json madeOf;
+    ChosenBeam beam;
+    double findingMilliseconds = 0.0;     ///< wall time of looking for beam and front
+    double quieteningMilliseconds = 0.0;  ///< wall time of making the quiet voxels
+};
+
 /// One JSON object, numbers round-trip, ends with a newline.
-[[nodiscard]] std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const ChosenBeam& beam,
+[[nodiscard]] std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfContext& context,
                                      const std::string& initialName, double manualFactor);
 /// intensity, opacity, log_opacity, initial_opacity: 256 rows and a header.
 [[nodiscard]] std::string curveTable(const AdaptiveOtf& otf);

@@ -45,17 +45,14 @@ std::vector<SampledCurve> shownOf(std::span<const SweptOtf> frames) {
 
 std::string sweepJson(const SweepReport& report) {
     Json json;
-    json["volume"] = report.volume;
+    json["made_of"] = report.madeOf;
     json["view"] = {{"beam_axis", nameOf(report.start.beamAxis)},
                     {"azimuth", report.start.azimuthDegrees},
                     {"elevation", report.start.elevationDegrees},
                     {"near_mm", report.start.nearCutMm}};
     json["motion"] = {{"axis", nameOf(report.motion.axis)},
-                      {"from", report.motion.from},
-                      {"to", report.motion.to},
-                      {"step", report.motion.step},
-                      {"probe", report.motion.probeMoves ? "moving" : "still"},
-                      {"object", report.motion.objectMoves ? "moving" : "still"}};
+                      {"probe", movesProbe(report.motion.scenario) ? "moving" : "still"},
+                      {"object", movesObject(report.motion.scenario) ? "moving" : "still"}};
     json["smoothing"] = nameOfSmoothing(report);
     json["gains"] = report.smoothing ? gainsJson(*report.smoothing) : Json(nullptr);
     json["otf_flicker"] = figures(otfFlicker(unsmoothedOf(report.frames)), otfFlicker(shownOf(report.frames)));

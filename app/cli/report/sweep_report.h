@@ -1,20 +1,22 @@
 // A sweep as text: JSON, CSV and a summary for a person. docs/cli-sweep.md describes each field and column.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "app/cli/report/report_json.h"
 #include "processing/motion/flicker.h"
-#include "processing/motion/motion_mode.h"
+#include "processing/motion/motion_choice.h"
 #include "processing/motion/otf_sweep.h"
 
 namespace echolucent::cli {
 
 struct SweepReport {
-    std::string volume = {};  ///< as the person named it
+    Json madeOf = {};
     Viewpoint start = {};
-    Motion motion = {};
+    MotionChoice motion = {};
     std::optional<OtfSmoothing> smoothing = {};  ///< not set where one OTF is shown in all frames
     std::span<const SweptOtf> frames = {};
     std::optional<PictureFlicker> unsmoothedPictures = {}, shownPictures = {};  ///< where they were asked for

@@ -1,0 +1,56 @@
+// A study and the document by which it is shown: named by a document, or opened and edited by options.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "io/study/study.h"
+#include "processing/document/document.h"
+#include "processing/document/opening_finds.h"
+
+namespace echolucent::cli {
+
+/// --document and --view.
+struct DocumentOptions {
+    std::string path;         ///< empty where no document was given
+    std::optional<int> view;  ///< a pane's number, or the id of a view of version 1; none: the first one
+    void addTo(CLI::App& command);
+    /// Fails (wrong usage) where an option was given whose value stands in the document.
+    [[nodiscard]] Result<void> checkAlone(const CLI::App& command) const;
+};
+
+/// A document and the study that it shows.
+struct DocumentStudy {
+    Document document;
+    Study study;
+    std::size_t pane = firstPane;         ///< that was asked for
+    std::optional<OpeningFinds> finds{};  ///< of openStudy()
+    double findingMilliseconds = 0.0;     ///< wall time of finding them
+};
+
+/// Reads a document, and the study that it names, or `volume` where that has a path. A relative path of the study is
+/// one from the document's folder, or else from the working folder; where it is in neither, its bytes are looked for in
+/// the document's folder. That it was found so, or that its bytes have changed since the document was saved, is said on
+/// stderr. Fails where document or study cannot be read, where `output` is one of the files that are read, where the
+/// document has no pane of the number (readDocumentPane()), and if the study has no phase that the pane shows.
+[[nodiscard]] Result<DocumentStudy> readDocumentStudy(const std::string& document, const VolumeOptions& volume,
+                                                      const std::string& output, std::optional<int> number);
+
+/// Opens the study of `volume` with the document that the window begins with fresh settings, in a picture of
+/// width / height `aspect`. The look is edited, and so is what the options of the view say: the beam, the side from
+/// which the scan is looked into and seen, and the front. The phase of `volume` is shown, and its OTF computed. Fails
+/// as VolumeOptions::readAll() does, and where a front leaves nothing (leavesSomething()).
+[[nodiscard]] Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& view, const Look& look,
+                                              const std::vector<std::string>& outputs, double aspect);
+
+/// Where the beam of openStudy() is from.
+[[nodiscard]] ChosenBeam beamOf(const DocumentStudy& opened);
+
+/// The document whose adaptive OTF is computed with a config.
+[[nodiscard]] Document withMethod(Document document, const AdaptiveOtfConfig& config);
+/// The document that renders its first pane with a curve, which is one of the kinds that documents hold.
+[[nodiscard]] Document withCurve(Document document, const OpacityCurve& curve);
+
+}  // namespace echolucent::cli
