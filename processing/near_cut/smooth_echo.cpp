@@ -204,16 +204,21 @@ std::optional<float> SmoothEcho::at(const Vec3& gridMm) const {
         high[i] = std::min(low[i] + 1, m_size[i] - 1);
         part[i] = static_cast<float>(inside - low[i]);
     }
+    const std::array<float, 2> alongX{1.0F - part[0], part[0]}, alongY{1.0F - part[1], part[1]},
+        alongZ{1.0F - part[2], part[2]};
+    const Cell* lowest = &m_cells[offset(low[0], low[1], low[2])];
+    const auto stepX = static_cast<std::size_t>(high[0] - low[0]);
+    const std::size_t stepY = offset(0, high[1] - low[1], 0), stepZ = offset(0, 0, high[2] - low[2]);
     float echo = 0.0F, weight = 0.0F, share = 0.0F;
-    for (int corner = 0; corner < 8; ++corner) {
-        const bool x = corner & 1, y = corner & 2, z = corner & 4;
-        const float of =
-            (x ? part[0] : 1.0F - part[0]) * (y ? part[1] : 1.0F - part[1]) * (z ? part[2] : 1.0F - part[2]);
-        const Cell& cell = m_cells[offset(x ? high[0] : low[0], y ? high[1] : low[1], z ? high[2] : low[2])];
-        echo += of * cell.echo;
-        weight += of * cell.weight;
-        share += of * cell.share;
-    }
+    for (std::size_t z = 0; z < 2; ++z)
+        for (std::size_t y = 0; y < 2; ++y)
+            for (std::size_t x = 0; x < 2; ++x) {
+                const float of = alongX[x] * alongY[y] * alongZ[z];
+                const Cell& cell = lowest[x * stepX + y * stepY + z * stepZ];
+                echo += of * cell.echo;
+                weight += of * cell.weight;
+                share += of * cell.share;
+            }
     if (share < 0.5F || !(weight > 0.0F)) return std::nullopt;
     return echo / weight;
 }
