@@ -13,19 +13,19 @@
 
 namespace echolucent {
 
-CompareMeasures::CompareMeasures(DocumentModel& model, OpenStudy& openStudy, ComparedViews& views,
-                                 const MotionPlayer& player, QObject* parent)
+CompareMeasures::CompareMeasures(const Parts& parts, QObject* parent)
     : QObject(parent),
-      m_model(model),
-      m_openStudy(openStudy),
-      m_views(views),
-      m_player(player),
+      m_model(parts.model),
+      m_openStudy(parts.openStudy),
+      m_otfs(parts.otfs),
+      m_views(parts.views),
+      m_player(parts.player),
       m_thread("comparison measures"),
       m_flickerThread("comparison flicker") {
     connect(&m_views, &ComparedViews::frameShown, this, &CompareMeasures::follow);
     connect(&m_views, &ComparedViews::followed, this, &CompareMeasures::follow);
     connect(&m_openStudy, &OpenStudy::studyOpened, this, &CompareMeasures::forgetStudy);
-    connect(&m_openStudy, &OpenStudy::computingOtfChanged, this, &CompareMeasures::follow);
+    connect(&m_otfs, &PaneOtfs::busyChanged, this, &CompareMeasures::follow);
     connect(&m_player, &MotionPlayer::playingChanged, this, &CompareMeasures::follow);
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &CompareMeasures::busyChanged);
     connect(&m_flickerThread, &NewestWinsThread::busyChanged, this, &CompareMeasures::busyChanged);
@@ -35,14 +35,17 @@ CompareMeasures::CompareMeasures(DocumentModel& model, OpenStudy& openStudy, Com
 std::optional<CompareMeasures::Asked> CompareMeasures::wanted() const {
     const Document& document = m_model.document();
     if (!m_views.shown() || !isCompared(document) || !m_openStudy.volume()) return std::nullopt;
-    const auto otf = m_openStudy.otf();
-    if (!otf || m_openStudy.computingOtf()) return std::nullopt;
-    Asked asked{.shown = m_openStudy.voxelsOfOtf(), .otf = otf, .classifications = {}, .places = {}};
+    if (!m_otfs.isNewest(PaneOtfs::adaptiveOfScene)) return std::nullopt;
+    const auto made = m_otfs.of(PaneOtfs::adaptiveOfScene);
+    Asked asked{.raw = made->asked.raw,
+                .shown = made->asked.shown,
+                .reduction = made->asked.reduction,
+                .otf = m_otfs.adaptive()};
     for (std::size_t place = 0; place < document.panes.size(); ++place) {
-        const ComparedViews::ComparedPane pane = m_views.paneAt(place);
+        ShownPane pane = m_views.paneAt(place);
         if (!pane.newest) return std::nullopt;
-        if (pane.request.volume != asked.shown) continue;
-        asked.classifications.push_back(pane.request.classification);
+        if (pane.voxels != asked.shown) continue;
+        asked.classifications.push_back(std::move(pane.classification));
         asked.places.push_back(place);
     }
     return asked;
@@ -101,8 +104,7 @@ std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted(cons
     const Document& document = m_model.document();
     const bool motionsCompared =
         std::ranges::any_of(document.panes, [](const Pane& pane) { return pane.motionOtf.has_value(); });
-    FlickerAsked flicker{.raw = m_openStudy.rawVoxelsOf(m_openStudy.phaseOfOtf()), .shown = asked->shown};
-    if (flicker.raw != flicker.shown) flicker.reduction = m_openStudy.quietPhases().reduction();
+    FlickerAsked flicker{.raw = asked->raw, .shown = asked->shown, .reduction = asked->reduction};
     flicker.start = motionStartOf(document);
     flicker.axis = document.motion.axis;
     flicker.adjustment = document.curves.adjustment;

@@ -21,9 +21,15 @@ class CompareMeasures : public QObject {
     Q_OBJECT
 
 public:
+    struct Parts {
+        DocumentModel& model;
+        OpenStudy& openStudy;
+        PaneOtfs& otfs;
+        ComparedViews& views;
+        const MotionPlayer& player;
+    };
     /// All of them must outlive this.
-    CompareMeasures(DocumentModel& model, OpenStudy& openStudy, ComparedViews& views, const MotionPlayer& player,
-                    QObject* parent = nullptr);
+    explicit CompareMeasures(const Parts& parts, QObject* parent = nullptr);
 
     [[nodiscard]] bool busy() const { return m_thread.busy() || m_flickerThread.busy(); }
     [[nodiscard]] bool measuringFlicker() const { return m_flickerThread.busy(); }
@@ -52,10 +58,11 @@ signals:
 private:
     /// What is measured, by pane of those that can be.
     struct Asked {
-        std::shared_ptr<const Volume> shown;
+        std::shared_ptr<const Volume> raw, shown;
+        SpeckleReduction reduction = SpeckleReduction::off;
         std::shared_ptr<const AdaptiveOtf> otf;
-        std::vector<Classification> classifications;
-        std::vector<std::size_t> places;
+        std::vector<Classification> classifications{};
+        std::vector<std::size_t> places{};
         friend bool operator==(const Asked&, const Asked&) = default;
     };
     /// A pane as its flicker is measured.
@@ -89,6 +96,7 @@ private:
 
     DocumentModel& m_model;
     OpenStudy& m_openStudy;
+    PaneOtfs& m_otfs;
     ComparedViews& m_views;
     const MotionPlayer& m_player;
     std::optional<Asked> m_asked, m_measured;  ///< asked for last, and those of m_measures

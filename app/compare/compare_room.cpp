@@ -22,14 +22,15 @@ namespace echolucent {
 CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
-      m_views({parts.model, parts.openStudy, parts.designs, parts.grid, parts.adaptive}),
+      m_views({parts.model, parts.openStudy, parts.otfs, parts.panes, parts.grid}),
       m_hand(parts.model, parts.openStudy, parts.hand, parts.grid),
       m_controls(parts.model, parts.openStudy, parts.hand, parts.panel),
-      m_measures(parts.model, parts.openStudy, m_views, parts.player),
+      m_measures({parts.model, parts.openStudy, parts.otfs, m_views, parts.player}),
       m_writing("comparison page") {
     // What fails for the first pane is said of the 3D view already.
-    connect(&m_parts.designs, &ViewDesigns::failed, this, [this](std::size_t pane, const QString& sentence) {
-        if (pane != firstPane) m_parts.messages.showMessage(MessageKind::error, sentence);
+    connect(&m_parts.otfs, &PaneOtfs::failed, this, [this](std::size_t place, const QString& sentence) {
+        if (place != firstPane && place != PaneOtfs::adaptiveOfScene)
+            m_parts.messages.showMessage(MessageKind::error, sentence);
     });
     connect(&m_parts.model, &DocumentModel::changed, this, [this] {
         if (!isCompared(m_parts.model.document())) setShown(false);  // it was taken back
@@ -39,8 +40,7 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     for (const auto may : {&ComparedViews::frameShown, &ComparedViews::followed})
         connect(&m_views, may, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
     connect(&m_measures, &CompareMeasures::busyChanged, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
-    connect(&m_parts.openStudy, &OpenStudy::computingOtfChanged, this, &CompareRoom::writeWaitingPage,
-            Qt::QueuedConnection);
+    connect(&m_parts.otfs, &PaneOtfs::busyChanged, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
     connect(&m_parts.openStudy, &OpenStudy::openFailed, this, [this] { m_figureWaits = 0; });
     connect(&m_views, &ComparedViews::failed, this, [this] {
         m_parts.player.pause();
@@ -58,9 +58,7 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     connect(&m_measures, &CompareMeasures::rowsChanged, &m_parts.panel, &ComparePanel::setRows);
     connect(&m_parts.panel, &ComparePanel::flickerRequested, &m_measures, &CompareMeasures::measureFlicker);
     connect(&m_parts.panel, &ComparePanel::pageRequested, this, &CompareRoom::chooseAndSavePage);
-    connect(&m_parts.openStudy, &OpenStudy::otfComputed, this, &CompareRoom::setUpWaitingFigure, Qt::QueuedConnection);
-    connect(&m_parts.openStudy, &OpenStudy::computingOtfChanged, this, &CompareRoom::setUpWaitingFigure,
-            Qt::QueuedConnection);
+    connect(&m_parts.otfs, &PaneOtfs::followed, this, &CompareRoom::setUpWaitingFigure, Qt::QueuedConnection);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
         m_waitingPage.clear();
         if (!m_parts.openStudy.isSimulatedScan()) m_figureWaits = 0;
@@ -147,7 +145,7 @@ void CompareRoom::showFigure(int number) {
 
 void CompareRoom::setUpWaitingFigure() {
     if (m_figureWaits == 0 || !m_parts.openStudy.isSimulatedScan()) return;
-    if (!m_parts.openStudy.otf() || m_parts.openStudy.computingOtf()) return;
+    if (!m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return;
     const Document& document = m_parts.model.document();
     if (m_figureWaits == 1) {
         m_parts.model.edit(figure1(document), tr("Figure 1 of the paper"));
@@ -188,7 +186,7 @@ void CompareRoom::writeWaitingPage() {
     if (m_waitingPage.isEmpty()) return;
     if (m_views.refused())
         return giveUpPage(tr("The page was not saved: the OTF of a pane was cancelled or could not be made."));
-    if (!m_views.settled() || m_measures.busy() || m_parts.openStudy.computingOtf()) return;
+    if (!m_views.settled() || m_measures.busy() || m_parts.otfs.busy()) return;
     const QString path = std::exchange(m_waitingPage, {});
     const Document& document = m_parts.model.document();
     const auto& frame = m_views.frame();
@@ -202,7 +200,7 @@ void CompareRoom::writeWaitingPage() {
         const std::size_t place = frame->request.places[i];
         if (place >= document.panes.size() || place >= rows.size()) continue;
         ComparePage::Pane pane{place, rows[place], frame->panes[i].image, frame->request.panes[i].classification};
-        if (const auto design = m_parts.designs.of(place)) pane.explanation = design->design.explanation;
+        if (const auto otf = m_parts.otfs.of(place)) pane.explanation = otf->design.explanation;
         page.panes.push_back(std::move(pane));
     }
     m_writing.begin(

@@ -34,13 +34,13 @@ public:
         HandGesture& hand;
         MotionPlayer& player;
         QStackedWidget& rooms;  ///< the review room first
-        ViewDesigns& designs;
+        PaneOtfs& otfs;
+        ShownPanes& panes;
         CompareGrid& grid;
         ComparePanel& panel;
         MessageBar& messages;
         Settings& settings;
         StudyNames& names;
-        std::function<SampledCurve()> adaptive;  ///< the adaptive curve that the 3D view shows
         std::function<QString(const QString& what)> proposedName;
     };
     /// All of them must outlive this.
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] bool busy() const {
         return m_views.busy() || m_measures.busy() || m_writing.busy() || !m_waitingPage.isEmpty();
     }
-    /// True while something that takes long is computed or written, pictures and designs apart.
+    /// True while something that takes long is computed or written, pictures and OTFs apart.
     [[nodiscard]] bool computing() const { return m_measures.busy() || m_writing.busy() || !m_waitingPage.isEmpty(); }
     /// Ends what takes long.
     void cancel();

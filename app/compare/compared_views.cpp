@@ -1,7 +1,6 @@
 #include "app/compare/compared_views.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "processing/document/view_caster.h"
@@ -28,16 +27,9 @@ PaneFace faceOf(std::size_t place, const Pane& choice) {
 }  // namespace
 
 ComparedViews::ComparedViews(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
-    connect(&m_parts.model, &DocumentModel::changed, this, &ComparedViews::follow);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ComparedViews::forgetStudy);
-    connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &ComparedViews::follow);
-    connect(&m_parts.openStudy, &OpenStudy::volumeCut, this, &ComparedViews::follow);
-    connect(&m_parts.openStudy, &OpenStudy::otfComputed, this, &ComparedViews::follow);
-    connect(&m_parts.openStudy, &OpenStudy::quieteningChanged, this, &ComparedViews::follow);
-    connect(&m_parts.designs, &ViewDesigns::computed, this, &ComparedViews::takeDesign);
-    connect(&m_parts.designs, &ViewDesigns::busyChanged, this, &ComparedViews::showFaces);
-    connect(&m_parts.designs, &ViewDesigns::cancelled, this, &ComparedViews::follow);
-    connect(&m_parts.designs, &ViewDesigns::failed, this, &ComparedViews::follow);
+    connect(&m_parts.panes, &ShownPanes::changed, this, &ComparedViews::follow);
+    connect(&m_parts.otfs, &PaneOtfs::busyChanged, this, &ComparedViews::showFaces);
     connect(&m_parts.grid, &CompareGrid::arranged, this, &ComparedViews::follow);
     connect(&m_parts.grid, &CompareGrid::painted, &m_caster, &CompareCaster::drawn);
     connect(&m_caster, &CompareCaster::delivered, this, &ComparedViews::take);
@@ -47,50 +39,16 @@ ComparedViews::ComparedViews(const Parts& parts, QObject* parent) : QObject(pare
 
 void ComparedViews::setShown(bool shown) {
     if (std::exchange(m_shown, shown) == shown) return;
-    m_courses.clear();
     follow();
 }
 
-/// Whether what a pane shows is computed for it alone: by its designer, or as the adaptive OTF of a phase or of frames
-/// that are not the 3D view's.
-bool ComparedViews::isComputedForItself(std::size_t place) const {
-    const Document& document = m_parts.model.document();
-    const Pane& pane = document.panes.at(place);
-    if (pane.designer) return true;
-    return pane.curve == CurveKind::adaptive &&
-           (pane.motionOtf || pane.phase || pane.withoutTubes != document.panes.front().withoutTubes);
-}
-
-void ComparedViews::askForDesigns() {
+void ComparedViews::askForOtfs() {
     std::vector<std::size_t> panes;
     if (m_shown && isCompared(m_parts.model.document()))
-        for (std::size_t place = 0; place < m_parts.model.document().panes.size(); ++place)
-            if (isComputedForItself(place)) panes.push_back(place);
+        for (std::size_t place = 0; place < m_parts.model.document().panes.size(); ++place) panes.push_back(place);
     if (panes == m_askedPanes) return;
     m_askedPanes = panes;
-    m_parts.designs.setExtraPanes(std::move(panes));
-}
-
-void ComparedViews::takeDesign(std::size_t pane) {
-    const Document& document = m_parts.model.document();
-    const Study* study = m_parts.openStudy.study();
-    const auto design = m_parts.designs.of(pane);
-    if (m_shown && design && study != nullptr && isComputedForItself(pane) && document.panes.at(pane).motionOtf) {
-        const auto phases = static_cast<int>(study->phases.size());
-        const CourseFrame frame{static_cast<int>(std::lround(document.scene.motionAngle)), phaseOf(document, pane),
-                                phases};
-        const CourseKey key = courseKeyOf(document, configOf(document, pane), frame);
-        Course& kept = m_courses[pane];
-        if (kept.course.newest(MotionOtf::eachView).opacities.empty() || kept.key != key) {
-            kept.key = key;
-            kept.course.forgetPast();
-            kept.course.begin(key.rows, phases);
-        }
-        // The adaptive OTF is one value an intensity.
-        if (const auto* curve = std::get_if<SampledCurve>(&design->design.classification.curve()))
-            kept.course.add(frame, *curve);
-    }
-    follow();
+    m_parts.otfs.setExtraPanes(std::move(panes));
 }
 
 std::vector<std::size_t> ComparedViews::placesWanted() const {
@@ -99,51 +57,10 @@ std::vector<std::size_t> ComparedViews::placesWanted() const {
     return {static_cast<std::size_t>(comparison.first), static_cast<std::size_t>(comparison.second)};
 }
 
-ComparedViews::ComparedPane ComparedViews::paneAt(std::size_t place) const {
-    const Document& document = m_parts.model.document();
-    OpenStudy& openStudy = m_parts.openStudy;
-    const int phases = static_cast<int>(openStudy.study()->phases.size());
-    const int phase = std::min(phaseOf(document, place), phases - 1);
-    ComparedPane pane{.request = {openStudy.newestVoxelsOf(phase)}};
-    ViewOtf otf;
-    if (isComputedForItself(place)) {
-        const auto design = m_parts.designs.of(place);
-        pane.newest = m_parts.designs.isNewest(place);
-        // What was made of the same voxels is shown until the next is there; what was made of others only where the
-        // next does not come. Another study's never is.
-        const int otfPhase = std::min(otfPhaseOf(document, place, phases), phases - 1);
-        pane.refused = !pane.newest && m_parts.designs.isRefused(place);
-        pane.usable = pane.newest || pane.refused || (design && design->raw == openStudy.rawVoxelsOf(otfPhase));
-        if (design && pane.usable) {
-            Classification made = design->design.classification;
-            const auto motionOtf = document.panes.at(place).motionOtf;
-            const auto course = m_courses.find(place);
-            const CourseFrame frame{static_cast<int>(std::lround(document.scene.motionAngle)), phaseOf(document, place),
-                                    phases};
-            const bool ofThisMotion = course != m_courses.end() &&
-                                      course->second.key == courseKeyOf(document, configOf(document, place), frame);
-            if (motionOtf && *motionOtf != MotionOtf::oneOtf && ofThisMotion)
-                made = course->second.course.newest(*motionOtf);
-            if (const auto* curve = std::get_if<SampledCurve>(&made.curve())) otf.curve = *curve;
-            otf.designed = std::move(made);
-        }
-    } else if (document.panes.at(place).curve == CurveKind::adaptive) {
-        pane.newest = openStudy.otf() != nullptr && !openStudy.computingOtf();
-        pane.usable = openStudy.otf() != nullptr || !openStudy.computingOtf();
-        if (openStudy.otf()) otf.curve = m_parts.adaptive();
-    }
-    if (!needsComputedOtf(document, place)) {
-        pane.newest = pane.usable = true;
-        pane.refused = false;
-    }
-    pane.request.classification = classificationOf(document, place, otf);
-    return pane;
-}
-
 void ComparedViews::follow() {
     const Document& document = m_parts.model.document();
     const Comparison& comparison = document.comparison;
-    askForDesigns();
+    askForOtfs();
     m_waits = false;
     if (!m_shown || !isCompared(document) || !m_parts.openStudy.volume()) return clear();
     m_parts.grid.arrange(comparison.layout, document.panes.size());
@@ -153,12 +70,12 @@ void ComparedViews::follow() {
     CompareRequest request{.places = m_places};
     bool usable = true;
     for (const std::size_t place : m_places) {
-        ComparedPane pane = paneAt(place);
-        usable = usable && pane.usable;
-        request.panes.push_back(std::move(pane.request));
+        ShownPane pane = paneAt(place);
+        usable = usable && pane.ready;
+        request.panes.push_back({std::move(pane.voxels), std::move(pane.classification)});
     }
     // The camera is that of the first pane, also where another one has the whole room.
-    const auto first = paneAt(0).request.volume;
+    const auto first = paneAt(firstPane).voxels;
     request.settings = castSettingsOf(document, first->geometry(), first->dataBox(), size.width(), size.height());
     // Before a frame's OTFs are there, what was shown stays: a pane without one would be black.
     m_waits = !usable && m_frame && m_frame->request.places == m_places && m_study == m_parts.openStudy.study();
@@ -172,7 +89,6 @@ void ComparedViews::follow() {
 /// Nothing of another study or of a comparison that is left stays in the panes.
 void ComparedViews::clear() {
     m_caster.clear();
-    m_courses.clear();
     m_rows.clear();
     m_pair.reset();
     if (std::exchange(m_frame, nullptr) == nullptr) return;
@@ -258,7 +174,7 @@ void ComparedViews::showFaces() {
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
         row.pictureMilliseconds.reset();  // it stands in the table; under a picture it would flutter
         face.numbers = numbersOf(row);
-        const ComparedPane pane = paneAt(place);
+        const ShownPane pane = paneAt(place);
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);
         m_parts.grid.pane(place).setBusy(busy);
@@ -268,11 +184,8 @@ void ComparedViews::showFaces() {
 }
 
 void ComparedViews::addTimes(std::size_t place, CompareRow& row) const {
-    const Pane& pane = m_parts.model.document().panes.at(place);
-    if (const auto design = m_parts.designs.of(place); design && m_parts.designs.isNewest(place))
-        row.designMilliseconds = design->milliseconds;
-    else if (pane.curve == CurveKind::adaptive && m_parts.openStudy.otf() && !pane.designer)
-        row.designMilliseconds = m_parts.openStudy.otf()->times.total;
+    if (const auto otf = m_parts.otfs.of(place); otf && m_parts.otfs.isNewest(place))
+        row.designMilliseconds = otf->milliseconds;
     if (!m_frame || !m_frame->converged()) return;
     const std::vector<std::size_t>& places = m_frame->request.places;
     const auto found = std::ranges::find(places, place);

@@ -2,20 +2,15 @@
 #pragma once
 
 #include <QObject>
-#include <functional>
-#include <map>
 #include <memory>
 #include <vector>
 
 #include "app/compare/compare_caster.h"
-#include "app/motion/course_key.h"
-#include "app/otf/view_designs.h"
-#include "app/study/open_study.h"
+#include "app/otf/shown_panes.h"
 #include "processing/document/panes.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_rows.h"
 #include "widgets/document/document_model.h"
-#include "widgets/motion/otf_course.h"
 
 namespace echolucent {
 
@@ -28,9 +23,9 @@ public:
     struct Parts {
         DocumentModel& model;
         OpenStudy& openStudy;
-        ViewDesigns& designs;
+        PaneOtfs& otfs;
+        ShownPanes& panes;
         CompareGrid& grid;
-        std::function<SampledCurve()> adaptive;  ///< the adaptive curve that the 3D view shows
     };
     /// All of them must outlive this.
     explicit ComparedViews(const Parts& parts, QObject* parent = nullptr);
@@ -45,15 +40,8 @@ public:
     [[nodiscard]] bool settled() const;
     /// Whether some pane will not show what the document asks for.
     [[nodiscard]] bool refused() const;
-    /// The voxels that the pane at a place shows, and what it is rendered with; whether that is what the document asks
-    /// for, or is still being computed.
-    struct ComparedPane {
-        PaneRequest request;
-        bool newest = true;
-        bool refused = false;  ///< what it asks for was cancelled or has failed: it does not come by itself
-        bool usable = true;    ///< whether there is an OTF of these voxels, be it an older one, or none will come
-    };
-    [[nodiscard]] ComparedPane paneAt(std::size_t place) const;
+    /// ShownPanes::at().
+    [[nodiscard]] ShownPane paneAt(std::size_t place) const { return m_parts.panes.at(place); }
     /// The newest frame; null before the first.
     [[nodiscard]] const std::shared_ptr<const CompareFrame>& frame() const { return m_frame; }
     /// Milliseconds of the designer and of the picture of a pane, where they are known.
@@ -75,9 +63,7 @@ signals:
 
 private:
     [[nodiscard]] std::vector<std::size_t> placesWanted() const;
-    void askForDesigns();
-    void takeDesign(std::size_t pane);
-    [[nodiscard]] bool isComputedForItself(std::size_t pane) const;
+    void askForOtfs();
     void take(const std::shared_ptr<const CompareFrame>& frame);
     void showFrame();
     void showFaces();
@@ -91,13 +77,7 @@ private:
     std::vector<std::size_t> m_places;  ///< of the newest request
     std::shared_ptr<const CompareFrame> m_frame;
     std::vector<CompareRow> m_rows;
-    std::vector<std::size_t> m_askedPanes;  ///< whose designs are asked for
-    /// The OTFs of a pane's frames, of which it shows a smoothed one.
-    struct Course {
-        CourseKey key;
-        OtfCourse course;
-    };
-    std::map<std::size_t, Course> m_courses;  ///< by pane
+    std::vector<std::size_t> m_askedPanes;  ///< whose OTFs are asked for
     /// What the picture of a pair was made of.
     struct ShownPair {
         std::shared_ptr<const CompareFrame> frame;

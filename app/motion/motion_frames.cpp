@@ -16,6 +16,8 @@ MotionFrames::MotionFrames(const Parts& parts, QObject* parent) : QObject(parent
     connect(&player, &MotionPlayer::playingChanged, this, [this](bool playing) {
         m_parts.panel.setPlaying(playing);
         m_parts.picture.setPlaying(playing);
+        m_parts.view.setPlaying(playing);
+        m_parts.panes.setPlaying(playing);
         m_frameClock.invalidate();
         m_frameSeconds = 0;
         if (!playing) m_parts.panel.setFrameRate(std::nullopt);
@@ -23,12 +25,10 @@ MotionFrames::MotionFrames(const Parts& parts, QObject* parent) : QObject(parent
     connect(&m_parts.view, &DocumentView::cameraMoved, this, &MotionFrames::endByHand);
     connect(&m_parts.model, &DocumentModel::motionChanged, this, &MotionFrames::takeChoices);
     connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, &MotionFrames::takeAngle);
-    connect(&m_parts.model, &DocumentModel::phaseChanged, this,
-            [this] { m_parts.panel.setPhase(phaseOf(m_parts.model.document(), firstPane)); });
+    connect(&m_parts.model, &DocumentModel::phaseChanged, this, &MotionFrames::takePhase);
+    connect(&m_parts.panes, &ShownPanes::courseChanged, &m_parts.coursePanel, &OtfCoursePanel::showCourse);
     // Along another beam the motion is begun anew.
     connect(&m_parts.model, &DocumentModel::beamChanged, &player, &MotionPlayer::pause);
-    // After the OTF has followed what else the same step changed: the view of the frame is asked for last.
-    connect(&m_parts.model, &DocumentModel::changed, this, &MotionFrames::takeMode);
     takeChoices();
 }
 
@@ -56,12 +56,6 @@ void MotionFrames::takeChoices() {
     m_parts.coursePanel.setMode(motion.otf);
 }
 
-void MotionFrames::takeMode() {
-    if (std::exchange(m_mode, mode()) == mode()) return;
-    const bool oneOtf = mode() == MotionOtf::oneOtf;
-    m_parts.computing.computeFor(oneOtf ? otfViewpointOf(m_parts.model.document(), firstPane) : frameView());
-}
-
 void MotionFrames::takeAngle() {
     const double angle = m_parts.model.document().scene.motionAngle;
     m_parts.panel.setAngle(angle);
@@ -77,13 +71,17 @@ void MotionFrames::setStudy(const Study& study) {
     m_parts.panel.setStudy(phases, study.phaseSeconds);
 }
 
+void MotionFrames::takePhase() {
+    const int phase = phaseOf(m_parts.model.document(), firstPane);
+    m_parts.panel.setPhase(phase);
+    const Study* study = m_parts.openStudy.study();
+    if (study != nullptr && phase < static_cast<int>(study->phases.size())) m_parts.player.setPhase(phase);
+}
+
 void MotionFrames::beginAtRest() {
-    m_otf.reset();
-    m_courseKey.reset();
-    m_frameWaits = false;
     takeAngle();
     takeChoices();
-    m_parts.panel.setPhase(phaseOf(m_parts.model.document(), firstPane));
+    takePhase();
 }
 
 void MotionFrames::stepPhase(int step) {
@@ -100,88 +98,25 @@ void MotionFrames::stepPhase(int step) {
     m_parts.model.showPhase(next);
 }
 
-Viewpoint MotionFrames::frameView() const { return viewpointOf(m_parts.model.document()); }
-
 void MotionFrames::rewind() {
     m_parts.player.pause();
     m_parts.player.setAngle(0);
 }
 
 void MotionFrames::showFrame(double angle, int phase) {
-    m_parts.model.showMotionAngle(angle);
     showFrameRate();
-    if (!m_parts.openStudy.volume()) return;
-    const bool sameVolume = phase == m_parts.openStudy.phase();
-    m_parts.model.showPhase(phase);
-    if (mode() == MotionOtf::oneOtf) {
-        showWithOneOtf();
-    } else {
-        m_frameWaits = true;
-        // Under the hand the picture follows at once and its OTF after it; played, a frame is shown as a whole.
-        if (!m_parts.player.isPlaying() && sameVolume) m_parts.view.showPose();
-        m_parts.computing.computeFor(frameView());
-    }
-}
-
-void MotionFrames::showWithOneOtf() {
-    m_frameWaits = true;
-    // Else the frame comes with the OTF that is under way, or with the failure to compute it.
-    if (m_parts.openStudy.otfUnderWay()) return;
-    m_parts.openStudy.otf() ? showFrameWithItsOtf() : m_parts.computing.computeAgain();
-}
-
-/// A frame of a motion with one OTF, which is there already.
-void MotionFrames::showFrameWithItsOtf() {
-    m_frameWaits = false;
-    m_parts.view.showVolume(m_parts.openStudy.newestVoxels(), m_parts.openStudy.volume());
-    keepCourseOf(m_otf->config);
-    m_parts.course.addOneOtf(courseFrame(), m_otf->curve);
-    m_parts.coursePanel.showCourse();
-}
-
-void MotionFrames::showWaitingFrame() {
-    if (std::exchange(m_frameWaits, false)) m_parts.view.showPose();
+    m_parts.model.showFrame(angle, phase);
 }
 
 void MotionFrames::announceShownFrame() {
-    if (m_frameWaits || m_parts.openStudy.computingOtf() || m_parts.designs.busy()) return;
+    if (m_parts.otfs.busy() || !m_parts.view.isCurrent()) return;
     // Where another pane has the whole room, no picture is made, and the motion goes on in that pane.
     const VolumeViewWidget& picture = m_parts.picture;
     if (picture.isVisible() && !(picture.pictureIsCurrent() && picture.pictureIsOnScreen())) return;
     m_parts.player.frameShown();
 }
 
-CourseFrame MotionFrames::courseFrame() const {
-    return {.angle = static_cast<int>(m_parts.player.angle()),
-            .phase = m_parts.player.phase(),
-            .phases = static_cast<int>(m_parts.openStudy.study()->phases.size())};
-}
-
-void MotionFrames::keepCourseOf(const AdaptiveOtfConfig& config) {
-    const CourseFrame frame = courseFrame();
-    const CourseKey key = courseKeyOf(m_parts.model.document(), config, frame);
-    if (m_courseKey == key) return;
-    m_courseKey = key;
-    m_parts.openStudy.forgetKeptOtfs();
-    m_parts.course.begin(key.rows, frame.phases);
-}
-
-SampledCurve MotionFrames::curveToShow(std::shared_ptr<const AdaptiveOtf> otf) {
-    m_otf = std::move(otf);
-    keepCourseOf(m_otf->config);
-    // An OTF of another view or phase than the frame's (one OTF for a motion that has gone on) is no frame of the
-    // course.
-    const bool ofFrame = m_otf->view == frameView() && m_parts.openStudy.phaseOfOtf() == m_parts.player.phase();
-    if (ofFrame) m_parts.course.add(courseFrame(), m_otf->curve);
-    if (mode() == MotionOtf::oneOtf) m_parts.course.addOneOtf(courseFrame(), m_otf->curve);
-    m_parts.coursePanel.showCourse();
-    return ofFrame && mode() != MotionOtf::oneOtf ? m_parts.course.newest(mode()) : m_otf->curve;
-}
-
-void MotionFrames::endByHand() {
-    m_parts.player.pause();
-    m_frameWaits = false;
-}
+void MotionFrames::endByHand() { m_parts.player.pause(); }
 
 void MotionFrames::showFrameRate() {
     if (!m_parts.player.isPlaying()) return;
@@ -195,13 +130,12 @@ void MotionFrames::showFrameRate() {
 
 void MotionFrames::tellFrameRate() {
     if (m_parts.player.isPlaying() && m_frameSeconds > 0)
-        m_parts.panel.setFrameRate(1.0 / m_frameSeconds,
-                                   {.frames = m_parts.picture.keptFrames(),
-                                    .quietPhases = m_parts.openStudy.quietPhases().madeCount(),
-                                    .otfs = static_cast<int>(m_parts.openStudy.keptOtfs().count()),
-                                    .frameBytes = m_parts.picture.keptFrameBytes(),
-                                    .quietBytes = m_parts.openStudy.quietPhases().bytes(),
-                                    .otfBytes = m_parts.openStudy.keptOtfs().bytes()});
+        m_parts.panel.setFrameRate(1.0 / m_frameSeconds, {.frames = m_parts.picture.keptFrames(),
+                                                          .quietPhases = m_parts.openStudy.quietPhases().madeCount(),
+                                                          .otfs = static_cast<int>(m_parts.otfs.kept().count()),
+                                                          .frameBytes = m_parts.picture.keptFrameBytes(),
+                                                          .quietBytes = m_parts.openStudy.quietPhases().bytes(),
+                                                          .otfBytes = m_parts.otfs.kept().bytes()});
 }
 
 }  // namespace echolucent

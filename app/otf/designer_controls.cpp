@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/otf/shown_design.h"
+#include "app/otf/editor_otfs.h"
 #include "widgets/panels/designer_panel.h"
 #include "widgets/panels/panel_controls.h"
 
@@ -20,14 +20,14 @@ DesignerControls::DesignerControls(const Parts& parts, QObject* parent) : QObjec
     });
     connect(panel, &DesignerPanel::dragEnded, model, &DocumentModel::commitPreview);
     connect(panel, &DesignerPanel::dragCancelled, model, &DocumentModel::cancelPreview);
-    connect(panel, &DesignerPanel::cancelRequested, &m_parts.designs, &ViewDesigns::cancel);
-    connect(panel, &DesignerPanel::computeRequested, &m_parts.designs, &ViewDesigns::computeAgain);
+    connect(panel, &DesignerPanel::cancelRequested, &m_parts.otfs, &PaneOtfs::cancel);
+    connect(panel, &DesignerPanel::computeRequested, &m_parts.otfs, &PaneOtfs::computeAgain);
     connect(model, &DocumentModel::panesChanged, this, &DesignerControls::showDocument);
     connect(model, &DocumentModel::changed, this, &DesignerControls::showDesign);
-    connect(&m_parts.designs, &ViewDesigns::computed, this, &DesignerControls::showDesign);
-    connect(&m_parts.designs, &ViewDesigns::failed, this, &DesignerControls::showDesign);
-    connect(&m_parts.designs, &ViewDesigns::busyChanged, this, &DesignerControls::showDesign);
-    connect(&m_parts.designs, &ViewDesigns::progressed, panel, &DesignerPanel::setProgress);
+    connect(&m_parts.otfs, &PaneOtfs::computed, this, &DesignerControls::showDesign);
+    connect(&m_parts.otfs, &PaneOtfs::failed, this, &DesignerControls::showDesign);
+    connect(&m_parts.otfs, &PaneOtfs::busyChanged, this, &DesignerControls::showDesign);
+    connect(&m_parts.otfs, &PaneOtfs::progressed, panel, &DesignerPanel::setProgress);
     showDocument();
     showDesign();
 }
@@ -53,12 +53,12 @@ void DesignerControls::showDocument() {
 
 void DesignerControls::showDesign() {
     const DesignerConfig* config = designerConfigOf(m_parts.model.document(), firstPane);
-    auto made = m_parts.designs.of(firstPane);
+    auto made = m_parts.otfs.designOf(firstPane);
     // What another designer made before is shown still, and is nothing of this one's.
-    if (made && (config == nullptr || config->index() != made->config.index())) made.reset();
+    if (made && (config == nullptr || config->index() != made->asked.config.index())) made.reset();
     if (made != m_shown) m_parts.panel.setDesign(made ? &made->design : nullptr, made ? made->milliseconds : 0.0);
     m_shown = made;
-    m_parts.panel.setComputing(m_parts.designs.busy(), m_parts.designs.isAnyRefused());
+    m_parts.panel.setComputing(m_parts.otfs.designing(), m_parts.otfs.isAnyRefused());
 }
 
 }  // namespace echolucent

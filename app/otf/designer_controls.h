@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/otf/view_designs.h"
+#include "app/otf/pane_otfs.h"
 #include "processing/designers/designer_config.h"
 #include "widgets/document/document_model.h"
 #include "widgets/hand_gesture.h"
@@ -22,7 +22,7 @@ public:
     struct Parts {
         DocumentModel& model;
         HandGesture& hand;
-        ViewDesigns& designs;
+        PaneOtfs& otfs;
         DesignerPanel& panel;
     };
     /// All of them must outlive this.
@@ -34,8 +34,8 @@ private:
     void showDesign();
 
     Parts m_parts;
-    std::shared_ptr<const ViewDesign> m_shown;  ///< in the panel
-    std::optional<std::size_t> m_designer;      ///< in the panel; no value: a curve
+    std::shared_ptr<const ComputedOtf> m_shown;  ///< in the panel
+    std::optional<std::size_t> m_designer;       ///< in the panel; no value: a curve
 };
 
 }  // namespace echolucent

@@ -1,18 +1,18 @@
 #include "app/otf/near_cut_finder.h"
 
 #include <cmath>
+#include <new>
 #include <utility>
 
 namespace echolucent {
 
-NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
-    connect(&m_parts.openStudy, &OpenStudy::nearCutFound, this, &NearCutFinder::take);
-    connect(&m_parts.openStudy, &OpenStudy::computingOtfChanged, this, [this](bool computing) {
-        if (!computing) m_looking = false;
-    });
-    connect(&m_parts.openStudy, &OpenStudy::otfFailed, this, [this] {
-        if (!std::exchange(m_looking, false)) return;
-        m_parts.computing.computeAgain();  // it may have been under way when the search took its place
+NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent)
+    : QObject(parent), m_parts(parts), m_search(&findNearCut), m_thread(QStringLiteral("near cut")) {
+    connect(&m_thread, &NewestWinsThread::busyChanged, this, &NearCutFinder::busyChanged);
+    connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &NearCutFinder::cancel);
+    // What was asked of the volume is asked of the one that is cut.
+    connect(&m_parts.openStudy, &OpenStudy::volumeCut, this, [this] {
+        if (busy()) look();
     });
     connect(&m_parts.model, &DocumentModel::changed, this, &NearCutFinder::takeBackWhatIsNoLongerTrue);
 }
@@ -20,9 +20,23 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent) : QObject(pare
 void NearCutFinder::find() {
     if (!m_parts.openStudy.volume()) return;
     m_looksFrom = viewpointOf(m_parts.model.document());
-    m_looking = true;
-    m_parts.openStudy.requestNearCut(m_looksFrom);
-    emit looking();
+    look();
+}
+
+void NearCutFinder::look() {
+    m_thread.submit([this, search = m_search, volume = m_parts.openStudy.volume(),
+                     view = m_looksFrom](const Progress& progress) -> NewestWinsThread::Deliver {
+        try {
+            const auto finding = search(*volume, view, progress);
+            if (!finding) return {};
+            return [this, finding = *finding] { take(finding); };
+        } catch (const std::bad_alloc&) {
+            return [this] {
+                m_parts.messages.showMessage(MessageKind::error,
+                                             tr("Looking for the near cut needs more memory than this machine has."));
+            };
+        }
+    });
 }
 
 void NearCutFinder::toggle() {
@@ -34,10 +48,8 @@ void NearCutFinder::toggle() {
 void NearCutFinder::take(const NearCutFinding& finding) {
     const Front before = m_parts.model.document().scene.front;
     const QString said = QString::fromStdString(finding.message);
-    m_looking = false;
     if (finding.answer == NearCutAnswer::noFluid) {
         tell(MessageKind::warning, tr("The near cut stays as it is. %1").arg(said));
-        m_parts.computing.computeAgain();  // it may have been under way when the search took its place
         return;
     }
     const Front cut{.depthMm = std::round(10 * finding.nearCutMm) / 10};  // as people set it
@@ -88,8 +100,6 @@ void NearCutFinder::cutAlong(const Front& cut, const ViewDirection& direction) {
     next.scene.front = cut;
     next.scene.side = direction;
     m_parts.model.edit(next, tr("near cut"));
-    // The search has taken the place of the OTF that was computed, also where the document stays as it is.
-    m_parts.computing.computeAgain();
 }
 
 }  // namespace echolucent

@@ -3,8 +3,13 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
+#include <optional>
 
-#include "app/otf/otf_computing.h"
+#include "app/study/open_study.h"
+#include "processing/near_cut.h"
+#include "widgets/document/document_model.h"
+#include "widgets/newest_wins_thread.h"
 #include "widgets/panels/message_bar.h"
 
 namespace echolucent {
@@ -16,7 +21,6 @@ public:
     struct Parts {
         DocumentModel& model;
         OpenStudy& openStudy;
-        OtfComputing& computing;
         MessageBar& messages;
     };
     explicit NearCutFinder(const Parts& parts, QObject* parent = nullptr);
@@ -27,12 +31,19 @@ public:
     void toggle();
     /// Tells of the cut that was made on opening, with the way back.
     void tellOpening(const NearCutFinding& finding);
+    /// Whether it is being looked for, in a thread of its own.
+    [[nodiscard]] bool busy() const { return m_thread.busy(); }
+    void cancel() { m_thread.cancel(); }
+
+    /// What is run; tests put one in its place that ends on command.
+    using Search = std::function<std::optional<NearCutFinding>(const Volume&, const Viewpoint&, const Progress&)>;
+    void setSearch(Search search) { m_search = std::move(search); }
 
 signals:
-    /// A search has begun; OpenStudy::lookingForNearCut() is true until it ends.
-    void looking();
+    void busyChanged(bool busy);
 
 private:
+    void look();
     void take(const NearCutFinding& finding);
     [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Front>& back);
     void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
@@ -50,9 +61,11 @@ private:
 
     Parts m_parts;
     Viewpoint m_looksFrom;
-    bool m_looking = false;
+    Search m_search;
     QString m_told;  ///< the newest message, which is true of m_toldPicture; then it is empty
     CutPicture m_toldPicture;
+    // Last, so that its thread has ended before anything above is destroyed.
+    NewestWinsThread m_thread;
 };
 
 }  // namespace echolucent

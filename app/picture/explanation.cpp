@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <cmath>
 
-#include "app/otf/shown_design.h"
+#include "app/otf/editor_otfs.h"
 #include "processing/adaptive/method_reading.h"
 #include "widgets/panels/panel_controls.h"
 
@@ -20,9 +20,9 @@ QStringList designSentences(const PictureFacts& facts, const DesignerConfig& con
     if (facts.design == nullptr)
         return {explanationText("The OTF of %1 is not computed yet: the picture shows what it had before.")
                     .arg(labelOf(config))};
-    const QString designer = labelOf(facts.design->config);
+    const QString designer = labelOf(facts.design->asked.config);
     QStringList sentences{follows.arg(designer)};
-    if (facts.design->config.index() != config.index())
+    if (facts.design->asked.config.index() != config.index())
         sentences << explanationText("The OTF of %1 is not computed yet.").arg(labelOf(config));
     else if (!facts.designIsNewest)
         sentences << explanationText("It was made before the newest change, whose OTF is not there yet.");

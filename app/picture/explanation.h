@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "app/otf/view_designs.h"
+#include "app/otf/pane_otfs.h"
 #include "app/picture/picture_caption.h"
 #include "io/study/study.h"
 #include "processing/adaptive/adaptive_otf.h"
@@ -19,7 +19,7 @@ struct PictureFacts {
     const Document& document;
     ShownSpeckle speckle = ShownSpeckle::asRead;
     /// What the designer of the view made; null where the view has none, or it is not computed yet.
-    const ViewDesign* design = nullptr;
+    const ComputedOtf* design = nullptr;
     bool designIsNewest = true;  ///< else it is computed anew, or that was cancelled
 };
 

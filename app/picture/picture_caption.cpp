@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "app/otf/shown_design.h"
+#include "app/otf/editor_otfs.h"
 #include "processing/document/view_caster.h"
 #include "widgets/panels/panel_controls.h"
 

@@ -4,7 +4,7 @@
 #include <QDateTime>
 #include <utility>
 
-#include "app/otf/shown_design.h"
+#include "app/otf/editor_otfs.h"
 #include "app/picture/picture_to_keep.h"
 #include "app/study/study_names.h"
 #include "app/window/save_dialog.h"
@@ -164,7 +164,7 @@ CaseReport ReportSaving::windowState() const {
     if (m_parts.editor.state().designed) {
         report.designer = m_parts.editor.state().designer;
         report.designed = m_parts.editor.state().design;
-        if (const auto made = m_parts.designs.of(firstPane)) report.designedWith = made->config;
+        if (const auto made = m_parts.otfs.designOf(firstPane)) report.designedWith = made->asked.config;
     }
     report.histogram = openStudy.histogram();
     report.geometry = openStudy.volume()->geometry();
@@ -196,9 +196,9 @@ std::vector<ReportTime> ReportSaving::times() const {
         times.push_back({tr("opening: reading the files, looking for beam and cut"), *loading});
     if (const auto quietening = openStudy.quieteningMilliseconds())
         times.push_back({tr("speckle reduction of all phases that are kept"), *quietening});
-    if (const AdaptiveOtf* otf = m_parts.motion.otf()) times.push_back({tr("adaptive OTF"), otf->times.total});
-    if (const auto made = m_parts.designs.of(firstPane))
-        times.push_back({tr("OTF of the designer %1").arg(labelOf(made->config)), made->milliseconds});
+    if (const auto otf = m_parts.otfs.adaptive()) times.push_back({tr("adaptive OTF"), otf->times.total});
+    if (const auto made = m_parts.otfs.designOf(firstPane))
+        times.push_back({tr("OTF of the designer %1").arg(labelOf(made->asked.config)), made->milliseconds});
     if (m_converged)
         times.push_back({tr("converged picture of the 3D view, %1 × %2 rays")
                              .arg(m_converged->rays.width())

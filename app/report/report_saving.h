@@ -6,7 +6,8 @@
 #include <functional>
 #include <optional>
 
-#include "app/motion/motion_frames.h"
+#include "app/motion/motion_player.h"
+#include "app/otf/pane_otfs.h"
 #include "app/report/case_report.h"
 #include "app/study/open_study.h"
 #include "app/window/file_writing.h"
@@ -35,8 +36,7 @@ public:
         QWidget& window;  ///< parent of the dialogs
         DocumentModel& model;
         OpenStudy& openStudy;
-        MotionFrames& motion;
-        const ViewDesigns& designs;
+        const PaneOtfs& otfs;
         MotionPlayer& player;
         std::array<PlanePane*, 3> planes;
         VolumeViewWidget& picture;

@@ -19,24 +19,16 @@ double millisecondsOf(const QElapsedTimer& clock) { return static_cast<double>(c
 
 OpenStudy::OpenStudy(QObject* parent)
     : QObject(parent),
-      m_pipeline(&adaptOpacity),
-      m_nearCutSearch(&findNearCut),
       m_checksum(&checksumOf),
       m_loader(QStringLiteral("study loader")),
-      m_checksumThread(QStringLiteral("study checksum")),
-      m_otfThread(QStringLiteral("adaptive OTF")) {
+      m_checksumThread(QStringLiteral("study checksum")) {
     connect(&m_loader, &NewestWinsThread::busyChanged, this, &OpenStudy::loadingChanged);
     connect(&m_loader, &NewestWinsThread::progressed, this, &OpenStudy::loadingProgressed);
-    connect(&m_otfThread, &NewestWinsThread::busyChanged, this, &OpenStudy::computingOtfChanged);
     connect(&m_cut, &CutPhases::made, this, &OpenStudy::takeCut);
     connect(&m_cut, &CutPhases::made, this, &OpenStudy::phaseVoxelsChanged);
     connect(&m_checksumThread, &NewestWinsThread::busyChanged, this, &OpenStudy::takingChecksumChanged);
-    connect(&m_cut, &CutPhases::busyChanged, this, [this] {
-        // Strokes that cut nothing tell of no cut.
-        if (m_waiting && !waitsForVoxels()) requestWaitingOtf();
-        emit computingOtfChanged(computingOtf());
-    });
-    connect(&m_cut, &CutPhases::failed, this, &OpenStudy::otfFailed);
+    connect(&m_cut, &CutPhases::busyChanged, this, &OpenStudy::cuttingChanged);
+    connect(&m_cut, &CutPhases::failed, this, &OpenStudy::cuttingFailed);
     connect(&m_quiet, &QuietPhases::made, this, &OpenStudy::takeQuietVoxels);
     connect(&m_quiet, &QuietPhases::made, this, &OpenStudy::phaseVoxelsChanged);
     connect(&m_quiet, &QuietPhases::busyChanged, this, [this](bool busy) {
@@ -47,10 +39,8 @@ OpenStudy::OpenStudy(QObject* parent)
     });
     connect(&m_quiet, &QuietPhases::busyChanged, this, &OpenStudy::quieteningChanged);
     connect(&m_quiet, &QuietPhases::progressed, this, &OpenStudy::quieteningProgressed);
-    connect(&m_quiet, &QuietPhases::failed, this, [this](int, const QString& sentence) {
-        emit quieteningFailed(sentence);
-        requestWaitingOtf();
-    });
+    connect(&m_quiet, &QuietPhases::failed, this,
+            [this](int, const QString& sentence) { emit quieteningFailed(sentence); });
 }
 
 void OpenStudy::open(const QString& path, const ReadOptions& options) {
@@ -138,14 +128,14 @@ void OpenStudy::load(const StudyReference& reference, StudyReader reader) {
             m_seriesBeside = series;
             m_histograms = histograms;
             m_finds = finds;
-            m_kept.clear();
             m_quiet.begin(m_study->phases);
             m_quieteningMilliseconds.reset();
             m_cut.begin(m_study->phases);
-            m_opening = true;
-            m_otfPhase.reset();
-            m_waitForQuiet = true;
-            show(m_saved ? m_saved->session.document.scene.phase : 0);
+            m_alsoWanted.reset();
+            m_phase = m_saved ? m_saved->session.document.scene.phase : 0;
+            m_volume = volumeOf(m_phase);
+            emit studyReplaced();
+            show(m_phase);
             emit studyOpened();
             takeChecksum();
         };
@@ -182,12 +172,6 @@ void OpenStudy::setPhase(int phase) {
 void OpenStudy::show(int phase) {
     m_phase = phase;
     m_volume = volumeOf(phase);
-    // One phase's OTF serves all, but what a search took the place of is asked for again.
-    if (!m_otfPhase || lookingForNearCut()) {
-        m_otf.reset();
-        m_voxelsOfOtf.reset();
-        cancelComputing();
-    }
     wantQuietVoxels();
     m_cut.want(m_phase, std::vector(m_cut.strokes()));
     emit volumeChanged();
@@ -199,10 +183,7 @@ void OpenStudy::setReduction(SpeckleReduction reduction) {
     if (reduction == SpeckleReduction::off) takeQuietVoxels(m_phase);  // they are there already
 }
 
-void OpenStudy::cancelQuietening() {
-    m_quiet.cancel();
-    requestWaitingOtf();
-}
+void OpenStudy::cancelQuietening() { m_quiet.cancel(); }
 
 std::shared_ptr<const Volume> OpenStudy::volumeOf(int phase) {
     return m_study ? m_cut.of(phase, m_study->phases[static_cast<std::size_t>(phase)]) : nullptr;
@@ -223,138 +204,30 @@ std::shared_ptr<const Volume> OpenStudy::newestVoxelsOf(int phase) {
 
 std::shared_ptr<const Volume> OpenStudy::newestVoxels() { return newestVoxelsOf(m_phase); }
 
-std::shared_ptr<const Volume> OpenStudy::voxelsForOtf() {
-    return m_voxelsOfOtf && phaseOfOtf() == m_phase ? m_voxelsOfOtf : newestVoxels();
-}
-
-bool OpenStudy::otfIsOfNewestVoxels() { return m_otf && m_voxelsOfOtf == newestVoxelsOf(phaseOfOtf()); }
-
-void OpenStudy::setOtfPhase(std::optional<int> phase) {
+void OpenStudy::alsoWant(int phase) {
     if (!m_study) return;
-    if (phase) phase = std::clamp(*phase, 0, static_cast<int>(m_study->phases.size()) - 1);
-    if (std::exchange(m_otfPhase, phase) != phase) wantQuietVoxels();
+    phase = std::clamp(phase, 0, static_cast<int>(m_study->phases.size()) - 1);
+    if (std::exchange(m_alsoWanted, phase) != phase) wantQuietVoxels();
 }
 
 void OpenStudy::setStrokes(const std::vector<ScalpelStroke>& strokes) {
     if (m_volume && strokes != m_cut.strokes()) m_cut.want(m_phase, strokes);
 }
 
-/// What was asked of the volume is asked of the one that is cut.
 void OpenStudy::takeCut(int phase) {
-    if (phase != m_phase && phase != phaseOfOtf()) return;
-    const auto pending = m_asked ? m_asked : m_waiting;
-    const bool searching = lookingForNearCut() && phase == m_phase;
+    if (!isWanted(phase)) return;
     m_volume = volumeOf(m_phase);
-    if (searching) requestNearCut(m_searchedAlong);
-    if (pending) requestOtf(pending->view, pending->config);
     emit volumeCut();
 }
 
-const IntensityHistogram& OpenStudy::histogramOfOtf() const {
-    const auto ofOtf = m_quiet.of(phaseOfOtf());
-    const auto quiet = m_quiet.histogramOf(m_phase);
-    return quiet && ofOtf && m_voxelsOfOtf && &m_voxelsOfOtf->voxels() == &ofOtf->voxels() ? *quiet : histogram();
+const IntensityHistogram& OpenStudy::histogramOf(const Volume& voxels) const {
+    const auto quiet = m_quiet.of(m_phase);
+    const auto ofQuiet = m_quiet.histogramOf(m_phase);
+    return quiet && ofQuiet && &quiet->voxels() == &voxels.voxels() ? *ofQuiet : histogram();
 }
 
 void OpenStudy::takeQuietVoxels(int phase) {
-    if (phase != m_phase && phase != phaseOfOtf()) return;
-    if (phase == phaseOfOtf()) requestWaitingOtf();
-    emit quietVoxelsMade();
-}
-
-bool OpenStudy::waitsForVoxels() {
-    if (!m_opening) return false;
-    return !m_cut.isCurrent(phaseOfOtf()) ||
-           (m_waitForQuiet && !m_quiet.of(phaseOfOtf()) && m_volume->geometry().voxelCount() <= quietFirstVoxels);
-}
-
-void OpenStudy::requestWaitingOtf() {
-    m_waitForQuiet = false;
-    if (m_volume && waitsForVoxels()) return;
-    m_opening = false;  // nothing waits from here on
-    if (const auto waiting = std::exchange(m_waiting, std::nullopt)) requestOtf(waiting->view, waiting->config);
-}
-
-void OpenStudy::requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config) {
-    const OtfRequest asked{volumeOf(phaseOfOtf()), newestVoxelsOf(phaseOfOtf()), view, config};
-    if (!m_volume || m_asked == asked) return;
-    if (waitsForVoxels()) {
-        m_waiting = asked;
-        return;
-    }
-    m_waiting.reset();
-    m_asked = asked;
-    m_searching = false;
-    if (auto kept = m_kept.find(asked)) {
-        m_otfThread.cancel();
-        // Delivered as one that was computed would be: after the request has returned, and not where another was made.
-        QMetaObject::invokeMethod(
-            this,
-            [this, asked, otf = std::move(kept)] {
-                if (m_asked == asked) takeOtf(asked, otf);
-                emit computingOtfChanged(computingOtf());
-            },
-            Qt::QueuedConnection);
-        emit computingOtfChanged(true);
-        return;
-    }
-    m_otfThread.submit([this, pipeline = m_pipeline, asked,
-                        reduction = m_reduction](const Progress& progress) -> NewestWinsThread::Deliver {
-        std::optional<AdaptiveOtf> result;
-        try {
-            const QuietVoxels shown =
-                asked.voxels == asked.volume ? QuietVoxels{} : QuietVoxels{asked.voxels.get(), reduction};
-            result = pipeline(*asked.volume, asked.view, asked.config, progress, shown);
-        } catch (const std::bad_alloc&) {
-            return [this] {
-                m_asked.reset();
-                emit otfFailed(tr("The adaptive OTF needs more memory than this machine has."));
-            };
-        }
-        if (!result) return [this] { m_asked.reset(); };  // never of a run that was cancelled
-        auto shared = std::make_shared<const AdaptiveOtf>(std::move(*result));
-        return [this, asked, shared] {
-            m_kept.keep(asked, shared);
-            if (m_asked == asked) takeOtf(asked, shared);
-        };
-    });
-}
-
-void OpenStudy::takeOtf(const OtfRequest& asked, std::shared_ptr<const AdaptiveOtf> otf) {
-    m_asked.reset();
-    m_opening = false;
-    m_otf = std::move(otf);
-    m_voxelsOfOtf = asked.voxels;
-    emit otfComputed();
-}
-
-void OpenStudy::cancelComputing() {
-    m_searching = false;
-    m_asked.reset();
-    m_waiting.reset();
-    m_otfThread.cancel();
-}
-
-void OpenStudy::requestNearCut(const Viewpoint& view) {
-    if (!m_volume) return;
-    m_asked.reset();
-    m_waiting.reset();  // whoever asks for the near cut asks for the OTF afterwards
-    m_opening = false;
-    m_searching = true;
-    m_searchedAlong = view;
-    m_otfThread.submit([this, search = m_nearCutSearch, volume = m_volume,
-                        view](const Progress& progress) -> NewestWinsThread::Deliver {
-        std::optional<NearCutFinding> result;
-        try {
-            result = search(*volume, view, progress);
-        } catch (const std::bad_alloc&) {
-            return [this] { emit otfFailed(tr("Looking for the near cut needs more memory than this machine has.")); };
-        }
-        if (!result) return {};
-        return [this, volume, finding = std::move(*result)] {
-            if (volume == m_volume) emit nearCutFound(finding);
-        };
-    });
+    if (isWanted(phase)) emit quietVoxelsMade();
 }
 
 }  // namespace echolucent

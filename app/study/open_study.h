@@ -1,4 +1,5 @@
-// What is open and what was computed for it: the model behind the main window. Knows no widget.
+// What is open: the study, its voxels as they were read, quiet and cut, and what was found of it. Knows no OTF and no
+// widget.
 #pragma once
 
 #include <QElapsedTimer>
@@ -9,14 +10,12 @@
 #include <vector>
 
 #include "app/study/cut_phases.h"
-#include "app/study/kept_otfs.h"
 #include "app/study/quiet_phases.h"
 #include "app/study/saved_study.h"
 #include "app/study/study_loading.h"
 #include "io/output/overwriting.h"
 #include "io/study/series_list.h"
 #include "io/study/study.h"
-#include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/opening_finds.h"
 #include "processing/document/study_reference.h"
 #include "processing/intensity/histogram.h"
@@ -25,8 +24,8 @@
 
 namespace echolucent {
 
-/// Loads studies and runs the adaptive pipeline, each in a QThread of its own. Everything below is to be called, and
-/// every signal is sent, in the thread it lives in.
+/// Loads studies, makes their voxels quiet and cuts them, each in a QThread of its own. Everything below is to be
+/// called, and every signal is sent, in the thread it lives in.
 class OpenStudy : public QObject {
     Q_OBJECT
 
@@ -82,12 +81,9 @@ public:
     [[nodiscard]] const std::vector<ScalpelStroke>& strokes() const { return m_cut.strokes(); }
     /// What was found of the study when it was opened; nothing of simulated scans, whose beam is known.
     [[nodiscard]] const std::optional<OpeningFinds>& finds() const { return m_finds; }
-    /// The voxels that otf() is meant for; null where there is no OTF.
-    [[nodiscard]] std::shared_ptr<const Volume> voxelsOfOtf() const { return m_voxelsOfOtf; }
-    /// The voxels of the phase shown that a picture with otf() is to be made of: voxelsOfOtf() where these are of it.
-    [[nodiscard]] std::shared_ptr<const Volume> voxelsForOtf();
-    /// Whether otf() is there and meant for the newest voxels of its phase.
-    [[nodiscard]] bool otfIsOfNewestVoxels();
+    /// Whether strokes are being cut that a phase does not show yet.
+    [[nodiscard]] bool isCutting(int phase) const { return m_cut.busy() && !m_cut.isCurrent(phase); }
+    [[nodiscard]] bool cutting() const { return m_cut.busy(); }
     /// How much speckle is taken away; the voxels are made quiet in the background, the phase shown first.
     void setReduction(SpeckleReduction reduction);
     /// The voxels stay as they are until another reduction is set or another phase shown.
@@ -99,62 +95,18 @@ public:
     [[nodiscard]] const IntensityHistogram& histogram() const {
         return m_histograms[static_cast<std::size_t>(m_phase)];
     }
-    /// Of the voxels of the phase shown that are of the kind, quiet or raw, that otf() is meant for, whatever is cut of
-    /// them; of the raw ones where there is no OTF.
-    [[nodiscard]] const IntensityHistogram& histogramOfOtf() const;
+    /// Of the quiet voxels of the phase shown if `voxels` are these, whatever is cut of them; else histogram().
+    [[nodiscard]] const IntensityHistogram& histogramOf(const Volume& voxels) const;
     [[nodiscard]] int phase() const { return m_phase; }
     /// The phase whose raw voxels a volume holds, whatever is cut of them; no value where it is none of this study.
     [[nodiscard]] std::optional<int> phaseOfVoxels(const Volume& volume) const;
     /// Shows another phase of a 4D study; out of range is a broken contract (std::out_of_range).
     void setPhase(int phase);
 
-    /// Says of which phase (counted from 0) OTFs are computed from now on, whichever is shown; where there is no value,
-    /// of the phase shown. A phase that the study has not stands for its last one.
-    void setOtfPhase(std::optional<int> phase);
-    /// The phase of which OTFs are computed.
-    [[nodiscard]] int phaseOfOtf() const { return m_otfPhase.value_or(m_phase); }
+    /// Names a phase whose quiet voxels are wanted beside those of the phase shown. One that the study has not stands
+    /// for its last one.
+    void alsoWant(int phase);
 
-    /// Computes the adaptive OTF of phaseOfOtf() for a view; the newest request wins, older ones are cancelled.
-    /// What is being computed already goes on, and what was computed before is delivered from memory. The tube cores
-    /// read the raw voxels; the curve is meant for newestVoxels(). The first OTF of a study of up to quietFirstVoxels
-    /// voxels waits for its quiet voxels, and that of a session for what its strokes cut, so that one picture and not
-    /// two follow its opening.
-    void requestOtf(const Viewpoint& view, const AdaptiveOtfConfig& config);
-    /// True also while the scalpel's strokes are being cut, which the OTF follows.
-    [[nodiscard]] bool computingOtf() const {
-        return m_otfThread.busy() || m_cut.busy() || m_asked.has_value() || m_waiting.has_value();
-    }
-    /// The default reduction takes 0.08 s for each million on two cores (docs/speckle.md): less than a second for so
-    /// many.
-    static constexpr std::int64_t quietFirstVoxels = 10'000'000;
-    /// True from a request until its OTF is there.
-    [[nodiscard]] bool otfUnderWay() const { return m_asked.has_value() || m_waiting.has_value(); }
-    /// The newest result for phaseOfOtf(); null where there is none yet.
-    [[nodiscard]] std::shared_ptr<const AdaptiveOtf> otf() const { return m_otf; }
-    /// OTFs that were computed before.
-    [[nodiscard]] const KeptOtfs& keptOtfs() const { return m_kept; }
-
-    /// Looks for the near cut of the volume shown along a view, in the same thread: takes the place of an OTF that is
-    /// being computed, and a newer request takes its place.
-    void requestNearCut(const Viewpoint& view);
-    [[nodiscard]] bool lookingForNearCut() const { return m_searching && m_otfThread.busy(); }
-    /// Forgets the OTFs computed before: those of another loop of a motion are of no more use.
-    void forgetKeptOtfs() { m_kept.clear(); }
-    /// Ends what requestOtf or requestNearCut began; nothing of it is delivered.
-    void cancelComputing();
-
-    /// The pipeline run by requestOtf; tests put one in its place that ends on command. `shown` are the voxels that the
-    /// curve is meant for.
-    using Pipeline = std::function<std::optional<AdaptiveOtf>(const Volume&, const Viewpoint&, const AdaptiveOtfConfig&,
-                                                              const Progress&, const QuietVoxels& shown)>;
-    void setPipeline(Pipeline pipeline) {
-        m_pipeline = std::move(pipeline);
-        m_kept.clear();
-    }
-    /// The search run by requestNearCut; tests put one in its place that ends on command.
-    using NearCutSearch =
-        std::function<std::optional<NearCutFinding>(const Volume&, const Viewpoint&, const Progress&)>;
-    void setNearCutSearch(NearCutSearch search) { m_nearCutSearch = std::move(search); }
     /// What takes the checksum of a study's files; tests put one in its place that ends on command.
     using Checksum = std::function<Result<StudyChecksum>(const std::vector<std::string>& files, const Progress&)>;
     void setChecksum(Checksum checksum) { m_checksum = std::move(checksum); }
@@ -177,43 +129,37 @@ signals:
     void seriesFound(std::shared_ptr<const echolucent::SeriesList> list, const echolucent::ReadOptions& options);
     /// The study could not be read with these options; what was open before is unchanged.
     void openFailed(const QString& path, const echolucent::Failure& failure, const echolucent::ReadOptions& options);
-    /// Another volume is shown: a new study, or another phase. otf() is null from here until otfComputed(), unless it
-    /// is that of one phase, whichever is shown.
+    /// Another study takes the place of the present one: its document begins here, before anybody follows
+    /// volumeChanged().
+    void studyReplaced();
+    /// Another volume is shown: a new study, or another phase.
     void volumeChanged();
-    /// The scalpel cut other voxels of the volume shown, or of that whose OTF is computed: volume() and newestVoxels()
-    /// are others, and otf() is still that of the volume before.
+    /// The scalpel cut other voxels of the volume shown, or of the phase that is wanted beside it.
     void volumeCut();
+    void cuttingChanged(bool cutting);
+    void cuttingFailed(const QString& sentence);
     /// The quiet voxels of any phase are there, or other voxels of it are cut. It comes after the signals above and
     /// below that tell the same of the phase shown.
     void phaseVoxelsChanged(int phase);
-    void computingOtfChanged(bool computing);
-    void otfComputed();
-    /// The quiet voxels of the phase shown are there, or of that whose OTF is computed.
+    /// The quiet voxels of the phase shown are there, or of the phase that is wanted beside it.
     void quietVoxelsMade();
     /// Of all phases; false where all that are kept are made.
     void quieteningChanged(bool quietening);
     void quieteningProgressed(double share);
     void quieteningFailed(const QString& sentence);
-    /// The adaptive OTF or the near cut could not be computed; otf() is as it was.
-    void otfFailed(const QString& sentence);
-    void nearCutFound(const echolucent::NearCutFinding& finding);
 
 private:
     [[nodiscard]] StudyReader readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const;
     void takeChecksum();
-    [[nodiscard]] bool waitsForVoxels();
     void load(const StudyReference& reference, StudyReader reader);
     void show(int phase);
     /// Raw voxels of a phase, with what the scalpel cut of them.
     [[nodiscard]] std::shared_ptr<const Volume> volumeOf(int phase);
-    void wantQuietVoxels() { m_quiet.want(m_phase, m_reduction, phaseOfOtf()); }
+    void wantQuietVoxels() { m_quiet.want(m_phase, m_reduction, m_alsoWanted.value_or(m_phase)); }
+    [[nodiscard]] bool isWanted(int phase) const { return phase == m_phase || phase == m_alsoWanted; }
     void takeQuietVoxels(int phase);
     void takeCut(int phase);
-    void requestWaitingOtf();
-    void takeOtf(const OtfRequest& asked, std::shared_ptr<const AdaptiveOtf> otf);
 
-    Pipeline m_pipeline;
-    NearCutSearch m_nearCutSearch;
     Checksum m_checksum;
     StudyReference m_reference;
     std::shared_ptr<const Study> m_study;
@@ -225,25 +171,15 @@ private:
     std::function<StudySearch()> m_studySearch;
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase
     int m_phase = 0;
-    std::optional<int> m_otfPhase;  ///< see setOtfPhase()
-    std::shared_ptr<const AdaptiveOtf> m_otf;
-    std::shared_ptr<const Volume> m_voxelsOfOtf;
-    std::optional<OtfRequest> m_asked;    ///< none where no OTF is under way
-    std::optional<OtfRequest> m_waiting;  ///< for the quiet voxels of the study that was opened just now
-    bool m_opening = false;               ///< no OTF of the study was computed yet
-    bool m_waitForQuiet = false;          ///< the study's first OTF waits for its quiet voxels
-    bool m_searching = false;             ///< the newest request is one for the near cut
-    Viewpoint m_searchedAlong;            ///< of the newest search for the near cut
+    std::optional<int> m_alsoWanted;  ///< see alsoWant()
     QElapsedTimer m_loadingClock, m_quieteningClock;
     std::optional<double> m_loadingMilliseconds, m_quieteningMilliseconds;
-    KeptOtfs m_kept;
     SpeckleReduction m_reduction = SpeckleReduction::off;
     QuietPhases m_quiet;
     CutPhases m_cut;
     // Last, so that both threads have ended before anything above is destroyed.
     NewestWinsThread m_loader;
     NewestWinsThread m_checksumThread;
-    NewestWinsThread m_otfThread;
 };
 
 }  // namespace echolucent

@@ -3,7 +3,7 @@
 #include <QMainWindow>
 #include <utility>
 
-#include "app/otf/shown_design.h"
+#include "app/otf/editor_otfs.h"
 #include "app/study/study_names.h"
 #include "io/study/import_report.h"
 #include "processing/box_section.h"
@@ -20,34 +20,44 @@
 namespace echolucent {
 
 ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    connect(&m_parts.openStudy, &OpenStudy::studyReplaced, this, &ShownStudy::beginDocument);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ShownStudy::tellFacts);
     connect(&m_parts.names, &StudyNames::changed, this, &ShownStudy::nameStudy);
     connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &ShownStudy::takeVolume);
-    connect(&m_parts.openStudy, &OpenStudy::otfComputed, this, &ShownStudy::takeOtf);
-    connect(&m_parts.openStudy, &OpenStudy::quietVoxelsMade, this, &ShownStudy::takeQuietVoxels);
-    connect(&m_parts.openStudy, &OpenStudy::volumeCut, this, &ShownStudy::takeCut);
-    connect(&m_parts.model, &DocumentModel::strokesChanged, this, &ShownStudy::takeStrokes);
-    connect(&m_parts.openStudy, &OpenStudy::otfFailed, this, &ShownStudy::doWithoutOtf);
+    connect(&m_parts.openStudy, &OpenStudy::cuttingFailed, this,
+            [this](const QString& sentence) { m_parts.messages.showMessage(MessageKind::error, sentence); });
+    connect(&m_parts.otfs, &PaneOtfs::computed, this, &ShownStudy::takeOtf);
+    connect(&m_parts.otfs, &PaneOtfs::failed, this, [this](std::size_t place) {
+        if (place == PaneOtfs::adaptiveOfScene) m_parts.player.pause();
+    });
     connect(&m_parts.player, &MotionPlayer::playingChanged, this, [this](bool playing) {
         m_parts.editor.setPlaying(playing);
         if (playing) return;
         m_numbers.tellNow();
         showRemark();
-        takeQuietVoxels();  // those that were made while it played
     });
-    connect(&m_parts.model, &DocumentModel::phaseChanged, this, &ShownStudy::takePhase);
+    connect(&m_parts.model, &DocumentModel::phaseChanged, this,
+            [this] { m_parts.controls.setPhase(phaseOf(m_parts.model.document(), firstPane)); });
+    connect(&m_parts.model, &DocumentModel::changed, this, &ShownStudy::askForVoxels);
     connect(&m_parts.model, &DocumentModel::curvesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showNumbers);
-    connect(&m_parts.designs, &ViewDesigns::computed, this, [this](std::size_t pane) {
-        if (pane != firstPane) return;
-        showRemarkAtRest();
-        m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
-    });
     connect(&m_parts.model, &DocumentModel::lookChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::boxChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
     connect(&m_parts.model, &DocumentModel::sideChanged, this, &ShownStudy::showNearCutRange);
+}
+
+/// The phase shown, that of the one OTF of a motion, how much speckle is taken away, and what is cut.
+void ShownStudy::askForVoxels() {
+    const Study* study = m_parts.openStudy.study();
+    const Document& document = m_parts.model.document();
+    if (study == nullptr) return m_parts.openStudy.setReduction(document.scene.look.reduction);
+    const auto phases = static_cast<int>(study->phases.size());
+    m_parts.openStudy.setReduction(document.scene.look.reduction);
+    m_parts.openStudy.setStrokes(document.scene.strokes);
+    if (const int phase = phaseOf(document, firstPane); phase < phases) m_parts.openStudy.setPhase(phase);
+    m_parts.openStudy.alsoWant(otfPhaseOf(document, firstPane, phases));
 }
 
 /// All that calls the study by its name, in the title and in the facts.
@@ -105,36 +115,28 @@ void ShownStudy::tellFacts() {
 }
 
 void ShownStudy::takeVolume() {
-    // A new study begins with its first phase; another phase keeps camera, cut and beam axis.
     OpenStudy& openStudy = m_parts.openStudy;
-    const bool otherStudy = openStudy.study() != m_study;
-    m_study = openStudy.study();
     m_parts.editor.setHistogram(openStudy.histogram());
     m_parts.editor.setWhiteLevel(openStudy.volume()->whiteLevel());
-    if (otherStudy)
-        beginDocument();
-    else if (openStudy.phase() == m_parts.player.phase())
-        return;  // a frame of the motion, which knows what follows
-    m_parts.player.setPhase(openStudy.phase());
-    const Document& document = m_parts.model.document();
-    const bool oneOtf = document.motion.otf == MotionOtf::oneOtf;
-    if (oneOtf && !otherStudy) return m_parts.motion.showWithOneOtf();
+    // While it plays numbers would come and go, and of one OTF for all phases they stay.
+    if (m_parts.player.isPlaying() || m_parts.model.document().motion.otf == MotionOtf::oneOtf) return;
     m_parts.method.clearResult();
     m_parts.status.clearOtf();
-    m_parts.computing.computeFor(oneOtf ? m_parts.computing.viewpoint() : viewpointOf(document));
 }
 
 void ShownStudy::beginDocument() {
     OpenStudy& openStudy = m_parts.openStudy;
-    const int before = std::exchange(m_phases, static_cast<int>(m_study->phases.size()));
+    const Study& study = *openStudy.study();
+    const int before = std::exchange(m_phases, static_cast<int>(study.phases.size()));
     m_parts.player.pause();  // first, as it shows the remark of the study before
     m_parts.messages.setRemark({});
-    m_parts.view.hold();
+    m_parts.method.clearResult();
+    m_parts.status.clearOtf();
     if (const OtfEditorState& state = m_parts.editor.state(); state.designed)  // a design of the study before
         m_parts.editor.setDesign(QString::fromStdString(state.designer), std::nullopt);
     m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
     m_parts.controls.setPhaseCount(m_phases);
-    m_parts.motion.setStudy(*m_study);
+    m_parts.motion.setStudy(study);
     emit aboutToBegin();
     OpenedDocuments opened =
         openedDocuments(m_parts.model.document(),
@@ -147,80 +149,27 @@ void ShownStudy::beginDocument() {
         m_parts.model.begin(opened.plain);
         m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be taken back
     }
-    takeStrokes();  // the open study has forgotten those that the document before had too
+    askForVoxels();  // also if the document is as it was before: the open study has forgotten
     m_parts.motion.beginAtRest();
-    m_parts.computing.begin();
     showNearCutRange();
 }
 
-void ShownStudy::takePhase() {
-    const int phase = phaseOf(m_parts.model.document(), firstPane);
-    m_parts.controls.setPhase(phase);
-    if (m_study && phase < static_cast<int>(m_study->phases.size())) m_parts.openStudy.setPhase(phase);
-}
-
-void ShownStudy::takeOtf() {
-    const std::shared_ptr<const AdaptiveOtf> otf = m_parts.openStudy.otf();
-    // Curve first, then volume: the picture is never made of one study's voxels and another's curve.
-    const SampledCurve curve = m_parts.motion.curveToShow(otf);
-    m_parts.view.setAdaptiveCurve(curve);
-    m_parts.editor.setAdaptiveCurve(curve);
+void ShownStudy::takeOtf(std::size_t place) {
+    if (place != firstPane && place != PaneOtfs::adaptiveOfScene) return;
     // A drag of a box or a cut, as a motion, brings one OTF after another.
     m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
     showRemarkAtRest();
-    m_parts.view.showVolume(m_parts.openStudy.voxelsForOtf(), m_parts.openStudy.volume());
-    m_parts.motion.showWaitingFrame();
 }
 
 void ShownStudy::showNumbers() {
-    const AdaptiveOtf* otf = m_parts.motion.otf();
-    if (otf != nullptr) m_parts.method.showResult(*otf);
+    const auto otf = m_parts.otfs.adaptive();
+    if (otf) m_parts.method.showResult(*otf);
     if (designerConfigOf(m_parts.model.document(), firstPane) != nullptr) {
-        const auto made = m_parts.designs.of(firstPane);
-        made ? m_parts.status.setDesign(labelOf(made->config), made->milliseconds) : m_parts.status.clearOtf();
-    } else if (otf != nullptr) {
+        const auto made = m_parts.otfs.designOf(firstPane);
+        made ? m_parts.status.setDesign(labelOf(made->asked.config), made->milliseconds) : m_parts.status.clearOtf();
+    } else if (otf) {
         m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
     }
-}
-
-/// The curve is adapted to the quiet voxels first, so that both come into the picture together. What plays takes them
-/// with the phase's next turn.
-void ShownStudy::takeQuietVoxels() {
-    OpenStudy& openStudy = m_parts.openStudy;
-    if (m_parts.player.isPlaying() || !openStudy.volume()) return;
-    if (openStudy.lookingForNearCut()) return;  // it asks for the OTF itself once it has ended
-    if (openStudy.otfIsOfNewestVoxels()) {
-        // The OTF of another phase stays.
-        if (openStudy.phaseOfOtf() != openStudy.phase())
-            m_parts.view.showVolume(openStudy.newestVoxels(), openStudy.volume());
-        return;
-    }
-    if (openStudy.otf() || openStudy.computingOtf())
-        m_parts.computing.computeAgain();
-    else if (m_parts.motion.otf())
-        m_parts.view.showVolume(openStudy.newestVoxels(), openStudy.volume());
-}
-
-void ShownStudy::takeStrokes() { m_parts.openStudy.setStrokes(m_parts.model.document().scene.strokes); }
-
-/// The picture shows the stroke at once, with the curve that it had; the OTF of what is left follows.
-void ShownStudy::takeCut() {
-    const OpenStudy& openStudy = m_parts.openStudy;
-    if (m_parts.player.isPlaying() || m_parts.view.held() || m_parts.motion.otf() == nullptr) return;
-    m_parts.view.showVolume(m_parts.openStudy.newestVoxels(), openStudy.volume());
-    if (openStudy.otf()) m_parts.computing.computeAgain();
-}
-
-/// The picture is that of the volume all the same, with the curve shown before or, in a study without one, with none.
-void ShownStudy::doWithoutOtf(const QString& sentence) {
-    m_parts.player.pause();
-    m_parts.messages.showMessage(MessageKind::error, sentence);
-    if (m_parts.motion.otf() == nullptr) {
-        m_parts.view.setAdaptiveCurve({});
-        m_parts.editor.setAdaptiveCurve({});
-    }
-    m_parts.view.showVolume(m_parts.openStudy.newestVoxels(), m_parts.openStudy.volume());
-    m_parts.motion.showWaitingFrame();
 }
 
 /// While it plays the bar would come and go over the picture.
@@ -229,7 +178,7 @@ void ShownStudy::showRemarkAtRest() {
 }
 
 void ShownStudy::showRemark() {
-    if (m_parts.motion.otf() == nullptr || !m_parts.openStudy.volume()) return;
+    if (!m_parts.otfs.adaptive() || !m_parts.openStudy.volume()) return;
     const Document& document = m_parts.model.document();
     const std::optional<OrientedBox> box = viewpointOf(document).box;
     if (box && !meets(*box, m_parts.openStudy.volume()->dataBox()))
@@ -241,21 +190,18 @@ void ShownStudy::showRemark() {
 /// What the OTF that is rendered has to say. A picture that is black because of its curve says so.
 QStringList ShownStudy::remarks() const {
     const Document& document = m_parts.model.document();
-    const AdaptiveOtf& otf = *m_parts.motion.otf();
-    QString message = QString::fromStdString(otf.message);
-    OpacityCurve curve;
-    if (designerConfigOf(document, firstPane) != nullptr) {
-        const auto made = m_parts.designs.of(firstPane);
-        if (!made) return {};
-        message = QString::fromStdString(made->design.message);
-        if (!message.isEmpty()) message = tr("%1: %2").arg(labelOf(made->config), message);
-        curve = upperCurveOf(classificationOf(document, firstPane, {.designed = made->design.classification}));
-    } else {
-        curve = curveOf(document, firstPane, otf.curve);
-    }
+    const bool designed = designerConfigOf(document, firstPane) != nullptr;
+    const auto made = designed ? m_parts.otfs.designOf(firstPane) : m_parts.otfs.of(PaneOtfs::adaptiveOfScene);
+    if (!made || (!designed && !made->design.tubeCores)) return {};
+    QString message = QString::fromStdString(made->design.message);
+    if (designed && !message.isEmpty()) message = tr("%1: %2").arg(labelOf(made->asked.config), message);
+    const ShownPane shown = m_parts.panes.at(firstPane);
+    const OpacityCurve curve =
+        designed ? upperCurveOf(classificationOf(document, firstPane, {.designed = made->design.classification}))
+                 : curveOf(document, firstPane, made->design.tubeCores->curve);
     QStringList remarks{message};
     if (document.scene.look.mode == RenderMode::direct)
-        remarks << QString::fromStdString(whyNothingShows(curve, m_parts.openStudy.histogramOfOtf()));
+        remarks << QString::fromStdString(whyNothingShows(curve, m_parts.openStudy.histogramOf(*shown.voxels)));
     remarks.removeAll(QString());
     return remarks;
 }

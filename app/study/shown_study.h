@@ -1,4 +1,5 @@
-// What follows in the window when a study was opened, another phase is shown, or an OTF was computed.
+// What follows in the window when a study was opened, another phase is shown, or an OTF was computed, the picture
+// apart.
 #pragma once
 
 #include <QObject>
@@ -16,11 +17,10 @@ class OtfEditor;
 class RunStatus;
 class StudyNames;
 class StudyPanel;
-class ViewDesigns;
 class ViewPanel;
 
-/// Begins the document of a study, and brings volume, OTF and facts to view, editor and panels, in the order in
-/// which a picture is never made of one study's voxels and another's curve.
+/// Begins the document of a study, tells the open study what the document wants of its voxels, and brings facts and
+/// numbers to editor and panels.
 class ShownStudy : public QObject {
     Q_OBJECT
 
@@ -29,9 +29,8 @@ public:
         QMainWindow& window;  ///< its title
         DocumentModel& model;
         OpenStudy& openStudy;
-        OtfComputing& computing;
-        const ViewDesigns& designs;
-        DocumentView& view;
+        const PaneOtfs& otfs;
+        const ShownPanes& panes;
         VolumeViewWidget& picture;
         MotionFrames& motion;
         MotionPlayer& player;
@@ -58,22 +57,17 @@ private:
     [[nodiscard]] QStringList warnings() const;
     void takeVolume();
     void beginDocument();
-    void takeOtf();
+    void askForVoxels();
+    void takeOtf(std::size_t place);
     void showNumbers();
-    void takeQuietVoxels();
-    void takeStrokes();
-    void takeCut();
-    void doWithoutOtf(const QString& sentence);
     void showRemark();
     [[nodiscard]] QStringList remarks() const;
     void showRemarkAtRest();
-    void takePhase();
     void showNearCutRange();
 
     Parts m_parts;
     Document m_opened;
-    const Study* m_study = nullptr;                   ///< told apart by address only
-    int m_phases = 1;                                 ///< of that study
+    int m_phases = 1;                                 ///< of the study
     PacedWords m_numbers{[this] { showNumbers(); }};  ///< of the newest OTF
 };
 

@@ -12,8 +12,8 @@
 #include "app/compare/compare_room.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/designer_controls.h"
+#include "app/otf/editor_otfs.h"
 #include "app/otf/near_cut_finder.h"
-#include "app/otf/shown_design.h"
 #include "app/picture/explanation.h"
 #include "app/picture/picture_caption.h"
 #include "app/picture/picture_controls.h"
@@ -75,7 +75,7 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> o
 MainWindow::~MainWindow() {
     // What the widgets still tell while they go has nobody to act on it.
     m_openStudy->disconnect(this);
-    m_designs->disconnect(this);
+    m_otfs->disconnect(this);
     m_motionPlayer.disconnect(this);
     m_compare->disconnect(this);
     m_widgets.picture->disconnect(this);
@@ -84,30 +84,30 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::createUnits() {
-    m_view = std::make_unique<DocumentView>(m_document, m_hand, *m_widgets.picture);
-    m_computing = std::make_unique<OtfComputing>(m_document, *m_openStudy);
-    m_designs = std::make_unique<ViewDesigns>(m_document, *m_openStudy);
-    m_shownDesign = std::make_unique<ShownDesign>(
-        ShownDesign::Parts{m_document, *m_designs, *m_view, *m_widgets.editor, *m_widgets.messages});
-    m_designerControls = std::make_unique<DesignerControls>(
-        DesignerControls::Parts{m_document, m_hand, *m_designs, *m_widgets.designers});
+    m_otfs = std::make_unique<PaneOtfs>(m_document, *m_openStudy);
+    m_panes = std::make_unique<ShownPanes>(m_document, *m_openStudy, *m_otfs, m_course);
+    m_view = std::make_unique<DocumentView>(m_document, m_hand, *m_openStudy, *m_panes, *m_widgets.picture);
+    m_editorOtfs = std::make_unique<EditorOtfs>(
+        EditorOtfs::Parts{m_document, *m_otfs, *m_panes, *m_widgets.editor, *m_widgets.messages});
+    m_designerControls =
+        std::make_unique<DesignerControls>(DesignerControls::Parts{m_document, m_hand, *m_otfs, *m_widgets.designers});
     m_widgets.method->showDocument(m_document);
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
         *this, m_document, *m_openStudy, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
-    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_openStudy, *m_computing, *m_designs,
-                                                                  *m_view, *m_widgets.picture, m_motionPlayer, m_course,
-                                                                  *m_widgets.motion, *m_widgets.course, m_hand});
+    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_openStudy, *m_otfs, *m_panes, *m_view,
+                                                                  *m_widgets.picture, m_motionPlayer, *m_widgets.motion,
+                                                                  *m_widgets.course, m_hand});
     m_shownStudy = std::make_unique<ShownStudy>(
-        ShownStudy::Parts{*this, m_document, *m_openStudy, *m_computing, *m_designs, *m_view, *m_widgets.picture,
-                          *m_motion, m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls,
-                          *m_widgets.facts, *m_widgets.status, *m_widgets.messages, m_names});
+        ShownStudy::Parts{*this, m_document, *m_openStudy, *m_otfs, *m_panes, *m_widgets.picture, *m_motion,
+                          m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
+                          *m_widgets.status, *m_widgets.messages, m_names});
     m_loadingPicture =
         std::make_unique<LoadingPicture>(LoadingPicture::Parts{m_document, *m_openStudy, *m_view, *m_widgets.picture});
-    m_nearCutFinder = std::make_unique<NearCutFinder>(
-        NearCutFinder::Parts{m_document, *m_openStudy, *m_computing, *m_widgets.messages});
+    m_nearCutFinder =
+        std::make_unique<NearCutFinder>(NearCutFinder::Parts{m_document, *m_openStudy, *m_widgets.messages});
     m_recentPictures = std::make_unique<RecentPictures>(m_settings, *m_widgets.picture);
     m_opening = std::make_unique<StudyOpening>(
         StudyOpening::Parts{*this, *m_openStudy, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
@@ -121,12 +121,12 @@ void MainWindow::createUnits() {
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{m_document, *m_openStudy, m_motionPlayer, *m_widgets.panes,
                                                             m_widgets.planes, *m_widgets.picture, *m_widgets.room,
                                                             *m_widgets.measurements, *m_widgets.messages, m_settings});
-    m_compare = std::make_unique<CompareRoom>(CompareRoom::Parts{
-        *this, m_document, *m_openStudy, m_hand, m_motionPlayer, *m_widgets.rooms, *m_designs, *m_widgets.compared,
-        *m_widgets.compare, *m_widgets.messages, m_settings, m_names, [this] { return m_view->adaptiveCurve(); },
-        [this](const QString& what) { return m_files->proposedName(what); }});
+    m_compare = std::make_unique<CompareRoom>(
+        CompareRoom::Parts{*this, m_document, *m_openStudy, m_hand, m_motionPlayer, *m_widgets.rooms, *m_otfs, *m_panes,
+                           *m_widgets.compared, *m_widgets.compare, *m_widgets.messages, m_settings, m_names,
+                           [this](const QString& what) { return m_files->proposedName(what); }});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
-        *this, m_document, *m_openStudy, *m_motion, *m_designs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
+        *this, m_document, *m_openStudy, *m_otfs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
         *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{
@@ -138,8 +138,7 @@ void MainWindow::createUnits() {
 }
 
 void MainWindow::connectUnits() {
-    connect(m_widgets.editor, &OtfEditor::activeCurveChanged, m_view.get(), &DocumentView::showCurve);
-    connect(m_widgets.method, &MethodPanel::computeRequested, m_computing.get(), &OtfComputing::computeForThisView);
+    connect(m_widgets.method, &MethodPanel::computeRequested, m_otfs.get(), &PaneOtfs::computeForThisView);
     connect(m_widgets.picture, &VolumeViewWidget::pictureFailed, this, [this] {
         m_motionPlayer.pause();
         m_widgets.messages->showMessage(MessageKind::error, tr("The picture needs more memory than this machine has."));
@@ -189,11 +188,8 @@ void MainWindow::connectExplanation() {
     ExplainPanel* panel = m_widgets.explain;
     panel->setSource([this] { return explanation(); });
     connect(&m_document, &DocumentModel::changed, panel, &ExplainPanel::follow);
-    connect(m_openStudy.get(), &OpenStudy::otfComputed, panel, &ExplainPanel::follow);
-    connect(m_openStudy.get(), &OpenStudy::otfFailed, panel, &ExplainPanel::follow);
-    connect(m_openStudy.get(), &OpenStudy::quietVoxelsMade, panel, &ExplainPanel::follow);
-    connect(m_designs.get(), &ViewDesigns::computed, panel, &ExplainPanel::follow);
-    connect(m_designs.get(), &ViewDesigns::busyChanged, panel, &ExplainPanel::follow);
+    connect(m_panes.get(), &ShownPanes::changed, panel, &ExplainPanel::follow);
+    connect(m_otfs.get(), &PaneOtfs::busyChanged, panel, &ExplainPanel::follow);
 }
 
 void MainWindow::connectCaption() {
@@ -206,27 +202,23 @@ void MainWindow::connectCaption() {
         m_widgets.picture->setCaption(
             pictureCaption({.document = m_document.document(),
                             .speckle = shownSpeckle(),
-                            .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), m_motion->otf()),
+                            .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), m_otfs->adaptive().get()),
                             .designIsShown = designIsShown(),
                             .lengthsKnown = m_openStudy->volume()->geometry().spacingKnown,
                             .reduction = m_openStudy->volume()->geometry().reduction}));
     };
     connect(&m_document, &DocumentModel::changed, this, tell);
-    connect(m_openStudy.get(), &OpenStudy::otfComputed, this, tell);
-    connect(m_openStudy.get(), &OpenStudy::otfFailed, this, tell);
-    connect(m_openStudy.get(), &OpenStudy::quietVoxelsMade, this, tell);
-    connect(m_openStudy.get(), &OpenStudy::quieteningChanged, this, tell);
-    connect(m_designs.get(), &ViewDesigns::computed, this, tell);
-    connect(m_designs.get(), &ViewDesigns::busyChanged, this, tell);
+    connect(m_panes.get(), &ShownPanes::changed, this, tell);
+    connect(m_otfs.get(), &PaneOtfs::busyChanged, this, tell);
     connect(m_compare.get(), &CompareRoom::cameraMoved, m_motion.get(), &MotionFrames::endByHand);
     // The next phase would begin anew what was cancelled.
-    connect(m_designs.get(), &ViewDesigns::cancelled, &m_motionPlayer, &MotionPlayer::pause);
+    connect(m_otfs.get(), &PaneOtfs::cancelled, &m_motionPlayer, &MotionPlayer::pause);
 }
 
 bool MainWindow::designIsShown() const {
     const DesignerConfig* config = designerConfigOf(m_document.document(), firstPane);
-    const std::shared_ptr<const ViewDesign> made = m_designs->of(firstPane);
-    return config != nullptr && made && made->config.index() == config->index();
+    const auto made = m_otfs->designOf(firstPane);
+    return config != nullptr && made && made->asked.config.index() == config->index();
 }
 
 ShownSpeckle MainWindow::shownSpeckle() const {
@@ -268,7 +260,7 @@ void MainWindow::createActions() {
         m_nearCutFinder->toggle();
     };
     commands.nextLighting = [this] { m_pictureControls->nextLighting(); };
-    commands.computeForThisView = [this] { m_computing->computeForThisView(); };
+    commands.computeForThisView = [this] { m_otfs->computeForThisView(); };
     commands.playOrPause = [this] { m_motionPlayer.togglePlaying(); };
     commands.turnMotion = [this](int degrees) { m_motionPlayer.stepBy(degrees); };
     commands.stepPhase = [this](int step) { m_motion->stepPhase(step); };
@@ -332,14 +324,15 @@ void MainWindow::keepSettings() {
 
 QString MainWindow::explanation() const {
     if (!m_openStudy->volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
-    const std::shared_ptr<const ViewDesign> designed = m_designs->of(firstPane);
+    const auto designed = m_otfs->designOf(firstPane);
+    const auto otf = m_otfs->adaptive();
     return explainPicture({.study = *m_openStudy->study(),
                            .volume = *m_openStudy->volume(),
-                           .otf = m_motion->otf(),
+                           .otf = otf.get(),
                            .document = m_document.document(),
                            .speckle = shownSpeckle(),
                            .design = designed.get(),
-                           .designIsNewest = m_designs->isNewest(firstPane)});
+                           .designIsNewest = m_otfs->isNewest(firstPane)});
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -21,6 +21,7 @@ namespace echolucent {
 class CompareRoom;
 class CurveAndPictureFiles;
 class DesignerControls;
+class EditorOtfs;
 class FullScreen;
 class HistoryControls;
 class LoadingPicture;
@@ -33,7 +34,6 @@ class RecentPictures;
 class ReportSaving;
 class ReviewRoom;
 class SessionKeeping;
-class ShownDesign;
 class StudyOpening;
 
 /// Owns the document, the threads behind the open study and the widgets, and hangs them together. What happens between
@@ -64,7 +64,8 @@ public:
     [[nodiscard]] bool idle() const;
     [[nodiscard]] DocumentModel& document() { return m_document; }
     [[nodiscard]] OpenStudy& openStudy() { return *m_openStudy; }
-    [[nodiscard]] ViewDesigns& designs() { return *m_designs; }
+    [[nodiscard]] PaneOtfs& otfs() { return *m_otfs; }
+    [[nodiscard]] NearCutFinder& nearCutFinder() { return *m_nearCutFinder; }
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
     [[nodiscard]] ReviewRoom& reviewRoom() { return *m_room; }
     [[nodiscard]] CompareRoom& compareRoom() { return *m_compare; }
@@ -127,10 +128,10 @@ private:
     FullScreen* m_fullScreen = nullptr;
 
     // Above the widgets they are made of, which they must not outlive.
+    std::unique_ptr<PaneOtfs> m_otfs;
+    std::unique_ptr<ShownPanes> m_panes;
     std::unique_ptr<DocumentView> m_view;
-    std::unique_ptr<OtfComputing> m_computing;
-    std::unique_ptr<ViewDesigns> m_designs;
-    std::unique_ptr<ShownDesign> m_shownDesign;
+    std::unique_ptr<EditorOtfs> m_editorOtfs;
     std::unique_ptr<DesignerControls> m_designerControls;
     std::unique_ptr<PictureControls> m_pictureControls;
     std::unique_ptr<PresetControls> m_presets;

@@ -4,7 +4,6 @@
 #include "app/compare/compare_room.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/near_cut_finder.h"
-#include "app/otf/view_designs.h"
 #include "app/picture/preset_controls.h"
 #include "app/report/report_saving.h"
 #include "app/sessions/session_keeping.h"
@@ -28,24 +27,19 @@ void MainWindow::createLongWorks() {
         m_works->follow();
         updateIdle();
     };
-    const auto cancelComputing = [this] {
-        m_openStudy->cancelQuietening();
-        m_openStudy->cancelComputing();
-        m_computing->computeAgain();  // what was being computed for the picture is still wanted
-    };
     const std::size_t loading = m_works->add(
         {.busy = [this] { return m_openStudy->loading(); },
          .words = [this] { return m_loadingPicture->shown() ? tr("coarse picture, loading goes on") : tr("loading"); },
          .cancel = [this] { m_openStudy->cancelLoading(); }});
-    m_works->add({.busy = [this] { return m_openStudy->lookingForNearCut(); },
+    m_works->add({.busy = [this] { return m_nearCutFinder->busy(); },
                   .words = [] { return tr("looking for the near cut"); },
-                  .cancel = cancelComputing});
+                  .cancel = [this] { m_nearCutFinder->cancel(); }});
     const std::size_t quietening = m_works->add({.busy = [this] { return m_openStudy->quietPhases().busy(); },
                                                  .words = [] { return tr("reducing speckle"); },
-                                                 .cancel = cancelComputing});
-    const std::size_t designing = m_works->add({.busy = [this] { return m_designs->busy(); },
+                                                 .cancel = [this] { m_openStudy->cancelQuietening(); }});
+    const std::size_t designing = m_works->add({.busy = [this] { return m_otfs->designing(); },
                                                 .words = [] { return tr("designing the OTF"); },
-                                                .cancel = [this] { m_designs->cancel(); }});
+                                                .cancel = [this] { m_otfs->cancel(); }});
     const std::size_t movie = m_works->add({.busy = [this] { return m_movies->busy(); },
                                             .words = [this] { return m_movies->activity(); },
                                             .cancel = [this] { m_movies->cancel(); }});
@@ -67,12 +61,11 @@ void MainWindow::createLongWorks() {
             [this, loading](double share) { m_works->setProgress(loading, share); });
     connect(m_loadingPicture.get(), &LoadingPicture::shownChanged, this, changed);
     connect(m_loadingPicture.get(), &LoadingPicture::busyChanged, this, changed);
-    connect(m_nearCutFinder.get(), &NearCutFinder::looking, this, changed);
-    connect(m_openStudy.get(), &OpenStudy::nearCutFound, this, changed);
+    connect(m_nearCutFinder.get(), &NearCutFinder::busyChanged, this, changed);
     connect(m_openStudy.get(), &OpenStudy::quieteningChanged, this, changed);
     connect(m_openStudy.get(), &OpenStudy::quieteningProgressed, m_works.get(),
             [this, quietening](double share) { m_works->setProgress(quietening, share); });
-    connect(m_designs.get(), &ViewDesigns::progressed, m_works.get(),
+    connect(m_otfs.get(), &PaneOtfs::progressed, m_works.get(),
             [this, designing](double share) { m_works->setProgress(designing, share); });
     connect(m_movies.get(), &MovieFiles::busyChanged, this, changed);
     connect(m_movies.get(), &MovieFiles::progressed, m_works.get(),
@@ -93,15 +86,15 @@ void MainWindow::connectProgress() {
         updateIdle();
     };
     connect(m_openStudy.get(), &OpenStudy::openFailed, this, &MainWindow::updateIdle);
-    connect(m_openStudy.get(), &OpenStudy::computingOtfChanged, this, somethingEnded);
+    connect(m_openStudy.get(), &OpenStudy::cuttingChanged, this, somethingEnded);
     connect(&m_compare->views(), &ComparedViews::frameShown, this, somethingEnded);
     // What the 3D view took last says nothing of the panes.
     connect(&m_compare->views(), &ComparedViews::frameShown, this, [this] {
         const CompareFrame& frame = *m_compare->views().frame();
         if (frame.converged()) m_widgets.status->setRenderer(tr("software renderer"), frame.milliseconds);
     });
-    connect(m_openStudy.get(), &OpenStudy::otfComputed, this, somethingEnded);
-    connect(m_designs.get(), &ViewDesigns::busyChanged, this, somethingEnded);
+    connect(m_panes.get(), &ShownPanes::changed, this, somethingEnded);
+    connect(m_otfs.get(), &PaneOtfs::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::busyChanged, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, somethingEnded);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDrawn, m_motion.get(), &MotionFrames::announceShownFrame);
@@ -153,9 +146,9 @@ bool MainWindow::idle() const {
 
 bool MainWindow::atRest() const {
     return !m_openStudy->loading() && !m_loadingPicture->busy() && !m_openStudy->takingChecksum() &&
-           !m_openStudy->computingOtf() && !m_designs->busy() && !m_openStudy->quietPhases().busy() &&
-           !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() && !m_compare->busy() &&
-           !m_opening->busy() && !m_movies->busy() && !m_motionPlayer.isPlaying();
+           !m_openStudy->cutting() && !m_otfs->busy() && !m_nearCutFinder->busy() &&
+           !m_openStudy->quietPhases().busy() && !m_sessions->busy() && !m_widgets.picture->busy() && !m_room->busy() &&
+           !m_compare->busy() && !m_opening->busy() && !m_movies->busy() && !m_motionPlayer.isPlaying();
 }
 
 void MainWindow::updateIdle() {

@@ -39,11 +39,11 @@ void printStartTimes(MainWindow& window) {
     };
     onlyOnce(&window, &MainWindow::shown, "window");
     onlyOnce(&window.openStudy(), &OpenStudy::studyOpened, "volume");
-    onlyOnce(&window.openStudy(), &OpenStudy::otfComputed, "otf");
+    onlyOnce(&window.otfs(), &PaneOtfs::computed, "otf");
     auto first = std::make_shared<bool>(true);
     QObject::connect(&window.volumeView(), &VolumeViewWidget::pictureDelivered, &window,
                      [print, first, &window](const PictureReport& report) {
-                         if (!window.openStudy().otf()) return;
+                         if (!window.otfs().adaptive()) return;
                          if (std::exchange(*first, false)) print("first picture");
                          if (!report.converged) return print(report.quality.toUtf8().constData());
                          print("converged picture");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "processing/adaptive/adaptive_otf.h"
@@ -113,13 +114,18 @@ const ParameterTable<AdaptiveConfig>& parametersOf(const AdaptiveConfig& /*confi
 }
 
 std::optional<Design> design(const AdaptiveConfig& /*config*/, const DesignerInput& input, const Progress& progress) {
-    const auto otf = adaptOpacity(input.raw, input.view, input.method, progress, {&input.shown, input.reduction});
+    auto otf = adaptOpacity(input.raw, input.view, input.method, progress, {&input.shown, input.reduction});
     if (!otf) return std::nullopt;
-    return designOf(*otf);
+    return designOf(std::make_shared<const AdaptiveOtf>(std::move(*otf)));
 }
 
-Design designOf(const AdaptiveOtf& otf) {
-    return {otf.curve, explanationOf(otf), adaptiveFacts(otf), {initialFunction(otf.config.initial)}, otf.message};
+Design designOf(std::shared_ptr<const AdaptiveOtf> otf) {
+    return {.classification = otf->curve,
+            .explanation = explanationOf(*otf),
+            .facts = adaptiveFacts(*otf),
+            .plots = {initialFunction(otf->config.initial)},
+            .message = otf->message,
+            .tubeCores = std::move(otf)};
 }
 
 }  // namespace echolucent

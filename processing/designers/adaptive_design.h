@@ -1,6 +1,7 @@
 // The adaptive method as one of the designers.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "processing/designers/adaptive_config.h"
@@ -9,8 +10,6 @@
 #include "processing/progress.h"
 
 namespace echolucent {
-
-struct AdaptiveOtf;
 
 /// No row: the rows of methodParameters() are its parameters.
 [[nodiscard]] const ParameterTable<AdaptiveConfig>& parametersOf(const AdaptiveConfig& config);
@@ -22,7 +21,7 @@ struct AdaptiveOtf;
 [[nodiscard]] std::optional<Design> design(const AdaptiveConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 
-/// The same of a run whose result is there already.
-[[nodiscard]] Design designOf(const AdaptiveOtf& otf);
+/// The same of a run whose result is there already; not null.
+[[nodiscard]] Design designOf(std::shared_ptr<const AdaptiveOtf> otf);
 
 }  // namespace echolucent

@@ -1,6 +1,7 @@
 // What an OTF designer is given, and what it gives: a classification and why it is so.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "processing/volume/volume.h"
 
 namespace echolucent {
+
+struct AdaptiveOtf;
 
 /// What designers may look at. The volumes outlive the call.
 struct DesignerInput {
@@ -50,6 +53,8 @@ struct Design {
     /// A sentence where something could not be done, and what is shown in place; else empty. It is no part of the
     /// explanation.
     std::string message{};
+    /// What the tube cores saw, if the designer is the adaptive method; else null.
+    std::shared_ptr<const AdaptiveOtf> tubeCores{};
 };
 
 }  // namespace echolucent

@@ -85,7 +85,7 @@ public:
             return checksumOf(files, progress);
         });
         if (!writeMetaImage(inFolder(name).toStdString(), {smallPhantom(PhantomScene::fetus, 3)})) qFatal("no study");
-        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
+        QSignalSpy computed(&window().otfs(), &PaneOtfs::computed);
         window().open(inFolder(name));
         QVERIFY(computed.wait(20000));
         QTRY_VERIFY(window().openStudy().takingChecksum());

@@ -23,7 +23,7 @@ class MovieUntilASignal : public QObject {
 public:
     explicit MovieUntilASignal(const QString& folder) : m_window(folder + "/settings.ini"), m_folder(folder) {
         m_window.resize(700, 520);
-        connect(&m_window.openStudy(), &OpenStudy::otfComputed, this, [this] {
+        connect(&m_window.otfs(), &PaneOtfs::computed, this, [this] {
             if (!std::exchange(m_begun, true)) write();
         });
         connect(&m_window.movieFiles(), &MovieFiles::ended, this, &MovieUntilASignal::write);

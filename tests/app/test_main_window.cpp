@@ -57,11 +57,11 @@ private slots:
         open(m_shapes);
         OpenStudy& openStudy = window().openStudy();
         QVERIFY(window().windowTitle().contains("72×68×70"));
-        const auto expected =
-            adaptOpacity(*openStudy.volume(), openStudy.otf()->view, openStudy.otf()->config, {}, quietVoxels());
-        QVERIFY(openStudy.voxelsOfOtf() != openStudy.volume());  // speckle is reduced
+        const auto otf = window().otfs().adaptive();
+        const auto expected = adaptOpacity(*openStudy.volume(), otf->view, otf->config, {}, quietVoxels());
+        QVERIFY(quietVoxels().volume != openStudy.volume().get());  // speckle is reduced
         QVERIFY(expected->tubesWithWeight > 20);
-        QVERIFY(openStudy.otf()->curve == expected->curve);
+        QVERIFY(otf->curve == expected->curve);
         QVERIFY(window().otfEditor().state().adaptive == expected->curve);
         QVERIFY(window().otfEditor().activeCurve() == OpacityCurve(expected->curve));
         QVERIFY(coverage(shown()) > 0.1);
@@ -122,7 +122,7 @@ private slots:
         lookFrom(window(), turned);
         QTest::keyClick(&window(), Qt::Key_A);
         waitUntilIdle();
-        const auto& otf = *window().openStudy().otf();
+        const auto& otf = *window().otfs().adaptive();
         QVERIFY(qAbs(otf.view.azimuthDegrees - 20) < 1e-6);
         QVERIFY(qAbs(otf.view.elevationDegrees + 10) < 1e-6);
         QVERIFY(otf.curve ==
@@ -142,7 +142,7 @@ private slots:
         QCOMPARE(window().volumeView().view().nearCutMm, 24.0);
         QVERIFY(difference(shown(), before) > 1.0);
         int entered = 0;
-        for (const TubeCore& tube : window().openStudy().otf()->tubes) {
+        for (const TubeCore& tube : window().otfs().adaptive()->tubes) {
             if (!tube.entryVoxel) continue;
             ++entered;
             QVERIFY(qAbs(((*tube.entryVoxel)[2] + 0.5) * 1.2 - 24.0) < 1.21);
@@ -163,12 +163,12 @@ private slots:
         QCOMPARE(window().openStudy().phase(), 1);
         QVERIFY(qAbs(window().volumeView().view().azimuthDegrees - 12) < 1e-6);
         QVERIFY(difference(shown(), before) > 0.2);
-        QVERIFY(difference(shown(), cast(window().openStudy().otf()->curve)) < 0.01);
+        QVERIFY(difference(shown(), cast(window().otfs().adaptive()->curve)) < 0.01);
     }
 
     void whatCannotBeReadIsSaidAndLosesNothing() {
         open(m_shapes);
-        const SampledCurve curve = window().openStudy().otf()->curve;
+        const SampledCurve curve = window().otfs().adaptive()->curve;
         const QString bad = temporaryFolder().filePath("broken.mha");
         QFile broken(bad);
         QVERIFY(broken.open(QIODevice::WriteOnly));
@@ -189,10 +189,9 @@ private slots:
 
     void aStudyWhoseOtfFailsIsShownWithoutIt() {
         open(m_shapes);
-        window().openStudy().setPipeline(
-            [](const Volume&, const Viewpoint&, const AdaptiveOtfConfig&, const Progress&,
-               const QuietVoxels&) -> std::optional<AdaptiveOtf> { throw std::bad_alloc(); });
-        QSignalSpy failed(&window().openStudy(), &OpenStudy::otfFailed);
+        window().otfs().setRun([](const DesignerConfig&, const DesignerInput&,
+                                  const Progress&) -> std::optional<Design> { throw std::bad_alloc(); });
+        QSignalSpy failed(&window().otfs(), &PaneOtfs::failed);
         window().open(m_moving);
         QVERIFY(failed.wait(20000));
         QVERIFY(message()->text().contains("needs more memory"));
@@ -248,7 +247,7 @@ private slots:
         QVERIFY(writeMetaImage(path.toStdString(), {std::make_shared<const Volume>(
                                                        geometry, Voxels(std::vector<std::uint8_t>(64000, 90)))}));
         open(path);
-        const AdaptiveOtf& otf = *window().openStudy().otf();
+        const AdaptiveOtf& otf = *window().otfs().adaptive();
         QVERIFY(QString::fromStdString(otf.message).contains("initial function is used"));
         QVERIFY(window().explanation().contains("initial function is used"));
         QVERIFY(message()->isVisible());
@@ -284,8 +283,8 @@ private:
     MessageBar* message() { return child<MessageBar>("message"); }
     /// The voxels that the picture is made of.
     QuietVoxels quietVoxels() {
-        const OpenStudy& openStudy = window().openStudy();
-        return {openStudy.voxelsOfOtf().get(), openStudy.otf()->reduction};
+        const auto otf = window().otfs().of(PaneOtfs::adaptiveOfScene);
+        return {otf->asked.shown.get(), otf->asked.reduction};
     }
     Picture shown() { return *window().volumeView().picture(); }
     /// What the ray caster makes of the volume shown with a curve, the window's settings otherwise.

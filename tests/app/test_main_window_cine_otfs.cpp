@@ -10,6 +10,7 @@
 
 #include "app/window/theme.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/designers/designer.h"
 #include "processing/motion/otf_smoothing.h"
 #include "processing/scalpel/scalpel_cuts.h"
 #include "tests/app/cine_fixture.h"
@@ -186,7 +187,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(kept >= 2 * phaseCount, 30000);
         QCOMPARE(window().volumeView().keptFrames(), phaseCount);
         QVERIFY(window().volumeView().keptFrameBytes() > 0);
-        QCOMPARE(window().openStudy().keptOtfs().count(), static_cast<std::size_t>(phaseCount));
+        QCOMPARE(window().otfs().kept().count(), static_cast<std::size_t>(phaseCount));
         QVERIFY(runs <= phaseCount);
         const int before = runs, keptBefore = kept;
         QTRY_VERIFY_WITH_TIMEOUT(kept >= keptBefore + 2 * phaseCount, 30000);
@@ -200,12 +201,11 @@ private slots:
 
 private:
     void countRuns(std::atomic<int>& runs) {
-        window().openStudy().setPipeline([&runs](const Volume& volume, const Viewpoint& view,
-                                                 const AdaptiveOtfConfig& config, const Progress& progress,
-                                                 const QuietVoxels& shown) {
-            ++runs;
-            return adaptOpacity(volume, view, config, progress, shown);
-        });
+        window().otfs().setRun(
+            [&runs](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
+                ++runs;
+                return design(config, input, progress);
+            });
     }
     /// Plays so many frames, and returns the phase and the curve that each was shown with.
     std::vector<std::pair<int, SampledCurve>> play(int count) {
@@ -214,9 +214,14 @@ private:
         player.setMinimumFrameInterval(0);
         QObject context;
         int phase = -1;
+        // With the picture of a frame its curve is in the editor. An OTF that is kept is there as soon as the next
+        // frame begins.
+        SampledCurve curve;
+        connect(&window().volumeView(), &VolumeViewWidget::pictureDelivered, &context,
+                [&] { curve = window().otfEditor().state().adaptive; });
         // A frame begins: the one before is on the screen.
         connect(&player, &MotionPlayer::frameChanged, &context, [&](double, int next) {
-            if (phase >= 0) frames.emplace_back(phase, window().otfEditor().state().adaptive);
+            if (phase >= 0) frames.emplace_back(phase, curve);
             phase = next;
         });
         click("motion.play");

@@ -9,7 +9,7 @@
 #include <atomic>
 #include <thread>
 
-#include "app/otf/view_designs.h"
+#include "app/otf/pane_otfs.h"
 #include "processing/designers/designer.h"
 #include "processing/document/view_caster.h"
 #include "tests/app/session_fixture.h"
@@ -50,7 +50,7 @@ private slots:
         QCOMPARE(window().document().steps().count(), 1);
         QVERIFY(designerConfigOf(document(), firstPane) != nullptr);
         waitUntilIdle();
-        QVERIFY(window().designs().isNewest(firstPane));
+        QVERIFY(window().otfs().isNewest(firstPane));
         ViewCaster caster({.scans = window().openStudy().study()->phases});
         const auto otf = caster.otf(document(), firstPane);
         QVERIFY(otf.has_value());
@@ -72,7 +72,7 @@ private slots:
         QCOMPARE(std::get<OtsuConfig>(*designerConfigOf(document(), firstPane)).opacity, 0.5);
         waitUntilIdle();
         QVERIFY(window().volumeView().classification() != shown);
-        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(document() == before);
         waitUntilIdle();
         QVERIFY(window().volumeView().classification() == shown);
@@ -96,7 +96,7 @@ private slots:
         QVERIFY(active->isChecked());
         QCOMPARE(active->text(), QString("Levoy"));
         for (const CurveKind kind : allCurveKinds) QVERIFY(!window().otfEditor().activateAction(kind)->isChecked());
-        QTest::keyClick(&window(), Qt::Key_3);
+        key(Qt::Key_3);
         QVERIFY(designerConfigOf(document(), firstPane) == nullptr);
         waitUntilIdle();
         QVERIFY(!window().volumeView().classification().isTwoDimensional());
@@ -105,16 +105,16 @@ private slots:
         waitUntilIdle();
         QVERIFY(window().volumeView().classification().isTwoDimensional());
         // The curve that was active before.
-        QTest::keyClick(&window(), Qt::Key_1);
+        key(Qt::Key_1);
         QVERIFY(designerConfigOf(document(), firstPane) == nullptr);
         waitUntilIdle();
-        QVERIFY(window().volumeView().classification() == Classification(window().openStudy().otf()->curve));
+        QVERIFY(window().volumeView().classification() == Classification(window().otfs().adaptive()->curve));
     }
 
     void itsUpperCurveIsCopiedIntoNodes() {
         choose(static_cast<int>(Designer::otsu));
         waitUntilIdle();
-        const OpacityCurve upper = upperCurveOf(window().designs().of(firstPane)->design.classification);
+        const OpacityCurve upper = upperCurveOf(window().otfs().designOf(firstPane)->design.classification);
         QCOMPARE(window().otfEditor().copyAdaptiveAction()->text(), QString("Copy Otsu ramp into nodes"));
         window().otfEditor().copyAdaptiveAction()->trigger();
         QVERIFY(designerConfigOf(document(), firstPane) == nullptr);
@@ -127,7 +127,7 @@ private slots:
     void wordsSpeakOfTheDesignerThatIsRendered() {
         choose(static_cast<int>(Designer::otsu));
         waitUntilIdle();
-        const QString said = QString::fromStdString(window().designs().of(firstPane)->design.explanation.front());
+        const QString said = QString::fromStdString(window().otfs().designOf(firstPane)->design.explanation.front());
         QVERIFY(window().volumeView().caption().contains("OTF: Otsu ramp"));
         QVERIFY(window().explanation().contains("Otsu ramp: "));
         QVERIFY(window().explanation().contains(said));
@@ -135,7 +135,7 @@ private slots:
         QVERIFY(child<QLabel>("status.otf")->text().startsWith("Otsu ramp "));
         QVERIFY(child<QLabel>("designer.explanation")->text().contains(said));
         QVERIFY(child<QLabel>("designer.facts")->text().contains("ms"));
-        QTest::keyClick(&window(), Qt::Key_1);
+        key(Qt::Key_1);
         waitUntilIdle();
         QVERIFY(!window().volumeView().caption().contains("Otsu"));
         QVERIFY(window().explanation().contains("adaptive"));
@@ -152,12 +152,12 @@ private slots:
         click("designer.cancel");
         waitUntilIdle();
         QVERIFY(window().volumeView().classification() == before);
-        QVERIFY(!window().designs().of(firstPane));
+        QVERIFY(!window().otfs().designOf(firstPane));
         m_held = false;
         QTRY_VERIFY(child<QAbstractButton>("designer.compute")->isVisible());
         click("designer.compute");
         waitUntilIdle();
-        QVERIFY(window().designs().isNewest(firstPane));
+        QVERIFY(window().otfs().isNewest(firstPane));
         QVERIFY(window().volumeView().classification() != before);
         QVERIFY(!child<QAbstractButton>("designer.compute")->isVisible());
     }
@@ -168,7 +168,7 @@ private slots:
         choose(static_cast<int>(Designer::percentile));
         m_held = false;
         waitUntilIdle();
-        QVERIFY(window().designs().isNewest(firstPane));
+        QVERIFY(window().otfs().isNewest(firstPane));
         ViewCaster caster({.scans = window().openStudy().study()->phases});
         QVERIFY(window().volumeView().classification() ==
                 classificationOf(document(), firstPane, *caster.otf(document(), firstPane)));
@@ -236,6 +236,11 @@ private:
         QTest::keyClick(choice->view(), Qt::Key_Return);
         QCOMPARE(choice->currentIndex(), wanted);
     }
+    /// A key of the window. Without a window manager no window is active once a list is gone that took the focus.
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QApplication::setActiveWindow(&window());
+        QTest::keyClick(&window(), key, modifiers);
+    }
     void type(const QString& name, const QString& number) {
         auto* box = child<QDoubleSpinBox>(name);
         box->setFocus();
@@ -246,7 +251,7 @@ private:
     /// Designers go on once m_held is false.
     void hold() {
         m_held = true;
-        window().designs().setRun(
+        window().otfs().setRun(
             [this](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
                 while (m_held && !progress.cancelled()) std::this_thread::yield();
                 return echolucent::design(config, input, progress);

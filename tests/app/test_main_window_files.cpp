@@ -260,11 +260,11 @@ private slots:
         QVERIFY(next.findChild<QRadioButton*>("motion.mode.mean")->isChecked());
         QVERIFY(next.findChild<QRadioButton*>("otfEditor.active.parabolic")->isChecked());
         // Opening a study keeps them too.
-        QSignalSpy computed(&next.openStudy(), &OpenStudy::otfComputed);
+        QSignalSpy computed(&next.otfs(), &PaneOtfs::computed);
         next.open(m_file);
         QVERIFY(computed.wait(20000));
         QCOMPARE(again.motion.otf, MotionOtf::mean);
-        QVERIFY(next.openStudy().otf()->config == configOf(document));
+        QVERIFY(next.otfs().adaptive()->config == configOf(document));
         QTRY_VERIFY_WITH_TIMEOUT(next.idle(), 30000);
     }
 

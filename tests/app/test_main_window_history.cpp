@@ -168,7 +168,7 @@ private slots:
         const Document left = leave("100-dead");
         close();
         startAgain();
-        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
+        QSignalSpy computed(&window().otfs(), &PaneOtfs::computed);
         window().open(m_file);
         QVERIFY(computed.wait(20000));
         waitUntilIdle();

@@ -5,6 +5,7 @@
 #include <QSlider>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/designers/designer.h"
 #include "processing/motion/otf_sweep.h"
 #include "processing/ray_caster.h"
 #include "tests/app/picture_measures.h"
@@ -62,7 +63,7 @@ private slots:
         QFETCH(int, mode);
         const Mode& wanted = modes[static_cast<std::size_t>(mode)];
         m_fixture.open(m_still);
-        const SampledCurve first = window().openStudy().otf()->curve;
+        const SampledCurve first = window().otfs().adaptive()->curve;
         m_fixture.click(QString("motion.mode.") + wanted.name);
         m_fixture.waitUntilIdle();
         const std::vector<Shown> frames = play(10);
@@ -119,7 +120,7 @@ private slots:
 
     void oneOtfServesEveryPhase() {
         m_fixture.open(m_moving);
-        const SampledCurve first = window().openStudy().otf()->curve;
+        const SampledCurve first = window().otfs().adaptive()->curve;
         for (const Shown& frame : play(5)) QVERIFY(frame.curve == first);
         QVERIFY(window().openStudy().phase() > 0);
         QVERIFY(difference(*window().volumeView().picture(),
@@ -132,25 +133,23 @@ private slots:
         Document next = window().document().document();
         next.method.initialScale = 0.5;
         window().document().edit(next, "initial function");
-        QVERIFY(window().openStudy().computingOtf());
+        QVERIFY(window().otfs().busy());
         QVERIFY(window().motionPlayer().stepNow());
         window().motionPlayer().pause();
         m_fixture.waitUntilIdle();
-        QVERIFY(window().openStudy().otf() != nullptr);
-        QVERIFY(window().openStudy().otf()->config == configOf(next));
-        QVERIFY(window().otfEditor().state().adaptive == window().openStudy().otf()->curve);
+        QVERIFY(window().otfs().adaptive() != nullptr);
+        QVERIFY(window().otfs().adaptive()->config == configOf(next));
+        QVERIFY(window().otfEditor().state().adaptive == window().otfs().adaptive()->curve);
     }
 
     void aRemarkWaitsForThePause() {
         m_fixture.open(m_still);
         m_fixture.click("motion.mode.eachView");
         m_fixture.waitUntilIdle();
-        window().openStudy().setPipeline([](const Volume& volume, const Viewpoint& view,
-                                            const AdaptiveOtfConfig& config, const Progress& progress,
-                                            const QuietVoxels& shown) {
-            std::optional<AdaptiveOtf> otf = adaptOpacity(volume, view, config, progress, shown);
-            if (otf) otf->message = "The frame is dark.";
-            return otf;
+        window().otfs().setRun([](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
+            std::optional<Design> made = design(config, input, progress);
+            if (made) made->message = "The frame is dark.";
+            return made;
         });
         playOneFrame();
         auto* bar = m_fixture.child<MessageBar>("message");
@@ -181,11 +180,11 @@ private slots:
             QTest::keyClick(angle, Qt::Key_Right);
             m_fixture.waitUntilIdle();
         }
-        QVERIFY(window().otfEditor().state().adaptive != window().openStudy().otf()->curve);
+        QVERIFY(window().otfEditor().state().adaptive != window().otfs().adaptive()->curve);
         QTest::keyClick(angle, Qt::Key_Home);
         m_fixture.waitUntilIdle();
-        QCOMPARE(window().openStudy().otf()->view.azimuthDegrees, -45.0);
-        QVERIFY(window().otfEditor().state().adaptive == window().openStudy().otf()->curve);
+        QCOMPARE(window().otfs().adaptive()->view.azimuthDegrees, -45.0);
+        QVERIFY(window().otfEditor().state().adaptive == window().otfs().adaptive()->curve);
     }
 
     void anotherConfigForgetsThePastAndTheMap() {
@@ -201,8 +200,8 @@ private slots:
         strength->setFocus();
         QTest::keyClick(strength, Qt::Key_Right);  // and not one degree on
         m_fixture.waitUntilIdle();
-        QCOMPARE(window().openStudy().otf()->config.curve, CurveRule(ProductRule{ProductRule{}.strength + 0.25}));
-        QVERIFY(window().otfEditor().state().adaptive == window().openStudy().otf()->curve);
+        QCOMPARE(window().otfs().adaptive()->config.curve, CurveRule(ProductRule{ProductRule{}.strength + 0.25}));
+        QVERIFY(window().otfEditor().state().adaptive == window().otfs().adaptive()->curve);
         QCOMPARE(filledRows(MotionOtf::leastFlicker), 1);
     }
 
@@ -277,7 +276,7 @@ private:
         MotionPlayer& player = window().motionPlayer();
         player.setMinimumFrameInterval(1'000'000);
         player.play();
-        QTRY_VERIFY_WITH_TIMEOUT(!window().openStudy().computingOtf() && !window().volumeView().busy() &&
+        QTRY_VERIFY_WITH_TIMEOUT(!window().otfs().busy() && !window().volumeView().busy() &&
                                      window().volumeView().pictureIsFine() && window().volumeView().pictureIsCurrent(),
                                  30000);
         QVERIFY(player.isPlaying());
@@ -290,11 +289,18 @@ private:
         double angle = player.angle();
         int phase = player.phase();
         bool begun = false;
-        // A frame begins: the one before is on the screen, and nothing of the new one is there yet but, with one OTF,
-        // its view.
+        // With the picture of a frame its curve is in the editor. An OTF that is kept is there as soon as the next
+        // frame begins.
+        SampledCurve curve;
+        Viewpoint view;
+        const auto look = [&] {
+            curve = window().otfEditor().state().adaptive;
+            view = window().volumeView().view();
+        };
+        connect(&window().volumeView(), &VolumeViewWidget::pictureDelivered, &context, look);
+        // A frame begins: the one before is on the screen.
         connect(&player, &MotionPlayer::frameChanged, &context, [&](double nextAngle, int nextPhase) {
-            if (std::exchange(begun, true))
-                frames.push_back({angle, phase, window().volumeView().view(), window().otfEditor().state().adaptive});
+            if (std::exchange(begun, true)) frames.push_back({angle, phase, view, curve});
             angle = nextAngle;
             phase = nextPhase;
         });

@@ -4,6 +4,7 @@
 #include <QThread>
 #include <new>
 
+#include "app/otf/near_cut_finder.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/panels/message_bar.h"
@@ -12,7 +13,7 @@ using namespace echolucent;
 
 namespace {
 
-OpenStudy::NearCutSearch found(const NearCutFinding& finding) {
+NearCutFinder::Search found(const NearCutFinding& finding) {
     return [finding](const Volume&, const Viewpoint&, const Progress&) { return std::optional(finding); };
 }
 
@@ -42,24 +43,24 @@ private slots:
     void cleanup() { m_fixture.close(); }
 
     void theSuggestedCutIsMadeSaidAndTakenBack() {
-        openStudy().setNearCutSearch(found(wallBeforeFluid(18.04)));
+        m_fixture.window().nearCutFinder().setSearch(found(wallBeforeFluid(18.04)));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         QCOMPARE(message()->text(), "A wall stands before the fluid.");
         m_fixture.waitUntilIdle();
         QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 18.0);
-        QCOMPARE(openStudy().otf()->view.nearCutMm, 18.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 18.0);
         QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "18.0 mm");
 
         m_fixture.click("message.action.0");
         m_fixture.waitUntilIdle();
         QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 0.0);
-        QCOMPARE(openStudy().otf()->view.nearCutMm, 0.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 0.0);
         QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
     }
 
     void theWayBackTurnsNoTubeCores() {
-        openStudy().setNearCutSearch(found(wallBeforeFluid(18)));
+        m_fixture.window().nearCutFinder().setSearch(found(wallBeforeFluid(18)));
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
@@ -68,14 +69,14 @@ private slots:
         m_fixture.waitUntilIdle();
         QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         m_fixture.waitUntilIdle();
-        QCOMPARE(openStudy().otf()->view.nearCutMm, 0.0);
-        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 35.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 0.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 35.0);
     }
 
     void itIsLookedForInTheViewOfTheCamera() {
         std::optional<Viewpoint> view;
         QThread* thread = nullptr;
-        openStudy().setNearCutSearch([&](const Volume&, const Viewpoint& asked, const Progress&) {
+        m_fixture.window().nearCutFinder().setSearch([&](const Volume&, const Viewpoint& asked, const Progress&) {
             view = asked;
             thread = QThread::currentThread();
             return std::optional(wallBeforeFluid(5));
@@ -89,8 +90,8 @@ private slots:
         m_fixture.waitUntilIdle();
         QCOMPARE(view->azimuthDegrees, 20.0);
         QVERIFY(thread != QThread::currentThread());
-        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 20.0);
-        QCOMPARE(openStudy().otf()->view.nearCutMm, 5.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 20.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 5.0);
     }
 
     void aCurvedFrontIsOfferedWhereThereIsOne() {
@@ -102,13 +103,13 @@ private slots:
                                     .columns = 2,
                                     .rows = 2,
                                     .depthMm = {16, 20, 16, 20}};
-        openStudy().setNearCutSearch(found(curved));
+        m_fixture.window().nearCutFinder().setSearch(found(curved));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.click("message.action.0");
         m_fixture.waitUntilIdle();
         QVERIFY(m_fixture.window().document().document().scene.front == Front{.surface = curved.surface});
-        QVERIFY(openStudy().otf()->view.cutSurface == curved.surface);
+        QVERIFY(m_fixture.window().otfs().adaptive()->view.cutSurface == curved.surface);
         QVERIFY(m_fixture.window().volumeView().caption().contains("curved"));
         QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         m_fixture.waitUntilIdle();
@@ -116,34 +117,35 @@ private slots:
     }
 
     void whyNotIsSaidAndNothingChanges() {
-        openStudy().setNearCutSearch(found({.answer = NearCutAnswer::noFluid, .message = "No fluid was found."}));
+        m_fixture.window().nearCutFinder().setSearch(
+            found({.answer = NearCutAnswer::noFluid, .message = "No fluid was found."}));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         QCOMPARE(message()->text(), "The near cut stays as it is. No fluid was found.");
         QCOMPARE(message()->kind(), MessageKind::warning);
         m_fixture.waitUntilIdle();
         QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 0.0);
-        QVERIFY(openStudy().otf() != nullptr);
+        QVERIFY(m_fixture.window().otfs().adaptive() != nullptr);
     }
 
     void nothingInFrontNeedsNoCut() {
-        openStudy().setNearCutSearch(found(fluidAtFront()));
+        m_fixture.window().nearCutFinder().setSearch(found(fluidAtFront()));
         m_fixture.click("view.nearCut.suggest");
         QTRY_COMPARE(message()->text(), "The fluid begins at the front.");
     }
 
     void noCutTurnsNoTubeCores() {
-        openStudy().setNearCutSearch(found(fluidAtFront()));
+        m_fixture.window().nearCutFinder().setSearch(found(fluidAtFront()));
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         m_fixture.waitUntilIdle();
         m_fixture.click("view.nearCut.suggest");
         QTRY_COMPARE(message()->text(), "The fluid begins at the front.");
         m_fixture.waitUntilIdle();
-        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 0.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 0.0);
     }
 
     void theSearchOfTheProgramAgreesWithThePureFunction() {
-        const auto expected = findNearCut(*openStudy().volume(), Viewpoint{});
+        const auto expected = findNearCut(*m_fixture.window().openStudy().volume(), Viewpoint{});
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.waitUntilIdle();
@@ -152,7 +154,7 @@ private slots:
     }
 
     void aMessageThatIsNoLongerTrueGoes() {
-        openStudy().setNearCutSearch(found(wallBeforeFluid(18)));
+        m_fixture.window().nearCutFinder().setSearch(found(wallBeforeFluid(18)));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.waitUntilIdle();
@@ -171,7 +173,7 @@ private slots:
 
     void aMessageDoesNotStayOverPicturesOfOtherCuts() {
         const auto suggest = [this](const NearCutFinding& finding) {
-            openStudy().setNearCutSearch(found(finding));
+            m_fixture.window().nearCutFinder().setSearch(found(finding));
             m_fixture.click("view.nearCut.suggest");
             QTRY_VERIFY(message()->isVisible());
             m_fixture.waitUntilIdle();
@@ -198,7 +200,7 @@ private slots:
     }
 
     void theWayBackKeepsTheViewOfAFrame() {
-        openStudy().setNearCutSearch(found(wallBeforeFluid(18)));
+        m_fixture.window().nearCutFinder().setSearch(found(wallBeforeFluid(18)));
         m_fixture.click("motion.mode.eachView");
         m_fixture.waitUntilIdle();
         m_fixture.click("view.nearCut.suggest");
@@ -206,42 +208,46 @@ private slots:
         m_fixture.waitUntilIdle();
         m_fixture.window().motionPlayer().setAngle(7);
         m_fixture.waitUntilIdle();
-        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 7.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 7.0);
         QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         m_fixture.waitUntilIdle();
-        QCOMPARE(openStudy().otf()->view.nearCutMm, 0.0);
-        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 7.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 0.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 7.0);
     }
 
     void aSearchThatFailsLosesNoOtf() {
-        openStudy().setNearCutSearch([](const Volume&, const Viewpoint&,
-                                        const Progress&) -> std::optional<NearCutFinding> { throw std::bad_alloc(); });
+        m_fixture.window().nearCutFinder().setSearch(
+            [](const Volume&, const Viewpoint&, const Progress&) -> std::optional<NearCutFinding> {
+                throw std::bad_alloc();
+            });
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         QTest::keyClick(&m_fixture.window(), Qt::Key_A);
-        QVERIFY(openStudy().computingOtf());
+        QVERIFY(m_fixture.window().otfs().busy());
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         QVERIFY(message()->text().contains("needs more memory"));
         m_fixture.waitUntilIdle();
-        QCOMPARE(openStudy().otf()->view.azimuthDegrees, 20.0);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 20.0);
     }
 
-    void aSearchThatIsOvertakenLosesNoOtf() {
-        // A search that ends only when it is cancelled, as by the OTF of a strength that is changed meanwhile.
-        openStudy().setNearCutSearch([](const Volume&, const Viewpoint&, const Progress& progress) {
+    void anOtfIsComputedWhileASearchGoesOnAndCancelEndsIt() {
+        m_fixture.window().nearCutFinder().setSearch([](const Volume&, const Viewpoint&, const Progress& progress) {
             while (!progress.cancelled()) QThread::yieldCurrentThread();
             return std::optional<NearCutFinding>();
         });
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
         m_fixture.click("view.nearCut.suggest");
-        QVERIFY(openStudy().computingOtf());
+        QVERIFY(m_fixture.window().nearCutFinder().busy());
         QTest::keyClick(&m_fixture.window(), Qt::Key_A);
+        QTRY_COMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 20.0);
+        QVERIFY(!m_fixture.window().idle());
+        m_fixture.click("status.cancel");
         m_fixture.waitUntilIdle();
-        QVERIFY(openStudy().otf() != nullptr);
+        QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 20.0);
         QVERIFY(!message()->isVisible());
     }
 
 private:
-    OpenStudy& openStudy() { return m_fixture.window().openStudy(); }
     MessageBar* message() { return m_fixture.child<MessageBar>("message"); }
 
     WindowFixture m_fixture;

@@ -26,7 +26,7 @@ private slots:
         const QString large = file("large.mha", {std::make_shared<const Volume>(*makePhantom(config))});
         ReadOptions options;
         options.studyMebibytes = 1;
-        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
+        QSignalSpy computed(&window().otfs(), &PaneOtfs::computed);
         window().open(large, options);
         QVERIFY(computed.wait(20000));
         waitUntilIdle();
@@ -99,7 +99,7 @@ private slots:
         waitUntilIdle();
         QCOMPARE(document().scene.front, Front{});
         QVERIFY(!window().volumeView().caption().contains("cut"));
-        window().openStudy().setNearCutSearch([](const Volume&, const Viewpoint&, const Progress&) {
+        window().nearCutFinder().setSearch([](const Volume&, const Viewpoint&, const Progress&) {
             return std::optional(NearCutFinding{.answer = NearCutAnswer::wallBeforeFluid,
                                                 .nearCutMm = 7,
                                                 .message = "A wall stands before the fluid."});
@@ -124,16 +124,16 @@ private slots:
         open(m_file);
         QCOMPARE(document().scene.look.reduction, defaultSpeckleReduction);
         QVERIFY(window().volumeView().caption().contains("speckle reduced: medium"));
-        const auto medium = window().openStudy().voxelsOfOtf();
+        const auto medium = window().otfs().of(PaneOtfs::adaptiveOfScene)->asked.shown;
         QTest::keyClick(&window(), Qt::Key_Q);
         waitUntilIdle();
         QCOMPARE(document().scene.look.reduction, SpeckleReduction::strong);
-        QVERIFY(window().openStudy().voxelsOfOtf() != medium);
-        QCOMPARE(window().openStudy().otf()->reduction, SpeckleReduction::strong);
+        QVERIFY(window().otfs().of(PaneOtfs::adaptiveOfScene)->asked.shown != medium);
+        QCOMPARE(window().otfs().adaptive()->reduction, SpeckleReduction::strong);
         for (int i = 0; i < 4; ++i) QTest::keyClick(&window(), Qt::Key_Q, Qt::ShiftModifier);
         waitUntilIdle();
         QCOMPARE(document().scene.look.reduction, SpeckleReduction::off);
-        QCOMPARE(window().openStudy().voxelsOfOtf(), window().openStudy().volume());
+        QCOMPARE(window().otfs().of(PaneOtfs::adaptiveOfScene)->asked.shown, window().openStudy().volume());
         QVERIFY(!window().volumeView().caption().contains("speckle"));
         QTest::keyClick(&window(), Qt::Key_L);
         QCOMPARE(document().scene.look.lighting, Lighting::flat);

@@ -28,30 +28,33 @@ private slots:
     void aStrokeCutsPictureAndTubeCoresAndIsTakenBack() {
         open(m_file);
         const Picture before = cast();
-        const SampledCurve curveBefore = openStudy().otf()->curve;
+        const SampledCurve curveBefore = window().otfs().adaptive()->curve;
         const DataBox box = openStudy().volume()->dataBox();
         QVERIFY(!openStudy().volume()->isCut());
         QSignalSpy cut(&openStudy(), &OpenStudy::volumeCut);
-        QSignalSpy computed(&openStudy(), &OpenStudy::otfComputed);
+        int computed = 0;
+        QObject context;
+        connect(&window().otfs(), &PaneOtfs::computed, &context,
+                [&computed](std::size_t place) { computed += place == PaneOtfs::adaptiveOfScene ? 1 : 0; });
         draw(stroke(0.0, 0.25));
         QVERIFY2(!window().idle(), "the stroke is being cut");
         waitUntilIdle();
         QCOMPARE(cut.count(), 1);
-        QVERIFY2(computed.count() == 1, "the OTF follows");
+        QVERIFY2(computed == 1, "the OTF follows");
         // Raw and quiet voxels lack the same, and the quiet ones are what they were.
         QVERIFY(openStudy().volume()->isCut());
         QCOMPARE(openStudy().newestVoxels()->dataMask(), openStudy().volume()->dataMask());
         QCOMPARE(openStudy().volume()->dataBox(), box);
         QVERIFY(openStudy().newestVoxels()->voxels() == openStudy().quietPhases().of(0)->voxels());
         QVERIFY(window().volumeView().volume() == openStudy().newestVoxels());
-        QVERIFY(openStudy().otf()->curve != curveBefore);
+        QVERIFY(window().otfs().adaptive()->curve != curveBefore);
         QVERIFY2(cast().rgba != before.rgba, "it shows");
         QVERIFY2(difference(cast(), *window().volumeView().picture()) < 0.1, "and the view shows it");
         window().document().steps().undo();
         QVERIFY(!window().idle());
         waitUntilIdle();
         QVERIFY(!openStudy().volume()->isCut());
-        QVERIFY(openStudy().otf()->curve == curveBefore);
+        QVERIFY(window().otfs().adaptive()->curve == curveBefore);
         QVERIFY(cast().rgba == before.rgba);
         window().document().steps().redo();
         waitUntilIdle();
@@ -152,7 +155,7 @@ private:
     /// What the ray caster makes of what is shown.
     Picture cast() {
         return *castRays(*openStudy().newestVoxels(),
-                         curveOf(window().document().document(), firstPane, openStudy().otf()->curve),
+                         curveOf(window().document().document(), firstPane, window().otfs().adaptive()->curve),
                          window().volumeView().settings());
     }
     /// A square about a place right of the picture's centre, down to the middle.

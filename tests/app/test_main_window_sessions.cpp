@@ -38,12 +38,12 @@ private slots:
         // Saved again without a question, and the same bytes come back out.
         close();
         show();
-        QSignalSpy pictures(&window().openStudy(), &OpenStudy::otfComputed);
+        QSignalSpy pictures(&window().otfs(), &PaneOtfs::computed);
         window().open(proposed);
         QTRY_VERIFY_WITH_TIMEOUT(!pictures.isEmpty(), 20000);
         waitUntilIdle();
         QVERIFY(document() == saved);
-        QCOMPARE(pictures.count(), 1);
+        QCOMPARE(pictures.count(), 2);  // the scene's one, and the first pane's, which is the same
         QCOMPARE(window().document().steps().count(), 0);
         QCOMPARE(window().sessionKeeping().snapshots().list().size(), std::size_t{1});
         QVERIFY(!window().isWindowModified());
@@ -189,7 +189,7 @@ private slots:
             open(session);
             QVERIFY(document() == saved);
             QCOMPARE(window().openStudy().phase(), 2);
-            QCOMPARE(window().openStudy().phaseOfOtf(), 1);
+            QVERIFY(window().otfs().of(PaneOtfs::adaptiveOfScene)->asked.raw == window().openStudy().rawVoxelsOf(1));
             QCOMPARE(child<QSlider>("motion.phase")->value(), 2);  // counted from 0
         }
     }

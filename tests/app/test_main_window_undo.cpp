@@ -30,7 +30,7 @@ private slots:
     void everythingIsTakenBackStepByStep() {
         open(m_file);
         const Picture first = *window().volumeView().picture();
-        const SampledCurve otf = window().openStudy().otf()->curve;
+        const SampledCurve otf = window().otfs().adaptive()->curve;
         std::vector<std::string> history{document()};
         const auto oneStep = [&](const char* what) {
             QVERIFY2(steps().count() == static_cast<int>(history.size()),
@@ -64,19 +64,19 @@ private slots:
         oneStep("another beam");
         choose("motion.axis", 0);
         oneStep("an axis of the motion");
-        const SampledCurve last = window().openStudy().otf()->curve;
+        const SampledCurve last = window().otfs().adaptive()->curve;
         for (std::size_t i = history.size() - 1; i-- > 0;) {
             QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
             QCOMPARE(document(), history[i]);
         }
         QVERIFY(!steps().canUndo());
         waitUntilIdle();
-        QVERIFY(window().openStudy().otf()->curve == otf);
+        QVERIFY(window().otfs().adaptive()->curve == otf);
         QVERIFY(difference(*window().volumeView().picture(), first) < 0.03);
         while (steps().canRedo()) QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(document(), history.back());
         waitUntilIdle();
-        QVERIFY(window().openStudy().otf()->curve == last);
+        QVERIFY(window().otfs().adaptive()->curve == last);
     }
 
     void panelsShowWhatIsTakenBack() {
@@ -85,7 +85,7 @@ private slots:
         choose("view.colourMap", 2);
         choose("adaptive.form", 1);
         waitUntilIdle();
-        QCOMPARE(window().openStudy().otf()->view.nearCutMm, 12.0);
+        QCOMPARE(window().otfs().adaptive()->view.nearCutMm, 12.0);
         for (int i = 0; i < 3; ++i) QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         waitUntilIdle();
         QCOMPARE(child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(child<QComboBox>("adaptive.form")->currentIndex(), 0);
         QCOMPARE(window().volumeView().look().colourMap, ColourMap::sepia);
         QCOMPARE(window().volumeView().view().nearCutMm, 0.0);
-        QCOMPARE(window().openStudy().otf()->view.nearCutMm, 0.0);
+        QCOMPARE(window().otfs().adaptive()->view.nearCutMm, 0.0);
     }
 
     void phaseAndMotionAreNoStepsAndStay() {
@@ -130,13 +130,13 @@ private slots:
         waitUntilIdle();
         const Viewpoint shown = window().volumeView().view();
         QVERIFY(shown != Viewpoint{});
-        QVERIFY(window().openStudy().otf()->view == shown);
+        QVERIFY(window().otfs().adaptive()->view == shown);
         click("motion.mode.static");
         waitUntilIdle();
         QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         waitUntilIdle();
         QVERIFY(window().document().document().motion.otf == MotionOtf::eachView);
-        QVERIFY(window().openStudy().otf()->view == shown);
+        QVERIFY(window().otfs().adaptive()->view == shown);
     }
 
     void anotherBeamEndsTheMotion() {

@@ -207,7 +207,7 @@ private slots:
 
         showWithSettings(path("settings.ini"));
         useLook(Look{});
-        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
+        QSignalSpy computed(&window().otfs(), &PaneOtfs::computed);
         window().open(folder);
         QTRY_VERIFY(window().findChild<QDialog*>("series") && window().idle());
         QVERIFY(foundIn(allWords().join('\n').toUtf8(), m_markers, "choice").isEmpty());

@@ -99,7 +99,7 @@ private:
 
         const auto otf = QJsonDocument::fromJson(run({"otf", path, "--json", "-"})).object();
         const QJsonArray opacities = otf["otf"].toObject()["opacity"].toArray();
-        const SampledCurve& curve = window().openStudy().otf()->curve;
+        const SampledCurve& curve = window().otfs().adaptive()->curve;
         QCOMPARE(static_cast<std::size_t>(opacities.size()), curve.opacities.size());
         for (std::size_t i = 0; i < curve.opacities.size(); ++i)
             QCOMPARE(opacities[static_cast<int>(i)].toDouble(), curve.opacities[i]);

@@ -58,7 +58,7 @@ public:
         Document plain = m_window.document().document();
         plain.scene.look = Look{};
         m_window.document().begin(plain);
-        connect(&m_window.openStudy(), &OpenStudy::otfComputed, this, [this] {
+        connect(&m_window.otfs(), &PaneOtfs::computed, this, [this] {
             if (std::exchange(m_begun, true)) return;
             connect(&m_window.document(), &DocumentModel::changed, this, &SessionUntilKilled::tell);
             connect(&m_timer, &QTimer::timeout, this, &SessionUntilKilled::act);

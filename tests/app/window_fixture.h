@@ -75,7 +75,7 @@ public:
         m_window.reset();
     }
     void open(const QString& path) {
-        QSignalSpy computed(&window().openStudy(), &OpenStudy::otfComputed);
+        QSignalSpy computed(&window().otfs(), &PaneOtfs::computed);
         window().open(path);
         QVERIFY(computed.wait(20000));
         waitUntilIdle();

@@ -19,7 +19,7 @@ LargeStudy::LargeStudy() {
     trigger(QStringLiteral("room.quad"));
     show();
     window().openSimulatedScan();
-    await("the simulated scan", [&] { return window().openStudy().otf() != nullptr; });
+    await("the simulated scan", [&] { return window().otfs().adaptive() != nullptr; });
     waitUntilConverged();
 }
 
@@ -30,7 +30,7 @@ QStringList LargeStudy::underWay() {
     if (openStudy.takingChecksum()) names << QStringLiteral("checksum");
     if (window().sessionKeeping().busy()) names << QStringLiteral("saving");
     if (openStudy.quietPhases().busy()) names << QStringLiteral("quieting");
-    if (openStudy.computingOtf()) names << QStringLiteral("OTF or cutting");
+    if (window().otfs().busy() || openStudy.cutting()) names << QStringLiteral("OTF or cutting");
     if (view().busy()) names << QStringLiteral("picture");
     if (window().reviewRoom().busy()) names << QStringLiteral("planes");
     if (names.isEmpty() && !window().idle()) names << QStringLiteral("writing");

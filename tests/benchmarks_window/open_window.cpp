@@ -40,7 +40,7 @@ void OpenWindow::show() {
 
 void OpenWindow::openVolume(const QString& path) {
     m_window->open(path);
-    await("the volume", [&] { return m_window->openStudy().otf() != nullptr; });
+    await("the volume", [&] { return m_window->otfs().adaptive() != nullptr; });
     waitUntilConverged();
 }
 

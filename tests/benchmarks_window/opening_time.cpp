@@ -64,7 +64,7 @@ OpeningTime::OpeningTime() {
     window().resize(1280, 720);
     show();
     window().openSimulatedScan();
-    await("the simulated scan", [&] { return window().openStudy().otf() != nullptr; });
+    await("the simulated scan", [&] { return window().otfs().adaptive() != nullptr; });
     waitUntilConverged();
 }
 

@@ -168,10 +168,10 @@ QList<Row> WindowUnderTest::playPhases(const Amount& amount) {
     kept.action = "from memory";
     m_kept = {.frames = view().keptFrames(),
               .quietPhases = window().openStudy().quietPhases().madeCount(),
-              .otfs = static_cast<int>(window().openStudy().keptOtfs().count()),
+              .otfs = static_cast<int>(window().otfs().kept().count()),
               .frameBytes = view().keptFrameBytes(),
               .quietBytes = window().openStudy().quietPhases().bytes(),
-              .otfBytes = window().openStudy().keptOtfs().bytes()};
+              .otfBytes = window().otfs().kept().bytes()};
     player.pause();
     waitUntilConverged();
     return {first, later, kept};

@@ -82,7 +82,7 @@ void takeInMotion(MainWindow& window, const QString& path) {
 void open(MainWindow& window, const QString& file) {
     bool opened = false;
     QObject::connect(
-        &window.openStudy(), &OpenStudy::otfComputed, &window, [&] { opened = true; }, Qt::SingleShotConnection);
+        &window.otfs(), &PaneOtfs::computed, &window, [&] { opened = true; }, Qt::SingleShotConnection);
     if (file == "simulated")
         window.openSimulatedScan();
     else

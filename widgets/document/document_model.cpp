@@ -53,6 +53,13 @@ void DocumentModel::showMotionAngle(double degrees) {
     set(next);
 }
 
+void DocumentModel::showFrame(double degrees, int phase) {
+    Document next = m_document;
+    next.scene.motionAngle = degrees;
+    next.scene.phase = phase;
+    set(next);
+}
+
 Document DocumentModel::keepingChecksum(Document document) const {
     if (nameTheSame(document.study, m_document.study)) document.study = m_document.study;
     return document;

@@ -67,6 +67,8 @@ public:
     void showPhase(int phase);
     /// Shows the frame of the motion at an angle in degrees. No step.
     void showMotionAngle(double degrees);
+    /// Both at once. No step.
+    void showFrame(double degrees, int phase);
 
     /// Notes what is known of the bytes of the document's study: no step, and no signal but changed(). Whatever is
     /// edited, undone and redone keeps it. Another study than the document's is a broken contract

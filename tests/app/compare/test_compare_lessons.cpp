@@ -4,7 +4,7 @@
 #include <QSlider>
 #include <thread>
 
-#include "app/otf/view_designs.h"
+#include "app/otf/pane_otfs.h"
 #include "processing/designers/designer.h"
 #include "processing/motion/otf_smoothing.h"
 #include "tests/app/compare/compare_fixture.h"
@@ -88,16 +88,16 @@ private slots:
 
     void aPageIsGivenUpWhereAPaneWillNotCome() {
         waitUntilRest();
-        window().designs().setRun([](const DesignerConfig&, const DesignerInput&, const Progress& progress) {
+        window().otfs().setRun([](const DesignerConfig&, const DesignerInput&, const Progress& progress) {
             while (!progress.cancelled()) std::this_thread::yield();
             return std::optional<Design>();
         });
         window().document().edit(withPane(document(), 1, {.designer = OtsuConfig{}}), "designer");
-        QTRY_VERIFY(window().designs().busy());
+        QTRY_VERIFY(window().otfs().busy());
         const QString path = temporaryFolder().filePath("given-up.html");
         window().compareRoom().savePage(path);
         QVERIFY(!window().idle());
-        window().designs().cancel();
+        window().otfs().cancel();
         waitUntilRest();
         QVERIFY(!QFile::exists(path));
         QVERIFY(!child<QAbstractButton>("designer.compute")->isHidden());

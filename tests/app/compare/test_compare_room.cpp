@@ -154,8 +154,8 @@ private slots:
         const auto frame = window().compareRoom().views().frame();
         std::vector<Classification> classifications;
         for (const PaneRequest& pane : frame->request.panes) classifications.push_back(pane.classification);
-        const auto measures =
-            measuresOf(*window().openStudy().voxelsOfOtf(), *window().openStudy().otf(), classifications);
+        const auto measures = measuresOf(*window().otfs().of(PaneOtfs::adaptiveOfScene)->asked.shown,
+                                         *window().otfs().adaptive(), classifications);
         for (std::size_t i = 0; i < 4; ++i) {
             QVERIFY(panel().rows()[i].contrast == (*measures)[i].contrast.contrastToNoise());
             QVERIFY(panel().rows()[i].nearSurfaces == (*measures)[i].light.meanShare);

@@ -2,12 +2,17 @@
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QMouseEvent>
+#include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QWheelEvent>
 #include <QWindow>
+#include <atomic>
+#include <thread>
 
 #include "app/document/document_view.h"
 #include "io/document/document_file.h"
+#include "io/writers/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -35,6 +40,10 @@ class TestTwoViews : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() {
+        m_file = m_folder.filePath("shapes.mha");
+        QVERIFY(writeMetaImage(m_file.toStdString(), {shapes()}));
+    }
     void init() {
         m_window = std::make_unique<QWidget>();
         auto* row = new QHBoxLayout(m_window.get());
@@ -46,19 +55,22 @@ private slots:
         m_model = std::make_unique<DocumentModel>();
         m_model->begin(linear());
         m_hand = std::make_unique<HandGesture>(nullptr, 1'000'000);
-        const auto volume = shapes();
-        for (int i = 0; i < 2; ++i) {
-            auto& view = m_views[static_cast<std::size_t>(i)];
-            view = std::make_unique<DocumentView>(*m_model, *m_hand, widget(i));
-            connect(m_model.get(), &DocumentModel::changed, view.get(), &DocumentView::showCurve);
-            view->showVolume(volume, volume);
-        }
+        m_openStudy = std::make_unique<OpenStudy>();
+        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy);
+        m_panes = std::make_unique<ShownPanes>(*m_model, *m_openStudy, *m_otfs, m_course);
+        for (int i = 0; i < 2; ++i)
+            m_views[static_cast<std::size_t>(i)] =
+                std::make_unique<DocumentView>(*m_model, *m_hand, *m_openStudy, *m_panes, widget(i));
+        open();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         QVERIFY(awaitIdle());
     }
     void cleanup() {
         for (auto& view : m_views) view.reset();
+        m_panes.reset();
+        m_otfs.reset();
+        m_openStudy.reset();
         m_window.reset();
     }
 
@@ -124,21 +136,22 @@ private slots:
     }
 
     void theHandOnThePictureOfTheStudyBeforeChangesNothing() {
+        openAnotherWhoseOtfIsAwaited();
         const std::string document = jsonOf(m_model->document());
-        m_views[0]->hold();
         drag(0, Qt::LeftButton, {}, {110, 100}, {151, 83});
         turnWheel(0);
         QCOMPARE(jsonOf(m_model->document()), document);
         QCOMPARE(m_model->steps().count(), 0);
-        m_views[0]->showVolume(shapes(), nullptr);
+        m_otfIsAwaited = false;
+        QTRY_VERIFY(!m_views[0]->held());
         sameCamera();
         QVERIFY(widget(0).pose() == Pose{});
     }
 
     void theLightOnThePictureOfTheStudyBeforeIsNotTheDocuments() {
         light();
+        openAnotherWhoseOtfIsAwaited();
         const std::string document = jsonOf(m_model->document());
-        m_views[0]->hold();
         drag(0, Qt::LeftButton, Qt::ControlModifier, {110, 100}, {151, 83});
         QVERIFY(widget(0).look().light != m_model->document().scene.look.light);
         QCOMPARE(jsonOf(m_model->document()), document);
@@ -174,6 +187,22 @@ private slots:
     }
 
 private:
+    void open() {
+        QSignalSpy opened(m_openStudy.get(), &OpenStudy::studyOpened);
+        m_openStudy->open(m_file);
+        QVERIFY(opened.wait(patience));
+    }
+    void openAnotherWhoseOtfIsAwaited() {
+        m_model->begin(withCurve(m_model->document(), firstPane, CurveKind::adaptive));
+        QTRY_VERIFY(m_otfs->isNewest(firstPane));
+        m_otfIsAwaited = true;
+        m_otfs->setRun([this](const DesignerConfig&, const DesignerInput&, const Progress& progress) {
+            while (m_otfIsAwaited && !progress.cancelled()) std::this_thread::yield();
+            return std::optional(Design{.classification = SampledCurve{}});
+        });
+        open();
+        QVERIFY(m_views[0]->held() && m_views[1]->held());
+    }
     void light() {
         Document lit = m_model->document();
         lit.scene.look.lighting = Lighting::surface;
@@ -222,6 +251,13 @@ private:
     std::array<VolumeViewWidget*, 2> m_widgets{};
     std::unique_ptr<DocumentModel> m_model;
     std::unique_ptr<HandGesture> m_hand;
+    QTemporaryDir m_folder;
+    QString m_file;
+    OtfCourse m_course;
+    std::atomic<bool> m_otfIsAwaited = false;
+    std::unique_ptr<OpenStudy> m_openStudy;
+    std::unique_ptr<PaneOtfs> m_otfs;
+    std::unique_ptr<ShownPanes> m_panes;
     std::array<std::unique_ptr<DocumentView>, 2> m_views;
 };
 

@@ -1,4 +1,4 @@
-#include "app/motion/course_key.h"
+#include "app/otf/course_key.h"
 
 namespace echolucent {
 

@@ -1,12 +1,13 @@
-// When a designer is run for a view, with what, and what the view has meanwhile.
+// When a designer is run for a pane, with what, and what the pane has meanwhile.
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 #include <atomic>
 #include <new>
 #include <thread>
 
-#include "app/otf/view_designs.h"
+#include "app/otf/pane_otfs.h"
 #include "io/writers/meta_image_writer.h"
 #include "tests/qt_program/test_classes.h"
 
@@ -27,7 +28,7 @@ OtsuConfig otsuOf(double opacity) { return {.opacity = opacity}; }
 
 }  // namespace
 
-class TestViewDesigns : public QObject {
+class TestPaneOtfs : public QObject {
     Q_OBJECT
 
 private slots:
@@ -38,7 +39,7 @@ private slots:
         for (std::size_t i = 108; i < voxels.size(); ++i) voxels[i] = 160;
         const auto phase = std::make_shared<const Volume>(geometry, Voxels(voxels));
         const QString path = m_folder.filePath("cube.mha");
-        m_designs.reset();
+        m_otfs.reset();
         m_openStudy.reset();
         QVERIFY(writeMetaImage(path.toStdString(), {phase, phase}));
         m_held = false;
@@ -50,39 +51,94 @@ private slots:
         look.scene.look.reduction = SpeckleReduction::off;
         m_model->begin(look);
         m_openStudy = std::make_unique<OpenStudy>();
-        m_designs = std::make_unique<ViewDesigns>(*m_model, *m_openStudy);
-        m_designs->setRun([this](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
+        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy);
+        m_otfs->setRun([this](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
             return run(config, input, progress);
         });
         QSignalSpy opened(m_openStudy.get(), &OpenStudy::studyOpened);
         m_openStudy->open(path);
         QVERIFY(opened.wait(patience));
+        wait();
+        m_adaptive.clear();
     }
 
-    void nothingIsComputedWithoutADesign() {
-        Document next = m_model->document();
+    void withoutADesignerAPaneHasTheOtfOfTheScene() {
+        QVERIFY(m_otfs->isNewest(firstPane) && m_otfs->isNewest(PaneOtfs::adaptiveOfScene));
+        QVERIFY(m_otfs->of(firstPane) == m_otfs->of(PaneOtfs::adaptiveOfScene));
+        QVERIFY(!m_otfs->designOf(firstPane));
+        Document next = withCurve(m_model->document(), firstPane, CurveKind::manual);
         next.scene.front.depthMm = 1;
-        m_model->edit(next, "cut");
-        QVERIFY(!m_designs->busy());
-        QVERIFY(!m_designs->of(firstPane));
-        QVERIFY(!m_designs->isNewest(firstPane));
+        m_model->edit(next, "cut, seen through a curve of a person");
+        wait();
+        QVERIFY(!m_otfs->of(firstPane));  // nothing that is computed plays a part there
+        QVERIFY(m_otfs->isNewest(PaneOtfs::adaptiveOfScene));
+        QCOMPARE(m_adaptive.size(), std::size_t{1});
+        QCOMPARE(m_adaptive.front().view.nearCutMm, 1.0);
+        QVERIFY(m_asked.empty());
+    }
+
+    void aPaneKeepsItsOtfUntilItsDesignerHasMadeAnother() {
+        const auto adaptive = m_otfs->of(firstPane);
+        m_held = true;
+        design(otsuOf(0.7));
+        QTRY_COMPARE(m_running, 1);
+        QVERIFY(m_otfs->of(firstPane) == adaptive);
+        QVERIFY(!m_otfs->designOf(firstPane));
+        m_held = false;
+        wait();
+        QVERIFY(m_otfs->designOf(firstPane) == m_otfs->of(firstPane));
+        QVERIFY(m_otfs->of(PaneOtfs::adaptiveOfScene) == adaptive);
+        m_model->edit(withCurve(m_model->document(), firstPane, CurveKind::adaptive), "curve");
+        QVERIFY(m_otfs->of(firstPane) == adaptive);  // at once
+    }
+
+    void whatIsBeingComputedIsNotBegunAgain() {
+        m_held = true;
+        design(otsuOf(0.7));
+        QTRY_COMPARE(m_running, 1);
+        Document next = m_model->document();
+        next.scene.pose.direction.azimuth = 3;
+        m_model->edit(next, "pose");  // no designer depends on it
+        m_held = false;
+        wait();
+        QCOMPARE(m_asked.size(), std::size_t{1});
+        QCOMPARE(static_cast<int>(m_cancelled), 0);
+    }
+
+    void closingWhileComputingIsSafe() {
+        int delivered = 0;
+        QObject context;
+        connect(m_otfs.get(), &PaneOtfs::computed, &context, [&delivered] { ++delivered; });
+        m_held = true;
+        design(otsuOf(0.7));
+        QTRY_COMPARE(m_running, 1);
+        m_otfs.reset();
+        QCoreApplication::processEvents();
+        QCOMPARE(delivered, 0);
+        QCOMPARE(static_cast<int>(m_cancelled), 1);
+    }
+
+    void everythingRunsOutsideTheGuiThread() {
+        design(otsuOf(0.7));
+        wait();
+        QVERIFY(m_thread != nullptr && m_thread != QThread::currentThread());
     }
 
     void aDesignIsComputedOnceAndTold() {
-        QSignalSpy computed(m_designs.get(), &ViewDesigns::computed);
-        QSignalSpy busy(m_designs.get(), &ViewDesigns::busyChanged);
+        QSignalSpy computed(m_otfs.get(), &PaneOtfs::computed);
+        QSignalSpy busy(m_otfs.get(), &PaneOtfs::busyChanged);
         design(otsuOf(0.7));
-        QVERIFY(m_designs->busy());
-        QVERIFY(!m_designs->isNewest(firstPane));
+        QVERIFY(m_otfs->busy());
+        QVERIFY(!m_otfs->isNewest(firstPane));
         wait();
         QCOMPARE(computed.count(), 1);
         QCOMPARE(computed.first().first().toInt(), firstPane);
         QCOMPARE(busy.count(), 2);
-        QVERIFY(m_designs->isNewest(firstPane));
-        const auto made = m_designs->of(firstPane);
+        QVERIFY(m_otfs->isNewest(firstPane));
+        const auto made = m_otfs->of(firstPane);
         QVERIFY(made->milliseconds >= 0.0);
-        QVERIFY(made->raw == m_openStudy->volume());
-        QVERIFY(made->shown == m_openStudy->volume());
+        QVERIFY(made->asked.raw == m_openStudy->volume());
+        QVERIFY(made->asked.shown == m_openStudy->volume());
         QCOMPARE(opacityAt(made->design.classification, 0.9, 0.0), 0.7);
         QCOMPARE(m_asked.size(), std::size_t{1});
     }
@@ -122,7 +178,7 @@ private slots:
             m_model->edit(next, "change");
             m_openStudy->setReduction(m_model->document().scene.look.reduction);
             wait();
-            QVERIFY(m_designs->isNewest(firstPane));
+            QVERIFY(m_otfs->isNewest(firstPane));
             QCOMPARE(m_asked.size() > before, tubeCores ? withTubeCores : without);
             m_model->begin(Document(unchanged));
             m_openStudy->setReduction(SpeckleReduction::off);
@@ -133,19 +189,19 @@ private slots:
     void theNewestWinsAndTheOneBeforeStaysMeanwhile() {
         design(otsuOf(0.2));
         wait();
-        const auto first = m_designs->of(firstPane);
+        const auto first = m_otfs->of(firstPane);
         m_held = true;
         design(otsuOf(0.3));
         QTRY_COMPARE(m_running, 1);
-        QVERIFY(m_designs->of(firstPane) == first);
-        QVERIFY(!m_designs->isNewest(firstPane));
+        QVERIFY(m_otfs->of(firstPane) == first);
+        QVERIFY(!m_otfs->isNewest(firstPane));
         design(otsuOf(0.4));
         QTRY_COMPARE(m_cancelled, 1);
-        QVERIFY(m_designs->of(firstPane) == first);
+        QVERIFY(m_otfs->of(firstPane) == first);
         m_held = false;
         wait();
-        QCOMPARE(opacityAt(m_designs->of(firstPane)->design.classification, 0.9, 0.0), 0.4);
-        QVERIFY(m_designs->isNewest(firstPane));
+        QCOMPARE(opacityAt(m_otfs->of(firstPane)->design.classification, 0.9, 0.0), 0.4);
+        QVERIFY(m_otfs->isNewest(firstPane));
     }
 
     void whatWasMadeBeforeIsKept() {
@@ -154,11 +210,11 @@ private slots:
         design(otsuOf(0.3));
         wait();
         QCOMPARE(m_asked.size(), std::size_t{2});
-        QSignalSpy computed(m_designs.get(), &ViewDesigns::computed);
+        QSignalSpy computed(m_otfs.get(), &PaneOtfs::computed);
         m_model->steps().undo();
-        QVERIFY(m_designs->isNewest(firstPane));  // at once
+        QVERIFY(m_otfs->isNewest(firstPane));  // at once
         QCOMPARE(computed.count(), 1);
-        QCOMPARE(opacityAt(m_designs->of(firstPane)->design.classification, 0.9, 0.0), 0.2);
+        QCOMPARE(opacityAt(m_otfs->of(firstPane)->design.classification, 0.9, 0.0), 0.2);
         QCOMPARE(m_asked.size(), std::size_t{2});
     }
 
@@ -166,32 +222,30 @@ private slots:
         Document next = withDesigner(m_model->document(), firstPane, otsuOf(0.5));
         next.panes.resize(3, next.panes.front());
         next = withDesigner(withCurve(std::move(next), 2, CurveKind::manual), 2, otsuOf(0.5));
-        QSignalSpy computed(m_designs.get(), &ViewDesigns::computed);
-        m_designs->setExtraPanes({1, 2});
+        QSignalSpy computed(m_otfs.get(), &PaneOtfs::computed);
+        m_otfs->setExtraPanes({1, 2});
         m_model->edit(next, "three views");
         wait();
         QCOMPARE(computed.count(), 3);
         QCOMPARE(m_asked.size(), std::size_t{1});
-        QVERIFY(m_designs->of(0) == m_designs->of(1));
-        QVERIFY(m_designs->of(0) == m_designs->of(2));
-        m_designs->setExtraPanes({});  // nobody looks at the others
-        QVERIFY(m_designs->of(0) && !m_designs->of(1) && !m_designs->of(2));
+        QVERIFY(m_otfs->of(0) == m_otfs->of(1));
+        QVERIFY(m_otfs->of(0) == m_otfs->of(2));
+        m_otfs->setExtraPanes({});  // nobody looks at the others
+        QVERIFY(m_otfs->of(0) && !m_otfs->of(1) && !m_otfs->of(2));
     }
 
     void extraViewsHaveTheirAdaptiveOtf() {
         Document next = m_model->document();
         next.panes.push_back({.withoutTubes = {3}});
         m_model->edit(next, "another view");
-        QVERIFY(!m_designs->busy());
-        m_designs->setExtraPanes({0, 1});
+        QVERIFY(!m_otfs->busy());
+        m_otfs->setExtraPanes({0, 1});
         wait();
-        QCOMPARE(m_asked.size(), std::size_t{2});
-        QVERIFY(std::holds_alternative<AdaptiveConfig>(m_asked.front().config));
-        QVERIFY(m_asked.front().method.grid.withoutTubes.empty());
-        QCOMPARE(m_asked.back().method.grid.withoutTubes, std::vector<int>{3});
-        QVERIFY(m_designs->isNewest(0) && m_designs->isNewest(1));
-        m_designs->setExtraPanes({});
-        QVERIFY(!m_designs->of(1));
+        QCOMPARE(m_adaptive.size(), std::size_t{1});  // that of the first is the scene's
+        QCOMPARE(m_adaptive.front().method.grid.withoutTubes, std::vector<int>{3});
+        QVERIFY(m_otfs->isNewest(0) && m_otfs->isNewest(1));
+        m_otfs->setExtraPanes({});
+        QVERIFY(!m_otfs->of(1));
     }
 
     void whatWasCancelledIsNotBegunAgainByItself() {
@@ -200,62 +254,63 @@ private slots:
         m_held = true;
         design(otsuOf(0.3));
         QTRY_COMPARE(m_running, 1);
-        m_designs->cancel();
-        QTRY_VERIFY(!m_designs->busy());
+        m_otfs->cancel();
+        QTRY_VERIFY(!m_otfs->busy());
         Document next = m_model->document();
         next.scene.front.depthMm = 1;
         m_model->edit(next, "cut");
-        QVERIFY(!m_designs->busy());
-        QVERIFY(!m_designs->isNewest(firstPane));
-        QCOMPARE(opacityAt(m_designs->of(firstPane)->design.classification, 0.9, 0.0), 0.2);
-        m_held = false;
-        m_designs->computeAgain();
         wait();
-        QVERIFY(m_designs->isNewest(firstPane));
-        QCOMPARE(opacityAt(m_designs->of(firstPane)->design.classification, 0.9, 0.0), 0.3);
+        QVERIFY(!m_otfs->isNewest(firstPane));
+        QCOMPARE(opacityAt(m_otfs->of(firstPane)->design.classification, 0.9, 0.0), 0.2);
+        m_held = false;
+        m_otfs->computeAgain();
+        wait();
+        QVERIFY(m_otfs->isNewest(firstPane));
+        QCOMPARE(opacityAt(m_otfs->of(firstPane)->design.classification, 0.9, 0.0), 0.3);
     }
 
     void cancelBeginsNothingOfWhatWaits() {
         Document next = withDesigner(m_model->document(), firstPane, otsuOf(0.5));
         next.panes.push_back({.curve = CurveKind::manual, .designer = otsuOf(0.7)});
-        m_designs->setExtraPanes({1});
+        m_otfs->setExtraPanes({1});
         m_held = true;
         m_model->edit(next, "two designs");
         QTRY_COMPARE(m_running, 1);
-        QSignalSpy cancelled(m_designs.get(), &ViewDesigns::cancelled);
-        m_designs->cancel();
-        QTRY_VERIFY(!m_designs->busy());
+        QSignalSpy cancelled(m_otfs.get(), &PaneOtfs::cancelled);
+        m_otfs->cancel();
+        QTRY_VERIFY(!m_otfs->busy());
         QCOMPARE(cancelled.count(), 1);
         QCOMPARE(static_cast<int>(m_cancelled), 1);
         QVERIFY(m_asked.empty());
-        QVERIFY(m_designs->isRefused(0) && m_designs->isRefused(1));
+        QVERIFY(m_otfs->isRefused(0) && m_otfs->isRefused(1));
         m_held = false;
-        m_designs->computeAgain();
+        m_otfs->computeAgain();
         wait();
-        QVERIFY(m_designs->isNewest(0) && m_designs->isNewest(1));
-        QVERIFY(!m_designs->isRefused(0));
+        QVERIFY(m_otfs->isNewest(0) && m_otfs->isNewest(1));
+        QVERIFY(!m_otfs->isRefused(0));
     }
 
     void whatPlaysNoPartIsNotComputed() {
         Document next = withDesigner(m_model->document(), firstPane, otsuOf(0.5));
         next.scene.look.mode = RenderMode::maximum;
         m_model->edit(next, "maximum");
-        QVERIFY(!m_designs->busy());
+        QVERIFY(!m_otfs->busy());
         next.scene.look.mode = RenderMode::direct;
         m_model->edit(next, "direct");
         wait();
-        QVERIFY(m_designs->isNewest(firstPane));
+        QVERIFY(m_otfs->isNewest(firstPane));
     }
 
     void aDesignerWithoutMemoryEndsInASentence() {
         m_outOfMemory = true;
-        QSignalSpy failed(m_designs.get(), &ViewDesigns::failed);
+        QSignalSpy failed(m_otfs.get(), &PaneOtfs::failed);
         design(otsuOf(0.2));
         wait();
         QCOMPARE(failed.count(), 1);
         QCOMPARE(failed.first().at(0).value<std::size_t>(), firstPane);
         QVERIFY(failed.first().at(1).toString().endsWith('.'));
-        QVERIFY(!m_designs->of(firstPane));
+        QVERIFY(!m_otfs->designOf(firstPane));
+        QVERIFY(m_otfs->isRefused(firstPane));
     }
 
     void quietVoxelsAreShownToDesigners() {
@@ -269,7 +324,7 @@ private slots:
         QVERIFY(m_asked.back().raw == m_openStudy->volume().get());
         QVERIFY(m_asked.back().shown == m_openStudy->newestVoxels().get());
         QVERIFY(m_asked.back().raw != m_asked.back().shown);
-        QVERIFY(m_designs->isNewest(firstPane));
+        QVERIFY(m_otfs->isNewest(firstPane));
     }
 
     void anotherStudyHasNothingOfTheOneBefore() {
@@ -280,12 +335,18 @@ private slots:
         m_openStudy->open(m_folder.filePath("cube.mha"));
         QVERIFY(opened.wait(patience));
         wait();
-        QVERIFY(m_designs->of(firstPane)->raw != before);
-        QVERIFY(m_designs->isNewest(firstPane));
+        QVERIFY(m_otfs->of(firstPane)->asked.raw != before);
+        QVERIFY(m_otfs->isNewest(firstPane));
     }
 
 private:
     std::optional<Design> run(const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
+        m_thread = QThread::currentThread();
+        const Asked asked{config, &input.raw, &input.shown, input.reduction, input.view, input.method};
+        if (std::holds_alternative<AdaptiveConfig>(config)) {
+            m_adaptive.push_back(asked);
+            return Design{.classification = SampledCurve{{0.0, 1.0}}};
+        }
         m_running = 1;
         while (m_held && !progress.cancelled()) std::this_thread::yield();
         m_running = 0;
@@ -294,7 +355,7 @@ private:
             return std::nullopt;
         }
         if (m_outOfMemory) throw std::bad_alloc();
-        m_asked.push_back({config, &input.raw, &input.shown, input.reduction, input.view, input.method});
+        m_asked.push_back(asked);
         const auto* otsu = std::get_if<OtsuConfig>(&config);
         const double opacity = otsu != nullptr ? otsu->opacity : 1.0;
         return Design{.classification = ManualCurve{{{0.0, 0.0}, {0.5, opacity}, {1.0, opacity}}}};
@@ -302,17 +363,18 @@ private:
     void design(const DesignerConfig& config) {
         m_model->edit(withDesigner(m_model->document(), firstPane, config), "design");
     }
-    void wait() { QTRY_VERIFY_WITH_TIMEOUT(!m_designs->busy() && !m_openStudy->quietPhases().busy(), patience); }
+    void wait() { QTRY_VERIFY_WITH_TIMEOUT(!m_otfs->busy() && !m_openStudy->quietPhases().busy(), patience); }
 
     QTemporaryDir m_folder;
     std::unique_ptr<DocumentModel> m_model;
     std::unique_ptr<OpenStudy> m_openStudy;
     // Above the designs, whose thread is the only one that touches them while something is computed.
-    std::vector<Asked> m_asked;
+    std::vector<Asked> m_asked, m_adaptive;
+    std::atomic<QThread*> m_thread = nullptr;
     std::atomic<bool> m_held = false, m_outOfMemory = false;
     std::atomic<int> m_running = 0, m_cancelled = 0;
-    std::unique_ptr<ViewDesigns> m_designs;
+    std::unique_ptr<PaneOtfs> m_otfs;
 };
 
-ECHOLUCENT_TEST_CLASS(TestViewDesigns)
-#include "test_view_designs.moc"
+ECHOLUCENT_TEST_CLASS(TestPaneOtfs)
+#include "test_pane_otfs.moc"

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/otf/otf_computing.h"
+#include "app/otf/pane_otfs.h"
 #include "io/writers/meta_image_writer.h"
 #include "tests/qt_program/test_classes.h"
 
@@ -12,17 +12,16 @@ using namespace echolucent;
 namespace {
 
 /// Tells what it was asked for and finds nothing.
-std::optional<AdaptiveOtf> echo(const Volume&, const Viewpoint& viewpoint, const AdaptiveOtfConfig& config,
-                                const Progress&, const QuietVoxels&) {
-    AdaptiveOtf otf;
-    otf.view = viewpoint;
-    otf.config = config;
-    return otf;
+std::optional<Design> echo(const DesignerConfig&, const DesignerInput& input, const Progress&) {
+    auto otf = std::make_shared<AdaptiveOtf>();
+    otf->view = input.view;
+    otf->config = input.method;
+    return Design{.classification = SampledCurve{}, .tubeCores = std::move(otf)};
 }
 
 }  // namespace
 
-class TestOtfComputing : public QObject {
+class TestOtfViews : public QObject {
     Q_OBJECT
 
 private slots:
@@ -32,16 +31,17 @@ private slots:
         const QString path = m_folder.filePath("cube.mha");
         const auto phase = std::make_shared<const Volume>(geometry, Voxels(std::vector<std::uint8_t>(64, 90)));
         // Nothing is written over a study that is open.
-        m_computing.reset();
+        m_otfs.reset();
         m_openStudy.reset();
         QVERIFY(writeMetaImage(path.toStdString(), {phase, phase}));
         m_model = std::make_unique<DocumentModel>();
         m_openStudy = std::make_unique<OpenStudy>();
-        m_openStudy->setPipeline(&echo);
-        m_computing = std::make_unique<OtfComputing>(*m_model, *m_openStudy);
+        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy);
+        m_otfs->setRun(&echo);
         QSignalSpy opened(m_openStudy.get(), &OpenStudy::studyOpened);
         m_openStudy->open(path);
         QVERIFY(opened.wait(patience));
+        awaitOtf();
     }
 
     void whatTheOtfDependsOnAsksForAnother_data() {
@@ -68,15 +68,15 @@ private slots:
         Document next = m_model->document();
         change(next);
         m_model->edit(next, "change");
-        QCOMPARE(m_openStudy->computingOtf(), asks);
+        QCOMPARE(m_otfs->busy(), asks);
         if (!asks) return;
         awaitOtf();
-        QVERIFY(m_openStudy->otf()->view == otfViewpointOf(next, firstPane));
-        QVERIFY(m_openStudy->otf()->config == configOf(next));
+        QVERIFY(m_otfs->adaptive()->view == otfViewpointOf(next, firstPane));
+        QVERIFY(m_otfs->adaptive()->config == configOf(next));
         m_model->steps().undo();
         awaitOtf();
-        QVERIFY(m_openStudy->otf()->view == Viewpoint{});
-        QVERIFY(m_openStudy->otf()->config == AdaptiveOtfConfig{});
+        QVERIFY(m_otfs->adaptive()->view == Viewpoint{});
+        QVERIFY(m_otfs->adaptive()->config == AdaptiveOtfConfig{});
     }
 
     void anEditOfTheInitialFunctionAsks() {
@@ -87,7 +87,7 @@ private slots:
         next.curves.manual.nodes[1].opacity = 0.25;
         m_model->preview(next, "drag");  // already while the hand drags
         awaitOtf();
-        QVERIFY(m_openStudy->otf()->config.initial == OpacityCurve(next.curves.manual));
+        QVERIFY(m_otfs->adaptive()->config.initial == OpacityCurve(next.curves.manual));
     }
 
     void computeForThisViewTakesWhatIsShownAsOneStep() {
@@ -95,54 +95,80 @@ private slots:
         next.scene.pose.direction = {10, 20, 30};
         m_model->edit(next, "turn");
         m_model->showMotionAngle(5);
-        m_computing->computeForThisView();
+        m_otfs->computeForThisView();
         awaitOtf();
-        QVERIFY(m_openStudy->otf()->view == (Viewpoint{BeamAxis::plusZ, 15, 20, 30, 0}));
+        QVERIFY(m_otfs->adaptive()->view == (Viewpoint{BeamAxis::plusZ, 15, 20, 30, 0}));
         QCOMPARE(m_model->steps().count(), 2);
         m_model->steps().undo();
         awaitOtf();
-        QVERIFY(m_openStudy->otf()->view == Viewpoint{});
+        QVERIFY(m_otfs->adaptive()->view == Viewpoint{});
     }
 
     void theOneOtfIsOfThePhaseThatTheDocumentNames() {
-        m_openStudy->setPhase(1);
         m_model->showPhase(1);
-        m_computing->computeForThisView();
+        QVERIFY(m_otfs->isNewest(PaneOtfs::adaptiveOfScene));  // whichever phase is shown
+        m_otfs->computeForThisView();
         awaitOtf();
         QCOMPARE(m_model->document().motion.otfPhase, 1);
-        QCOMPARE(m_openStudy->phaseOfOtf(), 1);
+        QCOMPARE(phaseOfOtf(), 1);
         QCOMPARE(m_model->steps().count(), 1);
         m_model->steps().undo();
-        QVERIFY(m_openStudy->otfUnderWay());
         awaitOtf();
-        QCOMPARE(m_openStudy->phaseOfOtf(), 0);
+        QCOMPARE(phaseOfOtf(), 0);
         Document next = m_model->document();
         next.motion.otf = MotionOtf::eachView;
         m_model->edit(next, "each");
-        QCOMPARE(m_openStudy->phaseOfOtf(), 1);  // the phase that is shown
+        awaitOtf();
+        QCOMPARE(phaseOfOtf(), 1);  // the phase that is shown
+        m_model->showPhase(0);
+        awaitOtf();
+        QCOMPARE(phaseOfOtf(), 0);
     }
 
     void aCutKeepsTheDirectionOfAFrame() {
-        m_computing->computeFor({BeamAxis::plusZ, 12, 0, 0, 0});  // a frame of the motion
-        awaitOtf();
         Document next = m_model->document();
+        next.motion.otf = MotionOtf::eachView;
+        m_model->edit(next, "each");
+        m_model->showFrame(12, 0);
+        awaitOtf();
+        QVERIFY(m_otfs->adaptive()->view == (Viewpoint{BeamAxis::plusZ, 12, 0, 0, 0}));
+        next = m_model->document();
         next.scene.front.depthMm = 1;
         m_model->edit(next, "cut");
         awaitOtf();
-        QVERIFY(m_openStudy->otf()->view == (Viewpoint{BeamAxis::plusZ, 12, 0, 0, 1}));
+        QVERIFY(m_otfs->adaptive()->view == (Viewpoint{BeamAxis::plusZ, 12, 0, 0, 1}));
+    }
+
+    void theHandThatEndsAMotionLeavesTheViewOfItsLastFrame() {
+        Document next = m_model->document();
+        next.motion.otf = MotionOtf::eachView;
+        m_model->edit(next, "each");
+        m_model->showFrame(12, 0);
+        awaitOtf();
+        next = m_model->document();
+        next.scene.pose.direction.elevation = 30;
+        next.scene.motionAngle = 0;
+        m_model->edit(next, "turn view");
+        QVERIFY(m_otfs->isNewest(PaneOtfs::adaptiveOfScene));
+        QCOMPARE(m_otfs->adaptive()->view.azimuthDegrees, 12.0);
+        // Another side has the last word.
+        next.scene.side.azimuth = 40;
+        m_model->edit(next, "side");
+        awaitOtf();
+        QCOMPARE(m_otfs->adaptive()->view.azimuthDegrees, 40.0);
     }
 
 private:
     void awaitOtf() {
-        QVERIFY(QTest::qWaitFor([this] { return !m_openStudy->computingOtf(); }, patience));
-        QVERIFY(m_openStudy->otf() != nullptr);
+        QVERIFY(QTest::qWaitFor([this] { return m_otfs->isNewest(PaneOtfs::adaptiveOfScene); }, patience));
     }
+    int phaseOfOtf() { return *m_openStudy->phaseOfVoxels(*m_otfs->of(PaneOtfs::adaptiveOfScene)->asked.raw); }
 
     QTemporaryDir m_folder;
     std::unique_ptr<DocumentModel> m_model;
     std::unique_ptr<OpenStudy> m_openStudy;
-    std::unique_ptr<OtfComputing> m_computing;
+    std::unique_ptr<PaneOtfs> m_otfs;
 };
 
-ECHOLUCENT_TEST_CLASS(TestOtfComputing)
-#include "test_otf_computing.moc"
+ECHOLUCENT_TEST_CLASS(TestOtfViews)
+#include "test_otf_views.moc"

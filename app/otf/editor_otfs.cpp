@@ -1,0 +1,42 @@
+#include "app/otf/editor_otfs.h"
+
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/panel_controls.h"
+
+namespace echolucent {
+
+QString labelOf(const DesignerConfig& config) { return textOf(labelOf(designerOf(config))); }
+
+EditorOtfs::EditorOtfs(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    connect(&m_parts.panes, &ShownPanes::changed, this, &EditorOtfs::showAdaptive);
+    connect(&m_parts.otfs, &PaneOtfs::computed, this, [this](std::size_t place) {
+        if (place == firstPane) showDesign();
+    });
+    connect(&m_parts.model, &DocumentModel::panesChanged, this, &EditorOtfs::showDesign);
+    connect(&m_parts.otfs, &PaneOtfs::failed, this, &EditorOtfs::tellFailure);
+}
+
+/// The curve before stays until the next one is there, or none will come.
+void EditorOtfs::showAdaptive() {
+    const SampledCurve& curve = m_parts.panes.adaptiveCurve();
+    const bool comes = curve.opacities.empty() && !m_parts.otfs.isRefused(PaneOtfs::adaptiveOfScene);
+    if (!comes && m_parts.editor.state().adaptive != curve) m_parts.editor.setAdaptiveCurve(curve);
+}
+
+void EditorOtfs::showDesign() {
+    const DesignerConfig* config = designerConfigOf(m_parts.model.document(), firstPane);
+    if (config == nullptr) return;
+    const auto made = m_parts.otfs.designOf(firstPane);
+    m_parts.editor.setDesign(labelOf(made ? made->asked.config : *config),
+                             made ? std::optional(upperCurveOf(made->design.classification)) : std::nullopt);
+}
+
+/// The scene's OTF is told once, at its own place.
+void EditorOtfs::tellFailure(std::size_t place, const QString& sentence) {
+    const bool designed = designerConfigOf(m_parts.model.document(), firstPane) != nullptr;
+    if (place == PaneOtfs::adaptiveOfScene || (place == firstPane && designed))
+        m_parts.messages.showMessage(MessageKind::error, sentence);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,323 @@
+#include "app/otf/pane_otfs.h"
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "processing/designers/designer.h"
+#include "processing/document/view_caster.h"
+
+namespace echolucent {
+
+namespace {
+
+/// Whether two requests ask for the same but of other voxels, as the frames of a 4D study do.
+bool differInVoxelsOnly(auto one, const auto& other) {
+    one.raw = other.raw;
+    one.shown = other.shown;
+    return one == other;
+}
+
+std::size_t paneOf(std::size_t place) { return place == PaneOtfs::adaptiveOfScene ? firstPane : place; }
+
+}  // namespace
+
+PaneOtfs::PaneOtfs(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
+    : QObject(parent),
+      m_model(model),
+      m_openStudy(openStudy),
+      m_run([](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
+          return design(config, input, progress);
+      }),
+      m_thread(QStringLiteral("OTFs")) {
+    begin();
+    connect(&m_model, &DocumentModel::changed, this, &PaneOtfs::follow);
+    connect(&m_openStudy, &OpenStudy::volumeChanged, this, &PaneOtfs::follow);
+    connect(&m_openStudy, &OpenStudy::phaseVoxelsChanged, this, &PaneOtfs::follow);
+    // Of speckle that is no longer reduced no voxels are made, and what was cancelled is waited for no more.
+    connect(&m_openStudy, &OpenStudy::quietVoxelsMade, this, &PaneOtfs::follow);
+    connect(&m_openStudy, &OpenStudy::quieteningChanged, this, &PaneOtfs::follow);
+    // Strokes that cut nothing change no voxels.
+    connect(&m_openStudy, &OpenStudy::cuttingChanged, this, &PaneOtfs::follow);
+    connect(&m_thread, &NewestWinsThread::busyChanged, this, &PaneOtfs::busyChanged);
+    connect(&m_thread, &NewestWinsThread::progressed, this, &PaneOtfs::progressed);
+}
+
+void PaneOtfs::setExtraPanes(std::vector<std::size_t> panes) {
+    m_extraPanes = std::move(panes);
+    follow();
+}
+
+void PaneOtfs::setPlaying(bool playing) {
+    if (std::exchange(m_playing, playing) != playing) follow();
+}
+
+void PaneOtfs::setRun(Run run) {
+    m_run = std::move(run);
+    m_kept.clear();
+}
+
+std::shared_ptr<const ComputedOtf> PaneOtfs::of(std::size_t place) const {
+    const auto found = m_made.find(place);
+    return found == m_made.end() ? nullptr : found->second.otf;
+}
+
+std::shared_ptr<const ComputedOtf> PaneOtfs::designOf(std::size_t pane) const {
+    const auto found = m_made.find(pane);
+    const bool designed = designerConfigOf(m_model.document(), pane) != nullptr;
+    return designed && found != m_made.end() && found->second.byDesigner ? found->second.otf : nullptr;
+}
+
+std::shared_ptr<const AdaptiveOtf> PaneOtfs::adaptive() const {
+    const auto otf = of(adaptiveOfScene);
+    return otf ? otf->design.tubeCores : nullptr;
+}
+
+bool PaneOtfs::isNewest(std::size_t place) const {
+    const auto found = m_made.find(place);
+    return found != m_made.end() && requestOf(place) == found->second.otf->asked;
+}
+
+bool PaneOtfs::isRefused(std::size_t place) const {
+    const auto wanted = m_wanted.find(place);
+    return wanted != m_wanted.end() && refused(wanted->second);
+}
+
+bool PaneOtfs::designing() const { return m_running && !std::holds_alternative<AdaptiveConfig>(m_running->config); }
+
+void PaneOtfs::cancel() {
+    if (!m_running) return;
+    m_running.reset();
+    m_thread.cancel();
+    for (const auto& [place, request] : m_wanted)
+        if (!isNewest(place) && !refused(request)) m_refused.push_back(request);
+    emit cancelled();
+    emit followed();
+}
+
+void PaneOtfs::computeAgain() {
+    m_refused.clear();
+    follow();
+}
+
+void PaneOtfs::computeForThisView() {
+    if (!m_openStudy.volume()) return;
+    const Viewpoint shown = viewpointOf(m_model.document());
+    Document next = m_model.document();
+    next.scene.side = directionOf(shown);
+    next.motion.otfPhase = phaseOf(next, firstPane);
+    m_model.edit(next, tr("compute for this view"));
+    m_view = shown;  // also if the side was this one before
+    computeAgain();
+}
+
+bool PaneOtfs::isOfSomePhase(const OtfRequest& request) const {
+    const Study* study = m_openStudy.study();
+    const auto phases = study != nullptr ? static_cast<int>(study->phases.size()) : 0;
+    for (int phase = 0; phase < phases; ++phase)
+        if (request.raw == m_openStudy.rawVoxelsOf(phase) && request.shown == m_openStudy.newestVoxelsOf(phase))
+            return true;
+    return false;
+}
+
+std::vector<std::size_t> PaneOtfs::wantedPlaces() const {
+    const Document& document = m_model.document();
+    std::vector<std::size_t> places;
+    for (std::size_t pane = 0; pane < document.panes.size(); ++pane)
+        if (needsComputedOtf(document, pane) &&
+            (pane == firstPane || std::ranges::find(m_extraPanes, pane) != m_extraPanes.end()))
+            places.push_back(pane);
+    places.push_back(adaptiveOfScene);
+    return places;
+}
+
+Viewpoint PaneOtfs::viewOf(std::size_t pane) const {
+    const Document& document = m_model.document();
+    return document.panes.at(pane).motionOtf ? otfViewpointOf(document, pane) : m_view;
+}
+
+bool PaneOtfs::waitsForVoxels(std::size_t place, int phase) const {
+    const std::shared_ptr<const Volume> raw = m_openStudy.rawVoxelsOf(phase);
+    const auto made = of(place);
+    const bool shown = made && made->asked.raw->isSameScanAs(*raw);
+    if (!shown && m_openStudy.isCutting(phase)) return true;
+    const QuietPhases& quiet = m_openStudy.quietPhases();
+    if (m_playing || !quiet.busy() || quiet.of(phase)) return false;
+    return shown || raw->geometry().voxelCount() <= quietFirstVoxels;
+}
+
+std::optional<OtfRequest> PaneOtfs::requestOf(std::size_t place) const {
+    const Document& document = m_model.document();
+    const std::vector<std::size_t> all = wantedPlaces();
+    const Study* study = m_openStudy.study();
+    if (study == nullptr || std::ranges::find(all, place) == all.end()) return std::nullopt;
+    const std::size_t pane = paneOf(place);
+    // A pane of a longer study shows the last phase.
+    const int phases = static_cast<int>(study->phases.size());
+    const int phase = std::min(otfPhaseOf(document, pane, phases), phases - 1);
+    if (waitsForVoxels(place, phase)) return std::nullopt;
+    const DesignerConfig* config = place == adaptiveOfScene ? nullptr : designerConfigOf(document, pane);
+    OtfRequest request{.config = config != nullptr ? *config : AdaptiveConfig{},
+                       .raw = m_openStudy.rawVoxelsOf(phase),
+                       .shown = m_openStudy.newestVoxelsOf(phase)};
+    const QuietPhases& quiet = m_openStudy.quietPhases();
+    if (quiet.of(phase)) request.reduction = quiet.reduction();
+    if (readsTubeCores(request.config)) {
+        request.view = viewOf(pane);
+        request.method = configOf(document, pane);
+    }
+    return request;
+}
+
+/// Another study is open.
+void PaneOtfs::begin() {
+    m_study = m_openStudy.study();
+    m_kept.clear();
+    m_made.clear();
+    m_refused.clear();
+    if (std::exchange(m_running, std::nullopt)) m_thread.cancel();
+    const Document& document = m_model.document();
+    m_followed = {.fromSide = otfViewpointOf(document, firstPane),
+                  .otf = document.motion.otf,
+                  .angle = document.scene.motionAngle,
+                  .phase = phaseOf(document, firstPane),
+                  .pose = document.scene.pose};
+    m_view = document.motion.otf == MotionOtf::oneOtf ? m_followed.fromSide : viewpointOf(document);
+}
+
+void PaneOtfs::followView() {
+    const Document& document = m_model.document();
+    const Followed now{.fromSide = otfViewpointOf(document, firstPane),
+                       .otf = document.motion.otf,
+                       .angle = document.scene.motionAngle,
+                       .phase = phaseOf(document, firstPane),
+                       .pose = document.scene.pose};
+    const Followed before = std::exchange(m_followed, now);
+    // Front and box limit a frame of the motion, and leave its direction as it is.
+    const auto limit = [&now](Viewpoint view) {
+        view.nearCutMm = now.fromSide.nearCutMm;
+        view.cutSurface = now.fromSide.cutSurface;
+        view.box = now.fromSide.box;
+        return view;
+    };
+    m_view = limit(before.fromSide) == now.fromSide ? limit(m_view) : now.fromSide;
+    const bool oneOtf = now.otf == MotionOtf::oneOtf;
+    // The hand that turns the camera ends the motion: that is no frame of it.
+    const bool anotherFrame = (now.angle != before.angle || now.phase != before.phase) && now.pose == before.pose;
+    if (now.otf != before.otf)
+        m_view = oneOtf ? now.fromSide : viewpointOf(document);
+    else if (!oneOtf && anotherFrame)
+        m_view = viewpointOf(document);
+}
+
+void PaneOtfs::follow() {
+    m_stale = true;
+    if (std::exchange(m_following, true)) return;  // who was given something has changed the document
+    while (std::exchange(m_stale, false)) giveWhatIsKept();
+    m_following = false;
+    computeNext();
+    emit followed();
+}
+
+void PaneOtfs::giveWhatIsKept() {
+    if (m_study != m_openStudy.study())
+        begin();
+    else
+        followView();
+    m_wanted.clear();
+    const std::vector<std::size_t> all = wantedPlaces();
+    std::erase_if(m_made, [&](const auto& made) { return std::ranges::find(all, made.first) == all.end(); });
+    for (const std::size_t place : all)
+        if (auto request = requestOf(place)) m_wanted.emplace(place, std::move(*request));
+    std::erase_if(m_refused, [this](const OtfRequest& request) {
+        return std::ranges::none_of(m_wanted, [&](const auto& wanted) { return wanted.second == request; });
+    });
+    const std::map<std::size_t, OtfRequest> wanted = m_wanted;
+    for (const auto& [place, request] : wanted) {
+        const auto made = m_made.find(place);
+        if (made != m_made.end() && made->second.otf->asked == request) continue;
+        // The scene's OTF may be there for another place.
+        const auto same = std::ranges::find_if(
+            m_made, [&asked = request](const auto& each) { return each.second.otf->asked == asked; });
+        if (same != m_made.end())
+            give(place, same->second.otf);
+        else if (auto found = m_kept.find(request))
+            give(place, std::move(found));
+    }
+}
+
+bool PaneOtfs::refused(const OtfRequest& request) const {
+    return std::ranges::find(m_refused, request) != m_refused.end();
+}
+
+void PaneOtfs::computeNext() {
+    if (m_running) {
+        // The frame of a motion that has gone on is kept for its next turn; else a slow designer would make none.
+        // Voxels that were cut or quietened since are nobody's frame.
+        const bool goesOn = std::ranges::any_of(m_wanted, [this](const auto& wanted) {
+            return wanted.second == *m_running || differInVoxelsOnly(wanted.second, *m_running);
+        });
+        if (goesOn && isOfSomePhase(*m_running)) return;
+    }
+    for (const auto& [place, request] : m_wanted) {
+        const auto made = m_made.find(place);
+        if ((made != m_made.end() && made->second.otf->asked == request) || refused(request)) continue;
+        return compute(request);
+    }
+    if (std::exchange(m_running, std::nullopt)) m_thread.cancel();
+}
+
+void PaneOtfs::compute(const OtfRequest& request) {
+    m_running = request;
+    m_thread.submit([this, run = m_run, request](const Progress& progress) -> NewestWinsThread::Deliver {
+        QElapsedTimer clock;
+        clock.start();
+        std::optional<Design> made;
+        try {
+            made = run(request.config, {*request.raw, *request.shown, request.reduction, request.view, request.method},
+                       progress);
+        } catch (const std::bad_alloc&) {
+            const bool adaptive = std::holds_alternative<AdaptiveConfig>(request.config);
+            return [this, request,
+                    sentence = adaptive ? tr("The adaptive OTF needs more memory than this machine has.")
+                                        : tr("The designer needs more memory than this machine has.")] {
+                fail(request, sentence);
+            };
+        }
+        if (!made) return {};
+        const double milliseconds = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+        return [this, request, made = std::move(*made), milliseconds] { take(request, made, milliseconds); };
+    });
+}
+
+void PaneOtfs::take(const OtfRequest& request, Design design, double milliseconds) {
+    if (m_running != request) return;
+    m_running.reset();
+    const auto made = std::make_shared<const ComputedOtf>(ComputedOtf{request, std::move(design), milliseconds});
+    m_kept.keep(*made);
+    const std::map<std::size_t, OtfRequest> wanted = m_wanted;
+    for (const auto& [place, asked] : wanted)
+        if (asked == request && m_wanted.contains(place) && m_wanted.at(place) == request) give(place, made);
+    computeNext();
+    emit followed();
+}
+
+void PaneOtfs::fail(const OtfRequest& request, const QString& sentence) {
+    if (m_running != request) return;
+    m_running.reset();
+    m_refused.push_back(request);
+    const std::map<std::size_t, OtfRequest> wanted = m_wanted;
+    for (const auto& [place, asked] : wanted)
+        if (asked == request) emit failed(place, sentence);
+    computeNext();
+    emit followed();
+}
+
+void PaneOtfs::give(std::size_t place, std::shared_ptr<const ComputedOtf> otf) {
+    const bool byDesigner = place != adaptiveOfScene && designerConfigOf(m_model.document(), place) != nullptr;
+    m_made[place] = {std::move(otf), byDesigner};
+    emit computed(place);
+}
+
+}  // namespace echolucent

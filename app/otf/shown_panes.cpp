@@ -1,0 +1,152 @@
+#include "app/otf/shown_panes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "processing/document/view_caster.h"
+
+namespace echolucent {
+
+ShownPanes::ShownPanes(DocumentModel& model, OpenStudy& openStudy, PaneOtfs& otfs, OtfCourse& course, QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy), m_otfs(otfs), m_sceneCourse(course) {
+    connect(&m_otfs, &PaneOtfs::followed, this, &ShownPanes::follow);
+}
+
+void ShownPanes::setPlaying(bool playing) {
+    m_otfs.setPlaying(playing);
+    if (std::exchange(m_playing, playing) != playing) follow();
+}
+
+const SampledCurve& ShownPanes::adaptiveCurve() const {
+    static const SampledCurve none;
+    const auto course = m_courses.find(PaneOtfs::adaptiveOfScene);
+    return course == m_courses.end() ? none : course->second.curve;
+}
+
+void ShownPanes::follow() {
+    if (std::exchange(m_study, m_openStudy.study()) != m_openStudy.study()) {
+        m_courses.clear();
+        m_last.clear();
+    }
+    const std::size_t panes = m_model.document().panes.size();
+    followCourse(PaneOtfs::adaptiveOfScene);
+    for (std::size_t pane = 0; pane < panes; ++pane) followCourse(pane);
+    std::erase_if(m_last, [panes](const auto& last) { return last.first >= panes; });
+    for (std::size_t pane = 0; pane < panes; ++pane)
+        if (ShownPane shown = at(pane); shown.ready) m_last[pane] = std::move(shown);
+    emit changed();
+}
+
+MotionOtf ShownPanes::modeOf(std::size_t place) const {
+    const Document& document = m_model.document();
+    if (place == PaneOtfs::adaptiveOfScene) return document.motion.otf;
+    return document.panes.at(place).motionOtf.value_or(document.motion.otf);
+}
+
+/// A frame joins the course once its OTF is there. What the hand turns meanwhile is no frame.
+void ShownPanes::followCourse(std::size_t place) {
+    const Document& document = m_model.document();
+    const bool ofScene = place == PaneOtfs::adaptiveOfScene;
+    const auto made = m_otfs.of(place);
+    if (!made || !made->design.tubeCores) {
+        m_courses.erase(place);
+        return;
+    }
+    if (!m_otfs.isNewest(place)) return;
+    const std::size_t pane = ofScene ? firstPane : place;
+    const auto phases = static_cast<int>(m_openStudy.study()->phases.size());
+    const int phase = std::min(phaseOf(document, pane), phases - 1);
+    const Scene& scene = document.scene;
+    const auto& otf = made->design.tubeCores;
+    const MotionOtf mode = modeOf(place);
+    Course& taken = m_courses[place];
+    const bool anotherFrame = taken.pose == scene.pose && (taken.angle != scene.motionAngle || taken.phase != phase);
+    const CourseFrame frame{static_cast<int>(std::lround(scene.motionAngle)), phase, phases};
+    CourseKey key = courseKeyOf(document, otf->config, frame);
+    const bool anotherCourse = taken.pose == scene.pose && taken.key != key;
+    if (taken.otf == otf && taken.mode == mode && !anotherFrame && !anotherCourse) return;
+    const bool begins = std::exchange(taken.mode, mode) == MotionOtf::oneOtf && mode != MotionOtf::oneOtf;
+    taken.otf = otf;
+    taken.angle = scene.motionAngle;
+    taken.phase = phase;
+    taken.pose = scene.pose;
+
+    OtfCourse& course = ofScene ? m_sceneCourse : taken.course;
+    if (taken.key != key) {
+        course.begin(key.rows, phases);
+        // Another loop has no use for the OTFs of the one before.
+        if (ofScene && mode != MotionOtf::oneOtf) m_otfs.forgetKept();
+        taken.key = std::move(key);
+    } else if (ofScene && begins) {
+        m_otfs.forgetKept();
+    }
+    // An OTF of another view or phase than the frame's (one OTF for a motion that has gone on) is no frame of it.
+    const bool ofFrame = otf->view == viewpointOf(document) && otfPhaseOf(document, pane, phases) == phase;
+    if (ofFrame) course.add(frame, otf->curve);
+    if (mode == MotionOtf::oneOtf) course.addOneOtf(frame, otf->curve);
+    taken.curve = ofFrame && mode != MotionOtf::oneOtf ? course.newest(mode) : otf->curve;
+    if (ofScene) emit courseChanged();
+}
+
+const SampledCurve* ShownPanes::curveAt(std::size_t pane, const ComputedOtf& otf) const {
+    if (!otf.design.tubeCores) return nullptr;
+    // What panes and scene have alike has one course.
+    for (const std::size_t place : {PaneOtfs::adaptiveOfScene, pane}) {
+        const auto course = m_courses.find(place);
+        if (course != m_courses.end() && course->second.otf == otf.design.tubeCores &&
+            course->second.mode == modeOf(pane))
+            return &course->second.curve;
+    }
+    return &otf.design.tubeCores->curve;
+}
+
+void ShownPanes::takeVoxels(std::size_t place, int phase, ShownPane& pane) const {
+    pane.voxels = m_openStudy.newestVoxelsOf(phase);
+    const QuietPhases& quiet = m_openStudy.quietPhases();
+    const bool comeSoon = !m_playing && quiet.busy() && !quiet.of(phase);
+    const auto last = m_last.find(place);
+    if (last != m_last.end()) {
+        if (comeSoon && last->second.measured == pane.measured) pane.voxels = last->second.voxels;
+        return;
+    }
+    // One picture and not two follow an opening.
+    const bool small = pane.measured->geometry().voxelCount() <= PaneOtfs::quietFirstVoxels;
+    if ((comeSoon && small) || m_openStudy.isCutting(phase)) pane.ready = false;
+}
+
+ShownPane ShownPanes::at(std::size_t place) const {
+    const Study* study = m_openStudy.study();
+    if (study == nullptr || !m_openStudy.volume()) return {};
+    const Document& document = m_model.document();
+    const auto phases = static_cast<int>(study->phases.size());
+    const int phase = std::min(phaseOf(document, place), phases - 1);
+    ShownPane pane{.measured = m_openStudy.rawVoxelsOf(phase), .newest = true, .ready = true};
+    if (!needsComputedOtf(document, place)) {
+        takeVoxels(place, phase, pane);
+        pane.classification = classificationOf(document, place, {});
+        return pane;
+    }
+    const auto made = m_otfs.of(place);
+    pane.newest = m_otfs.isNewest(place);
+    pane.refused = !pane.newest && m_otfs.isRefused(place);
+    if (made && !pane.refused && made->asked.raw == pane.measured)
+        pane.voxels = made->asked.shown;  // they came together
+    else
+        takeVoxels(place, phase, pane);
+    const int otfPhase = std::min(otfPhaseOf(document, place, phases), phases - 1);
+    const bool ofScan = made && made->asked.raw->isSameScanAs(*m_openStudy.rawVoxelsOf(otfPhase));
+    pane.ready = pane.newest || pane.refused || (ofScan && !m_playing);
+    ViewOtf otf;
+    if (made) {
+        otf.designed = made->design.classification;
+        if (const SampledCurve* curve = curveAt(place, *made)) {
+            otf.curve = *curve;
+            otf.designed = *curve;
+        }
+    }
+    pane.classification = classificationOf(document, place, otf);
+    return pane;
+}
+
+}  // namespace echolucent
