@@ -2,21 +2,19 @@
 
 namespace echolucent {
 
-CompareControls::CompareControls(DocumentModel& model, OpenStudy& openStudy, HandGesture& hand, ComparePanel& panel,
-                                 QObject* parent)
-    : QObject(parent), m_model(model), m_openStudy(openStudy), m_hand(hand), m_panel(panel) {
+CompareControls::CompareControls(DocumentModel& model, OpenStudy& openStudy, ComparePanel& panel, QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy), m_panel(panel) {
     connect(&m_panel, &ComparePanel::countChosen, this, [this](int count) {
-        m_model.edit(withPaneCount(m_model.document(), static_cast<std::size_t>(count)), tr("number of panes"),
-                     m_hand.current());
+        m_model.edit(withPaneCount(m_model.document(), static_cast<std::size_t>(count)), tr("number of panes"));
     });
     connect(&m_panel, &ComparePanel::paneChosen, this, [this](int place, const Pane& choice) {
         m_model.edit(withPane(m_model.document(), static_cast<std::size_t>(place), choice),
-                     tr("OTF of pane %1").arg(place + 1), m_hand.current());
+                     tr("OTF of pane %1").arg(place + 1));
     });
     connect(&m_panel, &ComparePanel::comparisonChosen, this, [this](const Comparison& comparison, const QString& what) {
         Document next = m_model.document();
         next.comparison = comparison;
-        m_model.edit(next, what, m_hand.current());
+        m_model.edit(next, what);
     });
     connect(&m_model, &DocumentModel::changed, this, &CompareControls::show);
     connect(&m_openStudy, &OpenStudy::studyOpened, this, &CompareControls::show);

@@ -6,7 +6,6 @@
 #include "app/study/open_study.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/document/document_model.h"
-#include "widgets/hand_gesture.h"
 
 namespace echolucent {
 
@@ -16,8 +15,7 @@ class CompareControls : public QObject {
 
 public:
     /// All of them must outlive this.
-    CompareControls(DocumentModel& model, OpenStudy& openStudy, HandGesture& hand, ComparePanel& panel,
-                    QObject* parent = nullptr);
+    CompareControls(DocumentModel& model, OpenStudy& openStudy, ComparePanel& panel, QObject* parent = nullptr);
 
     /// Where nothing is compared yet, makes the standard comparison a step.
     void begin();
@@ -27,7 +25,6 @@ private:
 
     DocumentModel& m_model;
     OpenStudy& m_openStudy;
-    HandGesture& m_hand;
     ComparePanel& m_panel;
 };
 

@@ -4,9 +4,8 @@
 
 namespace echolucent {
 
-CompareHand::CompareHand(DocumentModel& model, OpenStudy& openStudy, HandGesture& hand, CompareGrid& grid,
-                         QObject* parent)
-    : QObject(parent), m_model(model), m_openStudy(openStudy), m_hand(hand), m_grid(grid) {
+CompareHand::CompareHand(DocumentModel& model, OpenStudy& openStudy, CompareGrid& grid, QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy), m_grid(grid) {
     connect(&m_grid, &CompareGrid::orbited, this, [this](double right, double down) {
         moveCamera([=](const CameraPose& camera, const ZoomLimits&) { return orbited(camera, right, down); });
     });
@@ -61,7 +60,7 @@ void CompareHand::take(const Document& next, const QString& what) {
     if (m_grid.dragging())
         m_model.preview(next, what);
     else
-        m_model.edit(next, what, m_hand.current());
+        m_model.edit(next, what);
 }
 
 }  // namespace echolucent

@@ -8,7 +8,6 @@
 #include "processing/picture/camera_pose.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/document/document_model.h"
-#include "widgets/hand_gesture.h"
 
 namespace echolucent {
 
@@ -18,8 +17,7 @@ class CompareHand : public QObject {
 
 public:
     /// All of them must outlive this.
-    CompareHand(DocumentModel& model, OpenStudy& openStudy, HandGesture& hand, CompareGrid& grid,
-                QObject* parent = nullptr);
+    CompareHand(DocumentModel& model, OpenStudy& openStudy, CompareGrid& grid, QObject* parent = nullptr);
 
 signals:
     /// The hand has moved the camera, out of a motion too.
@@ -32,7 +30,6 @@ private:
 
     DocumentModel& m_model;
     OpenStudy& m_openStudy;
-    HandGesture& m_hand;
     CompareGrid& m_grid;
 };
 

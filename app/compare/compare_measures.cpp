@@ -25,7 +25,6 @@ CompareMeasures::CompareMeasures(const Parts& parts, QObject* parent)
     connect(&m_views, &ComparedViews::frameShown, this, &CompareMeasures::follow);
     connect(&m_views, &ComparedViews::followed, this, &CompareMeasures::follow);
     connect(&m_openStudy, &OpenStudy::studyOpened, this, &CompareMeasures::forgetStudy);
-    connect(&m_otfs, &PaneOtfs::busyChanged, this, &CompareMeasures::follow);
     connect(&m_player, &MotionPlayer::playingChanged, this, &CompareMeasures::follow);
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &CompareMeasures::busyChanged);
     connect(&m_flickerThread, &NewestWinsThread::busyChanged, this, &CompareMeasures::busyChanged);
@@ -42,10 +41,10 @@ std::optional<CompareMeasures::Asked> CompareMeasures::wanted() const {
                 .reduction = made->asked.reduction,
                 .otf = m_otfs.adaptive()};
     for (std::size_t place = 0; place < document.panes.size(); ++place) {
-        ShownPane pane = m_views.paneAt(place);
+        const ShownPane& pane = m_views.paneAt(place);
         if (!pane.newest) return std::nullopt;
         if (pane.voxels != asked.shown) continue;
-        asked.classifications.push_back(std::move(pane.classification));
+        asked.classifications.push_back(pane.classification);
         asked.places.push_back(place);
     }
     return asked;

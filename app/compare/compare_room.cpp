@@ -23,8 +23,8 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
       m_views({parts.model, parts.openStudy, parts.otfs, parts.panes, parts.grid}),
-      m_hand(parts.model, parts.openStudy, parts.hand, parts.grid),
-      m_controls(parts.model, parts.openStudy, parts.hand, parts.panel),
+      m_hand(parts.model, parts.openStudy, parts.grid),
+      m_controls(parts.model, parts.openStudy, parts.panel),
       m_measures({parts.model, parts.openStudy, parts.otfs, m_views, parts.player}),
       m_writing("comparison page") {
     // What fails for the first pane is said of the 3D view already.
@@ -58,7 +58,7 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     connect(&m_measures, &CompareMeasures::rowsChanged, &m_parts.panel, &ComparePanel::setRows);
     connect(&m_parts.panel, &ComparePanel::flickerRequested, &m_measures, &CompareMeasures::measureFlicker);
     connect(&m_parts.panel, &ComparePanel::pageRequested, this, &CompareRoom::chooseAndSavePage);
-    connect(&m_parts.otfs, &PaneOtfs::followed, this, &CompareRoom::setUpWaitingFigure, Qt::QueuedConnection);
+    connect(&m_parts.otfs, &PaneOtfs::computed, this, &CompareRoom::setUpWaitingFigure, Qt::QueuedConnection);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
         m_waitingPage.clear();
         if (!m_parts.openStudy.isSimulatedScan()) m_figureWaits = 0;

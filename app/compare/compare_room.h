@@ -31,7 +31,6 @@ public:
         QMainWindow& window;
         DocumentModel& model;
         OpenStudy& openStudy;
-        HandGesture& hand;
         MotionPlayer& player;
         QStackedWidget& rooms;  ///< the review room first
         PaneOtfs& otfs;

@@ -29,7 +29,6 @@ PaneFace faceOf(std::size_t place, const Pane& choice) {
 ComparedViews::ComparedViews(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ComparedViews::forgetStudy);
     connect(&m_parts.panes, &ShownPanes::changed, this, &ComparedViews::follow);
-    connect(&m_parts.otfs, &PaneOtfs::busyChanged, this, &ComparedViews::showFaces);
     connect(&m_parts.grid, &CompareGrid::arranged, this, &ComparedViews::follow);
     connect(&m_parts.grid, &CompareGrid::painted, &m_caster, &CompareCaster::drawn);
     connect(&m_caster, &CompareCaster::delivered, this, &ComparedViews::take);
@@ -42,15 +41,6 @@ void ComparedViews::setShown(bool shown) {
     follow();
 }
 
-void ComparedViews::askForOtfs() {
-    std::vector<std::size_t> panes;
-    if (m_shown && isCompared(m_parts.model.document()))
-        for (std::size_t place = 0; place < m_parts.model.document().panes.size(); ++place) panes.push_back(place);
-    if (panes == m_askedPanes) return;
-    m_askedPanes = panes;
-    m_parts.otfs.setExtraPanes(std::move(panes));
-}
-
 std::vector<std::size_t> ComparedViews::placesWanted() const {
     const Comparison& comparison = m_parts.model.document().comparison;
     if (comparison.layout == ComparisonLayout::sideBySide) return m_parts.grid.shownPanes();
@@ -60,7 +50,7 @@ std::vector<std::size_t> ComparedViews::placesWanted() const {
 void ComparedViews::follow() {
     const Document& document = m_parts.model.document();
     const Comparison& comparison = document.comparison;
-    askForOtfs();
+    m_parts.otfs.setComparing(m_shown && isCompared(document));
     m_waits = false;
     if (!m_shown || !isCompared(document) || !m_parts.openStudy.volume()) return clear();
     m_parts.grid.arrange(comparison.layout, document.panes.size());
@@ -70,9 +60,9 @@ void ComparedViews::follow() {
     CompareRequest request{.places = m_places};
     bool usable = true;
     for (const std::size_t place : m_places) {
-        ShownPane pane = paneAt(place);
+        const ShownPane& pane = paneAt(place);
         usable = usable && pane.ready;
-        request.panes.push_back({std::move(pane.voxels), std::move(pane.classification)});
+        request.panes.push_back({pane.voxels, pane.classification});
     }
     // The camera is that of the first pane, also where another one has the whole room.
     const auto first = paneAt(firstPane).voxels;
@@ -174,7 +164,7 @@ void ComparedViews::showFaces() {
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
         row.pictureMilliseconds.reset();  // it stands in the table; under a picture it would flutter
         face.numbers = numbersOf(row);
-        const ShownPane pane = paneAt(place);
+        const ShownPane& pane = paneAt(place);
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);
         m_parts.grid.pane(place).setBusy(busy);

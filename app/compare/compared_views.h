@@ -41,7 +41,7 @@ public:
     /// Whether some pane will not show what the document asks for.
     [[nodiscard]] bool refused() const;
     /// ShownPanes::at().
-    [[nodiscard]] ShownPane paneAt(std::size_t place) const { return m_parts.panes.at(place); }
+    [[nodiscard]] const ShownPane& paneAt(std::size_t place) const { return m_parts.panes.at(place); }
     /// The newest frame; null before the first.
     [[nodiscard]] const std::shared_ptr<const CompareFrame>& frame() const { return m_frame; }
     /// Milliseconds of the designer and of the picture of a pane, where they are known.
@@ -63,7 +63,6 @@ signals:
 
 private:
     [[nodiscard]] std::vector<std::size_t> placesWanted() const;
-    void askForOtfs();
     void take(const std::shared_ptr<const CompareFrame>& frame);
     void showFrame();
     void showFaces();
@@ -77,7 +76,6 @@ private:
     std::vector<std::size_t> m_places;  ///< of the newest request
     std::shared_ptr<const CompareFrame> m_frame;
     std::vector<CompareRow> m_rows;
-    std::vector<std::size_t> m_askedPanes;  ///< whose OTFs are asked for
     /// What the picture of a pair was made of.
     struct ShownPair {
         std::shared_ptr<const CompareFrame> frame;

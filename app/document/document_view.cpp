@@ -7,9 +7,9 @@
 
 namespace echolucent {
 
-DocumentView::DocumentView(DocumentModel& model, HandGesture& hand, OpenStudy& openStudy, ShownPanes& panes,
-                           VolumeViewWidget& widget, QObject* parent)
-    : QObject(parent), m_model(model), m_hand(hand), m_openStudy(openStudy), m_panes(panes), m_widget(widget) {
+DocumentView::DocumentView(DocumentModel& model, OpenStudy& openStudy, ShownPanes& panes, VolumeViewWidget& widget,
+                           QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy), m_panes(panes), m_widget(widget) {
     connect(&m_panes, &ShownPanes::changed, this, &DocumentView::follow);
     connect(&m_widget, &VolumeViewWidget::cameraChanged, this, &DocumentView::takePose);
     connect(&m_widget, &VolumeViewWidget::lightChanged, this, &DocumentView::takeLight);
@@ -23,11 +23,12 @@ DocumentView::DocumentView(DocumentModel& model, HandGesture& hand, OpenStudy& o
 }
 
 void DocumentView::follow() {
-    const ShownPane pane = m_panes.at(firstPane);
+    const ShownPane& pane = m_panes.at(firstPane);
     const bool nothingIsOpen = m_openStudy.study() == nullptr;
     m_isCurrent = pane.ready || nothingIsOpen;
     if (!pane.ready) {
-        if (!held() && !m_playing) showPose();
+        // What plays shows pose and OTF of a frame together.
+        if (!held() && !m_panes.playing()) showPose();
         return;
     }
     m_study = m_openStudy.study();
@@ -63,7 +64,7 @@ void DocumentView::take(const Document& next, const QString& what) {
     if (m_widget.dragging())
         m_model.preview(next, what);
     else
-        m_model.edit(next, what, m_hand.current());
+        m_model.edit(next, what);
 }
 
 }  // namespace echolucent

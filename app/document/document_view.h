@@ -5,7 +5,6 @@
 
 #include "app/otf/shown_panes.h"
 #include "widgets/document/document_model.h"
-#include "widgets/hand_gesture.h"
 
 namespace echolucent {
 
@@ -18,11 +17,9 @@ class DocumentView : public QObject {
 
 public:
     /// All of them must outlive this.
-    DocumentView(DocumentModel& model, HandGesture& hand, OpenStudy& openStudy, ShownPanes& panes,
-                 VolumeViewWidget& widget, QObject* parent = nullptr);
+    DocumentView(DocumentModel& model, OpenStudy& openStudy, ShownPanes& panes, VolumeViewWidget& widget,
+                 QObject* parent = nullptr);
 
-    /// Whether a motion plays: then pose and OTF of a frame come together.
-    void setPlaying(bool playing) { m_playing = playing; }
     /// The widget goes on showing the study before until the first pane is ready: a picture is never made of one
     /// study's voxels and another's values. What the hand does there meanwhile is no step.
     [[nodiscard]] bool held() const { return m_study != m_openStudy.study(); }
@@ -41,12 +38,10 @@ private:
     void take(const Document& next, const QString& what);
 
     DocumentModel& m_model;
-    HandGesture& m_hand;
     OpenStudy& m_openStudy;
     ShownPanes& m_panes;
     VolumeViewWidget& m_widget;
     const Study* m_study = nullptr;  ///< that the widget shows; told apart by address only
-    bool m_playing = false;
     bool m_isCurrent = true;
 };
 

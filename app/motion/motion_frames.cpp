@@ -16,7 +16,6 @@ MotionFrames::MotionFrames(const Parts& parts, QObject* parent) : QObject(parent
     connect(&player, &MotionPlayer::playingChanged, this, [this](bool playing) {
         m_parts.panel.setPlaying(playing);
         m_parts.picture.setPlaying(playing);
-        m_parts.view.setPlaying(playing);
         m_parts.panes.setPlaying(playing);
         m_frameClock.invalidate();
         m_frameSeconds = 0;
@@ -46,7 +45,7 @@ void MotionFrames::takeFromPanel(const MotionChoice& choice, const QString& what
     const MotionOtf before = std::exchange(next.motion, choice).otf;
     // Back to one OTF: the one of the view in which the motion began.
     if (choice.otf == MotionOtf::oneOtf && before != MotionOtf::oneOtf) next.scene.side = next.scene.pose.direction;
-    m_parts.model.edit(next, what, m_parts.hand.current());
+    m_parts.model.edit(next, what);
 }
 
 void MotionFrames::takeChoices() {

@@ -31,7 +31,6 @@ public:
         MotionPlayer& player;
         MotionPanel& panel;
         OtfCoursePanel& coursePanel;
-        HandGesture& hand;
     };
     explicit MotionFrames(const Parts& parts, QObject* parent = nullptr);
 

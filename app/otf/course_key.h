@@ -1,9 +1,8 @@
 // What the frames of one course of OTFs have in common.
 #pragma once
 
-#include <vector>
-
 #include "processing/document/document.h"
+#include "processing/shared_list.h"
 #include "widgets/motion/otf_course.h"
 
 namespace echolucent {
@@ -11,7 +10,7 @@ namespace echolucent {
 /// What the course's rows have in common within a study; another one begins a new course.
 struct CourseKey {
     Viewpoint start;
-    std::vector<ScalpelStroke> strokes;
+    SharedList<ScalpelStroke> strokes;
     MotionAxis axis = MotionAxis::y;
     AdaptiveOtfConfig config;
     OtfCourse::Rows rows = OtfCourse::Rows::angles;

@@ -13,7 +13,7 @@ DesignerControls::DesignerControls(const Parts& parts, QObject* parent) : QObjec
     DocumentModel* model = &m_parts.model;
     connect(panel, &DesignerPanel::chosen, this, &DesignerControls::choose);
     connect(panel, &DesignerPanel::configChanged, this, [this](const DesignerConfig& config, const QString& what) {
-        m_parts.model.edit(withDesigner(m_parts.model.document(), firstPane, config), what, m_parts.hand.current());
+        m_parts.model.edit(withDesigner(m_parts.model.document(), firstPane, config), what);
     });
     connect(panel, &DesignerPanel::configPreviewed, this, [this](const DesignerConfig& config, const QString& what) {
         m_parts.model.preview(withDesigner(m_parts.model.document(), firstPane, config), what);
@@ -23,10 +23,7 @@ DesignerControls::DesignerControls(const Parts& parts, QObject* parent) : QObjec
     connect(panel, &DesignerPanel::cancelRequested, &m_parts.otfs, &PaneOtfs::cancel);
     connect(panel, &DesignerPanel::computeRequested, &m_parts.otfs, &PaneOtfs::computeAgain);
     connect(model, &DocumentModel::panesChanged, this, &DesignerControls::showDocument);
-    connect(model, &DocumentModel::changed, this, &DesignerControls::showDesign);
-    connect(&m_parts.otfs, &PaneOtfs::computed, this, &DesignerControls::showDesign);
-    connect(&m_parts.otfs, &PaneOtfs::failed, this, &DesignerControls::showDesign);
-    connect(&m_parts.otfs, &PaneOtfs::busyChanged, this, &DesignerControls::showDesign);
+    connect(&m_parts.otfs, &PaneOtfs::followed, this, &DesignerControls::showDesign);
     connect(&m_parts.otfs, &PaneOtfs::progressed, panel, &DesignerPanel::setProgress);
     showDocument();
     showDesign();
@@ -34,13 +31,11 @@ DesignerControls::DesignerControls(const Parts& parts, QObject* parent) : QObjec
 
 void DesignerControls::choose(std::optional<Designer> designer) {
     const Document& document = m_parts.model.document();
-    const int gesture = m_parts.hand.current();
     if (!designer)
-        m_parts.model.edit(withCurve(document, firstPane, document.panes.at(firstPane).curve), tr("choose curve"),
-                           gesture);
+        m_parts.model.edit(withCurve(document, firstPane, document.panes.at(firstPane).curve), tr("choose curve"));
     else
         m_parts.model.edit(withDesigner(document, firstPane, defaultConfigOf(*designer)),
-                           tr("choose designer %1").arg(textOf(labelOf(*designer))), gesture);
+                           tr("choose designer %1").arg(textOf(labelOf(*designer))));
 }
 
 void DesignerControls::showDocument() {

@@ -8,7 +8,6 @@
 #include "app/otf/pane_otfs.h"
 #include "processing/designers/designer_config.h"
 #include "widgets/document/document_model.h"
-#include "widgets/hand_gesture.h"
 
 namespace echolucent {
 
@@ -21,7 +20,6 @@ class DesignerControls : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        HandGesture& hand;
         PaneOtfs& otfs;
         DesignerPanel& panel;
     };

@@ -29,13 +29,19 @@ std::size_t bytesOf(const ComputedOtf& otf) {
 
 }  // namespace
 
+void KeptOtfs::countBytes() {
+    m_bytes = 0;
+    for (const Kept& kept : m_kept) m_bytes += kept.bytes;
+}
+
+void KeptOtfs::forgetAdaptive() {
+    std::erase_if(m_kept, [](const Kept& kept) { return kept.otf.design.tubeCores != nullptr; });
+    countBytes();
+}
+
 void KeptOtfs::keep(const ComputedOtf& otf) {
     if (find(otf.asked)) return;
     const std::size_t bytes = bytesOf(otf);
-    const auto countBytes = [this] {
-        m_bytes = 0;
-        for (const Kept& kept : m_kept) m_bytes += kept.bytes;
-    };
     if (m_bytes + bytes > byteLimit) {
         std::erase_if(m_kept, [](const Kept& kept) { return kept.raw.expired() || kept.shown.expired(); });
         countBytes();

@@ -1,5 +1,5 @@
-// OTFs that were computed before: what is undone, and a loop that plays over and over, computes each of its own once,
-// as many as fit.
+// OTFs that were computed before, as many as fit: a loop that plays over and over computes each of its own once, and
+// what is undone is there at once.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +39,7 @@ public:
     void keep(const ComputedOtf& otf);
     /// The OTF of the same request; null if it is not kept.
     [[nodiscard]] std::shared_ptr<const ComputedOtf> find(const OtfRequest& request) const;
+    void forgetAdaptive();
     void clear();
     [[nodiscard]] std::size_t count() const { return m_kept.size(); }
     /// That all of them take.
@@ -53,6 +54,8 @@ private:
         std::weak_ptr<const Volume> raw, shown;
         std::size_t bytes = 0;
     };
+    void countBytes();
+
     std::vector<Kept> m_kept;
     std::size_t m_bytes = 0;
 };

@@ -12,7 +12,7 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent)
     connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &NearCutFinder::cancel);
     // What was asked of the volume is asked of the one that is cut.
     connect(&m_parts.openStudy, &OpenStudy::volumeCut, this, [this] {
-        if (busy()) look();
+        if (busy() && m_searched != m_parts.openStudy.volume()) look();
     });
     connect(&m_parts.model, &DocumentModel::changed, this, &NearCutFinder::takeBackWhatIsNoLongerTrue);
 }
@@ -24,7 +24,8 @@ void NearCutFinder::find() {
 }
 
 void NearCutFinder::look() {
-    m_thread.submit([this, search = m_search, volume = m_parts.openStudy.volume(),
+    m_searched = m_parts.openStudy.volume();
+    m_thread.submit([this, search = m_search, volume = m_searched,
                      view = m_looksFrom](const Progress& progress) -> NewestWinsThread::Deliver {
         try {
             const auto finding = search(*volume, view, progress);

@@ -62,7 +62,8 @@ private:
     Parts m_parts;
     Viewpoint m_looksFrom;
     Search m_search;
-    QString m_told;  ///< the newest message, which is true of m_toldPicture; then it is empty
+    std::shared_ptr<const Volume> m_searched;  ///< by the newest search
+    QString m_told;                            ///< the newest message, which is true of m_toldPicture; then it is empty
     CutPicture m_toldPicture;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

@@ -35,8 +35,7 @@ PaneOtfs::PaneOtfs(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
     connect(&m_model, &DocumentModel::changed, this, &PaneOtfs::follow);
     connect(&m_openStudy, &OpenStudy::volumeChanged, this, &PaneOtfs::follow);
     connect(&m_openStudy, &OpenStudy::phaseVoxelsChanged, this, &PaneOtfs::follow);
-    // Of speckle that is no longer reduced no voxels are made, and what was cancelled is waited for no more.
-    connect(&m_openStudy, &OpenStudy::quietVoxelsMade, this, &PaneOtfs::follow);
+    // What was cancelled is waited for no more.
     connect(&m_openStudy, &OpenStudy::quieteningChanged, this, &PaneOtfs::follow);
     // Strokes that cut nothing change no voxels.
     connect(&m_openStudy, &OpenStudy::cuttingChanged, this, &PaneOtfs::follow);
@@ -44,9 +43,8 @@ PaneOtfs::PaneOtfs(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
     connect(&m_thread, &NewestWinsThread::progressed, this, &PaneOtfs::progressed);
 }
 
-void PaneOtfs::setExtraPanes(std::vector<std::size_t> panes) {
-    m_extraPanes = std::move(panes);
-    follow();
+void PaneOtfs::setComparing(bool comparing) {
+    if (std::exchange(m_comparing, comparing) != comparing) follow();
 }
 
 void PaneOtfs::setPlaying(bool playing) {
@@ -88,10 +86,13 @@ bool PaneOtfs::designing() const { return m_running && !std::holds_alternative<A
 
 void PaneOtfs::cancel() {
     if (!m_running) return;
-    m_running.reset();
+    const OtfRequest running = *std::exchange(m_running, std::nullopt);
     m_thread.cancel();
-    for (const auto& [place, request] : m_wanted)
-        if (!isNewest(place) && !refused(request)) m_refused.push_back(request);
+    for (const auto& [place, request] : m_wanted) {
+        const bool ended = place != adaptiveOfScene || request == running;
+        if (ended && !isNewest(place) && !refused(request)) m_refused.push_back(request);
+    }
+    computeNext();
     emit cancelled();
     emit followed();
 }
@@ -123,12 +124,10 @@ bool PaneOtfs::isOfSomePhase(const OtfRequest& request) const {
 
 std::vector<std::size_t> PaneOtfs::wantedPlaces() const {
     const Document& document = m_model.document();
-    std::vector<std::size_t> places;
+    // A designer may take long: the scene's OTF does not wait for it.
+    std::vector<std::size_t> places{adaptiveOfScene};
     for (std::size_t pane = 0; pane < document.panes.size(); ++pane)
-        if (needsComputedOtf(document, pane) &&
-            (pane == firstPane || std::ranges::find(m_extraPanes, pane) != m_extraPanes.end()))
-            places.push_back(pane);
-    places.push_back(adaptiveOfScene);
+        if (needsComputedOtf(document, pane) && (pane == firstPane || m_comparing)) places.push_back(pane);
     return places;
 }
 
@@ -213,11 +212,28 @@ void PaneOtfs::followView() {
 
 void PaneOtfs::follow() {
     m_stale = true;
+    if (m_openStudy.beginning()) return;           // the document is that of the study before
     if (std::exchange(m_following, true)) return;  // who was given something has changed the document
-    while (std::exchange(m_stale, false)) giveWhatIsKept();
+    while (m_stale) {
+        askForVoxels();
+        m_stale = false;
+        giveWhatIsKept();
+    }
     m_following = false;
     computeNext();
     emit followed();
+}
+
+/// The phase shown, that of the one OTF of a motion, how much speckle is taken away, and what is cut.
+void PaneOtfs::askForVoxels() {
+    const Document& document = m_model.document();
+    m_openStudy.setReduction(document.scene.look.reduction);
+    const Study* study = m_openStudy.study();
+    if (study == nullptr) return;
+    const auto phases = static_cast<int>(study->phases.size());
+    m_openStudy.setStrokes(document.scene.strokes);
+    if (const int phase = phaseOf(document, firstPane); phase < phases) m_openStudy.setPhase(phase);
+    m_openStudy.alsoWant(otfPhaseOf(document, firstPane, phases));
 }
 
 void PaneOtfs::giveWhatIsKept() {
@@ -260,10 +276,11 @@ void PaneOtfs::computeNext() {
         });
         if (goesOn && isOfSomePhase(*m_running)) return;
     }
-    for (const auto& [place, request] : m_wanted) {
-        const auto made = m_made.find(place);
-        if ((made != m_made.end() && made->second.otf->asked == request) || refused(request)) continue;
-        return compute(request);
+    for (const std::size_t place : wantedPlaces()) {
+        const auto wanted = m_wanted.find(place);
+        const auto made = of(place);
+        if (wanted == m_wanted.end() || (made && made->asked == wanted->second) || refused(wanted->second)) continue;
+        return compute(wanted->second);
     }
     if (std::exchange(m_running, std::nullopt)) m_thread.cancel();
 }

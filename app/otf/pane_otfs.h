@@ -17,9 +17,9 @@
 
 namespace echolucent {
 
-/// Follows document and study, and computes in a thread of its own what is not there yet: the adaptive OTF of the
-/// scene, and for each pane that somebody looks at what it is rendered with. Requests that are equal are computed once,
-/// and what was computed before is kept (KeptOtfs).
+/// Follows document and study, tells the study which voxels the document wants, and computes in a thread of its own
+/// what is not there yet: the adaptive OTF of the scene, and for each pane that somebody looks at what it is rendered
+/// with. Requests that are equal are computed once, and what was computed before is kept (KeptOtfs).
 ///
 /// Tube cores look from the document's side (otfViewpointOf()). In a motion with an OTF for each view they look along
 /// the frame that was shown last, until the side or the beam is another.
@@ -38,8 +38,9 @@ public:
     /// Both outlive this.
     PaneOtfs(DocumentModel& model, OpenStudy& openStudy, QObject* parent = nullptr);
 
-    /// Panes that somebody looks at, beside the first one.
-    void setExtraPanes(std::vector<std::size_t> panes);
+    /// Whether somebody looks at all panes, and not at the first one alone.
+    void setComparing(bool comparing);
+    [[nodiscard]] bool comparing() const { return m_comparing; }
     /// Whether a motion plays.
     void setPlaying(bool playing);
 
@@ -59,8 +60,8 @@ public:
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
     /// Whether what is computed is no adaptive OTF, and so may take long.
     [[nodiscard]] bool designing() const;
-    /// Ends what is computed, for all places. It is not begun again before something else is asked for, or
-    /// computeAgain().
+    /// Ends what is computed, for all panes. It is not begun again before something else is asked for, or
+    /// computeAgain(). The scene's adaptive OTF is ended only if it is what runs.
     void cancel();
     /// Computes what was cancelled or has failed.
     void computeAgain();
@@ -69,8 +70,8 @@ public:
     void computeForThisView();
 
     [[nodiscard]] const KeptOtfs& kept() const { return m_kept; }
-    /// Forgets what was computed before: another loop of a motion has no use for it.
-    void forgetKept() { m_kept.clear(); }
+    /// Forgets adaptive OTFs that were computed before: another loop of a motion has no use for them.
+    void forgetAdaptive() { m_kept.forgetAdaptive(); }
 
     /// The default reduction takes 0.08 s for each million on two cores (docs/speckle.md): less than a second for so
     /// many.
@@ -101,6 +102,7 @@ private:
     void follow();
     void followView();
     void begin();
+    void askForVoxels();
     void giveWhatIsKept();
     void computeNext();
     void compute(const OtfRequest& request);
@@ -118,8 +120,7 @@ private:
     DocumentModel& m_model;
     OpenStudy& m_openStudy;
     Run m_run;
-    std::vector<std::size_t> m_extraPanes;
-    bool m_playing = false;
+    bool m_comparing = false, m_playing = false;
     /// What the document said when the view was followed last.
     struct Followed {
         Viewpoint fromSide{};

@@ -14,8 +14,8 @@ ShownPanes::ShownPanes(DocumentModel& model, OpenStudy& openStudy, PaneOtfs& otf
 }
 
 void ShownPanes::setPlaying(bool playing) {
-    m_otfs.setPlaying(playing);
-    if (std::exchange(m_playing, playing) != playing) follow();
+    m_playing = playing;
+    m_otfs.setPlaying(playing);  // which tells followed()
 }
 
 const SampledCurve& ShownPanes::adaptiveCurve() const {
@@ -30,12 +30,25 @@ void ShownPanes::follow() {
         m_last.clear();
     }
     const std::size_t panes = m_model.document().panes.size();
+    const std::size_t seen = m_otfs.comparing() ? panes : 1;
+    const auto isUnseen = [seen](const auto& each) {
+        return each.first != PaneOtfs::adaptiveOfScene && each.first >= seen;
+    };
+    std::erase_if(m_courses, isUnseen);
+    std::erase_if(m_last, isUnseen);
     followCourse(PaneOtfs::adaptiveOfScene);
-    for (std::size_t pane = 0; pane < panes; ++pane) followCourse(pane);
-    std::erase_if(m_last, [panes](const auto& last) { return last.first >= panes; });
-    for (std::size_t pane = 0; pane < panes; ++pane)
-        if (ShownPane shown = at(pane); shown.ready) m_last[pane] = std::move(shown);
+    for (std::size_t pane = 0; pane < seen; ++pane) followCourse(pane);
+    m_shown.resize(panes);
+    for (std::size_t pane = 0; pane < panes; ++pane) {
+        m_shown[pane] = shownNow(pane);
+        if (pane < seen && m_shown[pane].ready) m_last[pane] = m_shown[pane];
+    }
     emit changed();
+}
+
+const ShownPane& ShownPanes::at(std::size_t pane) const {
+    static const ShownPane none;
+    return pane < m_shown.size() ? m_shown[pane] : none;
 }
 
 MotionOtf ShownPanes::modeOf(std::size_t place) const {
@@ -50,6 +63,13 @@ void ShownPanes::followCourse(std::size_t place) {
     const bool ofScene = place == PaneOtfs::adaptiveOfScene;
     const auto made = m_otfs.of(place);
     if (!made || !made->design.tubeCores) {
+        m_courses.erase(place);
+        return;
+    }
+    // What pane and scene have alike has one course.
+    const auto scenes = m_courses.find(PaneOtfs::adaptiveOfScene);
+    if (!ofScene && scenes != m_courses.end() && scenes->second.otf == made->design.tubeCores &&
+        scenes->second.mode == modeOf(place)) {
         m_courses.erase(place);
         return;
     }
@@ -76,10 +96,10 @@ void ShownPanes::followCourse(std::size_t place) {
     if (taken.key != key) {
         course.begin(key.rows, phases);
         // Another loop has no use for the OTFs of the one before.
-        if (ofScene && mode != MotionOtf::oneOtf) m_otfs.forgetKept();
+        if (ofScene && mode != MotionOtf::oneOtf) m_otfs.forgetAdaptive();
         taken.key = std::move(key);
     } else if (ofScene && begins) {
-        m_otfs.forgetKept();
+        m_otfs.forgetAdaptive();
     }
     // An OTF of another view or phase than the frame's (one OTF for a motion that has gone on) is no frame of it.
     const bool ofFrame = otf->view == viewpointOf(document) && otfPhaseOf(document, pane, phases) == phase;
@@ -91,7 +111,6 @@ void ShownPanes::followCourse(std::size_t place) {
 
 const SampledCurve* ShownPanes::curveAt(std::size_t pane, const ComputedOtf& otf) const {
     if (!otf.design.tubeCores) return nullptr;
-    // What panes and scene have alike has one course.
     for (const std::size_t place : {PaneOtfs::adaptiveOfScene, pane}) {
         const auto course = m_courses.find(place);
         if (course != m_courses.end() && course->second.otf == otf.design.tubeCores &&
@@ -115,7 +134,7 @@ void ShownPanes::takeVoxels(std::size_t place, int phase, ShownPane& pane) const
     if ((comeSoon && small) || m_openStudy.isCutting(phase)) pane.ready = false;
 }
 
-ShownPane ShownPanes::at(std::size_t place) const {
+ShownPane ShownPanes::shownNow(std::size_t place) const {
     const Study* study = m_openStudy.study();
     if (study == nullptr || !m_openStudy.volume()) return {};
     const Document& document = m_model.document();
@@ -137,6 +156,11 @@ ShownPane ShownPanes::at(std::size_t place) const {
     const int otfPhase = std::min(otfPhaseOf(document, place, phases), phases - 1);
     const bool ofScan = made && made->asked.raw->isSameScanAs(*m_openStudy.rawVoxelsOf(otfPhase));
     pane.ready = pane.newest || pane.refused || (ofScan && !m_playing);
+    // A pane whose first OTF does not come goes on with what it showed.
+    if (const auto last = m_last.find(place); !made && last != m_last.end()) {
+        pane.classification = last->second.classification;
+        return pane;
+    }
     ViewOtf otf;
     if (made) {
         otf.designed = made->design.classification;

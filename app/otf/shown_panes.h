@@ -38,7 +38,9 @@ public:
 
     /// Whether a motion plays.
     void setPlaying(bool playing);
-    [[nodiscard]] ShownPane at(std::size_t pane) const;
+    [[nodiscard]] bool playing() const { return m_playing; }
+    /// As of the newest changed().
+    [[nodiscard]] const ShownPane& at(std::size_t pane) const;
     /// The adaptive curve of the scene as the present frame shows it; empty before a study's first.
     [[nodiscard]] const SampledCurve& adaptiveCurve() const;
 
@@ -62,7 +64,7 @@ private:
         SampledCurve curve;  ///< that its mode shows
     };
     void follow();
-    void begin();
+    [[nodiscard]] ShownPane shownNow(std::size_t pane) const;
     void followCourse(std::size_t place);
     [[nodiscard]] MotionOtf modeOf(std::size_t place) const;
     [[nodiscard]] const SampledCurve* curveAt(std::size_t pane, const ComputedOtf& otf) const;
@@ -76,7 +78,8 @@ private:
     bool m_playing = false;
     std::map<std::size_t, Course> m_courses;  ///< by place
     const Study* m_study = nullptr;           ///< told apart by address only
-    std::map<std::size_t, ShownPane> m_last;  ///< ready ones, by pane
+    std::vector<ShownPane> m_shown;           ///< by pane, as followed last
+    std::map<std::size_t, ShownPane> m_last;  ///< ready ones that somebody looks at, by pane
 };
 
 }  // namespace echolucent

@@ -65,7 +65,7 @@ bool PictureControls::hasStudy() const {
 void PictureControls::edit(const QString& what, const std::function<void(Document&)>& change) {
     Document next = m_parts.model.document();
     change(next);
-    m_parts.model.edit(next, what, m_parts.hand.current());
+    m_parts.model.edit(next, what);
 }
 
 void PictureControls::setLook(const Look& look) {

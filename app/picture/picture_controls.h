@@ -24,7 +24,6 @@ public:
     struct Parts {
         DocumentModel& model;
         DocumentView& view;
-        HandGesture& hand;
         VolumeViewWidget& picture;
         ViewPanel& panel;
         OtfEditor& editor;

@@ -120,6 +120,7 @@ void OpenStudy::load(const StudyReference& reference, StudyReader reader) {
         auto saved = std::move(opening.saved);
         return [this, reference, shared, series, saved = std::move(saved), finds = std::move(read->finds),
                 histograms = std::move(read->histograms)] {
+            emit aboutToReplace();
             m_loadingMilliseconds = millisecondsOf(m_loadingClock);
             m_reference = saved ? saved->session.document.study : reference;
             m_saved = saved;
@@ -134,7 +135,9 @@ void OpenStudy::load(const StudyReference& reference, StudyReader reader) {
             m_alsoWanted.reset();
             m_phase = m_saved ? m_saved->session.document.scene.phase : 0;
             m_volume = volumeOf(m_phase);
+            m_beginning = true;
             emit studyReplaced();
+            m_beginning = false;
             show(m_phase);
             emit studyOpened();
             takeChecksum();

@@ -61,6 +61,8 @@ public:
 
     /// The study that is open; null before the first.
     [[nodiscard]] const Study* study() const { return m_study.get(); }
+    /// Whether the document of another study begins: study and document do not belong together yet.
+    [[nodiscard]] bool beginning() const { return m_beginning; }
     /// The path of the file or folder; empty where the scan is simulated.
     [[nodiscard]] QString path() const;
     [[nodiscard]] bool isSimulatedScan() const { return std::holds_alternative<SimulatedScan>(m_reference); }
@@ -75,8 +77,7 @@ public:
     /// as neither the voxels nor what is cut of them change, which phaseVoxelsChanged() tells.
     [[nodiscard]] std::shared_ptr<const Volume> newestVoxelsOf(int phase);
     [[nodiscard]] std::shared_ptr<const Volume> rawVoxelsOf(int phase) { return volumeOf(phase); }
-    /// Cuts all phases by strokes, in the background; the newest list wins. What is being computed of the volume goes
-    /// on with the volume that is cut.
+    /// Cuts all phases by strokes, in the background; the newest list wins.
     void setStrokes(const std::vector<ScalpelStroke>& strokes);
     [[nodiscard]] const std::vector<ScalpelStroke>& strokes() const { return m_cut.strokes(); }
     /// What was found of the study when it was opened; nothing of simulated scans, whose beam is known.
@@ -129,8 +130,9 @@ signals:
     void seriesFound(std::shared_ptr<const echolucent::SeriesList> list, const echolucent::ReadOptions& options);
     /// The study could not be read with these options; what was open before is unchanged.
     void openFailed(const QString& path, const echolucent::Failure& failure, const echolucent::ReadOptions& options);
-    /// Another study takes the place of the present one: its document begins here, before anybody follows
-    /// volumeChanged().
+    /// Another study is about to take the place of the present one.
+    void aboutToReplace();
+    /// It has taken the place: its document begins here. Nobody follows the study before volumeChanged() tells of it.
     void studyReplaced();
     /// Another volume is shown: a new study, or another phase.
     void volumeChanged();
@@ -163,6 +165,7 @@ private:
     Checksum m_checksum;
     StudyReference m_reference;
     std::shared_ptr<const Study> m_study;
+    bool m_beginning = false;
     std::vector<KeptFiles> m_filesRead;  ///< of m_study and m_saved
     std::shared_ptr<const SeriesList> m_seriesBeside;
     std::shared_ptr<const Volume> m_volume;  ///< cut by the strokes

@@ -20,6 +20,10 @@
 namespace echolucent {
 
 ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    connect(&m_parts.openStudy, &OpenStudy::aboutToReplace, this, [this] {
+        m_parts.player.pause();
+        m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
+    });
     connect(&m_parts.openStudy, &OpenStudy::studyReplaced, this, &ShownStudy::beginDocument);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ShownStudy::tellFacts);
     connect(&m_parts.names, &StudyNames::changed, this, &ShownStudy::nameStudy);
@@ -38,7 +42,6 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     });
     connect(&m_parts.model, &DocumentModel::phaseChanged, this,
             [this] { m_parts.controls.setPhase(phaseOf(m_parts.model.document(), firstPane)); });
-    connect(&m_parts.model, &DocumentModel::changed, this, &ShownStudy::askForVoxels);
     connect(&m_parts.model, &DocumentModel::curvesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showNumbers);
@@ -46,18 +49,6 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.model, &DocumentModel::boxChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
     connect(&m_parts.model, &DocumentModel::sideChanged, this, &ShownStudy::showNearCutRange);
-}
-
-/// The phase shown, that of the one OTF of a motion, how much speckle is taken away, and what is cut.
-void ShownStudy::askForVoxels() {
-    const Study* study = m_parts.openStudy.study();
-    const Document& document = m_parts.model.document();
-    if (study == nullptr) return m_parts.openStudy.setReduction(document.scene.look.reduction);
-    const auto phases = static_cast<int>(study->phases.size());
-    m_parts.openStudy.setReduction(document.scene.look.reduction);
-    m_parts.openStudy.setStrokes(document.scene.strokes);
-    if (const int phase = phaseOf(document, firstPane); phase < phases) m_parts.openStudy.setPhase(phase);
-    m_parts.openStudy.alsoWant(otfPhaseOf(document, firstPane, phases));
 }
 
 /// All that calls the study by its name, in the title and in the facts.
@@ -118,8 +109,8 @@ void ShownStudy::takeVolume() {
     OpenStudy& openStudy = m_parts.openStudy;
     m_parts.editor.setHistogram(openStudy.histogram());
     m_parts.editor.setWhiteLevel(openStudy.volume()->whiteLevel());
-    // While it plays numbers would come and go, and of one OTF for all phases they stay.
-    if (m_parts.player.isPlaying() || m_parts.model.document().motion.otf == MotionOtf::oneOtf) return;
+    // While it plays numbers would come and go. Those of an OTF that is there already stay.
+    if (m_parts.player.isPlaying() || m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return;
     m_parts.method.clearResult();
     m_parts.status.clearOtf();
 }
@@ -128,13 +119,11 @@ void ShownStudy::beginDocument() {
     OpenStudy& openStudy = m_parts.openStudy;
     const Study& study = *openStudy.study();
     const int before = std::exchange(m_phases, static_cast<int>(study.phases.size()));
-    m_parts.player.pause();  // first, as it shows the remark of the study before
     m_parts.messages.setRemark({});
     m_parts.method.clearResult();
     m_parts.status.clearOtf();
     if (const OtfEditorState& state = m_parts.editor.state(); state.designed)  // a design of the study before
         m_parts.editor.setDesign(QString::fromStdString(state.designer), std::nullopt);
-    m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
     m_parts.controls.setPhaseCount(m_phases);
     m_parts.motion.setStudy(study);
     emit aboutToBegin();
@@ -149,13 +138,13 @@ void ShownStudy::beginDocument() {
         m_parts.model.begin(opened.plain);
         m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be taken back
     }
-    askForVoxels();  // also if the document is as it was before: the open study has forgotten
     m_parts.motion.beginAtRest();
     showNearCutRange();
 }
 
 void ShownStudy::takeOtf(std::size_t place) {
-    if (place != firstPane && place != PaneOtfs::adaptiveOfScene) return;
+    const bool designed = designerConfigOf(m_parts.model.document(), firstPane) != nullptr;
+    if (place != PaneOtfs::adaptiveOfScene && !(place == firstPane && designed)) return;
     // A drag of a box or a cut, as a motion, brings one OTF after another.
     m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
     showRemarkAtRest();
@@ -178,7 +167,7 @@ void ShownStudy::showRemarkAtRest() {
 }
 
 void ShownStudy::showRemark() {
-    if (!m_parts.otfs.adaptive() || !m_parts.openStudy.volume()) return;
+    if (!m_parts.otfs.adaptive() || !m_parts.openStudy.volume() || m_parts.openStudy.beginning()) return;
     const Document& document = m_parts.model.document();
     const std::optional<OrientedBox> box = viewpointOf(document).box;
     if (box && !meets(*box, m_parts.openStudy.volume()->dataBox()))
@@ -195,7 +184,7 @@ QStringList ShownStudy::remarks() const {
     if (!made || (!designed && !made->design.tubeCores)) return {};
     QString message = QString::fromStdString(made->design.message);
     if (designed && !message.isEmpty()) message = tr("%1: %2").arg(labelOf(made->asked.config), message);
-    const ShownPane shown = m_parts.panes.at(firstPane);
+    const ShownPane& shown = m_parts.panes.at(firstPane);
     const OpacityCurve curve =
         designed ? upperCurveOf(classificationOf(document, firstPane, {.designed = made->design.classification}))
                  : curveOf(document, firstPane, made->design.tubeCores->curve);

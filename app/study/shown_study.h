@@ -19,8 +19,7 @@ class StudyNames;
 class StudyPanel;
 class ViewPanel;
 
-/// Begins the document of a study, tells the open study what the document wants of its voxels, and brings facts and
-/// numbers to editor and panels.
+/// Begins the document of a study, and brings facts and numbers to editor and panels.
 class ShownStudy : public QObject {
     Q_OBJECT
 
@@ -57,7 +56,6 @@ private:
     [[nodiscard]] QStringList warnings() const;
     void takeVolume();
     void beginDocument();
-    void askForVoxels();
     void takeOtf(std::size_t place);
     void showNumbers();
     void showRemark();

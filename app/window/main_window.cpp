@@ -73,6 +73,7 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> o
 }
 
 MainWindow::~MainWindow() {
+    hide();  // a number that is half typed is taken while there is a document
     // What the widgets still tell while they go has nobody to act on it.
     m_openStudy->disconnect(this);
     m_otfs->disconnect(this);
@@ -86,20 +87,20 @@ MainWindow::~MainWindow() {
 void MainWindow::createUnits() {
     m_otfs = std::make_unique<PaneOtfs>(m_document, *m_openStudy);
     m_panes = std::make_unique<ShownPanes>(m_document, *m_openStudy, *m_otfs, m_course);
-    m_view = std::make_unique<DocumentView>(m_document, m_hand, *m_openStudy, *m_panes, *m_widgets.picture);
+    m_view = std::make_unique<DocumentView>(m_document, *m_openStudy, *m_panes, *m_widgets.picture);
     m_editorOtfs = std::make_unique<EditorOtfs>(
         EditorOtfs::Parts{m_document, *m_otfs, *m_panes, *m_widgets.editor, *m_widgets.messages});
     m_designerControls =
-        std::make_unique<DesignerControls>(DesignerControls::Parts{m_document, m_hand, *m_otfs, *m_widgets.designers});
+        std::make_unique<DesignerControls>(DesignerControls::Parts{m_document, *m_otfs, *m_widgets.designers});
     m_widgets.method->showDocument(m_document);
     m_pictureControls = std::make_unique<PictureControls>(
-        PictureControls::Parts{m_document, *m_view, m_hand, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
+        PictureControls::Parts{m_document, *m_view, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
         *this, m_document, *m_openStudy, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_openStudy, *m_otfs, *m_panes, *m_view,
                                                                   *m_widgets.picture, m_motionPlayer, *m_widgets.motion,
-                                                                  *m_widgets.course, m_hand});
+                                                                  *m_widgets.course});
     m_shownStudy = std::make_unique<ShownStudy>(
         ShownStudy::Parts{*this, m_document, *m_openStudy, *m_otfs, *m_panes, *m_widgets.picture, *m_motion,
                           m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
@@ -122,7 +123,7 @@ void MainWindow::createUnits() {
                                                             m_widgets.planes, *m_widgets.picture, *m_widgets.room,
                                                             *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_compare = std::make_unique<CompareRoom>(
-        CompareRoom::Parts{*this, m_document, *m_openStudy, m_hand, m_motionPlayer, *m_widgets.rooms, *m_otfs, *m_panes,
+        CompareRoom::Parts{*this, m_document, *m_openStudy, m_motionPlayer, *m_widgets.rooms, *m_otfs, *m_panes,
                            *m_widgets.compared, *m_widgets.compare, *m_widgets.messages, m_settings, m_names,
                            [this](const QString& what) { return m_files->proposedName(what); }});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
@@ -187,9 +188,7 @@ void MainWindow::connectNames() {
 void MainWindow::connectExplanation() {
     ExplainPanel* panel = m_widgets.explain;
     panel->setSource([this] { return explanation(); });
-    connect(&m_document, &DocumentModel::changed, panel, &ExplainPanel::follow);
     connect(m_panes.get(), &ShownPanes::changed, panel, &ExplainPanel::follow);
-    connect(m_otfs.get(), &PaneOtfs::busyChanged, panel, &ExplainPanel::follow);
 }
 
 void MainWindow::connectCaption() {
@@ -207,9 +206,7 @@ void MainWindow::connectCaption() {
                             .lengthsKnown = m_openStudy->volume()->geometry().spacingKnown,
                             .reduction = m_openStudy->volume()->geometry().reduction}));
     };
-    connect(&m_document, &DocumentModel::changed, this, tell);
     connect(m_panes.get(), &ShownPanes::changed, this, tell);
-    connect(m_otfs.get(), &PaneOtfs::busyChanged, this, tell);
     connect(m_compare.get(), &CompareRoom::cameraMoved, m_motion.get(), &MotionFrames::endByHand);
     // The next phase would begin anew what was cancelled.
     connect(m_otfs.get(), &PaneOtfs::cancelled, &m_motionPlayer, &MotionPlayer::pause);

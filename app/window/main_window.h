@@ -13,6 +13,7 @@
 #include "app/window/settings.h"
 #include "app/window/window_layout.h"
 #include "widgets/control_keys.h"
+#include "widgets/hand_gesture.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/volume_view/volume_view_widget.h"
 

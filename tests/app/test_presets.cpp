@@ -177,7 +177,7 @@ private slots:
         Document next = document();
         next.motion.axis = MotionAxis::x;
         window().document().edit(next, "axis");
-        window().document().showMotionAngle(40);
+        window().document().showFrame(40, 0);
         waitUntilIdle();
         click("presets.open");
         waitForPictures();
@@ -187,7 +187,7 @@ private slots:
         posed.scene.pose = shownPose(posed);
         posed.scene.motionAngle = 0;
         window().document().edit(posed, "pose");
-        window().document().showMotionAngle(0);
+        window().document().showFrame(0, 0);
         waitForPictures();
         const QImage still = pictureOf(0);
         double apart = 0;

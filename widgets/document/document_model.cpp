@@ -47,12 +47,6 @@ void DocumentModel::showPhase(int phase) {
     set(next);
 }
 
-void DocumentModel::showMotionAngle(double degrees) {
-    Document next = m_document;
-    next.scene.motionAngle = degrees;
-    set(next);
-}
-
 void DocumentModel::showFrame(double degrees, int phase) {
     Document next = m_document;
     next.scene.motionAngle = degrees;

@@ -65,9 +65,7 @@ public:
 
     /// Shows a phase (counted from 0) of the study. No step.
     void showPhase(int phase);
-    /// Shows the frame of the motion at an angle in degrees. No step.
-    void showMotionAngle(double degrees);
-    /// Both at once. No step.
+    /// Shows the frame of the motion at an angle in degrees, and a phase, at once. No step.
     void showFrame(double degrees, int phase);
 
     /// Notes what is known of the bytes of the document's study: no step, and no signal but changed(). Whatever is

@@ -15,6 +15,7 @@
 #include "io/writers/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/hand_gesture.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 using namespace echolucent;
@@ -55,12 +56,13 @@ private slots:
         m_model = std::make_unique<DocumentModel>();
         m_model->begin(linear());
         m_hand = std::make_unique<HandGesture>(nullptr, 1'000'000);
+        m_model->setHand([this] { return m_hand->current(); });
         m_openStudy = std::make_unique<OpenStudy>();
         m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy);
         m_panes = std::make_unique<ShownPanes>(*m_model, *m_openStudy, *m_otfs, m_course);
         for (int i = 0; i < 2; ++i)
             m_views[static_cast<std::size_t>(i)] =
-                std::make_unique<DocumentView>(*m_model, *m_hand, *m_openStudy, *m_panes, widget(i));
+                std::make_unique<DocumentView>(*m_model, *m_openStudy, *m_panes, widget(i));
         open();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));

@@ -94,7 +94,7 @@ private slots:
         Document next = m_model->document();
         next.scene.pose.direction = {10, 20, 30};
         m_model->edit(next, "turn");
-        m_model->showMotionAngle(5);
+        m_model->showFrame(5, 0);
         m_otfs->computeForThisView();
         awaitOtf();
         QVERIFY(m_otfs->adaptive()->view == (Viewpoint{BeamAxis::plusZ, 15, 20, 30, 0}));

@@ -204,6 +204,20 @@ private slots:
         QVERIFY(m_otfs->isNewest(firstPane));
     }
 
+    void ofManyRequestsThoseBetweenNeverRun() {
+        m_held = true;
+        design(otsuOf(0.01));
+        QTRY_COMPARE(m_running, 1);
+        QSignalSpy computed(m_otfs.get(), &PaneOtfs::computed);
+        for (int i = 2; i <= 50; ++i) design(otsuOf(i / 100.0));
+        QTRY_COMPARE(m_cancelled, 1);
+        m_held = false;
+        wait();
+        QCOMPARE(computed.count(), 1);
+        QCOMPARE(m_asked.size(), std::size_t{1});
+        QCOMPARE(opacityAt(m_otfs->of(firstPane)->design.classification, 0.9, 0.0), 0.5);
+    }
+
     void whatWasMadeBeforeIsKept() {
         design(otsuOf(0.2));
         wait();
@@ -223,28 +237,28 @@ private slots:
         next.panes.resize(3, next.panes.front());
         next = withDesigner(withCurve(std::move(next), 2, CurveKind::manual), 2, otsuOf(0.5));
         QSignalSpy computed(m_otfs.get(), &PaneOtfs::computed);
-        m_otfs->setExtraPanes({1, 2});
+        m_otfs->setComparing(true);
         m_model->edit(next, "three views");
         wait();
         QCOMPARE(computed.count(), 3);
         QCOMPARE(m_asked.size(), std::size_t{1});
         QVERIFY(m_otfs->of(0) == m_otfs->of(1));
         QVERIFY(m_otfs->of(0) == m_otfs->of(2));
-        m_otfs->setExtraPanes({});  // nobody looks at the others
+        m_otfs->setComparing(false);  // nobody looks at the others
         QVERIFY(m_otfs->of(0) && !m_otfs->of(1) && !m_otfs->of(2));
     }
 
-    void extraViewsHaveTheirAdaptiveOtf() {
+    void comparedPanesHaveTheirAdaptiveOtf() {
         Document next = m_model->document();
         next.panes.push_back({.withoutTubes = {3}});
         m_model->edit(next, "another view");
         QVERIFY(!m_otfs->busy());
-        m_otfs->setExtraPanes({0, 1});
+        m_otfs->setComparing(true);
         wait();
         QCOMPARE(m_adaptive.size(), std::size_t{1});  // that of the first is the scene's
         QCOMPARE(m_adaptive.front().method.grid.withoutTubes, std::vector<int>{3});
         QVERIFY(m_otfs->isNewest(0) && m_otfs->isNewest(1));
-        m_otfs->setExtraPanes({});
+        m_otfs->setComparing(false);
         QVERIFY(!m_otfs->of(1));
     }
 
@@ -272,7 +286,7 @@ private slots:
     void cancelBeginsNothingOfWhatWaits() {
         Document next = withDesigner(m_model->document(), firstPane, otsuOf(0.5));
         next.panes.push_back({.curve = CurveKind::manual, .designer = otsuOf(0.7)});
-        m_otfs->setExtraPanes({1});
+        m_otfs->setComparing(true);
         m_held = true;
         m_model->edit(next, "two designs");
         QTRY_COMPARE(m_running, 1);

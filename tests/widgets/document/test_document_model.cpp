@@ -60,11 +60,11 @@ class TestDocumentModel : public QObject {
 private slots:
     void aDragThatIsTakenBackLeavesAMotionThatGoesOn() {
         DocumentModel model;
-        model.showMotionAngle(10);
+        model.showFrame(10, model.document().scene.phase);
         Document next = model.document();
         next.scene.look.light.azimuthDegrees = 12;
         model.preview(next, "move light");
-        model.showMotionAngle(11);
+        model.showFrame(11, model.document().scene.phase);
         model.cancelPreview();
         QCOMPARE(model.document().scene.motionAngle, 11.0);
         QVERIFY(model.document().scene.look.light == lookAtStart().light);
@@ -137,7 +137,7 @@ private slots:
         QSignalSpy phases(&model, &DocumentModel::phaseChanged);
         QSignalSpy frames(&model, &DocumentModel::motionAngleChanged);
         model.showPhase(3);
-        model.showMotionAngle(12);
+        model.showFrame(12, model.document().scene.phase);
         QCOMPARE(phases.count(), 1);
         QCOMPARE(frames.count(), 1);
         QCOMPARE(model.steps().count(), 1);
@@ -150,7 +150,7 @@ private slots:
 
     void aStepMayEndTheMotionInItsFrame() {
         DocumentModel model;
-        model.showMotionAngle(20);
+        model.showFrame(20, model.document().scene.phase);
         Document next = model.document();
         next.scene.pose = shownPose(next);
         next.scene.motionAngle = 0;
