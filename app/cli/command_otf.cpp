@@ -77,7 +77,6 @@ Result<void> checkOtfOutputs(const OtfOptions& options, const std::vector<std::s
 Result<void> computeOtf(const OtfOptions& options, const Invocation& invocation) {
     const std::vector<std::string> outputs{options.json, options.csv, options.tubesCsv};
     if (auto checked = checkOtfOutputs(options, outputs); !checked) return checked;
-    if (const auto view = options.view.get(); !view) return tl::unexpected<Failure>(view.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
     const auto designer = options.designer.get();

@@ -73,7 +73,6 @@ Result<DocumentStudy> opened(const RenderOptions& options, double aspect) {
         return wrongUsage("VOLUME", "is required", "Name a volume, or a document with --document.");
     if (auto checked = checkOutputs({options.output}, {options.otf, options.method.initial}); !checked)
         return tl::unexpected<Failure>(checked.error());
-    if (const auto view = options.view.get(); !view) return tl::unexpected<Failure>(view.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
     const auto named = namedCurve(options.otf, options.method.opacityScale);

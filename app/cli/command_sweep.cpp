@@ -19,10 +19,11 @@
 #include "io/output/atomic_file.h"
 #include "io/study/import_report.h"
 #include "io/writers/movie_file.h"
-#include "processing/adaptive/adaptive_otf.h"
+#include "processing/document/view_caster.h"
 #include "processing/document/view_frames.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/otf_sweep.h"
+#include "processing/speckle_reduction/speckle_reduction.h"
 
 namespace echolucent::cli {
 
@@ -33,10 +34,12 @@ struct SweepOptions {
     ViewOptions view;
     MethodOptions method;
     LookOptions look;
-    std::string axis = "y", smoothing, object, probe, size = "512x512";
+    std::string axis, smoothing, object, probe, size = "512x512";
     std::optional<double> from, to, step, frameRate;
     bool oneOtf = false, pictureFlicker = false, words = false;
     std::string csv, json, movie;
+
+    [[nodiscard]] bool angles() const { return from || to || step; }
 };
 
 constexpr int largestFrameEdge = 4096;
@@ -51,7 +54,7 @@ Result<std::array<int, 2>> frameSizeFrom(const SweepOptions& options) {
 
 /// The range of angles, which does not yet say what moves.
 Result<Motion> rangeFrom(const SweepOptions& options) {
-    Motion range{.axis = *motionAxisFromName(options.axis)};
+    Motion range;
     range.from = options.from.value_or(range.from);
     range.to = options.to.value_or(range.to);
     range.step = options.step.value_or(range.step);
@@ -65,14 +68,17 @@ Result<Motion> rangeFrom(const SweepOptions& options) {
 /// The motion that the window begins with, as the options edit it.
 Result<MotionChoice> motionFrom(const SweepOptions& options, const Document& opened, std::size_t phases) {
     MotionChoice motion = opened.motion;
-    const bool probe = options.probe.empty() ? movesProbe(motion.scenario) : options.probe == "moving";
+    const bool turned = options.angles() || !options.axis.empty() || movesProbe(motion.scenario);
+    const bool probe = options.probe.empty() ? turned : options.probe == "moving";
     const bool object = options.object.empty() ? movesObject(motion.scenario) : options.object == "moving";
     if (!probe && !object)
         return wrongUsage("--probe", "is still, and so is the object", "Use --object moving with a 4D volume.");
     if (object && phases < 2)
         return fail(FailureKind::wrongUsage, options.volume.path, "--object", "is moving, but the volume has one phase",
                     "Use --object still, or a 4D volume.");
-    motion.axis = *motionAxisFromName(options.axis);
+    if (!probe && !options.axis.empty())
+        return wrongUsage("--axis", "plays no part beside --probe still", "Leave it out, or use --probe moving.");
+    motion.axis = motionAxisFromName(options.axis).value_or(motion.axis);
     motion.scenario = probe && object ? MotionScenario::both : probe ? MotionScenario::probe : MotionScenario::object;
     return motion;
 }
@@ -83,12 +89,12 @@ struct Frames {
     std::size_t before = 0;
 };
 
-/// The frames of a range of angles; without one, those of a turn of the document's motion, which is shown over and
-/// over.
+/// The frames of a range of angles. Without a range: one turn of the document's motion, which repeats.
 Frames framesFrom(const SweepOptions& options, Motion range, const Document& document, std::size_t phases,
                   std::size_t framesUsed) {
     const Viewpoint start = viewpointOf(document);
-    if (options.from || options.to || options.step) {
+    if (options.angles()) {
+        range.axis = document.motion.axis;
         range.probeMoves = movesProbe(document.motion.scenario);
         range.objectMoves = movesObject(document.motion.scenario);
         range.firstPhase = document.scene.phase;
@@ -113,20 +119,17 @@ std::vector<SweepFrame> withBefore(const Frames& turn) {
     return all;
 }
 
-/// The quiet voxels of every phase that is shown or whose OTF is computed; null for all others.
-StudyPhases phasesOf(const DocumentStudy& opened, const std::vector<SweepFrame>& frames) {
-    StudyPhases phases{.scans = opened.study.phases, .reduction = opened.document.scene.look.reduction};
+/// The phases, with quiet voxels of those that the frames show.
+StudyPhases withQuiet(StudyPhases phases, const std::vector<SweepFrame>& frames) {
     if (phases.reduction == SpeckleReduction::off) return phases;
     phases.quiet.resize(phases.scans.size());
-    const auto make = [&](int phase) {
-        const auto place = static_cast<std::size_t>(phase);
+    for (const SweepFrame& frame : frames) {
+        const auto place = static_cast<std::size_t>(frame.phase);
         const Volume& scan = *phases.scans[place];
         if (!phases.quiet[place])
             phases.quiet[place] =
                 std::make_shared<const Volume>(quietVolume(scan, phases.reduction)->withDataBox(scan.dataBox()));
-    };
-    make(opened.document.motion.otfPhase);
-    for (const SweepFrame& frame : frames) make(frame.phase);
+    }
     return phases;
 }
 
@@ -139,16 +142,12 @@ std::vector<QuietVoxels> shownVoxels(const StudyPhases& phases) {
 /// The OTF of the view from which the motion begins, for all frames.
 std::vector<SweptOtf> withOneOtf(const Document& document, const StudyPhases& phases,
                                  const std::vector<SweepFrame>& frames) {
-    const auto place = static_cast<std::size_t>(document.motion.otfPhase);
-    const auto shown = shownVoxels(phases);
-    const auto otf = adaptOpacity(*phases.scans[place], otfViewpointOf(document, firstPane),
-                                  configOf(document, firstPane), {}, shown.empty() ? QuietVoxels{} : shown[place]);
+    const AdaptiveOtf otf = ViewCaster(phases).readTubeCores(document, firstPane)->otf;
     double sumOfD = 0.0;
-    for (const TubeCore& tube : otf->tubes) sumOfD += tube.d;
+    for (const TubeCore& tube : otf.tubes) sumOfD += tube.d;
     std::vector<SweptOtf> swept;
     swept.reserve(frames.size());
-    for (const SweepFrame& frame : frames)
-        swept.push_back({frame, otf->curve, otf->curve, sumOfD, otf->tubesWithWeight});
+    for (const SweepFrame& frame : frames) swept.push_back({frame, otf.curve, otf.curve, sumOfD, otf.tubesWithWeight});
     return swept;
 }
 
@@ -201,7 +200,8 @@ Result<void> writeReport(const SweepOptions& options, SweepReport& report, Frame
             return std::optional(pictures.of(frame, curve));
         };
         report.unsmoothedPictures = pictureFlicker(frames, unsmoothedOf(report.frames), render);
-        report.shownPictures = pictureFlicker(frames, shownOf(report.frames), render);
+        report.shownPictures =
+            report.smoothing ? pictureFlicker(frames, shownOf(report.frames), render) : report.unsmoothedPictures;
     }
     if (!options.csv.empty())
         if (auto done = writeFileAtomically(options.csv, sweepTable(report.frames)); !done) return done;
@@ -238,7 +238,6 @@ Result<void> sweep(const SweepOptions& options, const Invocation& invocation) {
     const auto size = frameSizeFrom(options);
     if (!size) return tl::unexpected<Failure>(size.error());
     if (auto possible = checkSweepOutputs(options, *size); !possible) return possible;
-    if (const auto view = options.view.get(); !view) return tl::unexpected<Failure>(view.error());
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
     const auto look = options.look.get();
@@ -263,7 +262,10 @@ Result<void> sweep(const SweepOptions& options, const Invocation& invocation) {
         if (!made) return tl::unexpected<Failure>(made.error());
         report.madeOf = *std::move(made);
     }
-    const StudyPhases phases = phasesOf(*opened, frames.frames);
+    StudyPhases phases{.scans = opened->study.phases, .reduction = document.scene.look.reduction};
+    // One OTF alone is computed of one phase.
+    if (report.smoothing || options.pictureFlicker || !options.movie.empty())
+        phases = withQuiet(std::move(phases), frames.frames);
     const std::vector<SweptOtf> swept = report.smoothing ? withOwnOtfs(document, phases, frames, *report.smoothing)
                                                          : withOneOtf(document, phases, frames.frames);
     report.frames = swept;
@@ -277,7 +279,7 @@ void addMotion(CLI::App& command, SweepOptions& options) {
     const auto movement = CLI::IsMember({"still", "moving"});
     command.add_option("--axis", options.axis, "Axis of the view about which the probe turns: x, y or z")
         ->check(CLI::IsMember({"x", "y", "z"}))
-        ->capture_default_str();
+        ->default_str("y");
     command
         .add_option("--from", options.from,
                     "First angle from the given view, degrees; without --from, --to and --step the frames are a turn "
@@ -287,7 +289,8 @@ void addMotion(CLI::App& command, SweepOptions& options) {
     command.add_option("--step", options.step, "Degrees a frame [1]")->type_name("DEG");
     command
         .add_option("--probe", options.probe,
-                    "still (every frame from the given view) or moving [moving; still with a 4D volume]")
+                    "still (every frame from the given view) or moving [moving; still with a 4D volume if no angle "
+                    "and no axis is given]")
         ->check(movement);
     command
         .add_option("--object", options.object,

@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "io/document/session_file.h"
@@ -20,12 +21,18 @@ namespace echolucent::cli {
 
 namespace {
 
-constexpr std::array besideDocument{"VOLUME",        "--document",         "--view",           "--size",
-                                    "--background",  "--output",           "--quality",        "--words",
-                                    "--raw-size",    "--raw-type",         "--raw-byte-order", "--raw-header-bytes",
-                                    "--raw-spacing", "--frames-as-slices", "--all-voxels",     "--help"};
+constexpr std::array<std::string_view, 9> besideDocument{"VOLUME",   "--document", "--view",  "--size", "--background",
+                                                         "--output", "--quality",  "--words", "--help"};
 
-/// Where the study of a document is, or where the document says, if that is nowhere.
+/// Whether an option says how VOLUME is read. --phase does not: the document says which phase is shown.
+bool saysHowToRead(const CLI::Option& option) {
+    CLI::App reading;
+    VolumeOptions volume;
+    volume.addTo(reading);
+    return option.get_name() != "--phase" && reading.get_option_no_throw(option.get_name()) != nullptr;
+}
+
+/// Where the study lies; if it is nowhere, the place that the document names.
 std::string placeOf(const StudyFile& file, const std::string& document) {
     const std::string stated = studyPathFrom(document, file.path);
     const std::string place = placeOfStudy(file, document).value_or(stated);
@@ -77,11 +84,13 @@ void DocumentOptions::addTo(CLI::App& command) {
 Result<void> DocumentOptions::checkAlone(const CLI::App& command) const {
     for (const CLI::Option* option : command.get_options()) {
         if (option->count() == 0) continue;
-        const bool allowed = std::ranges::any_of(
-            besideDocument, [&](const char* name) { return option->check_name(name) || option->get_name() == name; });
-        if (!allowed)
+        if (std::ranges::find(besideDocument, option->get_name()) != besideDocument.end()) continue;
+        if (!saysHowToRead(*option))
             return wrongUsage(option->get_name(), "plays no part beside --document",
                               "Leave it out, or change the document.");
+        if (command.get_option("VOLUME")->count() == 0)
+            return wrongUsage(option->get_name(), "plays no part beside --document without VOLUME",
+                              "Leave it out, or name the volume.");
     }
     return {};
 }

@@ -17,7 +17,8 @@ struct DocumentOptions {
     std::string path;         ///< empty where no document was given
     std::optional<int> view;  ///< a pane's number, or the id of a view of version 1; none: the first one
     void addTo(CLI::App& command);
-    /// Fails (wrong usage) where an option was given whose value stands in the document.
+    /// Fails (wrong usage) if an option is given whose value stands in the document, or one that says how VOLUME is
+    /// read without VOLUME.
     [[nodiscard]] Result<void> checkAlone(const CLI::App& command) const;
 };
 

@@ -160,7 +160,7 @@ void Settings::setWindowState(const QByteArray& state) { m_store.setValue(stateK
 Look Settings::look() const {
     Look look = lookParameters().standard;
     if (m_store.contains(lookKey)) {
-        look = lookFromText(m_store.value(lookKey).toString().toStdString()).value_or(look);
+        look = lookFromText(m_store.value(lookKey).toString().toStdString());
     } else {
         takeKeysOf01(m_store, "picture", lookParameters(), look);
     }
@@ -225,7 +225,7 @@ MotionChoice motionOf01(const SettingsStore& store) {
 
 MotionChoice Settings::motion() const {
     if (!m_store.contains(motionKey)) return motionOf01(m_store);
-    return rememberedOf(motionFromText(m_store.value(motionKey).toString().toStdString()).value_or(MotionChoice{}));
+    return rememberedOf(motionFromText(m_store.value(motionKey).toString().toStdString()));
 }
 void Settings::setMotion(const MotionChoice& motion) {
     for (const char* key : motionKeysOf01) m_store.remove(key);
@@ -238,8 +238,7 @@ CurveKind Settings::activeCurve() const {
 void Settings::setActiveCurve(CurveKind kind) { m_store.setValue(activeCurveKey, textOf(nameOf(kind))); }
 
 MethodChoice Settings::method() const {
-    if (m_store.contains(methodKey))
-        return methodFromText(m_store.value(methodKey).toString().toStdString()).value_or(MethodChoice{});
+    if (m_store.contains(methodKey)) return methodFromText(m_store.value(methodKey).toString().toStdString());
     MethodChoice method;
     takeKeysOf01(m_store, "method", initialFunctionParameters(), method);
     takeKeysOf01(m_store, "method", methodParameters(), method.config);

@@ -4,20 +4,37 @@
 
 #include "io/document/document_parts.h"
 #include "io/json/json_document.h"
+#include "processing/adaptive/method_parameters.h"
 
 namespace echolucent {
 
 namespace {
 
-/// What `read` makes of the object that a text holds.
-template <typename Read>
-auto valueIn(std::string_view text, const Read& read) -> std::optional<decltype(read(std::declval<JsonFields&>()))> {
-    const auto object = nlohmann::json::parse(text, nullptr, false);
-    if (object.is_discarded()) return std::nullopt;
-    JsonProblems problems{{}, std::nullopt};
+using nlohmann::json;
+
+/// The object that a text holds; empty if it holds none.
+json objectIn(std::string_view text) {
+    json value = json::parse(text, nullptr, false);
+    return value.is_object() ? value : json::object();
+}
+
+/// Takes the rows of a table that stand in an object, one by one.
+template <typename Values>
+void takeRows(const json& object, const ParameterTable<Values>& table, Values& values) {
+    for (const Parameter<Values>& row : table) {
+        JsonProblems problems;
+        Values taken = values;
+        JsonFields(object, {}, problems).parameters(ParameterTable<Values>{.rows = {row}}, taken);
+        if (!problems.first) values = taken;
+    }
+}
+
+/// The motion of an object in which nothing is missing or wrong.
+std::optional<MotionChoice> motionOf(const json& object) {
+    JsonProblems problems;
     JsonFields fields(object, {}, problems);
-    auto value = read(fields);
-    return problems.first ? std::nullopt : std::optional(std::move(value));
+    const MotionChoice motion = motionIn(fields);
+    return problems.first || !problemOf(motion).empty() ? std::nullopt : std::optional(motion);
 }
 
 }  // namespace
@@ -26,11 +43,32 @@ std::string textOf(const Look& look) { return lookJson(look).dump(); }
 std::string textOf(const MethodChoice& method) { return methodJson(method).dump(); }
 std::string textOf(const MotionChoice& motion) { return motionJson(motion).dump(); }
 
-std::optional<Look> lookFromText(std::string_view text) { return valueIn(text, lookIn); }
-std::optional<MethodChoice> methodFromText(std::string_view text) { return valueIn(text, methodIn); }
-std::optional<MotionChoice> motionFromText(std::string_view text) {
-    auto motion = valueIn(text, motionIn);
-    return motion && problemOf(*motion).empty() ? motion : std::nullopt;
+Look lookFromText(std::string_view text) {
+    Look look = lookParameters().standard;
+    takeRows(objectIn(text), lookParameters(), look);
+    return look;
+}
+
+MethodChoice methodFromText(std::string_view text) {
+    const json object = objectIn(text);
+    MethodChoice method;
+    takeRows(object, initialFunctionParameters(), method);
+    if (const auto parameters = object.find("parameters"); parameters != object.end() && parameters->is_object())
+        takeRows(*parameters, methodParameters(), method.config);
+    method.config.initial = AdaptiveOtfConfig{}.initial;
+    if (!problemOf(method.config).empty()) method.config = AdaptiveOtfConfig{};
+    return method;
+}
+
+MotionChoice motionFromText(std::string_view text) {
+    const json object = objectIn(text);
+    json whole = json::parse(textOf(MotionChoice{}));
+    for (const auto& [key, value] : object.items()) {
+        json changed = whole;
+        changed[key] = value;
+        if (motionOf(changed)) whole = std::move(changed);
+    }
+    return motionOf(whole).value();
 }
 
 }  // namespace echolucent

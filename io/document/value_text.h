@@ -1,7 +1,6 @@
 // Single values of a document as the JSON that a document has of them, in one line: what settings remember.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,10 +14,11 @@ namespace echolucent {
 [[nodiscard]] std::string textOf(const MethodChoice& method);
 [[nodiscard]] std::string textOf(const MotionChoice& motion);
 
-/// The value that textOf() wrote; no value if the text is none, or if something in it is missing or out of range. Rows
-/// of the tables that are missing have their defaults.
-[[nodiscard]] std::optional<Look> lookFromText(std::string_view text);
-[[nodiscard]] std::optional<MethodChoice> methodFromText(std::string_view text);
-[[nodiscard]] std::optional<MotionChoice> motionFromText(std::string_view text);
+/// The value that textOf() wrote. Each row that is missing, of another kind or out of range has its default, and the
+/// others count. A method has the default config if its rows cannot be together. Tube cores that are never placed are
+/// not read: they are a matter of the study.
+[[nodiscard]] Look lookFromText(std::string_view text);
+[[nodiscard]] MethodChoice methodFromText(std::string_view text);
+[[nodiscard]] MotionChoice motionFromText(std::string_view text);
 
 }  // namespace echolucent

@@ -133,16 +133,6 @@ void shareDataBox(std::vector<std::shared_ptr<const Volume>>& phases) {
     for (auto& phase : phases) phase = std::make_shared<const Volume>(phase->withDataBox(box));
 }
 
-double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
-    double outside = 0.0;
-    double total = 0.0;
-    for (const auto& phase : phases) {
-        outside += static_cast<double>(std::count(phase->dataMask().begin(), phase->dataMask().end(), 0));
-        total += static_cast<double>(phase->geometry().voxelCount());
-    }
-    return outside / total;
-}
-
 void addGeometryFacts(const StudyParts& parts, Study& study) {
     study.facts.push_back({"size", sizeText(parts.geometry.size) + " voxels", parts.sizeSource});
     if (parts.reduction)
@@ -313,6 +303,16 @@ void addBurnedInTextFact(const StudyParts& parts, Study& study) {
 }
 
 }  // namespace
+
+double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
+    double outside = 0.0;
+    double total = 0.0;
+    for (const auto& phase : phases) {
+        outside += static_cast<double>(std::count(phase->dataMask().begin(), phase->dataMask().end(), 0));
+        total += static_cast<double>(phase->geometry().voxelCount());
+    }
+    return outside / total;
+}
 
 Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
     if (auto sensible = checkGeometry(parts); !sensible) return tl::unexpected(sensible.error());

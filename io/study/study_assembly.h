@@ -1,6 +1,7 @@
 // The last step of every reader: voxels and geometry in, a study with its import report out.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,6 +67,9 @@ struct StudyParts {
 /// (unreadable) where the spacing or the origin is one that no scanner makes, NaN among them; (cancelled) where the
 /// person ended it.
 [[nodiscard]] Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress);
+
+/// The share of the voxels of all phases that are no data, [0,1].
+[[nodiscard]] double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases);
 
 /// A size as text, such as "152 x 156 x 110".
 [[nodiscard]] std::string sizeText(const std::array<std::int64_t, 3>& size);

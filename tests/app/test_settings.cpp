@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QIODevice>
 #include <QObject>
+#include <QSettings>
 #include <QString>
 #include <QStringList>
 #include <QTemporaryDir>
@@ -97,7 +98,7 @@ private slots:
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(
                 "[picture]\ncolourMap=mauve\ninterpolation=17\nprojection=\nlighting=perhaps\n"
-                "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColoured=2\nrenderer=abacus\n"
+                "mode=5\nlightAzimuth=nan\nlightElevation=91\ndepthColouring=2\nrenderer=abacus\n"
                 "[motion]\nspeed=fast\nphasesPingPong=2\n[window]\ntheme=mauve\n");
         }
         const Settings settings(store());
@@ -173,6 +174,26 @@ private slots:
         QCOMPARE(settings.look(), lookAtStart());
         QVERIFY(settings.motion() == MotionChoice{});
         QVERIFY(settings.method() == MethodChoice{});
+    }
+
+    void aWrongValueLeavesItsNeighboursAlone() {
+        QSettings written(store(), QSettings::IniFormat);
+        written.setValue("picture/look", R"({"mode": "mean", "colour_map": "mauve", "brightness": 2})");
+        written.setValue("motion/choice", R"({"axis": "x", "otf": 7, "ping_pong": false, "speed": 99})");
+        written.setValue("method/choice", R"({"initial": "cubic", "initial_scale": 0.5, "parameters":
+            {"tube_columns": 11, "cell_size": 99, "interface_function": "variance", "significance": 0.3}})");
+        written.sync();
+        const Settings settings(store());
+        Look look = lookAtStart();
+        look.mode = RenderMode::mean;
+        look.brightness = 2;
+        QCOMPARE(settings.look(), look);
+        QVERIFY(settings.motion() == (MotionChoice{.axis = MotionAxis::x, .pingPong = false}));
+        MethodChoice method;
+        method.initialScale = 0.5;
+        method.config.grid.columns = 11;
+        method.config.detection = VarianceRule{.significance = 0.3};
+        QVERIFY(settings.method() == method);
     }
 
     void recentFilesAreNewestFirstWithoutDoubles() {

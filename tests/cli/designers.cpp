@@ -85,7 +85,10 @@ TEST(DesignersCommand, WhatMakesNoSenseIsRefusedInWords) {
           Row{"--designer levoy --set transition_width=wide", "Use a number from"},
           Row{"--designer echo-ramp --set threshold=2", "Use a number from 0 to 1 (share)."},
           Row{"--designer levoy --tubes-csv -", "plays no part beside --designer levoy"},
-          Row{"--designer fetal-preset --set opacity=1", "It has none."}, Row{"--set form=isovalues", "--designer"}}) {
+          Row{"--designer fetal-preset --set opacity=1", "It has none."},
+          Row{"--designer adaptive --set strength=3",
+              "no parameter of adaptive. The method's own options set it: --strength."},
+          Row{"--designer adaptive --set colour=1", "It has none."}, Row{"--set form=isovalues", "--designer"}}) {
         const Outcome outcome = runProgram(otf + row.arguments);
         EXPECT_EQ(outcome.status, 2) << row.arguments;
         EXPECT_NE(outcome.errors.find(row.words), std::string::npos) << row.arguments << ": " << outcome.errors;

@@ -34,6 +34,7 @@ TEST(NearAuto, SaysWhatItSuggestsAndReportsItInTheJson) {
               3)
         << outcome.errors;
     EXPECT_NEAR(said, nearMm, 0.05 + 1e-9);
+    EXPECT_EQ(otf["made_of"]["found"]["front"]["taken"], true);
     EXPECT_GT(inFluid, 0.3 * tubes) << "the others meet no shape behind the wall";
     // The result is the same as asking for that cut.
     const json asked = otfOf(walledFile(), "--near " + json(nearMm).dump());
@@ -49,7 +50,10 @@ TEST(NearAuto, SaysSoWhereNoneIsNeededOrNoneCanBeFound) {
         runProgram("otf \"" + shapesFile() + "\" --beam-axis +z --near auto --reduction off --json -");
     ASSERT_EQ(unneeded.status, 0) << unneeded.errors;
     EXPECT_NE(unneeded.errors.find("The fluid begins at the front ("), std::string::npos) << unneeded.errors;
-    EXPECT_EQ(json::parse(unneeded.output)["view"]["near_mm"], 0.0);
+    const json uncut = json::parse(unneeded.output);
+    EXPECT_EQ(uncut["view"]["near_mm"], 0.0);
+    EXPECT_EQ(uncut["made_of"]["found"]["front"]["answer"], "fluid at the front");
+    EXPECT_EQ(uncut["made_of"]["found"]["front"]["taken"], false);
     const std::string empty = phantomFile("empty.mha", "--scene empty --size 64x64x64 --seed 5");
     const Outcome none = runProgram("otf \"" + empty + "\" --beam-axis +z --near auto --reduction off --json -");
     ASSERT_EQ(none.status, 0) << none.errors;

@@ -8,6 +8,7 @@
 #include "io/study/study_checksum.h"
 #include "otf_of.h"
 #include "program.h"
+#include "scan_slices.h"
 #include "tables.h"
 
 namespace echolucent {
@@ -68,9 +69,8 @@ long double initialAt(const json& function, long double x) {
 long double rampCurveAt(const json& otf, long double x) {
     const json& parameters = otf["parameters"];
     const long double initial = initialAt(parameters["initial_function"], x);
-    const long double gone = 1 - otf["speckle_left"].get<double>();
-    const long double begin = parameters["ramp_begin"].get<double>() + 0.16L * gone;
-    const long double end = std::max(begin, parameters["ramp_end"].get<double>() - 0.5L * gone);
+    const long double begin = parameters["quiet_ramp_begin"].get<double>(),
+                      end = parameters["quiet_ramp_end"].get<double>();
     long double weights = 0, ramps = 0;
     int weighted = 0, meeting = 0;
     for (const json& tube : otf["tubes"]) {
@@ -98,6 +98,17 @@ void expectCurveIsThatOfItsRamps(const json& otf) {
     for (std::size_t i = 0; i < 256; ++i)
         largest = std::max(largest, std::abs(rampCurveAt(otf, i / 255.0L) - otf["otf"]["opacity"][i].get<double>()));
     EXPECT_LE(largest, 1e-12L) << otf["made_of"]["study"]["file"] << ", " << otf["reduction"];
+}
+
+/// What the report says of the ramp is that of docs/method.md, "7. Curve".
+void expectRampIsQuieterBySpeckle(const json& otf) {
+    const json& parameters = otf["parameters"];
+    const double gone = 1 - otf["speckle_left"].get<double>();
+    const double begin = parameters["ramp_begin"].get<double>() + 0.16 * gone;
+    EXPECT_NEAR(parameters["quiet_ramp_begin"].get<double>(), begin, 1e-14);
+    EXPECT_NEAR(parameters["quiet_ramp_end"].get<double>(),
+                std::max(begin, parameters["ramp_end"].get<double>() - 0.5 * gone), 1e-14);
+    EXPECT_EQ(gone > 0, otf["reduction"] != "off");
 }
 
 void expectWeightsFollowFromTubes(const json& otf) {
@@ -184,6 +195,7 @@ TEST(OtfJson, CurveFollowsFromTheQuietTubesToo) {
     for (const std::string reduction : {"off", "light", "medium", "strong"}) {
         const json otf = otfOf(shapesFile(), "--reduction " + reduction);
         EXPECT_EQ(otf["tubes"][0].contains("quiet"), reduction != "off");
+        expectRampIsQuieterBySpeckle(otf);
         expectCurveIsThatOfItsRamps(otf);
     }
     expectCurveFollowsFromTubes(otfOf(shapesFile(), "--form product --reduction medium"), 2);
@@ -205,15 +217,22 @@ TEST(LongOtfOfRealData, CurvesFollowFromTheQuietTubes) { expectRealCurvesAreThos
 
 TEST(OtfJson, SaysWhatItWasMadeOfAndNoFolder) {
     const Folder folder;
-    const std::string path = folder / "scan of a day.mha";
+    for (const char* name : {"Doe=Jane", "Smith:Anna"}) std::filesystem::create_directory(folder / name);
+    const std::string path = folder / "Doe=Jane/scan of a day.mha", curve = folder / "Smith:Anna/c.json";
     std::filesystem::copy_file(shapesFile(), path);
-    const Outcome outcome = runProgram("otf \"" + path + "\" --near 3 --json \"" + folder / "o.json" + "\"");
+    write(curve, R"({"format": "echolucent-opacity-curve", "version": 1,
+        "nodes": [{"intensity": 0.2, "opacity": 0.0}, {"intensity": 0.6, "opacity": 0.4}]})");
+    const Outcome outcome = runProgram("otf \"" + path + "\" --near 3 \"--initial=manual:" + curve + "\" --json \"" +
+                                       folder / "Smith:Anna/o.json" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
-    const std::string text = contentsOf(folder / "o.json");
-    EXPECT_EQ(text.find(std::filesystem::path(path).parent_path().string()), std::string::npos);
-    const json made = json::parse(text)["made_of"];
+    const std::string text = contentsOf(folder / "Smith:Anna/o.json");
+    for (const std::string& part : {folder / "", std::string("Doe"), std::string("Anna")})
+        EXPECT_EQ(text.find(part), std::string::npos) << part;
+    const json report = json::parse(text), made = report["made_of"];
+    EXPECT_EQ(report["parameters"]["initial"], "manual:c.json");
     EXPECT_TRUE(made["program"].get<std::string>().starts_with("echolucent-cli "));
-    EXPECT_EQ(made["command"], (json{"otf", "scan of a day.mha", "--near", "3", "--json", "o.json"}));
+    EXPECT_EQ(made["command"],
+              (json{"otf", "scan of a day.mha", "--near", "3", "--initial=manual:c.json", "--json", "o.json"}));
     EXPECT_EQ(made["study"]["file"], "scan of a day.mha");
     EXPECT_EQ(made["study"]["checksum"], checksumOf({path})->text);
     EXPECT_EQ(made["study"]["series"], "");
@@ -221,8 +240,49 @@ TEST(OtfJson, SaysWhatItWasMadeOfAndNoFolder) {
     EXPECT_EQ(made["found"]["reduction"], "medium");
     EXPECT_EQ(cli::withoutFolders("manual:/home/jane/curve.json"), "manual:curve.json");
     EXPECT_EQ(cli::withoutFolders("--json=../out/o.json"), "--json=o.json");
-    EXPECT_EQ(cli::withoutFolders("/scans/jane/"), "jane");
+    EXPECT_EQ(cli::withoutFolders("--json=/Doe=Jane/o.json"), "--json=o.json");
+    EXPECT_EQ(cli::withoutFolders("--initial=manual:/a/b.json"), "--initial=manual:b.json");
+    EXPECT_EQ(cli::withoutFolders("manual:Smith:Anna/Doe=Jane/c.json"), "manual:c.json");
+    EXPECT_EQ(cli::withoutFolders("Doe=Jane/v=1:2.mha"), "v=1:2.mha");
+    EXPECT_EQ(cli::withoutFolders("--Doe/Jane=1/v.mha"), "v.mha") << "a file's name may begin like an option";
+    EXPECT_EQ(cli::withoutFolders("/scans/jane/"), "");
     EXPECT_EQ(cli::withoutFolders("+x"), "+x");
+}
+
+TEST(OtfJson, LeavesTheNameOfAStudysFolderOut) {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "Doe Jane");
+    for (int slice = 0; slice < 12; ++slice)
+        writeDicom(folder / ("Doe Jane/s" + std::to_string(slice) + ".dcm"), scanSlice(slice));
+    for (const std::string& path : {folder / "Doe Jane", folder / "Doe Jane/"}) {
+        const json report = otfOf(path);
+        EXPECT_EQ(report.dump().find("Jane"), std::string::npos);
+        const json& made = report["made_of"];
+        EXPECT_EQ(made["command"], (json{"otf", "", "--json", "-", "--reduction", "off"}));
+        EXPECT_EQ(made["study"]["file"], "");
+        EXPECT_EQ(made["study"]["files"], 12);
+        EXPECT_NE(made["study"]["series"], "");
+    }
+}
+
+TEST(MadeOf, ANameInAnotherEncodingIsReadable) {
+    const Folder folder;
+    std::filesystem::copy_file(shapesFile(), folder / "gr\xfcn.mha");
+    for (const std::string command : {"otf", "sweep --from 0 --to 1"}) {
+        const Outcome outcome = runProgram(command + " \"" + folder / "gr\xfcn.mha" + "\" --json -");
+        ASSERT_EQ(outcome.status, 0) << outcome.errors;
+        EXPECT_EQ(json::parse(outcome.output)["made_of"]["study"]["file"], "gr\ufffdn.mha");
+    }
+}
+
+TEST(MadeOf, SaysTheShareOfVoxelsWithoutDataAsANumber) {
+    const Folder folder;
+    constexpr std::size_t edge = 24, slice = edge * edge;
+    writeConstantVolume(folder / "half.mha", edge, 77);
+    std::string bytes = contentsOf(folder / "half.mha");
+    bytes.replace(bytes.size() - edge * slice, edge / 2 * slice, std::string(edge / 2 * slice, '\0'));
+    write(folder / "half.mha", bytes);
+    EXPECT_EQ(otfOf(folder / "half.mha")["made_of"]["found"]["no_data"]["share"], 0.5);
 }
 
 TEST(OtfJson, WeightsFollowFromTheTubesByEquations8To11) {

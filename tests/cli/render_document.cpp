@@ -113,7 +113,11 @@ TEST(RenderDocument, FindsTheStudyBesideTheDocumentOrOnTheCommandLine) {
     Document elsewhere = everything("/nowhere/scan.mha");
     ASSERT_TRUE(writeDocument(folder / "elsewhere.json", elsewhere));
     const std::string given = "--document \"" + folder / "elsewhere.json" + "\"";
-    EXPECT_EQ(apart(pictureOf("\"" + shapesFile() + "\" " + given, folder), document, firstPane), 0);
+    const std::string named = "\"" + shapesFile() + "\" " + given;
+    EXPECT_EQ(apart(pictureOf(named, folder), document, firstPane), 0);
+    EXPECT_EQ(apart(pictureOf(named + " --study-memory 64 --conversion-memory 64 --raw-header-bytes 0", folder),
+                    document, firstPane),
+              0);
     EXPECT_EQ(runProgram("render " + given + " -o \"" + folder / "p.png" + "\"").status, 3);
 }
 
@@ -155,6 +159,15 @@ TEST(RenderDocument, SaysWhatItCannotDo) {
     refused(given + "--view 7", "none is number 7");
     refused(given + "--mode maximum", "--mode");
     refused(given + "--near 3", "--near");
+    // VOLUME takes its options, and says itself what is wrong with them.
+    const std::string named = "\"" + shapesFile() + "\" " + given;
+    refused(named + "--series 1", "names a series of a folder");
+    for (const char* polar :
+         {"--raw-polar linear", "--raw-range 0,1", "--raw-lines 0,1", "--raw-planes 0,1", "--raw-radius 1"})
+        refused(named + polar, "--raw-size is missing");
+    refused(named + "--phase 0", "--phase plays no part beside --document.");
+    for (const char* option : {"--series 1", "--study-memory 64", "--all-voxels"})
+        refused(given + option, "plays no part beside --document without VOLUME");
     refused("--document \"" + folder / "document.json" + "\" -o \"" + folder / "document.json" + "\"", "document.json");
     document.scene.phase = 3;
     ASSERT_TRUE(writeDocument(folder / "late.json", document));

@@ -91,9 +91,20 @@ TEST(SweepCsv, CoversThePapersThreeScenarios) {
     using Expected = std::vector<std::pair<std::string, std::string>>;
     EXPECT_EQ(phasesAndAngles("--probe moving --object still --phase 1"),
               (Expected{{"1", "0"}, {"1", "1"}, {"1", "2"}, {"1", "3"}, {"1", "4"}}));
-    EXPECT_EQ(phasesAndAngles(""), (Expected{{"0", "0"}, {"1", "0"}, {"2", "0"}, {"0", "0"}, {"1", "0"}}));
-    EXPECT_EQ(phasesAndAngles("--probe moving --phase 2"),
-              (Expected{{"2", "0"}, {"0", "1"}, {"1", "2"}, {"2", "3"}, {"0", "4"}}));
+    EXPECT_EQ(phasesAndAngles("--probe still"), (Expected{{"0", "0"}, {"1", "0"}, {"2", "0"}, {"0", "0"}, {"1", "0"}}));
+    const Expected both{{"2", "0"}, {"0", "1"}, {"1", "2"}, {"2", "3"}, {"0", "4"}};
+    EXPECT_EQ(phasesAndAngles("--probe moving --phase 2"), both);
+    EXPECT_EQ(phasesAndAngles("--phase 2"), both) << "angles move the probe";
+}
+
+TEST(SweepCsv, AnAxisMovesTheProbe) {
+    const auto still = sweptRows(quoted(movingFile())), turned = sweptRows(quoted(movingFile()) + " --axis x");
+    EXPECT_EQ(still.size(), 1u + 3) << "the object's phases";
+    EXPECT_EQ(turned, sweptRows(quoted(movingFile()) + " --axis x --probe moving"));
+    EXPECT_EQ(turned[1][1], "-45");
+    const Outcome refused = runProgram("sweep " + quoted(movingFile()) + " --axis x --probe still");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.errors.find("--axis plays no part beside --probe still"), std::string::npos) << refused.errors;
 }
 
 TEST(SweepCsv, IsTheSameOnAnyNumberOfThreads) {

@@ -94,6 +94,12 @@ INSTANTIATE_TEST_SUITE_P(
                              "--light must be an azimuth from -180 to 180 and an elevation from -90 to 90 degrees"}));
 
 INSTANTIATE_TEST_SUITE_P(
+    WithoutAPart, ExitStatus,
+    testing::Values(UsageRow{"render VOLUME --mixed-mode mean -o FOLDER/x.png", 2,
+                             "--mixed-mode plays a part only in direct mode if something is mixed in. Leave it out.\n"},
+                    UsageRow{"render VOLUME --mode mean --shadow 1 -o FOLDER/x.png", 2, "Leave it out.\n"}));
+
+INSTANTIATE_TEST_SUITE_P(
     Numbers, ExitStatus,
     testing::Values(UsageRow{"phantom FOLDER/p.mha --size abc", 2, "--size must be like 199x197x199, not \"abc\""},
                     UsageRow{"phantom FOLDER/p.mha --contrast 1,2", 2, "--contrast must be like 14,85,170"},

@@ -4,9 +4,11 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
+#include <type_traits>
 
 #include "app/cli/options/option_text.h"
 #include "app/cli/options/parameter_options.h"
+#include "processing/adaptive/method_parameters.h"
 #include "processing/designers/designer.h"
 
 namespace echolucent::cli {
@@ -30,17 +32,24 @@ std::optional<ParameterValue> valueFrom(const std::string& text, const Parameter
     return std::holds_alternative<std::int64_t>(like) ? number(std::int64_t{}) : number(double{});
 }
 
+/// What sets a parameter that is no row of a designer's table.
+template <typename Values>
+std::string knownOf(const ParameterTable<Values>& table, const std::string& name) {
+    if (std::is_same_v<Values, AdaptiveConfig> && parameterNamed(methodParameters(), name) != nullptr)
+        return fmt::format("The method's own options set it: {}.", optionOf(name));
+    std::string known;
+    for (const AnyParameter& each : table) known += fmt::format("{}{}", known.empty() ? "" : ", ", each.name);
+    return known.empty() ? "It has none." : "It has " + known + ".";
+}
+
 /// Sets one parameter of a config.
 template <typename Values>
 Result<void> set(const ParameterTable<Values>& table, Values& values, const std::string& name,
                  const std::string& text) {
     const Parameter<Values>* row = parameterNamed(table, name);
-    if (row == nullptr) {
-        std::string known;
-        for (const AnyParameter& each : table) known += fmt::format("{}{}", known.empty() ? "" : ", ", each.name);
+    if (row == nullptr)
         return wrongUsage(setOption, fmt::format("names \"{}\", which is no parameter of {}", name, Values::words.name),
-                          known.empty() ? "It has none." : "It has " + known + ".");
-    }
+                          knownOf(table, name));
     const auto like = row->get(values);
     if (!like)
         return wrongUsage(setOption, fmt::format("names \"{}\", which plays no part here", name),

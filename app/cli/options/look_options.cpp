@@ -57,8 +57,7 @@ Result<void> LookOptions::checkParts(const Look& look) const {
         return wrongUsage("--light", "needs a light", "Leave it out, or use --lighting surface or depth.");
     for (const Parameter<Look>& row : lookParameters())
         if (m_given.has(row.name) && !playsAPart(row, look))
-            return wrongUsage(optionOf(row.name), "plays a part only " + whenOf(row),
-                              "Leave it out, or choose this with --mode and --lighting.");
+            return wrongUsage(optionOf(row.name), "plays a part only " + whenOf(row), "Leave it out.");
     return {};
 }
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "io/study/study_assembly.h"
 #include "io/study/study_checksum.h"
 
 namespace echolucent::cli {
@@ -25,13 +28,17 @@ std::string sideText(const OpeningFinds& finds) {
         lean.azimuth, lean.elevation, lean.roll);
 }
 
-/// The answer of the search, and what became of it if that is another than it suggests.
+bool isFrontTaken(const DocumentStudy& opened) {
+    const Front& front = opened.document.scene.front;
+    return front.source == FrontSource::found && front.depthMm > 0.0;
+}
+
+/// What the search answers. If it suggests a cut that is not taken, this says so.
 std::string frontText(const DocumentStudy& opened) {
     const auto& cut = opened.finds->cut;
     if (!cut) return opened.finds->beam.sure ? "" : "No front is looked for along a beam that is not sure.";
     const bool suggested = cut->answer == NearCutAnswer::wallBeforeFluid;
-    const bool taken = opened.document.scene.front.source == FrontSource::found;
-    return cut->message + (suggested && !taken ? " Nothing is cut." : "");
+    return cut->message + (suggested && !isFrontTaken(opened) ? " Nothing is cut." : "");
 }
 
 Json directionJson(const ViewDirection& direction) {
@@ -53,10 +60,11 @@ Json findsJson(const DocumentStudy& opened) {
                           {"depth_mm", cut->nearCutMm},
                           {"confidence", cut->confidence},
                           {"sure", cut->sure},
-                          {"taken", scene.front.source == FrontSource::found}};
+                          {"taken", isFrontTaken(opened)}};
     found["reduction"] = nameOf(scene.look.reduction);
     const ImportFact* noData = factNamed(opened.study, "voxels without data");
-    found["no_data"] = noData != nullptr ? Json{{"share", noData->value}, {"source", noData->source}} : Json();
+    found["no_data"] = nullptr;
+    if (noData != nullptr) found["no_data"] = {{"share", noDataShare(opened.study.phases)}, {"source", noData->source}};
     return found;
 }
 
@@ -77,12 +85,16 @@ Result<Json> madeOf(const Invocation& invocation, const DocumentStudy& opened) {
     const auto& file = std::get<StudyFile>(opened.document.study);
     const auto checksum = checksumOf(opened.study.files);
     if (!checksum) return tl::unexpected<Failure>(checksum.error());
+    // Checksum and UID tell a folder's study; its name may be a patient's.
+    std::error_code unreadable;
+    const bool isFolder = std::filesystem::is_directory(file.path, unreadable);
     Json arguments = Json::array();
-    for (const std::string& argument : invocation.arguments) arguments.push_back(withoutFolders(argument));
+    for (const std::string& argument : invocation.arguments)
+        arguments.push_back(isFolder && argument == file.path ? "" : withoutFolders(argument));
     return Json{{"program", invocation.program},
                 {"command", arguments},
                 {"study",
-                 {{"file", withoutFolders(file.path)},
+                 {{"file", isFolder ? "" : withoutFolders(file.path)},
                   {"checksum", checksum->text},
                   {"bytes", checksum->bytes},
                   {"files", checksum->files},
@@ -92,14 +104,15 @@ Result<Json> madeOf(const Invocation& invocation, const DocumentStudy& opened) {
 }
 
 std::string withoutFolders(const std::string& argument) {
-    const std::size_t end = argument.find_last_not_of('/');
-    if (end == std::string::npos) return argument;
-    const std::size_t slash = argument.find_last_of('/', end);
-    if (slash == std::string::npos) return argument.substr(0, end + 1);
-    // What stands before the path: "--json=", "manual:".
-    const std::size_t sign = argument.find_first_of("=:");
-    const std::size_t before = sign < slash ? sign + 1 : 0;
-    return argument.substr(0, before) + argument.substr(slash + 1, end - slash);
+    constexpr std::string_view manual = "manual:";
+    std::size_t before = 0;
+    if (argument.starts_with("--"))
+        if (const std::size_t sign = argument.find_first_of("=/"); sign != std::string::npos && argument[sign] == '=')
+            before = sign + 1;
+    if (argument.compare(before, manual.size(), manual) == 0) before += manual.size();
+    const std::size_t slash = argument.rfind('/');
+    if (slash == std::string::npos || slash < before) return argument;
+    return argument.substr(0, before) + argument.substr(slash + 1);
 }
 
 }  // namespace echolucent::cli

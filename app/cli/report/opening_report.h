@@ -13,10 +13,11 @@ namespace echolucent::cli {
 [[nodiscard]] std::string findsText(const DocumentStudy& opened);
 
 /// What a result was made of: program, command, study with its checksum, and what was found on opening. No folder
-/// stands in it. Fails where a file of the study cannot be read again.
+/// stands in it, not even the study's own. Fails if a file of the study cannot be read again.
 [[nodiscard]] Result<Json> madeOf(const Invocation& invocation, const DocumentStudy& opened);
 
-/// An argument with files by their names alone: "manual:/home/jane/curve.json" is "manual:curve.json".
+/// An argument with files by their names alone: "manual:/home/jane/curve.json" is "manual:curve.json". What ends in a
+/// slash names a folder: its name is left out.
 [[nodiscard]] std::string withoutFolders(const std::string& argument);
 
 }  // namespace echolucent::cli

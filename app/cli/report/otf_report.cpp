@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/report/opening_report.h"
 #include "app/cli/report/report_json.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
@@ -67,7 +68,7 @@ Json valueOf(const ParameterValue& value) {
 Json methodParametersJson(const AdaptiveOtf& otf, const std::string& initialName, double manualFactor) {
     const AdaptiveOtfConfig& config = otf.config;
     Json all{{"reading", readingName(config)},
-             {"initial", initialName},
+             {"initial", withoutFolders(initialName)},
              {"initial_function", initialFunction(config.initial)},
              {"opacity_scale", opacityScaleOf(config.initial, manualFactor)},
              {"tube_grid", Json::array({config.grid.columns, config.grid.rows})},

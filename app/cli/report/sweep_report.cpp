@@ -68,7 +68,8 @@ std::string sweepJson(const SweepReport& report) {
                                   {"phase", frame.frame.phase},
                                   {"sum_of_d", frame.sumOfD},
                                   {"tubes_with_surface", frame.tubesWithWeight}});
-    return json.dump(2) + "\n";
+    // A file name in another encoding must not end the program.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string sweepTable(std::span<const SweptOtf> frames) {

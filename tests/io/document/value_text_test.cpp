@@ -1,4 +1,4 @@
-// Values that settings remember: what is written comes back, and what makes no sense is none.
+// Values that settings remember: what is written comes back, and what makes no sense is passed over.
 #include "io/document/value_text.h"
 
 #include <gmock/gmock.h>
@@ -31,16 +31,43 @@ TEST(ValueText, RowsThatAreMissingHaveTheirDefaults) {
     EXPECT_EQ(lookFromText(R"({"colour_map": "grey", "of_another_version": 1})"), grey);
 }
 
-TEST(ValueText, WhatMakesNoSenseIsNone) {
-    for (const char* text : {"", "{", "[]", "7", R"({"colour_map": "mauve"})", R"({"brightness": 5})"})
-        EXPECT_FALSE(lookFromText(text)) << text;
-    for (const char* text : {"{}", R"({"initial": "cubic", "initial_scale": 1, "parameters": {}})",
-                             R"({"initial": "linear", "initial_scale": 1, "parameters": {"cell_size": 99}})"})
-        EXPECT_FALSE(methodFromText(text)) << text;
-    std::string fast = textOf(MotionChoice{.speed = 2.0});
-    fast.replace(fast.find("2.0"), 3, "1e9");
-    EXPECT_FALSE(motionFromText(fast));
-    EXPECT_FALSE(motionFromText("{}"));
+TEST(ValueText, WhatMakesNoSenseGivesTheDefault) {
+    for (const char* text : {"", "{", "[]", "7", "null", "{}", R"({"colour_map": "mauve"})", R"({"brightness": 5})"}) {
+        EXPECT_EQ(lookFromText(text), lookAtStart()) << text;
+        EXPECT_EQ(methodFromText(text), MethodChoice{}) << text;
+        EXPECT_EQ(motionFromText(text), MotionChoice{}) << text;
+    }
+    for (const char* text : {R"({"parameters": 7})", R"({"initial": 2, "initial_scale": -1})",
+                             R"({"parameters": {"significance": 0.3, "cell_size": "5"}})"})
+        EXPECT_EQ(methodFromText(text), MethodChoice{}) << text;
+}
+
+TEST(ValueText, ARowThatMakesNoSenseLeavesItsNeighboursAlone) {
+    Look grey = lookAtStart();
+    grey.colourMap = ColourMap::grey;
+    for (const char* wrong : {R"("brightness": 5)", R"("brightness": "2")", R"("mode": "mauve")", R"("shadow": null)"})
+        EXPECT_EQ(lookFromText(std::string(R"({"colour_map": "grey", )") + wrong + "}"), grey) << wrong;
+
+    MethodChoice method;
+    method.initial = InitialKind::linear;
+    method.config.grid.columns = 11;
+    method.config.detection = VarianceRule{.coarsestScale = 6};
+    const char* choice =
+        R"({"initial": "linear", "initial_scale": -1, "parameters": {"cell_size": 99, "tube_columns": 11,
+        "interface_function": "variance", "coarsest_scale": 6, "false_alarm": 3, "form": "cubic"}})";
+    EXPECT_EQ(methodFromText(choice), method);
+
+    std::string motion = textOf(MotionChoice{.axis = MotionAxis::x, .pingPong = false, .speed = 2.0});
+    motion.replace(motion.find("2.0"), 3, "1e9");
+    EXPECT_EQ(motionFromText(motion), (MotionChoice{.axis = MotionAxis::x, .pingPong = false}));
+}
+
+TEST(ValueText, OfRowsThatCannotBeTogetherTheConfigIsTheDefault) {
+    MethodChoice method;
+    method.initial = InitialKind::quartic;
+    EXPECT_EQ(methodFromText(R"({"initial": "quartic", "parameters": {"interface_function": "variance",
+        "coarsest_scale": 3, "finest_scale": 5, "tube_columns": 11}})"),
+              method);
 }
 
 }  // namespace
