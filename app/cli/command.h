@@ -86,7 +86,7 @@ struct VolumeOptions {
 struct ChosenBeam {
     BeamAxis axis = BeamAxis::plusZ;
     std::string source = "assumed";    ///< "option", "file", "sector shape", "echo" or "assumed"
-    std::optional<double> confidence;  ///< [0,1] of a guess; no value where nothing was guessed
+    std::optional<double> confidence;  ///< [0,1] of a guess; no value if nothing was guessed
     std::string sentence;              ///< of a guess; else it is empty
 };
 
@@ -94,21 +94,20 @@ struct ChosenBeam {
 enum class ViewOf {
     file,           ///< a volume that was read; its front is chosen by the option alone
     openedStudy,    ///< the same, with the front found on opening
-    simulatedScan,  ///< a scan that the command simulates, of which nothing is guessed
+    simulatedScan,  ///< a scan that the command simulates: beam and front are known, nothing is guessed
 };
 
 /// --beam-axis, --view-azimuth, --view-elevation, --near.
 struct ViewOptions {
     Viewpoint view;
-    std::string beamAxis;  ///< empty where it is not given
-    std::string near;      ///< empty where it is not given
+    std::string beamAxis;  ///< empty: not given
+    std::string near;      ///< empty: not given
     /// Adds the options to a command. They must stay where they are from here to get().
     void addTo(CLI::App& command, ViewOf of = ViewOf::file);
     [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
-    /// The view; uncut where the near cut is not given or is to be suggested. Fails (wrong usage) where an option is
-    /// out of range.
+    /// The view. It has a cut only if --near says how deep. Fails (wrong usage) if an option is out of range.
     [[nodiscard]] Result<Viewpoint> get() const;
-    /// The same of a simulated scan: fails (wrong usage) where the near cut is to be suggested.
+    /// The same for a simulated scan. Fails (wrong usage) if --near is auto.
     [[nodiscard]] Result<Viewpoint> getOfSimulatedScan() const;
     /// What the options say of a study that is opened. An option that is out of range counts as not given.
     [[nodiscard]] SaidOnOpening said() const;

@@ -12,7 +12,9 @@ void addParametersCommand(CLI::App& program, Action& action) {
     CLI::App& command = *program.add_subcommand(
         "parameters", "Prints the method's parameters with range, default and source, as docs/cli-otf.md has them");
     const auto json = std::make_shared<bool>(false);
-    command.add_flag("--json", *json, "Prints all parameters as JSON: of the method, of every designer, of the look");
+    command.add_flag(
+        "--json", *json,
+        "Prints the rows of all tables as JSON: of the method, the designers, the look and the curve's sliders");
     command.footer("Example: echolucent-cli parameters");
     command.callback([json, &action] {
         action = [json] {

@@ -71,8 +71,8 @@ Result<Study> studyOf(const Document& document, const std::string& path, const V
 void DocumentOptions::addTo(CLI::App& command) {
     command
         .add_option("--document", path,
-                    "A document of the workstation: renders what its view shows at rest; the study is the document's "
-                    "where no VOLUME is given")
+                    "A document of the workstation: renders a pane of it as it is at rest. Without VOLUME the document "
+                    "names the study")
         ->type_name("FILE.json");
     command
         .add_option("--view", view,

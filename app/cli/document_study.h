@@ -1,4 +1,5 @@
-// A study and the document by which it is shown: named by a document, or opened and edited by options.
+// A study, and the document that shows it. Either a document names the study, or a file is opened and options edit its
+// document.
 #pragma once
 
 #include <optional>
@@ -14,7 +15,7 @@ namespace echolucent::cli {
 
 /// --document and --view.
 struct DocumentOptions {
-    std::string path;         ///< empty where no document was given
+    std::string path;         ///< empty: no document was given
     std::optional<int> view;  ///< a pane's number, or the id of a view of version 1; none: the first one
     void addTo(CLI::App& command);
     /// Fails (wrong usage) if an option is given whose value stands in the document, or one that says how VOLUME is
@@ -31,11 +32,10 @@ struct DocumentStudy {
     double findingMilliseconds = 0.0;     ///< wall time of finding them
 };
 
-/// Reads a document, and the study that it names, or `volume` where that has a path. A relative path of the study is
-/// one from the document's folder, or else from the working folder; where it is in neither, its bytes are looked for in
-/// the document's folder. That it was found so, or that its bytes have changed since the document was saved, is said on
-/// stderr. Fails where document or study cannot be read, where `output` is one of the files that are read, where the
-/// document has no pane of the number (readDocumentPane()), and if the study has no phase that the pane shows.
+/// Reads a document and its study. If `volume` has a path, that is the study. A relative path is looked for from the
+/// document's folder, then from the working folder; then its bytes are looked for in the document's folder. The
+/// standard error says if it was found so, or if its bytes have changed. Fails if document or study cannot be read, if
+/// `output` is one of them, or if pane or phase is not there.
 [[nodiscard]] Result<DocumentStudy> readDocumentStudy(const std::string& document, const VolumeOptions& volume,
                                                       const std::string& output, std::optional<int> number);
 

@@ -40,8 +40,9 @@ const ParameterTable<MethodChoice>& initialFunctionParameters() {
                                                            "docs/method.md, 7. Curve"}),
              playing(hasInitialScale, "if initial is parabolic or quartic",
                      number<&MethodChoice::initialScale>(
-                         {"initial_scale", scale.label, scale.meaning, scale.unit, scale.source}, scale.range,
-                         {.offered = scale.offered, .steps = scale.steps}))}};
+                         {"initial_scale", scale.label, "Opacity of the initial function at full intensity", scale.unit,
+                          scale.source},
+                         scale.range, {.offered = scale.offered, .steps = scale.steps}))}};
         return made;
     }();
     return table;

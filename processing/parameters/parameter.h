@@ -82,7 +82,7 @@ template <typename Values>
 struct ParameterTable {
     std::vector<Parameter<Values>> rows{};
     Values standard{};  ///< the values that a person begins with: the defaults
-    /// What is wrong in values of which every row is in its range, as problemIn() says it; null: nothing can be.
+    /// What is wrong between rows that are each in range (problemIn() calls it); null: nothing can be.
     std::string (*problem)(const Values&) = nullptr;
 
     [[nodiscard]] auto begin() const { return rows.begin(); }

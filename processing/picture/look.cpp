@@ -10,7 +10,7 @@ namespace echolucent {
 
 namespace {
 
-/// A mode of which nothing is left is not cast.
+/// A mixed-in mode that hides the mode altogether is cast alone.
 RenderMode seenMode(const Look& look) {
     return look.mode == RenderMode::direct && look.mixing >= 1.0 ? look.mixedMode : look.mode;
 }

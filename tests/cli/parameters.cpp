@@ -77,6 +77,9 @@ TEST(Parameters, JsonSaysWhatKindOfValueAndWhenItApplies) {
     EXPECT_EQ(rowOf(all["look"], "depth_colouring")["kind"], "flag");
     EXPECT_EQ(rowOf(all["look"], "mode")["choices"][3], json({{"name", "mean"}, {"label", "Mean (x-ray)"}}));
     EXPECT_EQ(rowOf(all["look"], "light_azimuth")["unit"], "degrees");
+    EXPECT_EQ(rowOf(all["initial_function"], "initial_scale")["applies"], "if initial is parabolic or quartic");
+    EXPECT_EQ(rowOf(all["initial_function"], "initial_scale")["meaning"],
+              "Opacity of the initial function at full intensity");
     EXPECT_EQ(rowOf(all["designers"]["levoy"], "levels")["choices"][0]["label"], "Tube cores");
 }
 

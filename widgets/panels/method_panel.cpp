@@ -24,8 +24,8 @@ namespace {
 /// The entry of the choice of readings that nobody can choose: a parameter was changed.
 constexpr int changedReading = -1;
 
-/// The rows that stand above, in the order of the panel; those of the advanced parameters follow, and then what the
-/// table has besides.
+/// The rows that have a place of their own: above, and that of the interface function, first under Advanced. The
+/// advanced ones follow in this order, and then what the table has besides.
 constexpr std::array mainRows{std::string_view("strength"), std::string_view("ramp_opacity"), std::string_view("form"),
                               std::string_view("opacity_scale"), std::string_view("interface_function")};
 constexpr std::array advancedRows{

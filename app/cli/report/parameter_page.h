@@ -15,7 +15,7 @@ namespace echolucent::cli {
 /// One row a parameter, in the table's order, as a table in Markdown; ends with a newline.
 [[nodiscard]] std::string parameterPage(const std::vector<ParameterDefault>& rows);
 
-/// Every row of the method, of each designer, of the look and of what else a person sets, with all that it says.
+/// All rows of the method, the designers, the look and the curve's sliders, as JSON.
 [[nodiscard]] std::string allParametersJson();
 
 }  // namespace echolucent::cli
