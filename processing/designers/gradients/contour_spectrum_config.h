@@ -1,10 +1,6 @@
 // The config of the designer by the contour spectrum (docs/designers/contour-spectrum.md).
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string_view>
-
 #include "processing/choice_names.h"
 #include "processing/designers/designer_words.h"
 
@@ -15,13 +11,7 @@ enum class IsovalueChoice {
     steepest,  ///< the steepest of maximaOf() the spectrum
     given,     ///< a person's choice
 };
-inline constexpr std::array allIsovalueChoices{IsovalueChoice::steepest, IsovalueChoice::given};
-inline constexpr ChoiceNames<allIsovalueChoices.size()> isovalueChoiceNames{"steepest", "given"};
-/// "steepest", "given".
-[[nodiscard]] inline std::string_view nameOf(IsovalueChoice choice) { return nameIn(isovalueChoiceNames, choice); }
-[[nodiscard]] inline std::optional<IsovalueChoice> isovalueChoiceFromName(std::string_view name) {
-    return choiceNamed<IsovalueChoice>(isovalueChoiceNames, name);
-}
+inline constexpr ChoiceNames<2> isovalueChoiceNames{"steepest", "given"};
 
 /// The ranges stand in parametersOf(), too.
 struct ContourSpectrumConfig {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <string_view>
 #include <vector>
 
 #include "processing/choice_names.h"
@@ -17,12 +15,6 @@ enum class KindlmannDimensions {
     two,  ///< the intensity and the gradient magnitude: alpha(v, g) = b(p(v, g))
 };
 inline constexpr ChoiceNames<2> kindlmannDimensionsNames{"one", "two"};
-[[nodiscard]] inline std::string_view nameOf(KindlmannDimensions dimensions) {
-    return nameIn(kindlmannDimensionsNames, dimensions);
-}
-[[nodiscard]] inline std::optional<KindlmannDimensions> kindlmannDimensionsFromName(std::string_view name) {
-    return choiceNamed<KindlmannDimensions>(kindlmannDimensionsNames, name);
-}
 
 /// Where the boundary emphasis function b comes from.
 enum class BoundaryEmphasis {
@@ -30,12 +22,6 @@ enum class BoundaryEmphasis {
     drawn,  ///< KindlmannConfig::drawn
 };
 inline constexpr ChoiceNames<2> boundaryEmphasisNames{"hat", "drawn"};
-[[nodiscard]] inline std::string_view nameOf(BoundaryEmphasis emphasis) {
-    return nameIn(boundaryEmphasisNames, emphasis);
-}
-[[nodiscard]] inline std::optional<BoundaryEmphasis> boundaryEmphasisFromName(std::string_view name) {
-    return choiceNamed<BoundaryEmphasis>(boundaryEmphasisNames, name);
-}
 
 /// One point of the boundary emphasis function.
 struct EmphasisNode {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 #include "processing/choice_names.h"
@@ -19,9 +18,6 @@ inline constexpr ChoiceNames<allTemplateComparisons.size()> templateComparisonNa
 /// "logarithm", "cumulative".
 [[nodiscard]] inline std::string_view nameOf(TemplateComparison comparison) {
     return nameIn(templateComparisonNames, comparison);
-}
-[[nodiscard]] inline std::optional<TemplateComparison> templateComparisonFromName(std::string_view name) {
-    return choiceNamed<TemplateComparison>(templateComparisonNames, name);
 }
 
 }  // namespace echolucent
