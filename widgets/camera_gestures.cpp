@@ -10,7 +10,7 @@
 namespace echolucent {
 
 namespace {
-constexpr double zoomPerNotch = 1.15;  // also of a key
+constexpr double zoomPerNotch = 1.15;  // also for a key
 constexpr double wheelNotch = 120.0;   // Qt's eighths of a degree
 constexpr double zoomOverHeight = 12.0;
 constexpr double moveOfKey = 0.05;

@@ -29,7 +29,7 @@ bool moves(int key) {
 
 bool presses(int key) { return key == Qt::Key_Space || key == Qt::Key_Select; }
 
-/// Digits and what else begins a number.
+/// Digits and the other characters that begin a number.
 bool beginsNumber(int key) {
     return (key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Period || key == Qt::Key_Comma ||
            key == Qt::Key_Minus;

@@ -1,4 +1,4 @@
-// Which keys belong to the control that has the focus, and not to the window.
+// Which keys belong to the focused control, and not to the window.
 #pragma once
 
 #include <QObject>
@@ -8,12 +8,11 @@ class QWidget;
 
 namespace echolucent {
 
-/// Whether a control does something of its own with a key, so that no shortcut of the window may take it: Space of a
-/// button, the arrows of sliders, radio buttons, lists and tabs, the digits of a table. Fields of text say so
-/// themselves.
+/// Whether a control uses a key itself, so that no shortcut of the window may take it: Space of a button, the arrows of
+/// sliders, radio buttons, lists and tabs, the digits of a table. Text fields say so themselves.
 [[nodiscard]] bool wantsKey(const QWidget& control, const QKeyEvent& key);
 
-/// Keeps, in the whole application, the keys of the control that has the focus from the shortcuts of its window.
+/// Keeps the keys of the focused control from the shortcuts of its window, in the whole application.
 class ControlKeys : public QObject {
     Q_OBJECT
 

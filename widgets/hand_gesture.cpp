@@ -14,8 +14,8 @@ HandGesture::HandGesture(QObject* parent, int burstMilliseconds) : QObject(paren
 }
 
 bool HandGesture::eventFilter(QObject*, QEvent* event) {
-    // One event of the hand passes here once for its window and once for each widget that it is offered to: none of
-    // these makes a second gesture before anything was edited.
+    // One event passes here once for its window and once for each widget that gets it. Each time may begin a gesture
+    // anew, but nothing is edited in between.
     switch (event->type()) {
         case QEvent::MouseButtonPress:
         case QEvent::MouseButtonDblClick: begin(Kind::button); break;
@@ -23,7 +23,7 @@ bool HandGesture::eventFilter(QObject*, QEvent* event) {
             if (static_cast<QMouseEvent*>(event)->buttons() == Qt::NoButton && m_kind == Kind::button) end();
             break;
         case QEvent::KeyPress:
-            // A key that repeats is held, also where the release of another one has ended the gesture.
+            // A repeating key is held, even if the release of another key has ended the gesture.
             if (!static_cast<QKeyEvent*>(event)->isAutoRepeat() || !m_open) begin(Kind::key);
             break;
         case QEvent::MouseButtonRelease: endSoon(); break;
@@ -49,7 +49,7 @@ void HandGesture::goOn(Kind kind) {
 }
 
 void HandGesture::endSoon() {
-    // What the release itself does still belongs to the gesture.
+    // Edits by the release itself still belong to the gesture.
     QMetaObject::invokeMethod(
         this,
         [this, number = m_number] {

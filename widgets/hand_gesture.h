@@ -6,16 +6,16 @@
 
 namespace echolucent {
 
-/// Watches the application's mouse, wheel and keys. Every edit while a button is held, within one burst of the wheel or
-/// while one key is held belongs to one gesture; between them there is none.
+/// Watches the application's mouse, wheel and keys. One gesture is: a button held, a key held, or one burst of the
+/// wheel. Edits at other times belong to no gesture.
 class HandGesture : public QObject {
     Q_OBJECT
 
 public:
-    /// A wheel that is turned again within burstMilliseconds goes on with its burst.
+    /// A turn of the wheel within burstMilliseconds continues its burst.
     explicit HandGesture(QObject* parent = nullptr, int burstMilliseconds = 400);
 
-    /// A number of its own for each gesture, DocumentModel::noGesture where there is none.
+    /// The number of the present gesture, a new one for each; DocumentModel::noGesture if there is none.
     [[nodiscard]] int current() const { return m_open ? m_number : 0; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,4 +1,4 @@
-// Every key and gesture of the window: one table for the menus, the panel of explanations and docs/keys.md.
+// Every key and gesture of the window: one table for the menus, the panel Explain and docs/keys.md.
 #pragma once
 
 #include <QKeySequence>
@@ -8,11 +8,11 @@
 
 namespace echolucent {
 
-/// Where a key or gesture works. What has the focus is asked first, then the window.
+/// Where a key or gesture works. The focused part is asked first, then the window.
 enum class KeyPlace { picture, planes, curveEditor, window };
 inline constexpr std::array allKeyPlaces{KeyPlace::picture, KeyPlace::planes, KeyPlace::curveEditor, KeyPlace::window};
 
-/// The key of an action of the window, by the action's object name.
+/// The key of an action of the window. `action` is the action's object name.
 struct KeyOfAction {
     QString action;
     QString key;  ///< as QKeySequence's portable text: "Ctrl+Shift+Z"
@@ -32,7 +32,7 @@ struct KeyRow {
 /// "In the picture", "In a plane", "In the curve editor", "Anywhere in the window".
 [[nodiscard]] QString titleOf(KeyPlace place);
 
-/// The key of the action with this object name; an empty one where the table gives it none.
+/// The key of the action with this object name; an empty one if it has none.
 [[nodiscard]] QKeySequence keyOf(const QString& action);
 
 /// The whole page docs/keys.md as Markdown: a heading and a table for each place, in the order of allKeyPlaces.

@@ -28,7 +28,7 @@ bool MarkingPointer::isNearPress(const QPointF& pixel) const {
 }
 
 bool MarkingPointer::press(const QMouseEvent& event) {
-    if (m_taken == Take::drag) return true;  // another button beside the one that drags
+    if (m_taken == Take::drag) return true;  // another button during a drag
     m_taken = Take::no;
     const Qt::KeyboardModifiers others = Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier;
     if (event.button() != Qt::LeftButton || event.buttons() != Qt::LeftButton || (event.modifiers() & others))
@@ -36,7 +36,7 @@ bool MarkingPointer::press(const QMouseEvent& event) {
     m_taken = m_offer(event.position());
     m_pressedAt = event.position();
     if (m_taken == Take::drag) emit pressed(event.position());
-    // A second press is no double click for what lies below.
+    // The widget below must not take the second press for a double click.
     return m_taken == Take::drag || (m_taken == Take::click && event.type() == QEvent::MouseButtonDblClick);
 }
 
@@ -46,7 +46,7 @@ bool MarkingPointer::move(const QMouseEvent& event) {
         return true;
     }
     if (m_taken == Take::click) {
-        // Nothing turns before the hand has left the place.
+        // Nothing turns before the pointer has left the place.
         if (isNearPress(event.position())) return true;
         m_taken = Take::no;
     }

@@ -1,4 +1,4 @@
-// The left button over a pane, offered first to whoever marks or moves places there.
+// Offers the left button over a pane first to whoever marks or moves places there.
 #pragma once
 
 #include <QObject>
@@ -9,14 +9,14 @@ class QMouseEvent;
 
 namespace echolucent {
 
-/// Watches a widget or a window. Each press of the left button without Shift, Ctrl and Alt, and each second press of a
-/// double click, is offered; what is not taken, and all other events, pass on. Pixels are logical ones of what is
-/// watched.
+/// Watches a widget or a window. Offers each press of the left button without Shift, Ctrl and Alt, and each second
+/// press of a double click. All other events pass on, and so does a press that nobody takes. Pixels are logical ones of
+/// the watched object.
 class MarkingPointer : public QObject {
     Q_OBJECT
 
 public:
-    /// What is done with a press.
+    /// The answer to an offered press.
     enum class Take {
         no,     ///< it passes on
         drag,   ///< press, moves and release are taken: pressed, dragged and released follow
@@ -24,10 +24,10 @@ public:
     };
     using Offer = std::function<Take(const QPointF& pixel)>;
 
-    /// `offer` is asked at each press; what it refers to outlives this. The watched object does too.
+    /// `offer` is asked at each press. The watched object, and what `offer` refers to, outlive this.
     MarkingPointer(QObject& watched, Offer offer, QObject* parent = nullptr);
 
-    /// What moves less than this between press and release, in pixels to the right and down together, is a click.
+    /// A press is a click if the pointer moves less than this before the release: pixels to the right plus pixels down.
     static constexpr double clickReach = 4.0;
 
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,4 +1,4 @@
-// How often words change in the panels while pictures follow each other.
+// Limits how often texts of panels change while a motion plays.
 #pragma once
 
 #include <QTimer>
@@ -7,11 +7,11 @@
 
 namespace echolucent {
 
-/// New words lay a panel out anew, which can take as long as drawing a picture, and nobody reads more of them than one
-/// every `milliseconds`. The last words are always told, that much later at most.
+/// New texts lay out a panel anew, which can take as long as drawing a picture. Nobody reads more than one in
+/// `milliseconds`. The last text is always told, at most that much later.
 class PacedWords {
 public:
-    /// `tell` brings what is true when it is called into the panel.
+    /// `tell` shows the present facts in the panel.
     explicit PacedWords(std::function<void()> tell) : m_tell(std::move(tell)) {
         m_timer.setSingleShot(true);
         m_timer.setInterval(milliseconds);
@@ -19,7 +19,7 @@ public:
             if (m_waiting) tellNow();
         });
     }
-    /// Tells at once, or where that was done less than `milliseconds` ago, when they have gone by.
+    /// Tells at once. If it told less than `milliseconds` ago, waits until they have passed.
     void tell() {
         m_waiting = true;
         if (!m_timer.isActive()) tellNow();

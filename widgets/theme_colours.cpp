@@ -60,8 +60,7 @@ const ThemeColours& coloursOf(Theme theme) {
 const ThemeColours& coloursOverPictures() { return coloursOf(Theme::dark); }
 
 Theme themeOf(const QPalette& palette) {
-    // Not its background, which some controls have none of, and not the text of what is disabled, which is pale in
-    // both.
+    // Ask neither for the background, which some controls lack, nor for disabled text, which is pale in both themes.
     return palette.color(QPalette::Active, QPalette::WindowText).lightness() < 128 ? Theme::light : Theme::dark;
 }
 

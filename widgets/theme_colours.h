@@ -1,4 +1,4 @@
-// The colours of the dark and of the light theme: the one place that they stand in.
+// All colours of the dark and of the light theme.
 #pragma once
 
 #include <QColor>
@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// Reading rooms are dark, and so is the theme to start with. Pictures are on black in both.
+/// Reading rooms are dark, and so is the default theme. Pictures are on black in both.
 enum class Theme { dark, light };
 
 inline constexpr ChoiceNames<2> themeNames{"dark", "light"};
@@ -22,18 +22,18 @@ inline constexpr ChoiceNames<2> themeNames{"dark", "light"};
     return choiceNamed<Theme>(themeNames, name);
 }
 
-/// A colour that means one thing, on the dark and on the light theme's ground.
+/// A colour with one meaning, for the ground of each theme.
 struct ColourOfThemes {
     QColor dark, light;
 
     [[nodiscard]] const QColor& in(Theme theme) const { return theme == Theme::dark ? dark : light; }
 };
 
-/// What each colour of a theme is for; the style sheet (resources/theme.qss) knows them by the same names. Texts stand
-/// off what they are written on by 4.5 : 1 and more (WCAG 2.1, 1.4.3), but for those of controls that are disabled.
+/// The use of each colour of a theme. The style sheet (resources/theme.qss) knows them by the same names. The contrast
+/// of texts with their ground is at least 4.5 : 1 (WCAG 2.1, 1.4.3), except on disabled controls.
 struct ThemeColours {
     QColor background;       ///< behind and between panels
-    QColor panel;            ///< what controls and texts stand on
+    QColor panel;            ///< the ground of controls and texts
     QColor head;             ///< titles of docks, heads of tables
     QColor menu;             ///< menus that are open
     QColor field;            ///< fields, lists and tables
@@ -51,12 +51,12 @@ struct ThemeColours {
     QColor scrollPointedAt;  ///< handles of scroll bars under the pointer
     QColor text;             ///< texts
     QColor textBehind;       ///< texts of tabs, heads and the status line
-    QColor secondary;        ///< texts that stand back behind the others, rims of check boxes
+    QColor secondary;        ///< less prominent texts, rims of check boxes
     QColor disabled;         ///< texts and marks of what is disabled
     QColor textSelected;     ///< on `accentQuiet` and `selection`
     QColor mark;             ///< arrows of controls
     QColor knob;             ///< knobs of sliders
-    QColor accent;           ///< what is active
+    QColor accent;           ///< the active part
     QColor accentQuiet;      ///< rows that are selected, buttons that are checked
     QColor selection;        ///< letters that are selected
     QColor progress;         ///< the part of a bar that is done
@@ -65,9 +65,8 @@ struct ThemeColours {
     QColor onSign;           ///< the letter on the sign of a message
 };
 
-/// One colour of both themes.
 struct ThemeColourRow {
-    std::string_view name;  ///< that of the member
+    std::string_view name;  ///< name of the member
     QColor ThemeColours::*member;
     QRgb dark, light;
 };
@@ -75,10 +74,10 @@ struct ThemeColourRow {
 
 [[nodiscard]] const ThemeColours& coloursOf(Theme theme);
 
-/// What is drawn over pictures, which are on black in both themes, has the dark theme's colours.
+/// Pictures are on black in both themes, so drawings over them have the dark theme's colours.
 [[nodiscard]] const ThemeColours& coloursOverPictures();
 
-/// The theme that a widget wears, by its palette: dark where its text is light.
+/// The theme of a widget, by its palette: dark if its text is light.
 [[nodiscard]] Theme themeOf(const QPalette& palette);
 [[nodiscard]] const ThemeColours& coloursOf(const QPalette& palette);
 

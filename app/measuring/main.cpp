@@ -14,10 +14,10 @@ void addCommands(CLI::App& program, echolucent::cli::Action& action) {
 
 }  // namespace
 
-/// `echolucent-cli study` and `echolucent-cli bench` start it.
+/// `echolucent-cli study` and `echolucent-cli bench` start this program.
 int main(int count, char** arguments) {
     CLI::App program{"Echolucent's studies and benches. Not a medical device."};
-    // It stands for echolucent-cli, whatever else stands beside the command.
+    // It calls itself echolucent-cli, as a person has started that.
     return echolucent::cli::runProgram(program, std::string("echolucent-cli ") + ECHOLUCENT_VERSION, addCommands, count,
                                        arguments);
 }

@@ -1,4 +1,4 @@
-// How long something takes.
+// Measures run times.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// The frame of the studies (`echolucent-cli study ...`): options that many take, what is read, what is written.
+// The frame of the studies (`echolucent-cli study ...`): shared options, reading and writing.
 #pragma once
 
 #include <memory>
@@ -16,23 +16,23 @@
 
 namespace echolucent::cli {
 
-/// The commands of echolucent-study, which echolucent-cli starts.
+/// The commands of echolucent-study. echolucent-cli starts them.
 void addBenchCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
 
-/// What a study is called, and what its help says; `example` stands after "echolucent-cli study ".
+/// Name and help of a study. `example` stands after "echolucent-cli study ".
 struct StudyWords {
     std::string name, meaning, example;
 };
 
-/// What a study found, as it leaves it.
+/// The result of a study.
 struct StudyFindings {
     std::vector<std::pair<std::string, std::string>> files;  ///< name and contents
     std::string summary;                                     ///< for the standard output
 };
 
-/// The command of a study. A study states what is its own; this does the rest: options that others take too, checks
-/// before anything long begins, files that are written whole or not at all.
+/// The command of a study. A study provides only its own parts. This class does the rest: options that studies share,
+/// checks before anything long begins, and files that are written whole or not at all.
 class StudyCommand {
 public:
     explicit StudyCommand(StudyWords words) : m_words(std::move(words)) {}
@@ -40,35 +40,34 @@ public:
     StudyCommand(const StudyCommand&) = delete;
     StudyCommand& operator=(const StudyCommand&) = delete;
 
-    /// Adds the study's command to `study`, which sets `action` when it was chosen.
+    /// Adds the study's command to `study`. If a person chooses it, it sets `action`.
     static void add(const std::shared_ptr<StudyCommand>& own, CLI::App& study, Action& action);
 
 protected:
     virtual void addOptions(CLI::App& command) = 0;
     /// The names of all files that measure() may return.
     [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
-    /// What is wrong with options of its own; asked before the folder is made.
+    /// Says what is wrong with the study's own options, before the folder is made.
     [[nodiscard]] virtual Result<void> check() { return {}; }
-    /// A file that is not among files() is a broken contract (std::invalid_argument).
+    /// std::invalid_argument if it returns a file that is not among files().
     [[nodiscard]] virtual Result<StudyFindings> measure() = 0;
 
-    /// Adds VOLUME and its options; it may be left out.
+    /// Adds VOLUME and its options. A person may leave it out.
     void addVolume(CLI::App& command);
-    /// Adds -o. It may be left out if `folder` names one.
+    /// Adds -o. A person may leave it out if `folder` names one.
     void addFolder(CLI::App& command, const std::string& meaning);
-    /// Adds a whole number from `least` to `most`, whose default the help names.
+    /// Adds a whole number from `least` to `most`. The help names its default.
     static void addCount(CLI::App& command, const std::string& name, int& value, int least, int most,
                          const std::string& meaning);
     /// Adds --otf.
     void addOtf(CLI::App& command);
 
-    /// The volume that was asked for, whose files no output may be.
+    /// Reads the wanted volume. No output may be one of its files.
     [[nodiscard]] Result<std::shared_ptr<const Volume>> readVolume() const { return volume.readPhase(m_outputs); }
     [[nodiscard]] Result<Study> readPhases() const { return volume.readAll(m_outputs); }
-    /// The view that the options ask for. If no volume was named, the scan is simulated, and its beam is the options'
-    /// own.
+    /// The view of the options. If no volume was named, the scan is simulated, and its beam is that of the options.
     [[nodiscard]] Result<Viewpoint> viewOf(const Volume& shown) const;
-    /// The curve of --otf; the adaptive one says on stderr why it is the initial function.
+    /// The curve of --otf. If the adaptive curve is only the initial function, stderr says why.
     [[nodiscard]] OpacityCurve curveFor(const Volume& shown, const Viewpoint& from) const;
     [[nodiscard]] std::string pathOf(const std::string& file) const;
 
@@ -76,10 +75,10 @@ protected:
     PhantomChoice phantoms;
     ViewOptions view;
     MethodOptions method;
-    AdaptiveOtfConfig config;          ///< the method's, from check() on
-    std::vector<PhantomConfig> bases;  ///< of the phantoms' options, from check() on; at least one
+    AdaptiveOtfConfig config;          ///< of the method, from check() on
+    std::vector<PhantomConfig> bases;  ///< the phantoms of the options, from check() on; at least one
     std::string otf = "adaptive";
-    std::string folder;  ///< of the files; without a name before addFolder(), -o is required
+    std::string folder;  ///< of the files; if empty before addFolder(), -o is required
 
 private:
     [[nodiscard]] Result<void> run();

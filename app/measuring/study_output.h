@@ -1,5 +1,4 @@
-// What studies write: tables as CSV, on pages and on the terminal, series of plots; and lists of seeds, which they
-// read.
+// Writes for studies: tables as CSV, on pages and on the terminal, and series of plots. Also reads lists of seeds.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +16,8 @@
 
 namespace echolucent::cli {
 
-/// A cell of a CsvTable. A number is written with the digits that tell doubles apart; one that is not finite, or that
-/// is not known, is an empty cell.
+/// A cell of a CsvTable. A number has the digits that tell doubles apart. A number that is unknown or not finite is an
+/// empty cell.
 class CsvCell {
 public:
     CsvCell(double number);
@@ -34,11 +33,11 @@ private:
     std::string m_text;
 };
 
-/// Comma-separated values (RFC 4180, lines end in a line feed): the columns' names first, then row by row.
+/// Comma-separated values (RFC 4180, lines end in a line feed): the names of the columns, then row by row.
 class CsvTable {
 public:
     explicit CsvTable(const std::vector<std::string>& columns);
-    /// Adds a row of one cell a column; throws std::invalid_argument where there are more or fewer.
+    /// Adds a row, one cell a column. Throws std::invalid_argument if there are more or fewer.
     void row(const std::vector<CsvCell>& cells);
     [[nodiscard]] const std::string& text() const { return m_text; }
 
@@ -47,19 +46,17 @@ private:
     std::string m_text;
 };
 
-/// A table of text: the names of its columns, then its rows.
 struct TextTable {
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows{};
 };
-/// The table for the terminal, its columns padded with spaces.
+/// The table for the terminal, columns padded with spaces.
 [[nodiscard]] std::string plainText(const TextTable& table);
-/// The table on a page.
 void addTable(HtmlPage& page, const TextTable& table, const std::string& caption = {});
-/// Two digits behind the point, or `unknown` where there is no value.
+/// Two digits behind the point, or `unknown` if there is no value.
 [[nodiscard]] std::string shown(const std::optional<double>& value, const std::string& unknown = "-");
 
-/// What nameOf() says of the items, each name once, in the order in which they first occur.
+/// The nameOf() of all items, each once, in the order in which they first occur.
 template <typename Items, typename NameOf>
 [[nodiscard]] std::vector<std::string> namesIn(Items&& items, const NameOf& nameOf) {
     std::vector<std::string> names;
@@ -70,14 +67,14 @@ template <typename Items, typename NameOf>
 
 /// A curve of opacities at evenly spaced intensities from 0 to 1.
 [[nodiscard]] PlotSeries curveSeries(const std::string& name, const std::vector<double>& opacities);
-/// The steps below and left of which there is no point, from points of a time and an error.
+/// The lower left front of points (time, error), as steps: no point lies below and left of them.
 [[nodiscard]] PlotSeries frontSeries(std::vector<std::pair<double, double>> points);
-/// Whether one of a time and an error is beaten by another: that is no worse in both and better in one.
+/// Whether another time and error are no worse in both and better in one.
 [[nodiscard]] inline bool isBeaten(double time, double error, double otherTime, double otherError) {
     return otherTime <= time && otherError <= error && (otherTime < time || otherError < error);
 }
 
-/// "1,2,5" or "3" or "1-4": whole numbers from 0, in the order given. Fails (wrong usage) with `option` named.
+/// "1,2,5" or "3" or "1-4": whole numbers from 0, in the given order. Fails (wrong usage), naming `option`.
 [[nodiscard]] Result<std::vector<std::uint64_t>> parseSeeds(const std::string& text, const std::string& option);
 
 }  // namespace echolucent::cli

@@ -1,4 +1,4 @@
-// The simulated scans of the studies, with what is true of them.
+// The simulated scans of the studies, and their truth.
 #pragma once
 
 #include <array>
@@ -17,15 +17,15 @@
 
 namespace echolucent::cli {
 
-/// The options --seeds and --size: over which phantoms a study is made.
+/// The options --seeds and --size: the phantoms of a study.
 struct PhantomChoice {
     std::string seeds = "1,2", size;
     void addTo(CLI::App& command);
-    /// The shapes of a seed, of the size asked for. Fails (wrong usage) where an option makes no sense.
+    /// The scene `shapes` for each seed, in the wanted size. Fails (wrong usage) if an option makes no sense.
     [[nodiscard]] Result<std::vector<PhantomConfig>> bases() const;
 };
 
-/// A scan of its usual extent on a grid of `edge` voxels each way; on its usual grid where `edge` is 0.
+/// A scan of its usual extent, on a grid of `edge` voxels each way. If `edge` is 0, on its usual grid.
 [[nodiscard]] PhantomConfig scaledPhantom(PhantomScene scene, int edge);
 
 /// A view away from every grid axis, so that samples lie between voxel centres.
@@ -43,24 +43,24 @@ struct StudyPhantom {
     explicit StudyPhantom(const PhantomConfig& given) : config(given), truth(given), volume(*makePhantom(given)) {}
 };
 
-/// The curves that the adaptive one is compared with: x^2, and eq. 1 with L_L = 20/255 and a = 0.5.
+/// The curves to compare the adaptive one with: x^2, and eq. 1 with L_L = 20/255 and a = 0.5.
 [[nodiscard]] OpacityCurve parabolaCurve();
 [[nodiscard]] OpacityCurve linearCurve();
 
 inline constexpr std::array<MethodReading, 3> allReadings{MethodReading::asPublished, MethodReading::settled,
                                                           MethodReading::standard};
-/// The curves whose contrast is measured: parabolaCurve(), linearCurve(), and the adaptive curves of allReadings. The
-/// adaptive ones are meant for the voxels that are shown.
+/// The curves whose contrast is measured: parabolaCurve(), linearCurve(), and the adaptive curves of allReadings, made
+/// for the shown voxels.
 [[nodiscard]] std::vector<OpacityCurve> contrastCurvesOf(const Volume& volume, const Viewpoint& view,
                                                          const QuietVoxels& shown = {});
 /// Their names, in the same order.
 [[nodiscard]] std::vector<std::string> contrastCurveNames();
 
-/// CNR_S of each of these curves, on voxels made quiet by this reduction.
+/// CNR_S of each of these curves, on voxels made quiet by `reduction`.
 [[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view,
                                                              SpeckleReduction reduction = SpeckleReduction::off);
 
-/// The mean of those values that are there; nothing where none is.
+/// The mean of the known values; no value if none is known.
 [[nodiscard]] std::optional<double> meanOf(const std::vector<std::optional<double>>& values);
 
 }  // namespace echolucent::cli

@@ -42,7 +42,7 @@ std::string wholeStyle() {
     return std::string(style) + "@media (prefers-color-scheme:dark){" + dark + "}\n";
 }
 
-/// Whether a cell says nothing: dashes and blanks stand where a table has no value.
+/// Whether a cell has no value: tables show dashes or blanks then.
 bool isBlank(const std::string& cell) { return cell.empty() || cell == "-" || cell == "—" || cell == "–"; }
 
 bool isNumeric(const std::string& cell) {
@@ -64,8 +64,8 @@ std::vector<bool> numericColumns(std::size_t columns, const std::vector<std::vec
     return numeric;
 }
 
-/// Values in [0,1] as colours of the viridis map, which is even to the eye and to the colour blind; a value that is not
-/// finite is grey.
+/// Values in [0,1] as colours of the viridis map, which looks even to everyone, the colour-blind too. A value that is
+/// not finite is grey.
 std::vector<std::uint8_t> coloured(const std::vector<double>& values) {
     constexpr std::uint8_t greyOfNone = 128;
     cv::Mat levels(1, static_cast<int>(values.size()), CV_8U), bgr;
@@ -95,7 +95,7 @@ std::string stretchedImage(double x, double y, double width, double height, cons
         x, y, width, height, uri);
 }
 
-/// 8-bit RGB, each pixel the mean of `square` * `square` pixels; those of the last row and column may stand for fewer.
+/// 8-bit RGB. Each pixel is the mean of `square` * `square` pixels; in the last row and column it may be of fewer.
 struct CoarsePicture {
     int width, height;
     std::vector<std::uint8_t> rgb;
@@ -109,7 +109,7 @@ CoarsePicture coarser(int width, int height, std::vector<std::uint8_t> rgb, int 
     return {small.cols, small.rows, {small.datastart, small.dataend}};
 }
 
-/// The map with ticks at its sides and the scale of its colours beside it.
+/// The map, with ticks at its sides and the scale of its colours.
 std::string heatMapSvg(const HeatMap& map, int coarseness) {
     constexpr double left = 78, top = 40, wide = 560, high = 344, barLeft = 664, barWide = 18, steps = 5;
     const int columns = static_cast<int>(map.columns), rows = static_cast<int>(map.values.size() / map.columns);
@@ -123,7 +123,7 @@ std::string heatMapSvg(const HeatMap& map, int coarseness) {
     body += stretchedImage(barLeft, top, barWide, high, pngDataUri(1, 64, coloured(scale)));
     for (int i = 0; i <= static_cast<int>(steps); ++i) {
         const double share = i / steps;
-        // The first and the last value name the outermost cells' centres, half a cell inside the picture.
+        // The first and the last value belong to the centres of the outermost cells, half a cell inside the picture.
         const double x = left + wide * (0.5 + share * (columns - 1)) / columns;
         const double y = top + high * (0.5 + share * (rows - 1)) / rows;
         body += inkText(x, top + high + 18, "middle", shortNumber(map.xFirst + share * (map.xLast - map.xFirst)));

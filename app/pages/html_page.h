@@ -1,4 +1,4 @@
-// A report as one HTML file that needs nothing beside it: text, tables, plots as SVG, pictures inside.
+// A report as one HTML file with all it needs inside: text, tables, plots as SVG, pictures.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,22 @@
 
 namespace echolucent {
 
-/// One line or cloud of points of a plot. Values that are not finite are left out and make a gap in a line.
+/// One line or cloud of points of a plot. A value that is not finite is left out, and makes a gap in a line.
 struct PlotSeries {
     std::string name;
     std::vector<double> x, y;
     bool line = true;
     bool markers = false;
     std::vector<std::string> labels;   ///< names beside the markers; empty for none
-    std::vector<std::string> names{};  ///< what each marker says under the pointer; empty where it says its label
+    std::vector<std::string> names{};  ///< a marker's words under the pointer; empty: its label
 };
 
 struct Plot {
     std::string title, xLabel, yLabel;
-    bool logX = false, logY = false;  ///< values that are not above 0 are left out of a logarithmic axis
+    bool logX = false, logY = false;  ///< a logarithmic axis leaves out values that are not above 0
     std::vector<PlotSeries> series;
 };
-/// The plot as an SVG element, with axes, ticks, grid and legend; series are told apart by colour and line style.
+/// The plot as an SVG element, with axes, ticks, grid and legend. Colour and line style tell the series apart.
 [[nodiscard]] std::string svgOf(const Plot& plot);
 
 /// A matrix of values in [0,1] as a picture: rows downwards, columns to the right (an OTF-over-angle map).
@@ -39,33 +39,33 @@ struct HeatMap {
     std::vector<double> values;  ///< row-major
 };
 
-/// A report that needs nothing beside it. Where text, tables and plots leave room for it, a page keeps below a limit:
-/// its pictures and maps are made coarser, all by the same whole factor, until it does.
+/// A report with all it needs inside. If a page exceeds its limit, all its pictures and maps are made coarser by one
+/// whole factor, up to `coarsest`. Even then text, tables and plots may exceed it.
 class HtmlPage {
 public:
     /// The limit of a page that is kept beside many others.
     static constexpr std::size_t mostBytes = 200'000;
-    /// The limit of a page whose pictures are to stay as they are.
+    /// The limit of a page whose pictures keep their size.
     static constexpr std::size_t anyBytes = std::numeric_limits<std::size_t>::max();
-    /// The pictures of a page are never made coarser than by this factor, so that something is still seen.
+    /// The largest factor by which pictures are made coarser, so that something can still be seen.
     static constexpr int coarsest = 8;
 
-    /// A page with a title and its limit in bytes. Text is escaped everywhere.
+    /// A page with a title and its limit in bytes. All text is escaped.
     explicit HtmlPage(std::string title, std::size_t byteLimit = mostBytes);
     void heading(const std::string& text);
     void paragraph(const std::string& text);
-    /// Adds a table. Columns that hold numbers are right-aligned.
+    /// Adds a table. Columns of numbers are right-aligned.
     void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                const std::string& caption = {});
     void plot(const Plot& plot);
     void heatMap(const HeatMap& map);
-    /// The picture over black, side by side with what follows, as far as the page is wide. Each pixel is shown as
-    /// `zoom` pixels across and down (1 or more).
+    /// Adds a picture over black. Pictures stand side by side as far as the page is wide. Each pixel is shown as `zoom`
+    /// pixels across and down (1 or more).
     void picture(const Picture& picture, const std::string& caption, int zoom = 1);
-    /// The same of 8-bit red, green, blue, rows from the top. Throws std::invalid_argument where `rgb` does not hold
+    /// The same for 8-bit red, green, blue, rows from the top. Throws std::invalid_argument if `rgb` does not hold
     /// width * height * 3 bytes.
     void picture(int width, int height, std::vector<std::uint8_t> rgb, const std::string& caption, int zoom = 1);
-    /// The whole page; ends with the sentence that this is not a medical device.
+    /// The whole page. Its last sentence says that this is not a medical device.
     [[nodiscard]] std::string text() const;
 
 private:
@@ -74,7 +74,7 @@ private:
 
     std::string m_title;
     std::size_t m_byteLimit;
-    /// The page's markup, piece by piece, with pictures coarser by a factor.
+    /// The page's markup, piece by piece. A call gives it with pictures coarser by a factor.
     std::vector<std::function<std::string(int coarseness)>> m_pieces;
 };
 

@@ -10,7 +10,7 @@ namespace echolucent {
 
 namespace {
 
-/// The encoding is that of RFC 4648, section 4.
+/// RFC 4648, section 4.
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
@@ -24,12 +24,12 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-/// A picture as places in a palette of its own colours.
+/// A picture as indices into a palette of its own colours.
 struct Indexed {
     std::vector<std::uint8_t> indices, palette;
 };
 
-/// There is none where the picture has more than 256 colours.
+/// No value if the picture has more than 256 colours.
 std::optional<Indexed> indexed(std::span<const std::uint8_t> rgb) {
     constexpr std::size_t mostColours = 256;
     Indexed picture;

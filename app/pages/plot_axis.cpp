@@ -13,7 +13,7 @@ namespace {
 constexpr int wantedTicks = 6;
 constexpr double roomBeside = 0.03;  // of the range, so that no marker sits on the frame
 
-/// The 1, 2 or 5 times a power of ten that is next to `raw`.
+/// The step of 1, 2 or 5 times a power of ten that is next to `raw`.
 double niceStep(double raw) {
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
     for (const double step : {1.0, 2.0, 5.0})
@@ -32,8 +32,7 @@ std::vector<PlotTick> linearTicks(double low, double high) {
     return ticks;
 }
 
-/// The ticks are decades, and within them 2 and 5 where there is room for their labels; the ends are decimal
-/// logarithms.
+/// The ticks are decades, with 2 and 5 between them if there is room for their labels. The ends are decimal logarithms.
 std::vector<PlotTick> logarithmicTicks(double low, double high) {
     const double decades = high - low;
     const int every = std::max(1, static_cast<int>(std::ceil(decades / 10)));
@@ -77,7 +76,7 @@ PlotAxis::PlotAxis(const std::vector<double>& values, bool logarithmic) : m_loga
 }
 
 void PlotAxis::spanLinear(double least, double most) {
-    // A range that is nothing beside its own values has no ticks of its own.
+    // A range that is tiny beside its values would have no ticks.
     const double width = std::max(most - least, 1e-9 * std::max(std::abs(least), std::abs(most)));
     const double half = width > 0 ? 0.5 * width : 0.5, middle = least + 0.5 * (most - least);
     m_low = middle - half * (1 + 2 * roomBeside);

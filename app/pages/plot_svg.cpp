@@ -14,7 +14,7 @@ namespace echolucent {
 namespace {
 
 constexpr double plotWidth = 760, plotLeft = 78, plotRight = 736, plotTop = 40, plotBottom = 384;
-constexpr double characterWidth = 6.6;  // of the legend's and the labels' type, a little generous
+constexpr double characterWidth = 6.6;  // of the type of legend and labels, a little generous
 constexpr double legendRow = 20, legendSample = 34;
 
 struct Box {
@@ -24,7 +24,7 @@ struct Box {
     }
 };
 
-/// The width counts characters and not bytes: UTF-8's continuation bytes add none.
+/// Counts characters and not bytes: UTF-8's continuation bytes add no width.
 double textWidth(const std::string& text) {
     return characterWidth *
            static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
@@ -43,15 +43,15 @@ struct Place {
     double x, y;
 };
 
-/// Distance of a place from the line between two others, or from the first where they are one.
+/// Distance of a place from the line through two others. If both are one, from that one.
 double distanceFromLine(const Place& place, const Place& first, const Place& last) {
     const double dx = last.x - first.x, dy = last.y - first.y, length = std::hypot(dx, dy);
     if (length == 0.0) return std::hypot(place.x - first.x, place.y - first.y);
     return std::abs(dx * (place.y - first.y) - dy * (place.x - first.x)) / length;
 }
 
-/// Appends the places after the first that a line needs so that no place lies farther than a fifth of a pixel from it
-/// (Douglas and Peucker 1973). A report's page stays small by it.
+/// Appends the places after the first that a line needs, so that no other place lies farther than a fifth of a pixel
+/// from it (Douglas and Peucker 1973). So a report's page stays small.
 void appendNeeded(const std::vector<Place>& line, std::size_t first, std::size_t last, std::vector<Place>& needed) {
     constexpr double tolerance = 0.2;
     std::size_t farthest = first;
@@ -159,7 +159,7 @@ void PlotDrawing::drawLine(std::size_t index) {
     if (!series.line) return;
     std::string path;
     const std::size_t count = countOf(series);
-    std::vector<Place> piece;  // what lies between two gaps
+    std::vector<Place> piece;  // the line between two gaps
     for (std::size_t i = 0; i <= count; ++i) {
         if (i < count && shows(series, i)) {
             piece.push_back({pixelX(series.x[i]), pixelY(series.y[i])});
@@ -170,7 +170,7 @@ void PlotDrawing::drawLine(std::size_t index) {
         if (piece.size() > 1) appendNeeded(piece, 0, piece.size() - 1, needed);
         for (std::size_t k = 0; k < needed.size(); ++k)
             path += fmt::format("{}{:.1f} {:.1f}", k == 0 ? 'M' : 'L', needed[k].x, needed[k].y);
-        // A point between two gaps has no line of its own; a round cap on nothing shows it.
+        // A point between two gaps has no line. A line of length 0 with a round cap shows it.
         if (needed.size() == 1) path += "h0";
         piece.clear();
     }
@@ -215,7 +215,7 @@ void PlotDrawing::drawLabels(std::size_t index) {
             Box{x + 4, y - 3 - height, wide, height}, Box{x + gap, y - height / 2, wide, height},
             Box{x - wide / 2, y - gap - height, wide, height}, Box{x - gap - wide, y - height / 2, wide, height},
             Box{x - wide / 2, y + gap, wide, height}};
-        // Where no side is free the label is left to the marker's tooltip: two on top of each other tell nothing.
+        // If no side is free, only the marker's tooltip shows the label: two labels on top of each other tell nothing.
         const auto free = std::find_if(places.begin(), places.end(), [&](const Box& place) {
             return place.x >= plotLeft && place.x + wide <= plotRight && place.y >= plotTop &&
                    place.y + height <= plotBottom &&

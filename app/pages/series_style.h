@@ -1,4 +1,4 @@
-// How the series of a plot are told apart, in print, on light and on dark ground.
+// Tells the series of a plot apart, in print, on light and on dark ground.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@ namespace echolucent {
 
 struct PlotSeries;
 
-/// The colours of the program's own curves (the editor's); a plot drawn on light ground takes the darker ones, which
-/// stand off white by 4.5:1 and more.
+/// The colours of the editor's curves. On light ground a plot takes the darker ones. Their contrast with white is at
+/// least 4.5 : 1.
 struct SeriesColour {
-    std::string_view curve;  ///< the opacity curve that has this colour; empty where it is no curve's own
+    std::string_view curve;  ///< the opacity curve with this colour; empty if it is no curve's own
     std::string_view onLight, onDark;
     std::string_view dashes;  ///< SVG's stroke-dasharray; empty for a solid line
 };
@@ -26,8 +26,8 @@ inline constexpr std::array<SeriesColour, 8> seriesColours{{{"adaptive", "#1c7f8
                                                             {"", "#2f66b5", "#81a9e0", "10 3"},
                                                             {"", "#a04e26", "#e39a78", "4 2"}}};
 
-/// For each series the index of its colour. It is a curve's own where the series' name begins with the curve's, else
-/// the next one that is free; beyond the eighth they repeat.
+/// For each series the index of its colour. If the series' name begins with a curve's name, it is the curve's own
+/// colour, else the next free one. Beyond the eighth series they repeat.
 [[nodiscard]] std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series);
 
 }  // namespace echolucent

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int gap = 3;  // logical pixels between panes
 
-/// In how many columns so many panes have the longest shorter side.
+/// The number of columns that makes the shorter side of a pane longest.
 int columnsOf(int panes, const QSize& room) {
     int best = 1, longest = 0;
     for (int columns = 1; columns <= panes; ++columns) {

@@ -1,4 +1,4 @@
-// The room of a comparison: its panes side by side, or one pane for a pair.
+// The panes of a comparison: side by side, or one pane for a pair.
 #pragma once
 
 #include <QWidget>
@@ -11,36 +11,35 @@
 
 namespace echolucent {
 
-/// Places two to four panes of one size, as large as they can be; one of them may have the whole room for a while. In a
-/// difference or a wipe the pair's pane has the room. Objects: compare.panes (this), compare.pane1 … .pane4,
-/// compare.pair.
+/// Places two to four panes of one size, as large as they can be. One of them may fill the whole room for a while. In a
+/// difference or a wipe the pair's pane fills it. Objects: compare.panes (this), compare.pane1 … .pane4, compare.pair.
 class CompareGrid : public QWidget {
     Q_OBJECT
 
 public:
     explicit CompareGrid(QWidget* parent = nullptr);
 
-    /// Ends a maximised pane where it is another arrangement.
+    /// If this is another arrangement, ends a maximised pane.
     void arrange(ComparisonLayout layout, std::size_t panes);
     [[nodiscard]] ComparePane& pane(std::size_t place) { return *m_panes.at(place); }
     [[nodiscard]] ComparePane& pair() { return *m_pair; }
-    /// The size of the pictures that are shown, all of one, device pixels; empty where none is.
+    /// The size of all shown pictures, in device pixels; empty if none is shown.
     [[nodiscard]] QSize pictureSize() const;
-    /// The panes that are shown side by side, or the one that has the whole room; empty where the pair's pane is.
+    /// The panes that are shown side by side, or the maximised one; empty if the pair's pane is shown.
     [[nodiscard]] std::vector<std::size_t> shownPanes() const;
     [[nodiscard]] bool dragging() const;
-    /// Ends a drag without change; false where there is none.
+    /// Ends a drag without change. False if there is none.
     bool cancelDrag();
     [[nodiscard]] std::optional<std::size_t> maximised() const { return m_maximised; }
-    /// False where no pane has the whole room.
+    /// False if no pane is maximised.
     bool endMaximised();
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
 
 signals:
-    /// Other panes are shown, or in another size.
+    /// Other panes are shown, or their size has changed.
     void arranged();
-    // As the panes'.
+    // The signals of the panes.
     void dragEnded();
     void dragCancelled();
     void orbited(double right, double down);

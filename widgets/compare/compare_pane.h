@@ -1,4 +1,4 @@
-// A pane that shows one picture of a comparison, and tells what the hand does over it.
+// A pane that shows one picture of a comparison, and reports the gestures of the hand.
 #pragma once
 
 #include <QColor>
@@ -11,19 +11,19 @@
 
 namespace echolucent {
 
-/// What stands under a picture and around it.
+/// The texts below a picture, and its frame.
 struct PaneFace {
     QString name;
     QString numbers{};
-    std::optional<QColor> frame{};  ///< of the curve that has a colour of its own
+    std::optional<QColor> frame{};  ///< colour of the curve, if it has one of its own
     Qt::PenStyle frameStyle = Qt::SolidLine;
     friend bool operator==(const PaneFace&, const PaneFace&) = default;
 };
 
-/// Left drag orbits, middle or Shift + left drag pans, right drag and the wheel zoom, Ctrl + left drag moves the light,
-/// a double click asks for the whole room, Escape ends a drag, as in the 3D view. Drags are told as they go, in shares
-/// of the picture's height, to the right and down. Ctrl + arrows orbit, Shift + arrows pan, + and - zoom. Where two
-/// pictures are wiped, the line between them is dragged, and Left and Right move it.
+/// As in the 3D view: a left drag orbits, a middle or Shift + left drag pans, a right drag and the wheel zoom, a Ctrl +
+/// left drag moves the light, a double click asks for the whole room, Escape ends a drag. Ctrl + arrows orbit, Shift +
+/// arrows pan, + and - zoom. Drags are reported while they go on, in shares of the picture's height, to the right and
+/// down. In a wipe, a drag moves the line between the two pictures, and so do Left and Right.
 class ComparePane : public QWidget {
     Q_OBJECT
 
@@ -32,38 +32,38 @@ public:
 
     void setFace(const PaneFace& face);
     [[nodiscard]] const PaneFace& face() const { return m_face; }
-    /// The picture is drawn as large as the pane has room, whatever its own size.
+    /// Draws the picture as large as the pane has room, whatever its own size.
     void setImage(const QImage& image);
     [[nodiscard]] const QImage& image() const { return m_image; }
-    /// The picture right of a line that stands at a share of the width; without a share there is one picture.
+    /// The picture to the right of a line at a share of the width. Without a share there is one picture.
     void setWipe(const QImage& right, std::optional<double> share);
-    /// Whether something of the pane is being computed.
+    /// Whether something for this pane is being computed.
     void setBusy(bool busy);
     [[nodiscard]] bool busy() const { return m_busy; }
 
-    /// Where the picture stands, logical pixels.
+    /// The place of the picture, logical pixels.
     [[nodiscard]] QRect pictureRect() const;
-    /// Its size in device pixels.
+    /// The size of the picture in device pixels.
     [[nodiscard]] QSize pictureSize() const;
     [[nodiscard]] bool dragging() const { return m_drag != CameraDrag::none || m_wiping; }
-    /// Ends a drag without change; false where there is none.
+    /// Ends a drag without change. False if there is none.
     bool cancelDrag();
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {120, 120}; }
     [[nodiscard]] QSize sizeHint() const override { return {400, 440}; }
 
 signals:
-    void dragEnded();  ///< by the hand that let go
+    void dragEnded();  ///< the hand let go
     void dragCancelled();
     void orbited(double right, double down);
     void panned(double right, double down);
     void zoomed(double factor);  ///< above 1: things grow; about the picture's centre
-    /// The same about a point, told in shares of the picture's height from its centre.
+    /// The same about a point, in shares of the picture's height from its centre.
     void zoomedAbout(double right, double down, double factor);
     void lightMoved(double right, double down);
     void wipeMoved(double share);  ///< [0, 1]
     void maximiseRequested();
-    /// A picture was painted, which took so many milliseconds.
+    /// A picture was painted. This took `milliseconds`.
     void painted(double milliseconds);
 
 protected:

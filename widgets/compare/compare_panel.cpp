@@ -19,7 +19,7 @@ namespace echolucent {
 
 namespace {
 
-// The entries of a pane's choice: the curves, the designers, and the adaptive one without a tube core.
+// The entries of a pane's choice: the curves, the designers, and the adaptive method without a tube core.
 constexpr int designerEntries = static_cast<int>(allCurveKinds.size());
 constexpr int withoutTubeEntry = designerEntries + static_cast<int>(allDesigners.size());
 
@@ -67,7 +67,7 @@ QGridLayout* gridIn(QGroupBox* group) {
     return grid;
 }
 
-/// A combo box whose words are long is as narrow as its column.
+/// A combo box with long words that is as narrow as its column.
 QComboBox* narrowCombo(const QString& name, const QString& accessibleName, const QString& toolTip) {
     auto* box = named(new QComboBox, name, accessibleName, toolTip);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -124,7 +124,7 @@ QGroupBox* ComparePanel::createPanes() {
         for (const CurveKind kind : allCurveKinds) pane.otf->addItem(labelOfCurve(kind));
         for (const Designer designer : allDesigners) pane.otf->addItem(labelOfDesigner(designer));
         pane.otf->addItem(tr("Adaptive without tube core …"));
-        pane.otf->insertSeparator(designerEntries);  // entries below it count one more
+        pane.otf->insertSeparator(designerEntries);  // later entries count one more
         pane.tube =
             named(new QSpinBox, "compare.tube" + number, tr("Tube core left out of pane %1").arg(number),
                   tr("Number of the tube core, row by row from the upper left; it is never placed, so that ranks and "
@@ -236,7 +236,7 @@ void ComparePanel::choose(std::size_t place) {
     Pane choice{.curve = m_panes.at(place).curve};
     if (entry == withoutTubeEntry) {
         choice.designer = AdaptiveConfig{};
-        // Where more than one was left out, they stay until a number is typed.
+        // If several tube cores were left out, they stay until a person types a number.
         const std::vector<int>& before = m_panes[place].withoutTubes;
         choice.withoutTubes =
             before.size() > 1 && before.front() == pane.tube->value() ? before : std::vector{pane.tube->value()};
@@ -247,7 +247,7 @@ void ComparePanel::choose(std::size_t place) {
         const auto& before = m_panes[place].designer;
         choice.designer = before && designerOf(*before) == designer ? *before : defaultConfigOf(designer);
     }
-    choice.phase = m_panes[place].phase;  // also where this study has not so many
+    choice.phase = m_panes[place].phase;  // kept even if this study has fewer phases
     if (place > 0 && isAdaptive(choice) && pane.motion->currentIndex() > 0)
         choice.motionOtf = allMotionOtfs.at(static_cast<std::size_t>(pane.motion->currentIndex() - 1));
     if (choice != m_panes[place]) emit paneChosen(static_cast<int>(place), choice);
@@ -265,7 +265,7 @@ void ComparePanel::chooseComparison(const QString& what) {
     next.layout = static_cast<ComparisonLayout>(m_layout->currentIndex());
     next.first = m_first->currentIndex();
     next.second = m_second->currentIndex();
-    if (next.first == next.second) {  // the one that was not touched makes way
+    if (next.first == next.second) {  // the one that the person did not change makes way
         if (next.first != m_comparison.first)
             next.second = m_comparison.first;
         else
@@ -359,7 +359,7 @@ void ComparePanel::setRows(const std::vector<CompareRow>& rows) {
     fitTable();
 }
 
-/// The table is as high as its rows, and scrolls nothing.
+/// Makes the table as high as its rows, so that it need not scroll.
 void ComparePanel::fitTable() {
     int high = m_table->horizontalHeader()->sizeHint().height() + 2;
     for (int row = 0; row < m_table->rowCount(); ++row) high += m_table->rowHeight(row);

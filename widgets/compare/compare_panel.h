@@ -1,4 +1,4 @@
-// What is compared, how, and the table of what is measured of it.
+// The panes of a comparison, its layout, and the table of its measures.
 #pragma once
 
 #include <QWidget>
@@ -18,8 +18,7 @@ class QTableWidget;
 
 namespace echolucent {
 
-/// "Linear curve", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112", with ", phase 3" where it has
-/// one.
+/// "Linear curve", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112". With ", phase 3" if it has one.
 [[nodiscard]] QString nameOfPane(const Pane& choice);
 
 /// Objects: compare (this), compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4, compare.motion2 …
@@ -31,10 +30,10 @@ class ComparePanel : public QWidget {
 public:
     explicit ComparePanel(QWidget* parent = nullptr);
 
-    /// What is compared; without a pane all but the number of panes is disabled.
+    /// The panes compared. Without a pane, all but the number of panes is disabled.
     void setPanes(const std::vector<Pane>& panes);
     void setComparison(const Comparison& comparison);
-    /// Of the study and the method, for the choices that depend on them.
+    /// Limits of the study and the method, for the choices that depend on them.
     void setLimits(int phases, int tubes);
     void setRows(const std::vector<CompareRow>& rows);
     [[nodiscard]] const std::vector<CompareRow>& rows() const { return m_rows; }

@@ -1,4 +1,4 @@
-// The table of a comparison: one row a pane, as numbers, as words and as text to be copied.
+// The table of a comparison: one row a pane, as numbers, as words and as text to copy.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// What is measured of a pane; nothing where it is not known.
+/// The measures of a pane. An unknown one has no value.
 struct CompareRow {
     QString name;
     std::optional<double> contrast{};             ///< CNR_S by the tube cores' surfaces
@@ -21,13 +21,13 @@ struct CompareRow {
 
 /// The headings, the name first.
 [[nodiscard]] QStringList compareColumns();
-/// The cells of a row under these headings, "–" for what is not known.
+/// The cells of a row under these headings. An unknown value is "–".
 [[nodiscard]] QStringList cellsOf(const CompareRow& row);
-/// "CNR_S 2.31 · 45 % near surfaces · 12 ms": what stands under a picture.
+/// "CNR_S 2.31 · 45 % near surfaces · 12 ms": the line under a picture.
 [[nodiscard]] QString numbersOf(const CompareRow& row);
 /// Columns aligned by spaces.
 [[nodiscard]] QString compareText(const std::vector<CompareRow>& rows);
-/// Comma-separated, with all digits; names stand in quotation marks, what is not known is empty.
+/// Comma-separated, with all digits. Names stand in quotation marks, unknown values are empty.
 [[nodiscard]] QString compareCsv(const std::vector<CompareRow>& rows);
 
 }  // namespace echolucent

@@ -9,7 +9,7 @@ namespace echolucent {
 
 namespace {
 constexpr int levels = 256;
-constexpr int grey = 128;  // where both are alike
+constexpr int grey = 128;  // if both are alike
 }  // namespace
 
 DifferenceImage differenceOf(const QImage& first, const QImage& second, double amplification) {

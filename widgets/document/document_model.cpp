@@ -36,7 +36,7 @@ void DocumentModel::cancelPreview() {
     if (!m_beforePreview) return;
     Document before = *std::exchange(m_beforePreview, std::nullopt);
     before.scene.phase = m_document.scene.phase;
-    // A drag of the camera has ended the motion, which comes back with the pose; beside any other drag it has gone on.
+    // A drag of the camera has stopped the motion, so its angle returns with the pose. Other drags let it go on.
     if (before.scene.pose == m_document.scene.pose) before.scene.motionAngle = m_document.scene.motionAngle;
     set(keepingChecksum(before));
 }
@@ -79,14 +79,14 @@ void DocumentModel::begin(const Document& document) {
 }
 
 void DocumentModel::restore(const Document& document) {
-    // A drag ends where it began, and then the step before it is undone.
+    // End the drag where it began. Then the step before it is undone.
     m_beforePreview.reset();
     set(keepingChecksum(withShown(document, m_document)));
 }
 
 void DocumentModel::set(Document next) {
     const Document before = std::exchange(m_document, std::move(next));
-    // A slot may change the document again: what changed here is told all the same, and each slot reads the newest.
+    // A slot may change the document again. Announce this change all the same; each slot reads the newest document.
     const Document after = m_document;
     if (after.study != before.study) emit studyChanged();
     if (after.beam != before.beam) emit beamChanged();

@@ -1,4 +1,4 @@
-// The document of the window: its one value, the one undo stack of all its changes, and one signal a part.
+// The document of the window: its one value, one undo stack for all changes, and one signal a part.
 #pragma once
 
 #include <QObject>
@@ -12,9 +12,9 @@
 
 namespace echolucent {
 
-/// Everything changes through edit() or preview(), and every change of edit() is a step that can be undone: curves,
-/// poses, cuts, looks, parameters alike. The phase shown and the frame of the motion are no steps, and an undo leaves
-/// them as they are. What is computed from the document is kept elsewhere.
+/// Everything changes through edit() or preview(). Every change of edit() is a step that can be undone: of curves,
+/// poses, cuts, looks, parameters alike. The shown phase and the motion's frame are no steps, and an undo does not
+/// change them. Results computed from the document are kept elsewhere.
 ///
 ///              preview()                 preview()
 ///   [at rest] -----------> [previewing] ---------+    commitPreview(), or edit(): one step for all previews
@@ -28,36 +28,36 @@ public:
     using Gesture = int;
     static constexpr Gesture noGesture = 0;
 
-    /// The steps keep so many bytes at most.
+    /// The steps keep at most `mostBytes` bytes.
     explicit DocumentModel(QObject* parent = nullptr, std::size_t mostBytes = DocumentSteps::mostBytesKept);
 
     [[nodiscard]] const Document& document() const { return m_document; }
     [[nodiscard]] DocumentSteps& steps() { return m_steps; }
 
-    /// Says which gesture a hand makes now, noGesture if none. Without it there is none.
+    /// Says which gesture a hand makes now; noGesture if none. Without a Hand there is none.
     using Hand = std::function<Gesture()>;
     void setHand(Hand hand) { m_hand = std::move(hand); }
     [[nodiscard]] Gesture gesture() const { return m_hand ? m_hand() : noGesture; }
 
-    /// Makes `wanted` the document, as one step named `what`, of the hand's gesture or of another one. Equal documents,
-    /// the shown phase and frame aside, make no step.
+    /// Makes `wanted` the document, as one step named `what`, of the hand's gesture or the given one. If `wanted`
+    /// differs only in the shown phase and frame, there is no step.
     void edit(const Document& wanted, const QString& what) { edit(wanted, what, gesture()); }
     void edit(const Document& wanted, const QString& what, Gesture gesture);
-    /// The same for the document as how(Document&) changes it.
+    /// The same, with how(Document&) changing the document.
     template <typename Change>
     void change(const QString& what, Change&& how) {
         Document next = m_document;
         std::forward<Change>(how)(next);
         edit(next, what);
     }
-    /// Calls show(const Document&) now, and after each such signal as long as the receiver is there.
+    /// Calls show(const Document&) now, and after each such signal while the receiver lives.
     template <typename Signal, typename Show>
     void bind(Signal signal, const QObject* receiver, Show show) const {
         connect(this, signal, receiver, [this, show] { show(m_document); });
         show(m_document);
     }
 
-    /// Shows `wanted` without a step, as a drag goes on.
+    /// Shows `wanted` without a step, while a drag goes on.
     void preview(const Document& wanted, const QString& what);
     void commitPreview();
     void cancelPreview();
@@ -68,18 +68,17 @@ public:
     /// Shows the frame of the motion at an angle in degrees, and a phase, at once. No step.
     void showFrame(double degrees, int phase);
 
-    /// Notes what is known of the bytes of the document's study: no step, and no signal but changed(). Whatever is
-    /// edited, undone and redone keeps it. Another study than the document's is a broken contract
-    /// (std::invalid_argument).
+    /// Notes the checksum of the document's study. This is no step, and emits only changed(). Edits, undo and redo keep
+    /// it. std::invalid_argument if it is another study than the document's.
     void noteChecksum(const StudyReference& study);
-    /// Begins another document; the steps are forgotten.
+    /// Begins another document, and forgets the steps.
     void begin(const Document& document);
 
 signals:
     void studyChanged();
     void beamChanged();
     void poseChanged();
-    /// Tube cores look from another side.
+    /// The tube cores look from another side.
     void sideChanged();
     void frontChanged();
     void lookChanged();
@@ -96,16 +95,16 @@ signals:
     void phaseChanged();
     /// Another frame of the motion is shown.
     void motionAngleChanged();
-    /// After the signals of all parts that one change touched.
+    /// Emitted last, after the signals of all parts that a change touched.
     void changed();
 
 private:
-    /// What undo and redo do.
+    /// The function that undo and redo call.
     void restore(const Document& document);
     void set(Document next);
-    /// The document with what is known of the bytes of its study, if that is still the same.
+    /// The document with the known checksum of its study, if that is still the same.
     [[nodiscard]] Document keepingChecksum(Document document) const;
-    /// The same, sharing lists with the document that an undo would lead to.
+    /// The same, sharing lists with the document that an undo leads to.
     [[nodiscard]] Document keptOf(Document document) const;
 
     Hand m_hand;

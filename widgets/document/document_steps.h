@@ -1,4 +1,4 @@
-// The steps from one document to the next that can be undone and done again.
+// The steps from one document to the next, with undo and redo.
 #pragma once
 
 #include <QObject>
@@ -11,66 +11,65 @@
 
 namespace echolucent {
 
-/// A chain of states: the first is as the document was begun, and each step leads to one more. Step i, counted from 0,
-/// leads from state i to state i + 1. Each state keeps one document, and documents share the lists that did not change.
-/// States that take more than their bytes lose the oldest step, again and again; the newest step always stays.
+/// A chain of states. The first is the document at the beginning, each step leads to one more: step i, counted from 0,
+/// leads from state i to state i + 1. Each state keeps one document. Documents share the lists that did not change. If
+/// the states take too many bytes, the oldest steps are dropped. The newest step always stays.
 class DocumentSteps : public QObject {
     Q_OBJECT
 
 public:
     /// Makes a kept document the present one.
     using Restore = std::function<void(const Document& document)>;
-    /// Some ten thousand steps of all that is small, or sixteen bowed surfaces of the most nodes that a file may have
-    /// (1024 by 1024): less than the voxels of a small study.
+    /// Enough for some ten thousand steps without large lists, or for sixteen curved cuts with the most nodes that a
+    /// file may have (1024 by 1024). Less than the voxels of a small study.
     static constexpr std::size_t mostBytesKept = 64'000'000;
 
     explicit DocumentSteps(Restore restore, std::size_t mostBytes = mostBytesKept);
 
     [[nodiscard]] int count() const { return static_cast<int>(m_states.size()) - 1; }
-    /// Of the state shown: so many steps can be undone. From 0 to count().
+    /// Index of the state shown, from 0 to count(): so many steps can be undone.
     [[nodiscard]] int index() const { return m_index; }
-    /// Shows the state of an index. An index that is out of range is taken for the nearest one.
+    /// Shows the state of an index. If it is out of range, shows the nearest one.
     void setIndex(int index);
     void undo() { setIndex(m_index - 1); }
     void redo() { setIndex(m_index + 1); }
     [[nodiscard]] bool canUndo() const { return m_index > 0; }
     [[nodiscard]] bool canRedo() const { return m_index < count(); }
-    /// What step i does. An i that is out of range has no text.
+    /// What step i does; empty if i is out of range.
     [[nodiscard]] QString text(int step) const;
     [[nodiscard]] QString undoText() const { return text(m_index - 1); }
     [[nodiscard]] QString redoText() const { return text(m_index); }
 
-    /// How many of the oldest steps were dropped since begin(). Then the first state is not as the document was begun.
+    /// The number of steps dropped since begin(). If above 0, the first state is not the document at the beginning.
     [[nodiscard]] int dropped() const { return m_dropped; }
-    /// The bytes that all states keep (bytesBeside()), and the most that they may; more only with a single step.
+    /// The bytes of all states (bytesBeside()), and their limit. Only a single step may exceed it.
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
     [[nodiscard]] std::size_t mostBytes() const { return m_mostBytes; }
 
-    /// Forgets all steps: the first state is the one shown.
+    /// Forgets all steps. The shown state becomes the first.
     void clear();
 
-    // What the model calls. These emit nothing: it shows the document first, and emits changed() then.
-    /// Forgets all steps: the first state is `document`.
+    // Only the model calls these. They emit nothing: the model shows the document first, then emits changed().
+    /// Forgets all steps. `document` becomes the first state.
     void begin(const Document& document);
-    /// Adds a step from the state shown, which is now `before`, to `after`; what was undone is forgotten. It becomes
-    /// one with the step before it if both have the same text and gesture, and is no step if it leads back to where
-    /// that began. Gesture 0 stands alone.
+    /// Adds a step from the shown state, which is now `before`, to `after`. Steps that were undone are forgotten. If
+    /// the step before has the same text and gesture, both become one. If nothing is changed then, the step is dropped.
+    /// Gesture 0 stands alone.
     void push(const Document& before, const Document& after, const QString& what, int gesture);
 
 signals:
-    /// Steps were added, undone, done again, forgotten or dropped. The document is that of the state shown.
+    /// Steps were added, undone, redone, forgotten or dropped. The document is already that of the shown state.
     void changed();
 
 private:
     struct State {
         Document document;
-        QString what;           ///< the step that led here; none led to the first
+        QString what;           ///< name of the step that led here; empty for the first
         int gesture = 0;        ///< of that step
-        std::size_t bytes = 0;  ///< beside the state before it
+        std::size_t bytes = 0;  ///< bytesBeside() the state before it
     };
     [[nodiscard]] State& shown() { return m_states[static_cast<std::size_t>(m_index)]; }
     void removeLast();
-    /// Measures the last state anew.
     void measureLast();
     void dropOldest();
 

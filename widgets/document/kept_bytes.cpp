@@ -14,8 +14,8 @@ std::size_t bytesOf(const SharedList<T>& list) {
     return list.size() * sizeof(T);
 }
 
-/// Of strokes, those that keep the places of the stroke as far from the beginning, or from the end, of the others need
-/// no bytes for them: a stroke was added or taken back.
+/// A stroke needs no bytes for its places if it shares them with the stroke that is as far from the beginning, or from
+/// the end, of `others`: one stroke was added or taken back.
 std::size_t bytesBeside(const SharedList<ScalpelStroke>& strokes, const SharedList<ScalpelStroke>& others) {
     if (strokes.sharesWith(others)) return 0;
     std::size_t bytes = bytesOf(strokes);

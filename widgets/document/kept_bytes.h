@@ -1,4 +1,4 @@
-// What documents that are kept one after the other share, and the bytes that each of them needs.
+// What successive documents share, and the bytes that each of them needs.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace echolucent {
 
-/// The document with copies of those lists of `other` that are equal to its own.
+/// The document, sharing those lists of `other` that equal its own.
 [[nodiscard]] Document sharing(Document document, const Document& other);
 
-/// The bytes that are kept for a document beside `other`: the document itself, and what it does not share with `other`.
-/// Null stands for no other document. What a designer holds beside its numbers (64 nodes at most) is not counted.
+/// The bytes of a document beside `other`: the document itself, and all it does not share with `other`. Null stands for
+/// no other document. What a designer holds beside its numbers (64 nodes at most) is not counted.
 [[nodiscard]] std::size_t bytesBeside(const Document& document, const Document* other);
 
 }  // namespace echolucent

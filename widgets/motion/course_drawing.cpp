@@ -10,7 +10,7 @@ namespace echolucent {
 namespace {
 
 constexpr double tickLength = 3.0;
-constexpr double numberGap = 5.0;  // from the plot to its numbers, pixels
+constexpr double numberGap = 5.0;  // pixels between the plot and its numbers
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// What the map and the curves of a motion's OTFs draw in common.
+// What the map and the curves of a motion's OTFs both draw.
 #pragma once
 
 #include <QPainter>
@@ -14,15 +14,15 @@ inline constexpr double legendGap = 16.0;  ///< pixels between the map and its l
 inline constexpr double legendWidth = 12.0;
 inline constexpr double markWidth = 6.0;  ///< of the marks beside the map's present row
 
-/// Of the lines of the first, the middle and the last row (place 0, 1, 2), which differ by their dashes too: at least 3
-/// : 1 on the ground of the plot.
+/// The lines of the first, the middle and the last row (place 0, 1, 2). Their dashes differ too. The contrast on the
+/// plot's ground is at least 3 : 1.
 [[nodiscard]] QColor fixedRowColour(std::size_t place, Theme theme);
 
 /// "+3°", "−3°", "0°" for an angle, "phase 3" for a phase.
 [[nodiscard]] QString rowName(const OtfCourse& course, int row);
 
-/// Where the plots of map and curves begin and end, so that their intensities lie above each other; pixels from the
-/// left and the right end of the canvas.
+/// The left and right ends of the plots of map and curves, so that their intensities lie above each other. In pixels
+/// from the canvas's left and right end.
 [[nodiscard]] double plotLeft(const QFontMetrics& metrics);
 [[nodiscard]] double plotRight(const QFontMetrics& metrics);
 

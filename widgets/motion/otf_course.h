@@ -1,4 +1,4 @@
-// The OTFs of a motion while it is played: what every mode makes of them, row by row, and how much each flickers.
+// The OTFs of a motion while it plays: what every mode makes of them, row by row, and how much each flickers.
 #pragma once
 
 #include <array>
@@ -11,47 +11,47 @@
 
 namespace echolucent {
 
-/// Where in a motion a frame stands.
+/// The place of a frame in a motion.
 struct CourseFrame {
     int angle = 0;   ///< whole degrees from the view in which the motion began, firstMotionAngle to lastMotionAngle
     int phase = 0;   ///< of the 4D study, 0 to phases - 1
     int phases = 1;  ///< of the study
 };
 
-/// Takes the unsmoothed OTF of each frame. All smoothings run side by side on the same OTFs, so that any mode can be
-/// looked at, and its flicker compared, whichever is shown. Knows no widget.
+/// Takes the unsmoothed OTF of each frame. All smoothings run side by side on the same OTFs, so that a person can look
+/// at any mode and compare its flicker. Knows no widget.
 class OtfCourse {
 public:
-    /// A step of more frames than this is a jump: what was before it is not smoothed with what comes after.
+    /// A step of more frames than this is a jump. Frames before and after it are not smoothed together.
     static constexpr int longestStep = 3;
-    /// Flicker is measured over the newest frames, at most this many.
+    /// Flicker is measured over at most this many of the newest frames.
     static constexpr std::size_t flickerFrames = 30;
 
-    /// What the rows stand for: angles where the probe moves, phases where only the object does.
+    /// The rows are angles if the probe moves, phases if only the object does.
     enum class Rows { angles, phases };
 
-    /// Forgets everything. phases: rows of Rows::phases, >= 1.
+    /// Forgets everything. phases: number of rows for Rows::phases, >= 1.
     void begin(Rows rows, int phases = 1);
-    /// Forgets the past of the smoothing; the rows stay.
+    /// Forgets the past of the smoothing. The rows stay.
     void forgetPast();
-    /// A frame with an OTF of its own. The frame of the newest call again replaces that one; a jump forgets the past.
+    /// Adds a frame with its own OTF. The same frame again replaces the last one. A jump forgets the past.
     void add(const CourseFrame& frame, const SampledCurve& unsmoothed);
-    /// A frame that shows the one OTF of the motion.
+    /// Adds a frame that shows the one OTF of the motion.
     void addOneOtf(const CourseFrame& frame, const SampledCurve& curve);
 
-    /// What a mode shows for the frame added last; empty before the first.
+    /// The curve of a mode for the last frame; empty before the first.
     [[nodiscard]] const SampledCurve& newest(MotionOtf mode) const { return m_newest[indexOf(mode)]; }
-    /// otfFlicker() of the newest frames in a mode. None before the third frame since the last jump.
+    /// otfFlicker() of the newest frames in a mode. No value before the third frame since the last jump.
     [[nodiscard]] std::optional<double> flicker(MotionOtf mode) const;
 
     [[nodiscard]] Rows rows() const { return m_rows; }
     [[nodiscard]] int rowCount() const { return static_cast<int>(m_curves.size()); }
-    /// What a row is called by: degrees, or the phase counted from 1.
+    /// The number of a row: degrees, or the phase counted from 1.
     [[nodiscard]] int numberOf(int row) const;
     [[nodiscard]] int rowOf(const CourseFrame& frame) const;
-    /// The curve of a row in a mode; null where no such frame came yet.
+    /// The curve of a row in a mode; null if no such frame came yet.
     [[nodiscard]] const SampledCurve* curve(int row, MotionOtf mode) const;
-    /// The row of the frame added last.
+    /// The row of the last frame.
     [[nodiscard]] std::optional<int> presentRow() const { return m_presentRow; }
 
 private:
@@ -68,7 +68,7 @@ private:
     std::array<std::vector<SampledCurve>, allMotionOtfs.size()> m_recent;  // since the last jump, oldest first
     std::optional<CourseFrame> m_last;
     std::optional<int> m_presentRow;
-    double m_time = 0.0;  // in frames
+    double m_time = 0.0;  // counted in frames
 };
 
 }  // namespace echolucent

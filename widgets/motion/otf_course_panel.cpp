@@ -30,7 +30,6 @@ ModeName shownNameOf(MotionOtf mode) {
     return {};
 }
 
-/// What the map's rows are.
 enum class MapRows { shown, unsmoothed };
 
 }  // namespace
@@ -51,7 +50,7 @@ OtfCoursePanel::OtfCoursePanel(const OtfCourse& course, QWidget* parent)
     connect(m_rows, &QComboBox::currentIndexChanged, this, &OtfCoursePanel::showRows);
     connect(m_map, &OtfMapCanvas::pointed, m_reading, &QLabel::setText);
     m_reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_reading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // never holds the dock wide
+    m_reading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // must not keep the dock wide
 
     auto* top = new QHBoxLayout;
     top->addWidget(m_rows);
@@ -117,7 +116,7 @@ void OtfCoursePanel::showEvent(QShowEvent* event) {
 }
 
 void OtfCoursePanel::showFlicker() {
-    if (!isVisible()) return;  // the flicker of all modes is computed anew for each frame of the motion
+    if (!isVisible()) return;  // else each frame of the motion would compute the flicker of all modes
     const QLocale locale;
     const auto ofEachView = m_course.flicker(MotionOtf::eachView);
     for (const MotionOtf mode : allMotionOtfs) {

@@ -1,4 +1,4 @@
-// The OTFs of a motion: over the angle as a map, at a few angles as curves, and how much each mode flickers.
+// The OTFs of a motion: over the angle as a map, at a few angles as curves, and the flicker of each mode.
 #pragma once
 
 #include <QWidget>
@@ -25,7 +25,7 @@ public:
 
     /// The mode that the motion shows.
     void setMode(MotionOtf mode);
-    /// The course has changed: shows it.
+    /// Call this if the course has changed.
     void showCourse();
 
 protected:

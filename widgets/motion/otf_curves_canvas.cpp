@@ -11,7 +11,7 @@ namespace {
 constexpr double shownWidth = 2.0;
 constexpr double presentWidth = 3.0;
 constexpr double unsmoothedWidth = 1.0;
-constexpr double sampleLength = 20.0;  // of a line in the legend, pixels
+constexpr double sampleLength = 20.0;  // length of a line in the legend, pixels
 constexpr double legendNameGap = 4.0;
 constexpr double legendEntryGap = 9.0;
 
@@ -54,7 +54,7 @@ std::vector<OtfCurvesCanvas::Line> OtfCurvesCanvas::lines() const {
     const auto exists = [this](int row) {
         return m_course.curve(row, m_mode) != nullptr || m_course.curve(row, MotionOtf::eachView) != nullptr;
     };
-    // The word "phase" once is enough.
+    // The legend says the word "phase" only once.
     const auto shortName = [this](int row) {
         return m_course.rows() == OtfCourse::Rows::phases ? QString::number(m_course.numberOf(row))
                                                           : rowName(m_course, row);

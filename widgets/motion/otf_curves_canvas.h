@@ -9,8 +9,8 @@
 
 namespace echolucent {
 
-/// Object motion.map.curves. The first, the middle and the last row of a course (-45°, 0° and +45°) and the present
-/// one; what the mode shows heavy, the unsmoothed OTF thin in the same colour and dashes.
+/// Object motion.map.curves. Shows the first, the middle and the last row of a course (-45°, 0° and +45°) and the
+/// present one. The curve of the mode is heavy, the unsmoothed OTF thin in the same colour and dashes.
 class OtfCurvesCanvas : public QWidget {
     Q_OBJECT
 
@@ -19,9 +19,9 @@ public:
     explicit OtfCurvesCanvas(const OtfCourse& course, QWidget* parent = nullptr);
 
     void setMode(MotionOtf mode);
-    /// The course has changed: draws it anew.
+    /// Call this if the course has changed.
     void showCourse();
-    /// The rows whose curves there are, in the order of the legend.
+    /// The rows with curves, in the order of the legend.
     [[nodiscard]] std::vector<int> shownRows() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {380, 200}; }

@@ -126,7 +126,7 @@ void OtfMapCanvas::paintLegend(QPainter& painter) const {
     for (const double opacity : {0.0, 0.5, 1.0})
         painter.drawText(QRectF(bar.right() + 4, bar.bottom() - opacity * bar.height() - height / 2, width(), height),
                          Qt::AlignLeft | Qt::AlignVCenter, QString::number(opacity));
-    // Along the bar, on its dark half.
+    // Write along the bar, on its dark half.
     painter.save();
     painter.translate(bar.center().x(), bar.bottom());
     painter.rotate(-90);

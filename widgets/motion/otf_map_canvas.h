@@ -9,8 +9,8 @@
 
 namespace echolucent {
 
-/// Object motion.map. A row for each angle (or phase), upwards; intensity to the right; opacity as brightness, with a
-/// legend. Rows not yet shown are hatched. The present row is marked at both sides.
+/// Object motion.map. A row for each angle (or phase), upwards. Intensity goes to the right, and opacity is brightness,
+/// with a legend. Rows not shown yet are hatched. The present row is marked at both sides.
 class OtfMapCanvas : public QWidget {
     Q_OBJECT
 
@@ -18,12 +18,12 @@ public:
     /// The course outlives the canvas.
     explicit OtfMapCanvas(const OtfCourse& course, QWidget* parent = nullptr);
 
-    /// Which mode's curves are the rows.
+    /// The mode whose curves are the rows.
     void setMode(MotionOtf mode);
     [[nodiscard]] MotionOtf mode() const { return m_mode; }
-    /// The course has changed: draws it anew.
+    /// Call this if the course has changed.
     void showCourse();
-    /// The rows as grey levels, 255 = opacity 1, the last row on top; transparent where there is none.
+    /// The rows as grey levels, 255 = opacity 1, the last row on top. Missing rows are transparent.
     [[nodiscard]] QImage image() const;
     [[nodiscard]] const QRectF& plotRect() const { return m_axes.rect; }
 
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {220, 150}; }
 
 signals:
-    /// "+12°, intensity 0.42, opacity 0.18"; empty where nothing is pointed at.
+    /// "+12°, intensity 0.42, opacity 0.18"; empty if the pointer is elsewhere.
     void pointed(const QString& reading);
 
 protected:

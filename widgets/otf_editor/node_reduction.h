@@ -1,4 +1,4 @@
-// From a densely sampled curve to few nodes, and the curves that the editor offers as starting points.
+// Reduces a densely sampled curve to few nodes, and lists the curves that the editor offers as starting points.
 #pragma once
 
 #include <QString>
@@ -8,15 +8,15 @@
 
 namespace echolucent {
 
-/// Largest difference in opacity that copying a sampled curve into nodes may cause, anywhere in [0,1].
+/// Largest difference in opacity if a sampled curve is copied into nodes, anywhere in [0,1].
 inline constexpr double copiedCurveMaxError = 0.003;
 
 /// The nodes of a manual curve that differs from `curve` by at most `maxError` (> 0) in opacity at every intensity.
-/// Douglas and Peucker's subdivision with the distance taken along the opacity axis, so that the bound is one on
-/// opacity. First and last sample are always kept; fewer than two samples give a constant curve of one node.
+/// Douglas and Peucker's subdivision, with the distance along the opacity axis: so the bound holds for opacity. The
+/// first and last samples are always kept. Fewer than two samples give a constant curve of one node.
 [[nodiscard]] ManualCurve reducedToNodes(const SampledCurve& curve, double maxError);
 
-/// A named manual curve to begin from.
+/// A named manual curve to start from.
 struct CurvePreset {
     QString key;   ///< part of the object name
     QString name;  ///< as people read it

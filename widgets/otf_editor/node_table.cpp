@@ -14,7 +14,7 @@ NodeTable::NodeTable(OtfEditorModel& model, QWidget* parent) : QTableView(parent
     setSelectionMode(QAbstractItemView::SingleSelection);
     setSelectionBehavior(QAbstractItemView::SelectItems);
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-    setTabKeyNavigation(false);  // Tab goes on to the next control, arrows move within
+    setTabKeyNavigation(false);  // Tab goes to the next control, arrows move inside
     setWordWrap(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     horizontalHeader()->setHighlightSections(false);
@@ -32,7 +32,7 @@ void NodeTable::setWhiteLevel(double whiteLevel) {
     setColumnHidden(NodeTableModel::storedColumn, !(whiteLevel > 1.0));
 }
 
-/// A typed digit neither edits a number that nobody opened nor jumps to another one.
+/// Ignores typed digits: they must not edit a number that nobody opened, nor jump to another row.
 void NodeTable::keyboardSearch(const QString&) {}
 
 void NodeTable::keyPressEvent(QKeyEvent* event) {

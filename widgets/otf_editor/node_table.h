@@ -7,8 +7,8 @@
 
 namespace echolucent {
 
-/// Its current row is the editor's selected node; Delete removes it; a double click, Return or F2 lets a
-/// number be typed, and digits do nothing before that.
+/// Its current row is the editor's selected node. Delete removes the node. A double click, Return or F2 lets a person
+/// type a number; digits do nothing before that.
 class NodeTable : public QTableView {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ public:
     void setWhiteLevel(double whiteLevel);
 
 signals:
-    /// A sentence about an input that was not taken.
+    /// Says why an input was refused.
     void refused(const QString& reason);
 
 protected:

@@ -81,7 +81,7 @@ QVariant NodeTableModel::data(const QModelIndex& index, int role) const {
 bool NodeTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (role != Qt::EditRole || !index.isValid()) return false;
     const QString text = value.toString().trimmed();
-    if (text == exactText(valueAt(index))) return false;  // looked at, not changed
+    if (text == exactText(valueAt(index))) return false;  // the person looked at it and changed nothing
     bool isNumber = false;
     const double number = QString(text).replace(',', '.').toDouble(&isNumber);
     const Range range = rangeAt(index);

@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// One row per node; edits go through OtfEditorModel and its undo stack.
+/// One row per node. Edits go through OtfEditorModel and its undo stack.
 class NodeTableModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -23,13 +23,13 @@ public:
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     /// DisplayRole rounds, EditRole is the shortest text that reads back as the same number.
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    /// Takes text with a point or a comma; false, and `refused` says why, where it is no number or out of range.
+    /// Takes text with a point or a comma. If it is no number or out of range, returns false, and `refused` says why.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 signals:
-    /// A sentence about an input that was not taken.
+    /// Says why an input was refused.
     void refused(const QString& reason);
 
 private:

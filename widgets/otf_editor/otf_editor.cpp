@@ -39,7 +39,7 @@ QToolButton* buttonFor(QAction* action, const QString& objectName, Qt::ToolButto
     return button;
 }
 
-/// The lowest of 256 intensities at which the curve reaches an opacity; nothing where it never does.
+/// The lowest of 256 intensities at which the curve reaches an opacity; no value if it never does.
 std::optional<double> intensityReaching(const OpacityCurve& curve, double opacity) {
     const std::vector<double> opacities = sampledOpacities(curve, 256);
     const auto reached = std::ranges::find_if(opacities, [opacity](double value) { return value >= opacity; });
@@ -61,7 +61,7 @@ OtfEditor::OtfEditor(DocumentModel& document, QWidget* parent) : QWidget(parent)
     m_readout->setWordWrap(true);
     m_readout->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_readout->setFixedHeight(2 * m_readout->fontMetrics().height() + 2);  // the plot stays where it is
+    m_readout->setFixedHeight(2 * m_readout->fontMetrics().height() + 2);  // the plot must not move
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
@@ -78,7 +78,7 @@ OtfEditor::OtfEditor(DocumentModel& document, QWidget* parent) : QWidget(parent)
 }
 
 OtfEditor::~OtfEditor() {
-    // A number still being typed is committed as the focus goes, and the table refers to the model: both first.
+    // Destroy the widgets first: a field commits its half typed number as the focus goes, and the table uses the model.
     hide();
     steps().disconnect(this);
     qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));

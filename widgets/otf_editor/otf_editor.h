@@ -1,4 +1,4 @@
-// The panel in which opacity transfer functions are seen and edited.
+// The panel that shows and edits opacity transfer functions.
 #pragma once
 
 #include <QAction>
@@ -19,11 +19,11 @@ namespace echolucent {
 class CurveCanvas;
 class NodeTable;
 
-/// Composes the plot, the legend, the numbers of the active curve and the node table. Values in, values out: files are
-/// read and written by whoever answers openCurveRequested and saveCurveRequested.
+/// Holds the plot, the legend, the numbers of the active curve and the node table. It reads and writes no files: others
+/// answer openCurveRequested and saveCurveRequested.
 ///
-/// Its actions have the shortcuts that the table of keys gives them, which work in the whole window: put the actions
-/// into menus and give those keys to nothing else.
+/// Its actions have their shortcuts from the table of keys. They work in the whole window: put the actions into menus,
+/// and give their keys to nothing else.
 class OtfEditor : public QWidget {
     Q_OBJECT
 
@@ -34,24 +34,24 @@ public:
 
     [[nodiscard]] const OtfEditorState& state() const { return m_model.state(); }
 
-    /// The curve to render now; activeCurveChanged tells every later one.
+    /// The curve to render now. activeCurveChanged tells of each later one.
     [[nodiscard]] OpacityCurve activeCurve() const { return m_model.activeCurve(); }
     void setActive(CurveKind kind) { m_model.setActive(kind); }
     void setAdaptiveCurve(const SampledCurve& curve);
     /// As OtfEditorModel::setDesign().
     void setDesign(const QString& designer, const std::optional<OpacityCurve>& upper);
-    /// While a motion plays, the table of the adaptive curve's numbers changes as seldom as PacedWords says.
+    /// While a motion plays, the table of the adaptive curve's numbers changes only as often as PacedWords says.
     void setPlaying(bool playing);
     void setHistogram(const IntensityHistogram& histogram);
     /// Stored value at normalised intensity 1; at 1 or less stored values are not shown.
     void setWhiteLevel(double whiteLevel);
-    /// Marks an intensity in the plot, as under the cursor in the 3D view; removes the mark where it is not given.
+    /// Marks the intensity under the cursor in the 3D view. No value removes the mark.
     void setCursorIntensity(std::optional<double> intensity);
 
-    /// A curve read from a file: becomes the manual one and active, as one undo step, and counts as saved.
+    /// Takes a curve read from a file as the manual one and makes it active, in one undo step. It counts as saved.
     void openManualCurve(const ManualCurve& curve);
     [[nodiscard]] bool isManualModified() const { return m_model.isManualModified(); }
-    /// The manual curve as it is now has been written.
+    /// Call this after the present manual curve has been written.
     void setManualSaved() { m_model.setManualSaved(); }
 
     [[nodiscard]] OtfEditorModel& model() { return m_model; }

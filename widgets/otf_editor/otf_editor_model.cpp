@@ -17,7 +17,7 @@ double inUnitInterval(double value) { return value > 0.0 ? std::min(value, 1.0) 
 
 std::ptrdiff_t offset(int index) { return static_cast<std::ptrdiff_t>(index); }
 
-/// The middle of the gap that a new node should go into; gaps before the first and after the last node count.
+/// The middle of the gap for a new node. The gaps before the first and after the last node count too.
 double middleOfGap(const std::vector<CurveNode>& nodes, int selected) {
     const auto next = static_cast<std::size_t>(selected + 1);
     if (selected >= 0 && next < nodes.size() && nodes[next].intensity > nodes[next - 1].intensity)
@@ -55,7 +55,7 @@ void OtfEditorModel::setActive(CurveKind kind) {
     next.active = kind;
     next.designed = false;
     next.visible[indexOf(kind)] = true;
-    // A person who goes through the curves to compare them goes back with one step.
+    // A person may go through the curves to compare them. One undo goes back to the first.
     constexpr Gesture choosing = -1;
     edit(next, tr("choose curve"), choosing);
     announceNow();
@@ -140,7 +140,7 @@ void OtfEditorModel::replaceManual(const ManualCurve& curve, const QString& what
 bool OtfEditorModel::copyIntoNodes() {
     if (m_state.designed) {
         if (!m_state.design) return false;
-        constexpr int samples = 1024;  // as many as a two-dimensional OTF has nodes at most
+        constexpr int samples = 1024;  // a two-dimensional OTF has at most so many nodes
         const SampledCurve upper{sampledOpacities(*m_state.design, samples)};
         replaceManual(reducedToNodes(upper, copiedCurveMaxError),
                       tr("copy %1 into nodes").arg(QString::fromStdString(m_state.designer)));
@@ -173,7 +173,7 @@ void OtfEditorModel::resetActiveCurve() {
     cancelDrag();
     const CurveSet standard{};
     OtfEditorState next = m_state;
-    // What a designer made comes from the volume, as the adaptive curve does.
+    // A designer's OTF comes from the volume, as the adaptive curve does: there is nothing to reset.
     switch (m_state.designed ? CurveKind::adaptive : m_state.active) {
         case CurveKind::adaptive: break;
         case CurveKind::manual: next.manual = standard.manual; break;
@@ -194,13 +194,13 @@ void OtfEditorModel::dragNode(int index, const CurveNode& node) {
     if (!m_beforeDrag) return;
     OtfEditorState next = withManualActive();
     next.manual.nodes.at(static_cast<std::size_t>(index)) = clampedNode(index, node);
-    // Until the node has really moved, the drag has changed nothing, not even which curve is active.
+    // Until the node has really moved, the drag changes nothing, not even the active curve.
     if (next.manual != m_state.manual) preview(next);
 }
 
 void OtfEditorModel::endDrag() {
     if (!m_beforeDrag) return;
-    if (m_beforeDrag->manual == m_state.manual) return cancelDrag();  // dragged back to where it came from
+    if (m_beforeDrag->manual == m_state.manual) return cancelDrag();  // dragged back to where it began
     m_beforeDrag.reset();
     m_document.commitPreview();
     announceNow();
@@ -238,7 +238,7 @@ void OtfEditorModel::setManualSaved() {
 }
 
 void OtfEditorModel::edit(const OtfEditorState& next, const QString& what, Gesture gesture) {
-    if (next.visible != m_state.visible) {  // drawing a curve is no part of the step
+    if (next.visible != m_state.visible) {  // the visibility of curves is no part of the step
         OtfEditorState shown = m_state;
         shown.visible = next.visible;
         apply(shown, Announce::soon);

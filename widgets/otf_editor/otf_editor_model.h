@@ -1,4 +1,4 @@
-// What the editor shows, its edits, its selection and the throttled announcement of the active curve; knows no widget.
+// What the editor shows, its edits, its selection, and throttled announcements of the active curve. Knows no widget.
 #pragma once
 
 #include <QElapsedTimer>
@@ -11,15 +11,15 @@
 
 namespace echolucent {
 
-/// The curves are the document's, the active one is its first pane's; every edit goes there, as one step: a drag is
-/// one, and so are edits that share a gesture (a key or button held down) and choices of the active curve that follow
-/// each other. Which curves are drawn, the selection and new adaptive curves are no steps; a step that made the manual
-/// curve active takes that back too.
+/// The curves are the document's, and the active one is its first pane's. Every edit goes there as one step. A drag is
+/// one step, as are edits that share a gesture (a key or button held down) and successive choices of the active curve.
+/// The visibility of curves, the selection and new adaptive curves are no steps. If a step made the manual curve
+/// active, its undo takes that back too.
 class OtfEditorModel : public QObject {
     Q_OBJECT
 
 public:
-    /// Marks edits that belong together; noGesture stands alone.
+    /// Marks edits that belong together. An edit with noGesture stands alone.
     using Gesture = int;
     static constexpr Gesture noGesture = 0;
 
@@ -29,41 +29,41 @@ public:
     [[nodiscard]] const OtfEditorState& state() const { return m_state; }
 
     [[nodiscard]] OpacityCurve activeCurve() const { return renderedCurve(m_state); }
-    /// Makes a curve the rendered one, and drawn.
+    /// Renders a curve, and draws it.
     void setActive(CurveKind kind);
     void setVisible(CurveKind kind, bool visible);
     /// The newest result of the adaptive method; not undoable.
     void setAdaptiveCurve(const SampledCurve& curve);
-    /// What the designer of that name made whose OTF the document says is rendered: its upper curve; none where it is
-    /// not computed yet. Not undoable.
+    /// Sets the result of the named designer: its upper curve, none if it is not computed yet. The document says
+    /// whether it is rendered. Not undoable.
     void setDesign(const std::string& designer, const std::optional<OpacityCurve>& upper);
     void setDesignVisible(bool visible);
 
     [[nodiscard]] DocumentSteps& steps() { return m_document.steps(); }
     [[nodiscard]] Gesture newGesture() { return ++m_lastGesture; }
 
-    /// Puts a node among the others (clamped into [0,1]), selects it and returns its index.
+    /// Adds a node, clamped into [0,1], selects it and returns its index.
     int addNode(const CurveNode& node);
-    /// Adds a node on the curve, halfway to the node after the selected one or else in the widest gap.
+    /// Adds a node on the curve: halfway to the node after the selected one, or else in the widest gap.
     int addNodeInGap();
-    /// Moves a node, clamped between its neighbours and into [0,1].
+    /// Moves a node. It stays between its neighbours and in [0,1].
     void moveNode(int index, const CurveNode& node, Gesture gesture = noGesture);
-    /// Removes a node; the last one stays.
+    /// Removes a node. The last one stays.
     void removeNode(int index);
     [[nodiscard]] bool canRemoveNode() const { return m_state.manual.nodes.size() > 1; }
     /// Replaces the nodes and makes the manual curve active; `what` names the step.
     void replaceManual(const ManualCurve& curve, const QString& what);
-    /// Copies the adaptive curve into few nodes (copiedCurveMaxError), or, where a designer's OTF is rendered, its
-    /// upper curve; false where there is none yet.
+    /// Copies the adaptive curve into few nodes (copiedCurveMaxError). If a designer's OTF is rendered, copies its
+    /// upper curve. False if there is none yet.
     bool copyIntoNodes();
-    /// The bounds are clamped into [0,1] and put in order, the slope to >= 0.
+    /// Clamps the bounds into [0,1] and orders them. Clamps the slope to >= 0.
     void setLinear(const LinearCurve& curve, Gesture gesture = noGesture);
     /// The scale a >= 0 of the parabolic or quartic curve.
     void setScale(CurveKind kind, double scale, Gesture gesture = noGesture);
-    /// Makes the active curve that of CurveSet's defaults, and takes back what is adjusted; an adaptive curve stays.
+    /// Resets the active curve to CurveSet's default, and resets the adjustment. An adaptive curve stays.
     void resetActiveCurve();
 
-    /// A drag: what dragNode does shows at once, endDrag makes one step of it, cancelDrag takes it back.
+    /// A drag: dragNode shows its change at once, endDrag makes one step of all, cancelDrag takes all back.
     void beginDrag();
     void dragNode(int index, const CurveNode& node);
     void endDrag();
@@ -76,16 +76,16 @@ public:
     [[nodiscard]] int selectedNode() const { return m_selectedNode; }
     void selectNode(int index);
 
-    /// True where the manual curve is neither the one first shown, last saved or opened, nor a preset: work that could
-    /// be lost.
+    /// True if the manual curve holds work that could be lost: it differs from the first curve, the last saved or
+    /// opened one, and every preset.
     [[nodiscard]] bool isManualModified() const { return m_manualModified; }
     void setManualSaved();
 
 signals:
-    /// Something to draw anew.
+    /// Something must be drawn anew.
     void changed();
-    /// The curve to render. Previews of a drag and of held keys are announced at most once in 16 ms; what they end
-    /// with, and every other change, at once.
+    /// The curve to render. Changes during a drag and of held keys are announced at most once in 16 ms. Their last
+    /// change, and every other one, is announced at once.
     void activeCurveChanged(const echolucent::OpacityCurve& curve);
     void manualEdited(const echolucent::ManualCurve& curve);
     void manualModifiedChanged(bool modified);

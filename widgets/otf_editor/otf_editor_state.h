@@ -9,24 +9,24 @@
 
 namespace echolucent {
 
-/// The five curves, which of them is rendered and which are drawn.
+/// The five curves: which one is rendered, and which are drawn.
 struct OtfEditorState : CurveSet {
-    SampledCurve adaptive;                                      ///< empty where it is not computed yet
+    SampledCurve adaptive;                                      ///< empty if it is not computed yet
     CurveKind active = CurveKind::adaptive;                     ///< the curve that is rendered
     std::array<bool, 5> visible{true, true, true, true, true};  ///< drawn in the plot, by indexOf(kind)
-    bool designed = false;                 ///< the OTF of a designer is rendered in the active curve's place
+    bool designed = false;                 ///< a designer's OTF is rendered instead of the active curve
     std::string designer{};                ///< its name for a person
-    std::optional<OpacityCurve> design{};  ///< upperCurveOf() what it made; none where it is not computed yet
+    std::optional<OpacityCurve> design{};  ///< upperCurveOf() the designer's OTF; none if it is not computed yet
     bool designVisible = true;             ///< drawn in the plot
     friend bool operator==(const OtfEditorState&, const OtfEditorState&) = default;
 };
 
-/// The curve of one kind; an adaptive curve not computed yet is an empty SampledCurve (opacity 0 everywhere).
+/// The curve of one kind. An adaptive curve not computed yet is an empty SampledCurve (opacity 0 everywhere).
 [[nodiscard]] inline OpacityCurve curveOf(const OtfEditorState& state, CurveKind kind) {
     return curveOf(state, kind, state.adaptive);
 }
 
-/// The curve that is rendered, adjusted; of a designer's OTF the upper curve, clear where it is not computed yet.
+/// The rendered curve, adjusted. For a designer's OTF the upper curve; transparent if it is not computed yet.
 [[nodiscard]] inline OpacityCurve renderedCurve(const OtfEditorState& state) {
     if (state.designed) return adjusted(state.design.value_or(ManualCurve{}), state.adjustment);
     return renderedCurve(state, state.active, state.adaptive);

@@ -11,7 +11,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr double maxSlope = 255.0;  // from 0 to 1 between two neighbouring 8-bit values
+constexpr double maxSlope = 255.0;  // opacity rises from 0 to 1 between two neighbouring 8-bit values
 constexpr double maxScale = 100.0;
 constexpr int spinButtonsWidth = 44;  // pixels: frame, padding and the two arrows
 

@@ -8,11 +8,11 @@
 namespace echolucent {
 
 namespace {
-constexpr int wheelBurstMilliseconds = 400;  // the wheel turned again within this time goes on with its burst
+constexpr int wheelBurstMilliseconds = 400;  // a turn of the wheel within this time continues the burst
 }
 
 ParameterSpinBox::ParameterSpinBox(OtfEditorModel& model, QWidget* parent) : QDoubleSpinBox(parent), m_model(model) {
-    setKeyboardTracking(false);  // a number is taken when it is complete
+    setKeyboardTracking(false);  // takes a number when it is complete
     setDecimals(6);
     setSingleStep(0.01);
     setAlignment(Qt::AlignRight);
@@ -60,7 +60,7 @@ void ParameterSpinBox::keyPressEvent(QKeyEvent* event) {
 
 void ParameterSpinBox::keyReleaseEvent(QKeyEvent* event) {
     QDoubleSpinBox::keyReleaseEvent(event);
-    // Held keys step by a timer of the base class, so the gesture lasts until the key is let go.
+    // The base class repeats held keys by a timer, so the gesture lasts until the key is released.
     if (!event->isAutoRepeat()) m_gesture = OtfEditorModel::noGesture;
 }
 
@@ -86,7 +86,7 @@ void ParameterSpinBox::wheelEvent(QWheelEvent* event) {
         m_wheelBurst.start();
         QDoubleSpinBox::wheelEvent(event);
     } else {
-        event->ignore();  // scrolling past must not change a curve
+        event->ignore();  // a person who scrolls past must not change a curve
     }
 }
 

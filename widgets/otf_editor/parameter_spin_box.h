@@ -9,15 +9,15 @@
 
 namespace echolucent {
 
-/// Emits `edited` for changes by a person or a script, with a gesture shared by all steps of one held key or button or
-/// of one burst of the wheel.
+/// Emits `edited` for changes by a person or a script. All steps of one held key or button, or of one burst of the
+/// wheel, share a gesture.
 class ParameterSpinBox : public QDoubleSpinBox {
     Q_OBJECT
 
 public:
     explicit ParameterSpinBox(OtfEditorModel& model, QWidget* parent = nullptr);
 
-    /// Shows a value and its range without emitting `edited`; a number half typed stays where neither has changed.
+    /// Shows a value and its range without emitting `edited`. If neither has changed, a number half typed stays.
     void show(double value, double minimum, double maximum);
 
     [[nodiscard]] QString textFromValue(double value) const override;
@@ -40,7 +40,7 @@ private:
     void beginGesture();
 
     OtfEditorModel& m_model;
-    std::optional<double> m_shown;  // exact, where value() is rounded
+    std::optional<double> m_shown;  // exact; value() is rounded
     OtfEditorModel::Gesture m_gesture = OtfEditorModel::noGesture;
     QTimer m_wheelBurst;  // runs while a burst of the wheel may go on
 };

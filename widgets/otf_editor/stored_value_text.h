@@ -5,8 +5,8 @@
 
 namespace echolucent {
 
-/// The stored value of an intensity of 1 is `whiteLevel`, above 0. Whole numbers where it is 100 to ten million, so
-/// that neighbouring values differ; else three digits and a power of ten where it needs one ("3.4e+38").
+/// An intensity of 1 is stored as `whiteLevel`, above 0. If it is 100 to ten million, the text is a whole number, so
+/// that neighbouring values differ. Otherwise it has three digits, and a power of ten if needed ("3.4e+38").
 [[nodiscard]] QString storedValueText(double value, double whiteLevel);
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// Threshold and transparency: two sliders that move whichever curve is rendered.
+// Threshold and transparency: two sliders that move the curve that is rendered.
 #pragma once
 
 #include <QWidget>

@@ -25,7 +25,7 @@ std::vector<std::size_t> maximaOf(const DesignPlot& plot) {
     for (std::size_t first = 1; first + 1 < values.size();) {
         std::size_t last = first;
         while (last + 1 < values.size() && values[last + 1] == values[first]) ++last;
-        // A comparison with NaN is false.
+        // A comparison with NaN is false: places beside unknown values are no maxima.
         if (last + 1 < values.size() && values[first] > values[first - 1] && values[last] > values[last + 1])
             maxima.push_back((first + last) / 2);
         first = last + 1;
@@ -135,7 +135,7 @@ void DesignPlotCanvas::paintEvent(QPaintEvent*) {
             piece << positionOf(i);
             continue;
         }
-        painter.drawPolyline(piece);  // where the function is not known there is no line
+        painter.drawPolyline(piece);  // no line where the values are unknown
         piece.clear();
     }
     painter.drawPolyline(piece);

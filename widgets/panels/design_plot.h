@@ -1,4 +1,4 @@
-// What a designer looked at, as a line over the intensity, of which a person may pick a maximum.
+// The plot of a designer: a line over the intensity. A person may pick one of its maxima.
 #pragma once
 
 #include <QWidget>
@@ -9,12 +9,12 @@
 
 namespace echolucent {
 
-/// The highest places of a plot: where a value is known that is larger than its neighbours' (of equal ones, the middle
-/// one). Ends do not count. Indices into its intensities, ascending.
+/// Indices of the local maxima of a plot, ascending. Of equal neighbours the middle one counts. The ends do not count,
+/// nor do places beside unknown values.
 [[nodiscard]] std::vector<std::size_t> maximaOf(const DesignPlot& plot);
 
-/// Axes with numbers, the line, a mark at each maximum that can be picked. A click picks the nearest one within
-/// hitDistance along the intensities; ← and → go from one to the next, Enter picks.
+/// Axes with numbers, the line, and a mark at each maximum if maxima can be picked. A click picks the nearest maximum
+/// within hitDistance along the intensities. ← and → go from one to the next, Enter picks.
 class DesignPlotCanvas : public QWidget {
     Q_OBJECT
 
@@ -24,11 +24,10 @@ public:
     explicit DesignPlotCanvas(QWidget* parent = nullptr);
 
     void setPlot(const DesignPlot& plot);
-    /// Whether maxima can be picked.
     void setPickable(bool pickable);
-    /// Marks an intensity, as that of the ramp that stands there.
+    /// Marks the intensity at which the ramp stands.
     void setMarked(std::optional<double> intensity);
-    /// The pixel of a place of the line.
+    /// The pixel of a point of the line.
     [[nodiscard]] QPointF positionOf(std::size_t index) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {300, 150}; }
@@ -55,7 +54,7 @@ private:
     double m_least = 0.0, m_largest = 1.0;  ///< of the values
     bool m_pickable = false;
     std::optional<double> m_marked;
-    std::optional<std::size_t> m_chosen;  ///< of m_maxima, by pointer or key
+    std::optional<std::size_t> m_chosen;  ///< the chosen maximum, an index into m_maxima; chosen by pointer or key
 };
 
 }  // namespace echolucent

@@ -22,7 +22,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr int curveEntry = -1;  // of the choice: a curve, and no designer
+constexpr int curveEntry = -1;  // entry of the choice: a curve, no designer
 
 QLabel* wordsLabel(const QString& name, const QString& accessibleName) {
     auto* label = named(new QLabel, name, accessibleName);
@@ -52,7 +52,8 @@ DesignerPanel::DesignerPanel(QWidget* parent) : QWidget(parent) {
     m_parameters = new DesignerParameters;
     connect(m_parameters, &DesignerParameters::changed, this,
             [this](const DesignerConfig& config, const QString& label) {
-                // A number half typed ends when its field hides, and is none of another designer's.
+                // If a person chooses another designer while typing a number, the hidden field still reports it. Ignore
+                // it.
                 if (!m_config || m_config->index() != config.index()) return;
                 emit configChanged(config, tr("%1: %2").arg(nameOfDesigner(), label.toLower()));
             });
@@ -107,7 +108,7 @@ void DesignerPanel::makeProgress() {
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(m_progress, 1);
     row->addWidget(m_cancel);
-    // The column does not jump when something begins and ends.
+    // The column must not jump when a run begins or ends.
     QSizePolicy keepsRoom = m_computing->sizePolicy();
     keepsRoom.setRetainSizeWhenHidden(true);
     m_computing->setSizePolicy(keepsRoom);
@@ -231,7 +232,7 @@ void DesignerPanel::showPlot() {
 }
 
 void DesignerPanel::setComputing(bool computing, bool refused) {
-    if (computing && m_computing->isHidden()) m_progress->setRange(0, 0);  // until the share is known
+    if (computing && m_computing->isHidden()) m_progress->setRange(0, 0);  // busy, until the share is known
     m_computing->setVisible(computing);
     m_compute->setVisible(!computing && refused);
 }

@@ -1,4 +1,4 @@
-// The panel of OTF designers: which one makes the OTF, its parameters, and what it says of what it made.
+// The panel of OTF designers: which one makes the OTF, its parameters, and what it says of its OTF.
 #pragma once
 
 #include <QString>
@@ -29,27 +29,27 @@ class DesignerPanel : public QWidget {
 public:
     explicit DesignerPanel(QWidget* parent = nullptr);
 
-    /// What the document says; no value where the view is rendered with a curve. Emits nothing.
+    /// Shows a designer's config; without a value a curve is rendered. Emits nothing.
     void setConfig(const std::optional<DesignerConfig>& config);
-    /// What was made, and the time it took; null where nothing is there yet.
+    /// Shows a finished OTF and the time it took. `design` is null if there is none yet.
     void setDesign(const Design* design, double milliseconds);
-    /// Whether something is computed, and whether what this view or a pane beside it asks for was cancelled or
-    /// has failed.
+    /// `computing`: an OTF is being computed. `refused`: one was cancelled or has failed, for this view or for a pane
+    /// beside it.
     void setComputing(bool computing, bool refused);
     /// Share done, in [0,1].
     void setProgress(double share);
 
 signals:
-    /// A person chose a designer; no value: a curve.
+    /// A person chose a designer, or a curve (no value).
     void chosen(std::optional<echolucent::Designer> designer);
     /// A person changed something; `what` names the step.
     void configChanged(const echolucent::DesignerConfig& config, const QString& what);
-    /// The same while a drag goes on, which dragEnded() or dragCancelled() ends.
+    /// A drag changed something. More may follow, until dragEnded() or dragCancelled().
     void configPreviewed(const echolucent::DesignerConfig& config, const QString& what);
     void dragEnded();
     void dragCancelled();
     void cancelRequested();
-    /// What was cancelled is to be computed all the same.
+    /// A person asks for the OTF that was cancelled.
     void computeRequested();
 
 private:

@@ -12,16 +12,16 @@
 
 namespace echolucent {
 
-/// Those that mean nothing beside what is chosen are hidden. A control's object name is "designer." and the row's name
-/// in camel case
-/// ("designer.fluidOpacity"). A number that no person has moved keeps all its digits, whatever the control shows.
+/// Parameters that have no meaning beside the present choices are hidden. The object name of a control is "designer."
+/// and the row's name in camel case ("designer.fluidOpacity"). A number keeps all its digits until a person moves it,
+/// however few its control shows.
 class DesignerParameters : public QWidget {
     Q_OBJECT
 
 public:
     explicit DesignerParameters(QWidget* parent = nullptr);
 
-    /// Emits nothing. The controls of another designer take the place of those before.
+    /// Makes new controls if the designer is another one. Emits nothing.
     void setConfig(const DesignerConfig& config);
 
 signals:
@@ -38,13 +38,13 @@ private:
     bool m_made = false;
 };
 
-/// The config with the parameter "threshold" set, and with the choice made that it belongs to; nothing where the
-/// designer has no such parameter. Clamped into its range.
+/// Sets the parameter "threshold", clamped into its range. If it belongs to a choice, makes that choice too. No value
+/// if the designer has no such parameter.
 [[nodiscard]] std::optional<DesignerConfig> withThreshold(DesignerConfig config, double intensity);
-/// Where that parameter plays a part, its value.
+/// The value of the parameter "threshold"; no value if it plays no part.
 [[nodiscard]] std::optional<double> thresholdOf(const DesignerConfig& config);
 
-/// The config with a parameter set, which must be in its table; where it means nothing there, the config as it was.
+/// Sets a parameter, which must be in its table. If it has no meaning in this config, the config stays the same.
 [[nodiscard]] DesignerConfig withParameter(DesignerConfig config, std::string_view name, const ParameterValue& value);
 
 }  // namespace echolucent

@@ -13,7 +13,7 @@
 namespace echolucent {
 
 namespace {
-constexpr std::size_t fewestNodes = 2;  // as problemOf(KindlmannConfig) says
+constexpr std::size_t fewestNodes = 2;  // as problemOf(KindlmannConfig) requires
 constexpr double keyStep = 0.05;
 }  // namespace
 

@@ -9,15 +9,15 @@
 
 namespace echolucent {
 
-/// Mouse: drag a node, double click adds one. Keys: Tab and Page keys go from node to node, arrows move the selected
-/// one by 1/20, Delete removes it, Escape ends a drag without change. Positions lie within shownPositions, between a
-/// node's neighbours.
+/// Mouse: a drag moves a node, a double click adds one. Keys: Tab and the Page keys go from node to node, arrows move
+/// the selected one by 1/20, Delete removes it, Escape ends a drag without change. A node stays between its neighbours,
+/// and within shownPositions.
 class EmphasisCanvas : public QWidget {
     Q_OBJECT
 
 public:
     static constexpr double hitDistance = 10.0;    ///< pixels
-    static constexpr double shownPositions = 4.0;  ///< to either side of the boundary's middle, standard deviations
+    static constexpr double shownPositions = 4.0;  ///< standard deviations to either side of the boundary's middle
 
     explicit EmphasisCanvas(QWidget* parent = nullptr);
 

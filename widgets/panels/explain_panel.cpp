@@ -11,7 +11,7 @@ namespace echolucent {
 
 namespace {
 
-/// The gestures and keys of each place, keys before meanings.
+/// The gestures and keys of each place; keys stand before their meanings.
 QString keysText() {
     QString text;
     for (const KeyPlace place : allKeyPlaces) {

@@ -1,4 +1,4 @@
-// What the picture shows, why, and which gestures and keys there are: beside the picture, which it follows.
+// Says beside the picture what it shows and why, and which gestures and keys there are.
 #pragma once
 
 #include <QWidget>
@@ -17,10 +17,10 @@ class ExplainPanel : public QWidget {
 public:
     explicit ExplainPanel(QWidget* parent = nullptr);
 
-    /// Asks for the sentences about the picture, paragraphs apart by an empty line. It is asked while the panel is
-    /// seen only.
+    /// Sets who gives the sentences about the picture; empty lines separate paragraphs. The panel calls it only while
+    /// it is visible.
     void setSource(std::function<QString()> explanation);
-    /// Something that the sentences tell of has changed.
+    /// Call this if something in the sentences has changed.
     void follow();
 
 protected:

@@ -1,4 +1,4 @@
-// Controls in a row that goes on in the next line where the window is narrow.
+// Controls in a row that goes on in the next line if the window is narrow.
 #pragma once
 
 #include <QLayout>
@@ -6,9 +6,9 @@
 
 namespace echolucent {
 
-/// A line takes as many items as fit with the width they ask for, and the widest item is the least width. Items that
-/// expand share what room is left in their line; the others keep their width. After addStretch() the items that follow
-/// stand at the right end of their line where they share it with those before.
+/// A line takes as many items as fit at the width they ask for. The widest item is the least width. Items that expand
+/// share the free room of their line, the others keep their width. Items after addStretch() stand at the right end, if
+/// earlier ones share their line.
 class FlowLayout : public QLayout {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ public:
     void setGeometry(const QRect& rect) override;
 
 private:
-    /// Puts the items into the rectangle (or only measures) and returns the height they take.
+    /// Places the items in the rectangle, or only measures them. Returns their height.
     int arrange(const QRect& rect, bool apply) const;
 
     std::vector<QLayoutItem*> m_items;

@@ -67,7 +67,8 @@ HistoryPanel::HistoryPanel(DocumentSteps& steps, QWidget* parent)
     connect(m_snapshots, &QListWidget::currentRowChanged, this, &HistoryPanel::enableButtons);
     connect(m_snapshots, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         const int row = m_snapshots->row(item);
-        // Told later, as the list is made anew then and its editor is still at work. The item may be gone by that time.
+        // Asked later: the answer makes the list anew, and now the list's editor is still at work. By then the item may
+        // be gone.
         QMetaObject::invokeMethod(
             this, [this, row, before = m_names.at(row), name = item->text()] { requestRename(row, before, name); },
             Qt::QueuedConnection);
@@ -109,7 +110,7 @@ void HistoryPanel::setSnapshots(const QStringList& names) {
     enableButtons();
 }
 
-/// The list may have been made anew since the name was typed.
+/// The list may have changed since the person typed the name.
 void HistoryPanel::requestRename(int snapshot, const QString& before, const QString& name) {
     if (snapshot < m_names.size() && m_names.at(snapshot) == before) emit renameRequested(snapshot, name);
 }

@@ -1,4 +1,4 @@
-// What was done, step by step, and the snapshots that a person named.
+// The steps of the document, and the snapshots that a person named.
 #pragma once
 
 #include <QStringList>
@@ -14,10 +14,10 @@ namespace echolucent {
 
 class DocumentSteps;
 
-/// Objects: history.list, the steps of the document, of which the present one is marked and a click goes to another;
+/// Objects: history.list, the steps of the document: the present one is marked, a click goes to another;
 /// history.dropped, which says that older steps were dropped; history.keep, history.snapshots, history.rename,
-/// history.remove. A click or Enter chooses a snapshot, F2 lets its name be typed. Snapshots are counted from 0. No
-/// setter emits a signal.
+/// history.remove. A click or Enter chooses a snapshot. F2 lets a person type its name. Snapshots are counted from 0.
+/// No setter emits a signal.
 class HistoryPanel : public QWidget {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ private:
     void enableButtons();
 
     QListView* m_steps;
-    QStringListModel* m_texts;  ///< of the states: how it began, then each step
+    QStringListModel* m_texts;  ///< the texts of the states: how it began, then each step
     QLabel* m_dropped;
     QListWidget* m_snapshots;
     QStringList m_names;  ///< of the snapshots, as they were set

@@ -89,7 +89,7 @@ int MeasurementsPanel::selectedId() const {
 
 void MeasurementsPanel::setRows(const std::vector<MeasurementRow>& rows) {
     const int selected = selectedId();
-    // What is new is selected; else what was stays so, and after a removal the last.
+    // Select a new measurement. Otherwise keep the selection; if it was removed, select the last.
     const bool grown = rows.size() > m_rows.size();
     const QSignalBlocker blocker(m_list);
     m_rows = rows;

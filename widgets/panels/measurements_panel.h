@@ -15,15 +15,14 @@ class QPushButton;
 
 namespace echolucent {
 
-/// One line of the list.
 struct MeasurementRow {
-    int id = 1;    ///< of the measurement
+    int id = 1;    ///< of the measurement, not of the row
     QString text;  ///< "1. 12.3 mm, in a plane"
     friend bool operator==(const MeasurementRow&, const MeasurementRow&) = default;
 };
 
-/// Objects: measurements (this), measurements.distance, .angle, .list, .remove, .removeAll. List and buttons are there
-/// while there is something in the list. No setter emits a signal.
+/// Objects: measurements (this), measurements.distance, .angle, .list, .remove, .removeAll. An empty list is hidden
+/// with its buttons. No setter emits a signal.
 class MeasurementsPanel : public QWidget {
     Q_OBJECT
 
@@ -35,7 +34,7 @@ public:
     void setTool(std::optional<MeasurementKind> tool);
 
 signals:
-    /// Nothing: it is put away.
+    /// No value: the person put the tool away.
     void toolChosen(std::optional<echolucent::MeasurementKind> tool);
     /// A row was clicked, or Enter pressed on it.
     void chosen(int id);

@@ -19,10 +19,10 @@ namespace echolucent {
 namespace {
 
 constexpr int signWidth = 40;    // the coloured stripe and the sign beside it
-constexpr int gapToPicture = 8;  // pixels of the picture below the bar and, at least, beside it
+constexpr int gapToPicture = 8;  // pixels of picture that stay free below the bar and, at least, beside it
 constexpr int leastTextWidth = 160;
-constexpr int leastWidth = 480;   // where the picture has it
-constexpr int cornerWidth = 142;  // of the picture's orientation marker and of its scale bar, which stay in sight
+constexpr int leastWidth = 480;   // if the picture is wide enough
+constexpr int cornerWidth = 142;  // of the picture's orientation marker and scale bar, which the bar leaves visible
 
 QLabel* createLine(const QString& name, const QString& accessibleName) {
     auto* label = named(new QLabel, name, accessibleName);
@@ -36,7 +36,7 @@ QLabel* createLine(const QString& name, const QString& accessibleName) {
 
 struct Appearance {
     QColor colour;
-    QString sign;  // so that the kind is not told by colour alone
+    QString sign;  // colour alone must not tell the kind
     QString name;
 };
 
@@ -90,7 +90,7 @@ void MessageBar::lieOver(QWidget& picture, Qt::Edge edge) {
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     if (watched == m_picture && (type == QEvent::Resize || type == QEvent::Move)) place();
-    // The picture's own window is made after it is shown, and raised with whatever it lies in (by a tab of the docks).
+    // The picture's own window is made after it is shown. A tab of the docks raises it with all around it.
     if (m_picture != nullptr && (type == QEvent::Show || type == QEvent::ZOrderChange))
         QMetaObject::invokeMethod(this, &MessageBar::place, Qt::QueuedConnection);
     return QWidget::eventFilter(watched, event);
@@ -112,11 +112,11 @@ void MessageBar::place() {
     const int top = m_edge == Qt::TopEdge ? picture.top() + gapToPicture : picture.bottom() + 1 - gapToPicture - height;
     setGeometry(picture.left() + (picture.width() - width) / 2, top, width, height);
     raise();
-    // The widget may be the foremost one already while its window is not.
+    // The widget may already be in front while its window is not.
     if (QWindow* own = windowHandle()) own->raise();
 }
 
-/// Of the bar with each of its sentences on one line.
+/// The width of the bar if each sentence stands on one line.
 int MessageBar::widthOfWords() const {
     int words = 0;
     for (const QLabel* line : {m_text, m_remarkText})
@@ -141,7 +141,7 @@ void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<
         auto* button =
             named(new QPushButton(actions[i].text), QStringLiteral("message.action.%1").arg(i), actions[i].text);
         connect(button, &QPushButton::clicked, this, [this, run = actions[i].run] {
-            const auto chosen = run;  // the button, and run with it, may be gone once the bar has closed
+            const auto chosen = run;  // a copy: closing the bar may delete the button, and `run` with it
             closeByPerson();
             if (chosen) chosen();
         });
@@ -211,7 +211,7 @@ void MessageBar::removeActions() {
     while (QLayoutItem* item = m_actions->takeAt(0)) {
         QWidget* button = item->widget();
         button->hide();
-        button->setParent(nullptr);  // not found by name any more, though it may be the one just pressed
+        button->setParent(nullptr);  // so that nobody finds it by name, though it may be the pressed one
         button->deleteLater();
         delete item;
     }

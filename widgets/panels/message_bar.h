@@ -1,4 +1,4 @@
-// One sentence for the person over the picture's lower edge, with ways out as buttons. Not modal.
+// A bar over the picture's edge: one sentence, and buttons for ways out. Not modal.
 #pragma once
 
 #include <QList>
@@ -21,44 +21,44 @@ struct MessageAction {
 };
 
 /// Objects: message (this), message.text, message.remark, message.action.0 ..., message.close. Hidden until
-/// showMessage. Escape closes it while the focus is inside. Message and remark each have a line with a sign of their
-/// own, so that good news stays good news beside trouble.
+/// showMessage. Escape closes the bar while the focus is inside. Message and remark each have a line with its own sign,
+/// so that a warning below good news does not change its sign.
 class MessageBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit MessageBar(QWidget* parent = nullptr);
 
-    /// Lays the bar over the lower (or the upper) edge of a picture that outlives it and stands in the same window
-    /// already: as wide as its words, between the picture's corners where these leave room, and above native windows in
-    /// it.
+    /// Lays the bar over the lower (or upper) edge of a picture and above native windows in it. The bar is as wide as
+    /// its words. It stays between the picture's corners if there is room. The picture is already in the same window,
+    /// and outlives the bar.
     void lieOver(QWidget& picture, Qt::Edge edge = Qt::BottomEdge);
 
-    /// Gives the words for a sentence.
+    /// Turns a sentence into the words that are shown.
     using Reading = std::function<QString(const QString& sentence)>;
-    /// Sets how sentences are shown from here on, and how those that are shown now. Without it they are shown as they
+    /// Sets how sentences are shown from now on, and how those on the bar are. Without a reading they are shown as they
     /// are.
     void setReading(Reading reading, Reading ofShown);
 
     /// Shows a sentence; replaces what was shown before.
     void showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
-    /// A sentence that warns of what is shown now: stands below the message, or alone. Empty takes it away; said again
-    /// after it was closed, it stays closed.
+    /// Sets a warning about the present picture. It stands below the message, or alone. An empty sentence removes it. A
+    /// remark that a person closed stays closed if it is set again.
     void setRemark(const QString& sentence);
-    /// Takes the message away where it is still this one; the remark stays. Emits nothing.
+    /// Removes the message if it is still this one. The remark stays. Emits nothing.
     void takeBack(const QString& text);
     /// Closes the bar, the remark included; emits nothing.
     void dismiss();
 
-    /// Message and remark as they are shown; empty where nothing is.
+    /// Message and remark as they are shown; empty if neither is.
     [[nodiscard]] QString text() const;
-    /// The message's; where the remark stands alone, a warning.
+    /// The message's kind. If the remark stands alone, a warning.
     [[nodiscard]] MessageKind kind() const;
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// The person closed the bar, or took an action (then before it runs).
+    /// The person closed the bar or chose an action. The action runs after this.
     void closed();
 
 protected:
@@ -74,11 +74,11 @@ private:
     void place();
     [[nodiscard]] int widthOfWords() const;
 
-    QWidget* m_picture = nullptr;  ///< over which the bar lies
+    QWidget* m_picture = nullptr;  ///< the bar lies over it
     Qt::Edge m_edge = Qt::BottomEdge;
     MessageKind m_kind = MessageKind::info;
-    Reading m_reading;                          ///< of what will be shown
-    Reading m_messageReading, m_remarkReading;  ///< of what is shown
+    Reading m_reading;                          ///< of the next sentence
+    Reading m_messageReading, m_remarkReading;  ///< of those on the bar
     QString m_message;
     QString m_remark;
     bool m_remarkClosed = false;

@@ -21,11 +21,11 @@
 namespace echolucent {
 namespace {
 
-/// The entry of the choice of readings that nobody can choose: a parameter was changed.
+/// Entry of the choice of readings if a parameter was changed. A person cannot choose it.
 constexpr int changedReading = -1;
 
-/// The rows that have a place of their own: above, and that of the interface function, first under Advanced. The
-/// advanced ones follow in this order, and then what the table has besides.
+/// Rows with a fixed place: above, and the interface function first under Advanced. Then follow the advanced rows in
+/// this order, and last the table's other rows.
 constexpr std::array mainRows{std::string_view("strength"), std::string_view("ramp_opacity"), std::string_view("form"),
                               std::string_view("opacity_scale"), std::string_view("interface_function")};
 constexpr std::array advancedRows{
@@ -33,7 +33,7 @@ constexpr std::array advancedRows{
     std::string_view("cell_size"),      std::string_view("false_alarm"),  std::string_view("slope_half_step"),
     std::string_view("coarsest_scale"), std::string_view("finest_scale"), std::string_view("significance")};
 
-/// Sets a parameter, clamped into what controls offer; a choice, or what means nothing in the config, stays.
+/// Clamps a parameter into its control's range. Leaves choices alone, and parameters without meaning in the config.
 void clampInto(const Parameter<AdaptiveOtfConfig>& row, AdaptiveOtfConfig& config) {
     const auto value = row.get(config);
     if (!value || !row.choices.empty()) return;
@@ -82,7 +82,7 @@ void MethodPanel::createControls() {
                                  NumberControl::spinBox, this, [this](const ParameterValue& value) {
                                      takeInitial(initialKindFromName(std::get<std::string>(value)).value());
                                  });
-    // The column is narrow.
+    // Short labels, as the column is narrow.
     m_initial.label->setText(tr("Initial"));
     of("opacity_scale").label->setText(tr("Scale a"));
     of("interface_function").label->setText(tr("Interface"));
@@ -119,7 +119,7 @@ QWidget* MethodPanel::createMainControls() {
 
     auto* controls = new QWidget;
     auto* grid = new QGridLayout(controls);
-    grid->setHorizontalSpacing(4);  // both forms fit the column
+    grid->setHorizontalSpacing(4);  // so that both forms fit the column
     grid->setContentsMargins(0, 0, 0, 0);
     for (const std::string_view ofTheForm : {"strength", "ramp_opacity"}) {  // one of the two, as the form has it
         grid->addWidget(of(ofTheForm).label, 0, 0);
@@ -194,7 +194,7 @@ void MethodPanel::take(const Row& row, const ParameterValue& value) {
         m_config.detection = m_detections[m_config.detection.index()];
         m_config.curve = m_curves[m_config.curve.index()];
     } else if (auto* variance = std::get_if<VarianceRule>(&m_config.detection)) {
-        // The scale that was not touched gives way.
+        // If the scales cross, the other one follows.
         if (row.name == "coarsest_scale")
             variance->finestScale = std::min(variance->finestScale, variance->coarsestScale);
         else
@@ -251,7 +251,7 @@ void MethodPanel::showConfig() {
 
 void MethodPanel::showInitial() {
     if (auto* power = std::get_if<PowerCurve>(&m_config.initial)) {
-        // The panel offers two exponents; another one, from a file perhaps, becomes the nearer of them.
+        // The panel offers two exponents. Another one, perhaps from a file, becomes the nearer of them.
         power->exponent = power->exponent < 4 ? 2 : 4;
         m_initialKind = power->exponent == 2 ? InitialKind::parabolic : InitialKind::quartic;
         m_opacityScale = power->scale;

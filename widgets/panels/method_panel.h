@@ -1,4 +1,4 @@
-// The parameters of the adaptive OTF, and what it found.
+// The parameters of the adaptive OTF, and what the method found.
 #pragma once
 
 #include <QWidget>
@@ -20,7 +20,7 @@ namespace echolucent {
 class DocumentModel;
 
 /// Objects: adaptive.strength (+ .value; product) or .rampOpacity (+ .value; ramp), .form, .initial, .opacityScale,
-/// .compute, .reset, .summary, .message, .advanced and, under it, .reading, .interfaceFunction, .tubeColumns,
+/// .compute, .reset, .summary, .message, .advanced. Under Advanced: .reading, .interfaceFunction, .tubeColumns,
 /// .tubeRows, .tubeSpacing, .cellSize, .slopeHalfStep, for the ratio .falseAlarm, for the variance .coarsestScale,
 /// .finestScale, .significance.
 class MethodPanel : public QWidget {
@@ -28,21 +28,21 @@ class MethodPanel : public QWidget {
 
 public:
     explicit MethodPanel(QWidget* parent = nullptr);
-    /// Shows the document's method from here on, and makes steps of what is set. The document outlives the panel.
+    /// Shows the document's method from now on. A person's changes become steps. The document outlives the panel.
     void showDocument(DocumentModel& document);
 
     /// What the panel shows. `initial` is a PowerCurve for the kinds parabolic and quartic. For linear and manual it is
-    /// the last curve of that kind given to setConfig (else an empty one): the window puts the editor's curve there.
-    /// Parameters without a control are as last set.
+    /// the last curve of that kind given to setConfig, else an empty one; the window replaces it with the editor's
+    /// curve. Parameters without a control keep their last value.
     [[nodiscard]] AdaptiveOtfConfig config() const { return m_config; }
     [[nodiscard]] InitialKind initialKind() const { return m_initialKind; }
     /// a of the parabolic and quartic initial functions.
     [[nodiscard]] double opacityScale() const { return m_opacityScale; }
 
-    /// Shows a configuration, each value clamped into what its control offers; emits nothing. A sampled initial curve
+    /// Shows a configuration. Emits nothing. Each value is clamped into its control's range. A sampled initial curve
     /// counts as manual.
     void setConfig(const AdaptiveOtfConfig& config);
-    /// Shows what was found: the summary line and the result's message, if any.
+    /// Shows the summary line, and the result's message if there is one.
     void showResult(const AdaptiveOtf& result);
     /// Empties the summary and the message, for example when another volume is opened.
     void clearResult();
@@ -50,7 +50,7 @@ public:
 signals:
     /// The person changed a parameter; `initial` as in config().
     void configChanged(const echolucent::AdaptiveOtfConfig& config);
-    /// The person asked for the OTF of the direction in which the camera looks.
+    /// The person asked for the OTF of the present viewing direction.
     void computeRequested();
 
 private:
@@ -60,9 +60,9 @@ private:
     void createReading();
     QWidget* createMainControls();
     QWidget* createAdvancedControls();
-    /// Of a row that the panel has.
+    /// The row must have a control.
     [[nodiscard]] const ParameterControl& of(std::string_view name) const { return m_controls.at(name); }
-    /// Whether the person can set a row; the scale belongs to the powers alone.
+    /// Whether the person can set a row. The scale belongs to the power curves alone.
     [[nodiscard]] bool applies(const Row& row) const;
     void showConfig();
     void showReading();
@@ -71,7 +71,7 @@ private:
     void takeReading();
     void takeInitial(InitialKind kind);
     void changed();
-    /// What was last set of rules that are not chosen goes back to its defaults.
+    /// Sets the rules that are not chosen back to their defaults.
     void forgetRulesNotChosen();
     void resetToDefaults();
 
@@ -79,8 +79,8 @@ private:
     OpacityCurve m_linear = LinearCurve{};  // last given to setConfig
     OpacityCurve m_manual = ManualCurve{};
     InitialKind m_initialKind = InitialKind::parabolic;
-    double m_opacityScale = defaultOpacityScale;  // last of a power
-    // What was last set of each alternative, by its index, so that choosing another and coming back loses nothing.
+    double m_opacityScale = defaultOpacityScale;  // of the last power curve
+    // The last values of each rule, by its index: a person may choose another rule and come back without loss.
     std::array<DetectionRule, 2> m_detections{VarianceRule{}, RatioRule{}};
     std::array<CurveRule, 2> m_curves{ProductRule{}, RampRule{}};
     std::map<std::string_view, ParameterControl> m_controls;  // by the row's name

@@ -40,7 +40,7 @@ QIcon playIcon(bool playing, const QColor& colour) {
     return QIcon(pixmap);
 }
 
-/// Marks every 15 degrees below the groove. Drawn here, because a style sheet's sliders have no tick marks.
+/// Marks every 15 degrees below the groove. Style sheets draw no tick marks on sliders.
 class AngleSlider : public QSlider {
 public:
     AngleSlider() : QSlider(Qt::Horizontal) {
@@ -111,7 +111,7 @@ void MotionPanel::createControls() {
     m_pingPong = named(new QCheckBox(tr("Back and forth")), "motion.pingPong", tr("Back and forth"),
                        tr("The probe turns back at the ends; otherwise the motion starts from −45° again"));
     m_frameRate = named(new QLabel, "motion.frameRate", tr("Frame rate"));
-    // Room from the start: what stands beside it must not move, nor the picture above, when playing begins.
+    // Reserve the room now: neither the controls beside it nor the picture above may move when playing begins.
     m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(
         tr("%1 frames/s, %2 frames kept, %3").arg(88).arg(88).arg(bytesText(std::size_t{888} << 20))));
     m_frameRate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -137,7 +137,7 @@ void MotionPanel::createChoices() {
         m_modeGroup->addButton(button, static_cast<int>(otf));
         m_modes[static_cast<std::size_t>(otf)] = button;
     };
-    // What the first two say depends on what moves.
+    // The texts of the first two depend on what moves.
     mode(MotionOtf::oneOtf, {}, "static", {}, {});
     mode(MotionOtf::eachView, {}, "eachView", {},
          tr("The adaptive OTF is computed anew for each frame, and not smoothed: the picture may flicker"));
@@ -166,7 +166,7 @@ void MotionPanel::connectControls() {
 }
 
 void MotionPanel::connectChoices() {
-    /// Makes a change of a control a change of the choice.
+    /// Wraps a change of the choice as a slot of a control.
     const auto changes = [this](const QString& what, auto change) {
         return [this, what, change](auto... value) {
             MotionChoice next = m_choice;
@@ -247,7 +247,7 @@ void MotionPanel::setPlaying(bool playing) {
 }
 
 void MotionPanel::showPlayIcon() {
-    m_play->ensurePolished();  // the style sheet's colours are in the palette only from then on
+    m_play->ensurePolished();  // only then the palette has the style sheet's colours
     m_play->setIcon(playIcon(m_playing, m_play->palette().color(QPalette::ButtonText)));
 }
 
@@ -312,7 +312,7 @@ void MotionPanel::setChoice(const MotionChoice& choice) {
     showWhatMoves();
 }
 
-/// A speed of a document that is none of those to choose from stands among them as long as it is set.
+/// A document may have a speed that is not in the list. It is listed while it is set.
 void MotionPanel::showSpeed() {
     const QSignalBlocker blocker(m_speed);
     constexpr int usual = 5;

@@ -1,4 +1,4 @@
-// The bar below the picture: the cine of a 4D study, the swivel of the probe, and which OTF their frames show.
+// The bar below the picture: the cine of a 4D study, the swivel of the probe, and the OTF of their frames.
 #pragma once
 
 #include <QWidget>
@@ -22,7 +22,7 @@ namespace echolucent {
 class PhaseOrder;
 class PhaseSlider;
 
-/// What of a motion is kept in memory, so that it comes from there in its next turn.
+/// The part of a motion that is kept in memory, and need not be made again in the next turn.
 struct KeptMotion {
     int frames = 0;  ///< pictures
     int quietPhases = 0;
@@ -32,8 +32,8 @@ struct KeptMotion {
 
 /// Objects: motion.play, motion.angle, motion.angle.value (read-out), motion.axis, motion.pingPong, motion.speed,
 /// motion.scenario, motion.mode.static, .eachView, .mean, .movingLeastSquares, .leastFlicker, motion.otfPhase,
-/// motion.frameRate, and those of PhaseSlider and PhaseOrder. What plays no part in what moves is hidden. No setter
-/// emits a signal.
+/// motion.frameRate, and those of PhaseSlider and PhaseOrder. Controls that play no part in the present motion are
+/// hidden. No setter emits a signal.
 class MotionPanel : public QWidget {
     Q_OBJECT
 
@@ -45,18 +45,17 @@ public:
     /// Whole degrees, firstMotionAngle to lastMotionAngle.
     [[nodiscard]] double angle() const;
     void setAngle(double degrees);
-    /// A study of `phases` phases (>= 1), phaseSeconds apart (above 0) where that is known, in its first phase. With
-    /// one phase there is nothing but a moving probe, and the choice is disabled and says why.
+    /// Shows the first phase of a study of `phases` phases (>= 1). They are phaseSeconds apart (above 0), if that is
+    /// known. With one phase only the probe can move: the choice is disabled and says why.
     void setStudy(int phases, std::optional<double> phaseSeconds);
     /// Counted from 0.
     [[nodiscard]] int phase() const;
     void setPhase(int phase);
-    /// As it was set, but for what a person changed since.
+    /// The last choice set, with a person's changes since.
     [[nodiscard]] const MotionChoice& choice() const { return m_choice; }
-    /// Needs more than one phase, the moving probe aside.
+    /// If the study has one phase, only the probe may move.
     void setChoice(const MotionChoice& choice);
-    /// Shows how many frames are shown a second, and what is kept in memory where something is; hides the read-out
-    /// where that is not given.
+    /// Shows frames per second, and what is kept in memory, if anything is. Without a rate the read-out is hidden.
     void setFrameRate(std::optional<double> framesPerSecond, const KeptMotion& kept = {});
 
 signals:
@@ -65,7 +64,7 @@ signals:
     void angleChanged(double degrees);
     /// Counted from 0.
     void phaseChanged(int phase);
-    /// `what` names the choice that is another, as a step of the document is named.
+    /// `what` names the changed part as a step of the document.
     void choiceChanged(const echolucent::MotionChoice& choice, const QString& what);
 
 protected:

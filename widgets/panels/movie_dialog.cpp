@@ -70,7 +70,7 @@ void MovieDialog::createControls() {
     connect(m_labels, &QCheckBox::toggled, this, &MovieDialog::look);
     m_path = named(new QLineEdit, "movieDialog.path", tr("File"));
     connect(m_path, &QLineEdit::textChanged, this, [this] {
-        m_replace->setChecked(false);  // it was meant for another file
+        m_replace->setChecked(false);  // the tick was meant for another file
         look();
     });
     m_choosePath = named(new QPushButton(tr("Choose…")), "movieDialog.choosePath", tr("Choose a file"));
@@ -79,7 +79,7 @@ void MovieDialog::createControls() {
         if (const QString path = m_facts.choosePath(choice().path); !path.isEmpty()) showPath(path);
     });
     m_sentence = named(new QLabel, "movieDialog.sentence", tr("What stands in the way"));
-    m_sentence->setTextFormat(Qt::PlainText);  // names of files may hold anything
+    m_sentence->setTextFormat(Qt::PlainText);  // file names may hold anything
     m_sentence->setWordWrap(true);
     m_replace = named(new QCheckBox(tr("Replace what is there")), "movieDialog.replace", tr("Replace what is there"));
     connect(m_replace, &QCheckBox::toggled, this, &MovieDialog::look);
@@ -104,7 +104,7 @@ void MovieDialog::arrange() {
     for (QAbstractButton* button : buttons->buttons()) button->setIcon({});
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    // Two lines stay free for it, and a row for the tick below it, so that the dialog does not jump.
+    // Keep two lines for the sentence and a row for the tick below it, so that the dialog does not jump.
     m_sentence->setMinimumHeight(2 * m_sentence->fontMetrics().lineSpacing());
     m_sentence->setAlignment(Qt::AlignTop);
     QSizePolicy keepsRoom = m_replace->sizePolicy();

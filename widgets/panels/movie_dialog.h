@@ -1,4 +1,4 @@
-// Asks how a movie or a series of pictures is to be written.
+// Asks how to write a movie or a series of pictures.
 #pragma once
 
 #include <QDialog>
@@ -18,7 +18,7 @@ class QSpinBox;
 
 namespace echolucent {
 
-/// What becomes of the frames of a motion.
+/// What the frames of a motion become.
 enum class FrameOutput {
     movie,   ///< one file
     series,  ///< a PNG file a frame
@@ -26,23 +26,23 @@ enum class FrameOutput {
 
 /// What a person chose.
 struct MovieChoice {
-    QString path{};  ///< of the movie; of a series "NAME.png", whose files are NAME-0001.png and so on
+    QString path{};  ///< of the movie; of a series "NAME.png": its files are NAME-0001.png and so on
     QSize size{512, 512};
     double framesPerSecond = 25.0;  ///< of a movie
     bool labels = true;
     bool replace = false;  ///< files that are there already may be replaced
 };
 
-/// What stands in the way of a choice.
+/// What prevents a choice from being saved.
 struct MovieHindrance {
-    QString sentence{};     ///< empty where nothing does
-    bool replaces = false;  ///< the sentence tells of files that are there, which a person may replace
+    QString sentence{};     ///< empty if nothing does
+    bool replaces = false;  ///< files exist that a person may replace; the sentence says so
 };
 
 /// Objects: movieDialog (this), movieDialog.plays, .preset (of sizes), .width, .height, .rate (of a movie), .labels,
-/// .path, .choosePath, .sentence (what stands in the way, or how long the movie is), .replace (seen where files are
-/// there already), .note (where there is one), .save, .cancel. Save is enabled only where nothing stands in the way.
-/// Movies have even sizes, since their pixels are counted in twos: an odd one is rounded down.
+/// .path, .choosePath, .sentence (the hindrance, or how long the movie is), .replace (seen if the files exist), .note
+/// (if there is one), .save, .cancel. Save is enabled if there is no hindrance, or if the person ticks .replace. Movies
+/// count their pixels in twos: odd sizes are rounded down.
 class MovieDialog : public QDialog {
     Q_OBJECT
 
@@ -50,21 +50,20 @@ public:
     struct Facts {
         QString plays{};       ///< what the frames show, a few words
         int frames = 1;        ///< how many they are
-        QSize ofView{};        ///< pixels of the view, which are offered too
+        QSize ofView{};        ///< pixels of the view, offered as a size too
         MovieChoice choice{};  ///< what is proposed
-        QString note{};        ///< a sentence to be read before anything is saved; empty where there is none
-        /// Whether folders may be seen: else movieDialog.path shows the file's name alone.
+        QString note{};        ///< a sentence to read before saving; empty if there is none
+        /// If false, movieDialog.path shows the file's name alone.
         bool folderShown = true;
-        /// Says of a choice, while it is being made, what stands in its way.
+        /// Says what prevents a choice from being saved. Called while the person makes the choice.
         std::function<MovieHindrance(const MovieChoice&)> hindrance;
-        /// Lets the person point at a file; an empty text where they do not want to.
+        /// Lets the person choose a file; empty if they cancel.
         std::function<QString(const QString& present)> choosePath;
     };
     MovieDialog(FrameOutput output, Facts facts, QWidget* parent = nullptr);
 
     [[nodiscard]] MovieChoice choice() const;
 
-    /// Frames a second that can be chosen.
     static constexpr double leastRate = 0.5, largestRate = 120.0;
 
 private:
@@ -77,7 +76,7 @@ private:
 
     FrameOutput m_output;
     Facts m_facts;
-    QDir m_folder;  ///< of a file whose name is typed without one
+    QDir m_folder;  ///< used if a person types a name without a folder
     QComboBox* m_preset = nullptr;
     QSpinBox *m_width = nullptr, *m_height = nullptr;
     QDoubleSpinBox* m_rate = nullptr;

@@ -23,7 +23,7 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return false;
-        event->ignore();  // goes on to the scroll area around the panel
+        event->ignore();  // the scroll area around the panel gets it
         return true;
     }
 };

@@ -1,4 +1,4 @@
-// What every control of the panels has in common: a name for scripts, a name for screen readers, a wheel that scrolls.
+// What all controls of the panels share: a name for scripts, a name for screen readers, a wheel that scrolls.
 #pragma once
 
 #include <QString>
@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace echolucent {
 
-/// The words of a parameter table, which are UTF-8, as a text of Qt.
+/// The UTF-8 words of a parameter table as Qt text.
 [[nodiscard]] QString textOf(std::string_view words);
 
 /// Gives a widget its object name, its accessible name and its tool tip; returns the widget.
@@ -24,26 +24,25 @@ Widget* named(Widget* widget, const QString& objectName, const QString& accessib
     return widget;
 }
 
-/// Lets the wheel change the control only while it has the focus, so that scrolling a dock changes no value by
-/// accident.
+/// Lets the wheel change a control only while it has the focus. So scrolling a dock changes no value by accident.
 void wheelNeedsFocus(QWidget* control);
 
-/// A text in front of a control, which is its buddy.
+/// A text in front of a control. The control is its buddy.
 [[nodiscard]] QLabel* labelFor(QWidget* control, const QString& text);
 
-/// A small button with a bent arrow that sets something back; `what` is its accessible name and its tool tip.
+/// A small button with a bent arrow that resets something. `what` is its accessible name and its tool tip.
 [[nodiscard]] QToolButton* resetButton(const QString& objectName, const QString& what);
 
-/// A text that stands back behind the others.
+/// A less prominent text.
 [[nodiscard]] QLabel* secondaryLabel(const QString& text = {});
 
-/// A sentence to be read before something is saved, in as many lines as it needs.
+/// A sentence to read before saving something, in as many lines as it needs.
 [[nodiscard]] QLabel* noteLabel(const QString& sentence, const QString& objectName);
 
 /// "+3°", "−3°", "0°".
 [[nodiscard]] QString angleText(int degrees);
 
-/// Shows how much of a run is done, as a share that is clamped to [0,1]; NaN, a share that nobody knows, changes
+/// Shows how much of a run is done: a share, clamped to [0,1]. NaN means that nobody knows the share, and changes
 /// nothing.
 void showShare(QProgressBar* progress, double share);
 

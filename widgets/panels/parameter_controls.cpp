@@ -16,13 +16,13 @@ namespace echolucent {
 
 namespace {
 
-/// Who hears of a value that a person sets.
+/// Receives the values that a person sets.
 struct Listener {
     const QObject* object;
     std::function<void(const ParameterValue&)> taken;
 };
 
-/// The column of panels is narrow: units are signs or short words, and longer ones stand in the tool tip.
+/// The column of panels is narrow. Units are signs or short words; longer ones stand in the tool tip.
 QString suffixOf(std::string_view unit) {
     if (unit == "degrees") return QStringLiteral("°");
     if (unit == "times") return QStringLiteral("×");
@@ -50,7 +50,7 @@ double stepOfSpinBox(const AnyParameter& row) {
     return span <= 2.0 ? 0.05 : span <= 20.0 ? 0.25 : 1.0;
 }
 
-/// What all controls have but a slider, whose parts are named by itself.
+/// Name, tool tip and wheel of all controls but sliders. A slider names its own parts.
 template <typename Widget>
 Widget* dressed(Widget* widget, const AnyParameter& row, const QString& name) {
     named(widget, name, textOf(row.label), toolTipOf(row));
@@ -87,7 +87,7 @@ ParameterControl spinBoxControl(SpinBox* box, const AnyParameter& row, const QSt
     const ParameterRange offered = row.offeredRange();
     box->setRange(static_cast<Shown>(offered.least), static_cast<Shown>(offered.largest));
     box->setSuffix(suffixOf(row.unit));
-    box->setKeyboardTracking(false);  // "25" is one value, not 2 and then 25
+    box->setKeyboardTracking(false);  // "25" is one value, not first 2
     QObject::connect(box, &SpinBox::valueChanged, listener.object,
                      [taken = listener.taken](Shown value) { taken(Number{value}); });
     return {box, labelFor(box, textOf(row.label)), [box](const ParameterValue& value) {

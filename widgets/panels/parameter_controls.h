@@ -15,34 +15,34 @@ class QLabel;
 
 namespace echolucent {
 
-/// A control of one parameter: a check box of a flag, a combo box of a choice, a spin box or a slider of a number.
+/// The control of one parameter: a check box for a flag, a combo box for a choice, a spin box or slider for a number.
 struct ParameterControl {
     QWidget* widget = nullptr;
     QLabel* label = nullptr;                            ///< its buddy; null if the widget says itself what it is
     std::function<void(const ParameterValue&)> show{};  ///< shows a value; emits nothing
 };
 
-/// What shows a number.
+/// The kind of control for numbers.
 enum class NumberControl {
     spinBox,
     slider,           ///< a slider and a spin box
     resettingSlider,  ///< the same with a button that sets the default
 };
 
-/// The control of a row; the caller owns its widgets. Its object name is the group's name, a point and the row's name
-/// in camel case ("view.colourMap"), its accessible name the row's label. It offers AnyParameter::offeredRange(), and
-/// shows the default at first. `taken` is called with each value that a person sets while `listener` lives, and with
-/// nothing else.
+/// Makes the control of a row; the caller owns its widgets. Its object name is the group's name, a point and the row's
+/// name in camel case ("view.colourMap"). Its accessible name is the row's label. Its range is
+/// AnyParameter::offeredRange(), and it shows the default at first. `taken` is called with each value that a person
+/// sets while `listener` lives, and only then.
 [[nodiscard]] ParameterControl parameterControl(const ParameterDefault& row, const QString& group,
                                                 NumberControl numbers, const QObject* listener,
                                                 std::function<void(const ParameterValue&)> taken);
 
-/// Values and a control for each of their rows that panels show. A number that no person has moved keeps all its
-/// digits, whatever its control shows.
+/// Values, and a control for each of their rows that panels show. A number keeps all its digits until a person moves
+/// it, however few its control shows.
 template <typename Values>
 class ParameterControls {
 public:
-    /// `changed` is called if a person set a row. The controls have no parent; the table outlives this.
+    /// `changed` is called if a person sets a row. The controls have no parent. The table outlives this.
     ParameterControls(const ParameterTable<Values>& table, const QString& group, NumberControl numbers,
                       std::function<void(const Values&, const AnyParameter&)> changed)
         : m_table(table), m_values(table.standard), m_changed(std::move(changed)) {
@@ -55,7 +55,7 @@ public:
     }
 
     [[nodiscard]] const Values& values() const { return m_values; }
-    /// Calls nobody. Rows that play no part are disabled.
+    /// Calls no callback. Rows that play no part are disabled.
     void setValues(const Values& values) {
         m_values = values;
         for (const Parameter<Values>& row : m_table)
@@ -63,7 +63,7 @@ public:
                 if (const auto value = row.get(m_values)) found->second.show(*value);
         enable();
     }
-    /// Of a row that panels show.
+    /// The row must be one that panels show.
     [[nodiscard]] const ParameterControl& of(std::string_view name) const { return m_controls.at(name); }
 
 private:
@@ -82,7 +82,7 @@ private:
     Values m_values;
     std::function<void(const Values&, const AnyParameter&)> m_changed;
     std::map<std::string_view, ParameterControl> m_controls;
-    QObject m_listener;  // last: no control is heard once this is destroyed
+    QObject m_listener;  // last member: destroyed first, so that no control calls back after that
 };
 
 }  // namespace echolucent

@@ -16,7 +16,7 @@
 
 namespace echolucent {
 
-/// Draws below its groove which phases play.
+/// Marks below its groove the phases that play.
 class PhaseSlider::Groove : public QSlider {
 public:
     Groove() : QSlider(Qt::Horizontal) { setMinimumSize(110, 26); }
@@ -72,7 +72,7 @@ void PhaseSlider::setStudy(int phases, std::optional<double> phaseSeconds) {
     m_slider->setPageStep(std::max(1, phases / 10));
     m_slider->setValue(0);
     m_slider->setPlayed({0, phases - 1});
-    // Room from the start: what stands beside it must not move while the phases play.
+    // Reserve the room now: the controls beside it must not move while the phases play.
     m_readOut->setMinimumWidth(m_readOut->fontMetrics().horizontalAdvance(textOf(phases - 1)) + 4);
     showPhase();
 }
@@ -145,7 +145,7 @@ void PhaseOrder::setRange(const std::optional<PhaseRange>& range) {
     limitRange();
 }
 
-/// The first is never behind the last.
+/// Keeps the first phase at or before the last.
 void PhaseOrder::limitRange() {
     const QSignalBlocker first(m_first), last(m_last);
     m_first->setRange(1, m_last->value());

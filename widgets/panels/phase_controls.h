@@ -1,4 +1,4 @@
-// Which phase of a 4D study is shown, and which of them play in which order.
+// Which phase of a 4D study is shown, which phases play, and in which order.
 #pragma once
 
 #include <QWidget>
@@ -14,15 +14,16 @@ class QToolButton;
 
 namespace echolucent {
 
-/// The phase shown. Objects: motion.phase, motion.phase.value (read-out: "phase 7 of 20 · 183 ms", without the time
-/// where the file does not say it). A line below the slider marks the phases that play. No setter emits a signal.
+/// The phase shown. Objects: motion.phase, motion.phase.value (read-out: "phase 7 of 20 · 183 ms", without the time if
+/// the file does not say it). A line below the slider marks the phases that play. No setter emits a signal.
 class PhaseSlider : public QWidget {
     Q_OBJECT
 
 public:
     explicit PhaseSlider(QWidget* parent = nullptr);
 
-    /// A study of `phases` phases (>= 1), phaseSeconds apart (above 0) where that is known, in its first phase.
+    /// Shows the first phase of a study of `phases` phases (>= 1). They are phaseSeconds apart (above 0), if that is
+    /// known.
     void setStudy(int phases, std::optional<double> phaseSeconds);
     void setPlayed(const PhaseRange& range);
     /// Counted from 0.
@@ -50,14 +51,14 @@ class PhaseOrder : public QWidget {
 public:
     explicit PhaseOrder(QWidget* parent = nullptr);
 
-    /// Phases of the study, at least 1; all of them play.
+    /// The number of the study's phases, at least 1. All of them play then.
     void setPhases(int phases);
-    /// The phases that play; all where there is no value. Phases that the study has not are left out.
+    /// The phases that play; without a value all. Phases that the study does not have are left out.
     void setRange(const std::optional<PhaseRange>& range);
     void setPingPong(bool pingPong);
 
 signals:
-    /// No value where all phases of the study play.
+    /// No value if all phases of the study play.
     void rangeChanged(const std::optional<echolucent::PhaseRange>& range);
     void pingPongChanged(bool pingPong);
 

@@ -13,7 +13,7 @@
 namespace echolucent {
 namespace {
 
-/// Whether an axis holds other values than one that is evenly spread between the same ends, but for rounding.
+/// Whether an axis differs from the even one between the same ends by more than rounding.
 bool isUneven(const PolarAxis& given, const PolarAxis& even) {
     const double step = std::abs(even.values.back() - even.values.front()) / static_cast<double>(even.values.size());
     return !std::equal(given.values.begin(), given.values.end(), even.values.begin(), even.values.end(),
@@ -125,7 +125,7 @@ PolarGeometry PolarControls::geometry(const std::array<std::int64_t, 3>& size) c
     const EvenPolar now = even();
     PolarGeometry geometry = polarGeometry(now, size);
     if (!m_given) return geometry;
-    // What a field still shows is kept as it was given, with the digits that the field does not show.
+    // A field that nobody changed keeps the given value, with the digits that the field does not show.
     if (now.rangeStartMm == m_shownOfGiven.rangeStartMm) geometry.rangeStartMm = m_given->rangeStartMm;
     if (now.rangeStepMm == m_shownOfGiven.rangeStepMm) geometry.rangeStepMm = m_given->rangeStepMm;
     if (keepsLines(size[1])) {

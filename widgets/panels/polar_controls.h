@@ -14,8 +14,8 @@ class QLabel;
 namespace echolucent {
 
 /// Objects: rawLayout.polar (this), rawLayout.rangeStart, .rangeStep, .linesFirst, .linesLast, .linesRadius,
-/// .planesFirst, .planesLast, .planesRadius. Lines and planes are given in degrees where the kind of probe turns them,
-/// else in mm; only then they have a radius.
+/// .planesFirst, .planesLast, .planesRadius. If the kind of probe turns lines or planes, they are in degrees and have a
+/// radius. Otherwise they are in mm.
 class PolarControls : public QWidget {
     Q_OBJECT
 
@@ -23,13 +23,12 @@ public:
     explicit PolarControls(QWidget* parent = nullptr);
 
     void setKind(PolarKind kind);
-    /// Lines (planes) that are not evenly spaced are kept until their first, their last, their number or their kind is
-    /// changed.
+    /// Unevenly spaced lines (or planes) are kept until their first, last, number or kind changes.
     void setGeometry(const PolarGeometry& geometry);
-    /// The geometry of so many samples, lines and planes.
+    /// The geometry for a number of samples, lines and planes.
     [[nodiscard]] PolarGeometry geometry(const std::array<std::int64_t, 3>& size) const;
-    /// Says, behind a space, that uneven lines or planes which were set are replaced by even ones in geometry(); empty
-    /// where none are.
+    /// A sentence, after a space, that geometry() replaces uneven lines or planes by even ones. Empty if it replaces
+    /// none.
     [[nodiscard]] QString replacedSentence(const std::array<std::int64_t, 3>& size) const;
 
 signals:
@@ -42,7 +41,7 @@ private:
     [[nodiscard]] bool keepsPlanes(std::int64_t count) const;
 
     PolarKind m_kind = PolarKind::wobbler;
-    /// What was set, and how the fields show it.
+    /// The geometry that was set, and how the fields show it.
     std::optional<PolarGeometry> m_given;
     EvenPolar m_shownOfGiven;
     QDoubleSpinBox *m_rangeStart, *m_rangeStep;

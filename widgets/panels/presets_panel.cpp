@@ -20,7 +20,7 @@ namespace {
 
 constexpr int gap = 8, linesOfName = 2;
 
-/// The gallery's place of a picture that is not there yet.
+/// Stands in the gallery for a picture that is not there yet.
 QPixmap darkPicture() {
     QPixmap dark(PresetsPanel::pictureWidth, PresetsPanel::pictureHeight);
     dark.fill(Qt::black);
@@ -81,7 +81,7 @@ void PresetsPanel::createList() {
     m_list->setIconSize({pictureWidth, pictureHeight});
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setFrameShape(QFrame::NoFrame);
-    // The gallery is as high as its rows: the panel around it scrolls.
+    // The gallery is as high as its rows, and the panel around it scrolls.
     m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     wheelNeedsFocus(m_list);
@@ -188,7 +188,7 @@ bool PresetsPanel::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-/// As many columns as have room, and as high as their rows.
+/// Fits as many columns as there is room for, and the height to the rows.
 void PresetsPanel::fitHeight() {
     const int nameHeight = linesOfName * m_list->fontMetrics().lineSpacing();
     const int columns = std::max(1, m_list->viewport()->width() / (pictureWidth + gap));

@@ -1,4 +1,4 @@
-// Presets as a gallery: a small picture and a name each.
+// A gallery of presets: a small picture and a name each.
 #pragma once
 
 #include <QImage>
@@ -14,40 +14,38 @@ class QToolButton;
 
 namespace echolucent {
 
-/// What the gallery says of a preset.
 struct PresetEntry {
     QString name;
-    QString contents;  ///< what it sets, for the tool tip
-    bool own = false;  ///< one that a person made, which may be renamed and removed
+    QString contents;  ///< what the preset sets, for the tool tip
+    bool own = false;  ///< a person made it, and may rename or remove it
 };
 
 /// Objects: presets.open (opens and closes the gallery), presets.current, presets.list, presets.save, presets.more with
-/// the actions presets.rename, presets.remove, presets.export and presets.import. A click or Enter chooses a preset;
-/// the actions concern the selected one. Presets are counted from 0. No setter emits a signal but seenChanged().
+/// the actions presets.rename, presets.remove, presets.export and presets.import. A click or Enter chooses a preset.
+/// The actions concern the selected one. Presets are counted from 0. seenChanged() is the only signal of a setter.
 class PresetsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// Pictures are drawn at most so large, logical pixels.
+    /// The largest size of a picture, logical pixels.
     static constexpr int pictureWidth = 92, pictureHeight = 69;
 
     explicit PresetsPanel(QWidget* parent = nullptr);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
-    /// Other presets than before; their pictures are those of setPicture() from now on.
+    /// Replaces all presets. Their pictures come by setPicture().
     void setPresets(const QList<PresetEntry>& presets);
     /// A null picture leaves the place dark.
     void setPicture(int preset, const QImage& picture);
-    /// The preset by which the picture is made now, told above the gallery; -1 where it is none of them.
+    /// The preset of the present picture, shown above the gallery; -1 if it is none of them.
     void setCurrent(int preset);
     [[nodiscard]] bool isOpen() const;
     void setOpen(bool open);
-    /// Lets a person type the name of one of the own.
+    /// Lets a person type the name of one of their own presets.
     void editName(int preset);
 
 signals:
-    /// The gallery came into sight, or went out of it.
     void seenChanged(bool seen);
     void chosen(int preset);
     void saveRequested();

@@ -21,8 +21,8 @@ namespace echolucent {
 namespace {
 
 constexpr std::array<char, 3> axisLetters{'X', 'Y', 'Z'};
-constexpr int cartesian = -1;                         // of the choices of grid; the others are kinds of probes
-constexpr double largestHeader = 9007199254740992.0;  // 2^53: whole numbers up to here are exact in a double
+constexpr int cartesian = -1;                         // entry of the choice of grids; the others are kinds of probes
+constexpr double largestHeader = 9007199254740992.0;  // 2^53: a double holds whole numbers up to here exactly
 
 QString grouped(std::int64_t bytes) { return QLocale(QLocale::English).toString(static_cast<qlonglong>(bytes)); }
 

@@ -1,4 +1,4 @@
-// Asks how a headerless file is laid out, and shows whether the answer fits the file.
+// Asks for the layout of a headerless file, and shows whether the answer fits the file.
 #pragma once
 
 #include <QDialog>
@@ -22,20 +22,20 @@ class PolarControls;
 
 /// Objects: rawLayout (this), rawLayout.sizeX, .sizeY, .sizeZ, .type, .byteOrder, .headerBytes, .headerFit, .grid
 /// (Cartesian, or a kind of probe), .spacingX, .spacingY, .spacingZ, .spacingUnknown, .polar with its fields
-/// (PolarControls), .fit (the comparison), .ok, .cancel. OK is enabled only where the file holds all that the layout
-/// needs and the geometry of beams makes sense; bytes left over are warned of, not refused, as the reader does.
+/// (PolarControls), .fit (the comparison), .ok, .cancel. OK is enabled if the file is long enough for the layout and
+/// the geometry of beams makes sense. If bytes are left over, the dialog warns but does not refuse, as the reader does.
 class RawLayoutDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `fileName` is shown as it is; `fileBytes` is the file's length in bytes, or below 0 where the file is packed, so
-    /// that its length is not known before it is opened.
+    /// `fileBytes`: the file's length in bytes; below 0 if the file is packed, as its length is unknown until it is
+    /// opened.
     RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
 
-    /// Spacing is 1, 1, 1 where it is said to be unknown, and for voxels along beams, which have none.
+    /// Spacing is 1, 1, 1 if it is unknown. Voxels along beams have none, and it is 1, 1, 1 for them too.
     [[nodiscard]] RawLayout values() const;
     void setValues(const RawLayout& values);
-    /// True where the file holds header and voxels; it may be longer.
+    /// True if the file holds header and voxels. It may be longer.
     [[nodiscard]] bool fits() const;
 
 private:
@@ -48,7 +48,7 @@ private:
     [[nodiscard]] bool isPolar() const;
     [[nodiscard]] bool isPacked() const { return m_fileBytes < 0; }
     [[nodiscard]] QString fitSentence() const;
-    /// What is wrong with the geometry of beams; empty where all is well, or where there are none.
+    /// What is wrong with the geometry of beams; empty if nothing is, or if there are no beams.
     [[nodiscard]] QString polarSentence() const;
 
     std::int64_t m_fileBytes;

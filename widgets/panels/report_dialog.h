@@ -1,4 +1,4 @@
-// Asks what a case report is to hold.
+// Asks what a case report shall hold.
 #pragma once
 
 #include <QDialog>
@@ -7,14 +7,13 @@ class QCheckBox;
 
 namespace echolucent {
 
-/// Objects: report (this), report.patient (off each time), report.note (where there is one), report.save,
-/// report.cancel.
+/// Objects: report (this), report.patient (off each time), report.note (if there is one), report.save, report.cancel.
 class ReportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `patientKnown`: the study is one of DICOM, so that its files may say whose it is. `note`: a sentence to be read
-    /// before the report is saved; empty where there is none.
+    /// `patientKnown`: it is a DICOM study, whose files may name the patient. `note`: a sentence to read before saving;
+    /// empty if there is none.
     ReportDialog(bool patientKnown, const QString& note, QWidget* parent = nullptr);
 
     /// Whether the person wants the patient in the report.

@@ -33,7 +33,7 @@ QToolButton* createSwitch(const QString& text, const QString& name, const QStrin
     auto* button = named(new QToolButton, name, accessibleName, toolTip);
     button->setText(text);
     button->setCheckable(true);
-    // The column of panels is narrow: a switch takes its share of the row, which is enough for its one word.
+    // The column of panels is narrow: each switch takes its share of the row, enough for its one word.
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     return button;
 }
@@ -130,7 +130,7 @@ QGroupBox* RoomPanel::createBox() {
     column->setContentsMargins(6, 6, 6, 6);
     m_box = named(new QCheckBox(tr("Show only what lies in it")), "room.box", tr("Show only what lies in the box"),
                   tr("The box limits picture and tube cores; drag it in the planes and in the picture"));
-    // What was pressed shows what the document says, if nothing came of it too.
+    // If the document refuses the change, show what it says.
     connect(m_box, &QCheckBox::toggled, this, [this](bool on) {
         emit boxSwitched(on);
         showBox();

@@ -1,4 +1,4 @@
-// Planes, render box and scalpel by their names and numbers.
+// Planes, render box and scalpel as names and numbers.
 #pragma once
 
 #include <QWidget>
@@ -18,19 +18,19 @@ class QVBoxLayout;
 
 namespace echolucent {
 
-/// How the scalpel cuts; which tool is in the hand is no part of it.
+/// How the scalpel cuts, with any of its tools.
 struct ScalpelSettings {
     ScalpelSide side = ScalpelSide::inside;
     double eraserMm = 4.0;            ///< its diameter, above 0
-    std::optional<double> depthMm{};  ///< behind what shows; not set: through everything
+    std::optional<double> depthMm{};  ///< below what is seen; no value: through everything
     friend bool operator==(const ScalpelSettings&, const ScalpelSettings&) = default;
 };
 
 /// Objects: room.quiet, room.linesIn3d, room.window (+ .value), room.level (+ .value), room.resetPlanes; room.box,
 /// room.front.top … room.front.far, room.width, room.depth, room.height (each .value), room.wholeBox,
 /// room.slab.thickness, room.slab.a, .b, .c; room.scalpel.freehand … .eraser, room.scalpel.inside, .outside,
-/// room.scalpel.size, .limited, .limit, room.scalpel.strokes, .takeBack, .takeAllBack. It shows what the
-/// document says, and changes the planes itself; it asks for the rest. No setter emits a signal.
+/// room.scalpel.size, .limited, .limit, room.scalpel.strokes, .takeBack, .takeAllBack. The panel shows the document. It
+/// changes the planes itself and asks for all other changes. No setter emits a signal.
 class RoomPanel : public QWidget {
     Q_OBJECT
 
@@ -38,7 +38,7 @@ public:
     /// The document outlives the panel.
     explicit RoomPanel(DocumentModel& document, QWidget* parent = nullptr);
 
-    /// The unit of a volume, mm, and whether lengths in mm are facts.
+    /// The unit of a volume in mm, and whether lengths in mm are known.
     void setUnit(double unitMm, bool known);
     void setTool(std::optional<ScalpelTool> tool);
     [[nodiscard]] ScalpelSettings scalpel() const;
@@ -47,7 +47,7 @@ signals:
     void planesResetRequested();
     void boxSwitched(bool on);
     void frontChosen(echolucent::BoxSide front);
-    /// Along axis 0 from left to right, 1 from far to near, 2 from top to bottom; mm.
+    /// Axis 0 goes from left to right, 1 from far to near, 2 from top to bottom. In mm.
     void boxSizeChanged(int axis, double mm);
     void wholeBoxRequested();
     void slabRequested(echolucent::PlaneName plane, double thicknessMm);

@@ -11,7 +11,7 @@
 namespace echolucent {
 namespace {
 
-/// "1.6 ms", "24 ms": two figures are enough for a time.
+/// "1.6 ms", "24 ms": two figures are enough.
 QString millisecondsText(double milliseconds) {
     return QObject::tr("%1 ms").arg(QLocale().toString(milliseconds, 'f', milliseconds < 10.0 ? 1 : 0));
 }
@@ -44,7 +44,7 @@ RunStatus::RunStatus(QWidget* parent)
     m_delay.setSingleShot(true);
     m_delay.setInterval(100);
     connect(&m_delay, &QTimer::timeout, this, [this] { setProgressVisible(true); });
-    m_notes->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // never holds the window wide
+    m_notes->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // must not keep the window wide
     m_progress->setTextVisible(false);
     m_progress->setFixedWidth(140);
     m_progress->setMaximumHeight(12);
@@ -57,8 +57,8 @@ RunStatus::RunStatus(QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 0);
     layout->setSpacing(18);
-    // The line is as high at rest as while something runs: else all panes above it would take another size, and make
-    // their pictures anew, whenever something begins or ends.
+    // The line keeps its height whether something runs or not. Otherwise all panes above it would change size and make
+    // their pictures anew.
     m_cancel->ensurePolished();
     layout->addStrut(m_cancel->sizeHint().height());
     layout->addWidget(m_renderer);

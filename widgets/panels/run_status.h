@@ -1,4 +1,4 @@
-// The status bar's line: who renders, how long things took, what is true of the data, what is pointed at, what runs.
+// The status bar's line: renderer, times, notes on the data, the value under the pointer, and what runs.
 #pragma once
 
 #include <QStringList>
@@ -13,14 +13,14 @@ class QToolButton;
 namespace echolucent {
 
 /// Objects: status.renderer, status.otf, status.notes, status.pointed, status.activity, status.progress, status.cancel.
-/// The progress and its cancel button are seen only while something runs for longer than a delay of 100 ms.
+/// The progress and its cancel button appear if something runs for longer than the delay (setProgressDelay()).
 class RunStatus : public QWidget {
     Q_OBJECT
 
 public:
     explicit RunStatus(QWidget* parent = nullptr);
 
-    /// "software renderer · 24 ms"; without a time yet, the name only. toolTip: more about it, plain text.
+    /// "software renderer · 24 ms". Without a time the name only. toolTip: more about it, plain text.
     void setRenderer(const QString& name, std::optional<double> milliseconds = std::nullopt,
                      const QString& toolTip = {});
     /// "OTF 1.6 ms, 176 of 225 tubes".
@@ -30,16 +30,16 @@ public:
     void clearOtf();
     /// Short statements about the data, for example "no lossy compression".
     void setNotes(const QStringList& notes);
-    /// Normalised intensity and opacity under the cursor, both in [0,1]; not given where nothing is pointed at.
+    /// Normalised intensity and opacity under the cursor, both in [0,1]; no values if it points at nothing.
     void setPointed(std::optional<double> intensity, std::optional<double> opacity);
 
-    /// Something runs, named with a word ("loading"). Its share is not known until setProgress. A second call renames
-    /// it.
+    /// Shows that something runs, named by a word ("loading"). Its share is unknown until setProgress. A second call
+    /// renames it.
     void beginProgress(const QString& activity);
-    /// Share done, clamped into [0,1]; ignored while nothing runs.
+    /// The share that is done, clamped into [0,1]. Ignored while nothing runs.
     void setProgress(double share);
     void endProgress();
-    /// How long something runs before it is shown. Default 100 ms.
+    /// How long something must run before it is shown. Default 100 ms.
     void setProgressDelay(int milliseconds);
 
 signals:

@@ -1,11 +1,11 @@
-// Entries of lists and tables that stand back behind the others, in whatever theme is worn.
+// Less prominent entries of lists and tables, in any theme.
 #pragma once
 
 #include <QStyledItemDelegate>
 
 namespace echolucent {
 
-/// An entry whose data of this role is true is written in the theme's secondary colour.
+/// If an entry's data of this role is true, it is written in the theme's secondary colour.
 inline constexpr int secondaryRole = Qt::UserRole + 1;
 
 /// The delegate of a view with such entries.

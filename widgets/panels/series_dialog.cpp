@@ -16,7 +16,7 @@ namespace echolucent {
 
 namespace {
 
-/// A picture in the middle of a dark square, so that all rows are alike.
+/// Puts a picture in the middle of a dark square, so that all rows look alike.
 QIcon onSquare(const QImage& picture) {
     QPixmap square(SeriesDialog::pictureEdge, SeriesDialog::pictureEdge);
     square.fill(Qt::black);
@@ -26,7 +26,7 @@ QIcon onSquare(const QImage& picture) {
                                     fitted);
     }
     QIcon icon(square);
-    icon.addPixmap(square, QIcon::Selected);  // else it would be tinted where its row is selected
+    icon.addPixmap(square, QIcon::Selected);  // else Qt would tint it in the selected row
     return icon;
 }
 
@@ -42,7 +42,7 @@ SeriesDialog::SeriesDialog(const QString& source, const QList<SeriesRow>& rows, 
     setWindowTitle(tr("Several series"));
     auto* head =
         new QLabel(tr("%1 holds %2 series. Which one is to be opened?").arg(source, QString::number(rows.size())));
-    head->setTextFormat(Qt::PlainText);  // names of folders may hold anything
+    head->setTextFormat(Qt::PlainText);  // folder names may hold anything
     head->setWordWrap(true);
     m_list->setIconSize({pictureEdge, pictureEdge});
     m_list->setItemDelegate(new SecondaryItemDelegate(m_list));
@@ -55,7 +55,7 @@ SeriesDialog::SeriesDialog(const QString& source, const QList<SeriesRow>& rows, 
     }
     m_why->setTextFormat(Qt::PlainText);
     m_why->setWordWrap(true);
-    // Two lines stay free for it, so that the list does not jump.
+    // Keep two lines for the reason, so that the list does not jump.
     m_why->setMinimumHeight(2 * m_why->fontMetrics().lineSpacing());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
     m_open = named(buttons->button(QDialogButtonBox::Open), "series.open", tr("Open the series"));

@@ -1,4 +1,4 @@
-// Asks which of several series is to be opened.
+// Asks which of several series to open.
 #pragma once
 
 #include <QDialog>
@@ -12,30 +12,27 @@ class QPushButton;
 
 namespace echolucent {
 
-/// A series as it is offered.
 struct SeriesRow {
-    QString title;        ///< what the scanner calls it, or "series 3"
+    QString title;        ///< the scanner's name for it, or "series 3"
     QString facts;        ///< "DICOM ultrasound, 256 x 256, 66 slices"
-    QString hindrance{};  ///< why it cannot be opened as a volume, a sentence; empty where nothing is against it
+    QString hindrance{};  ///< a sentence that says why it cannot be opened as a volume; empty if it can
     bool openable = true;
 };
 
-/// Objects: series (this), series.list (a row each, the first that can be opened is selected), series.why (what stands
-/// against the selected one), series.open, series.cancel. A double click or Enter opens. Rows that cannot be opened can
-/// be looked at, and Open is disabled for them.
+/// Objects: series (this), series.list (a row each; the first one that can be opened is selected), series.why (why the
+/// selected series cannot be opened), series.open, series.cancel. A double click or Enter opens. A person can select a
+/// row that cannot be opened, but Open is disabled for it.
 class SeriesDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// Pixels of a picture's longest edge.
+    /// Longest edge of a picture, pixels.
     static constexpr int pictureEdge = 96;
 
     /// `source` is the name of the folder; `rows` is not empty.
     SeriesDialog(const QString& source, const QList<SeriesRow>& rows, QWidget* parent = nullptr);
 
-    /// The row that is selected.
     [[nodiscard]] int selected() const;
-    /// Shows the small picture of a row.
     void setPicture(int row, const QImage& picture);
 
 private:

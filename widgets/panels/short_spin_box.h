@@ -1,4 +1,4 @@
-// A field for numbers that says them as short as they are.
+// A number field that shows no needless zeros.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -6,7 +6,7 @@
 
 namespace echolucent {
 
-/// Shows 0.3 as "0.3", however many decimals it takes.
+/// Shows 0.3 as "0.3", whatever its number of decimals.
 class ShortSpinBox : public QDoubleSpinBox {
 public:
     using QDoubleSpinBox::QDoubleSpinBox;

@@ -63,7 +63,7 @@ void StudyPanel::setStudy(const QList<StudyFactRow>& facts, const QStringList& w
         put(row, 1, fact.value);
         nameWidth = std::max(nameWidth, m_facts->fontMetrics().horizontalAdvance(fact.name) + cellMargins);
         if (fact.source.isEmpty()) continue;
-        // On a line of its own: three columns are too many for a narrow panel.
+        // The source gets its own line: three columns are too many for a narrow panel.
         m_facts->insertRow(++row);
         put(row, 0, {});
         put(row, 1, fact.source)->setData(secondaryRole, true);

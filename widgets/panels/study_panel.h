@@ -1,4 +1,4 @@
-// What is known of the study that is open, and where it was learnt.
+// The facts known of the open study, and where each was learnt.
 #pragma once
 
 #include <QList>
@@ -18,14 +18,14 @@ struct StudyFactRow {
     QString source;  ///< "ElementSpacing", "assumed"
 };
 
-/// A read-only table of facts (study.facts) below the warnings (study.warnings, hidden where there are none).
+/// A read-only table of facts (study.facts) below the warnings (study.warnings, hidden if there are none).
 class StudyPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit StudyPanel(QWidget* parent = nullptr);
 
-    /// Replaces what is shown. Warnings are sentences.
+    /// Replaces all that is shown. Warnings are sentences.
     void setStudy(const QList<StudyFactRow>& facts, const QStringList& warnings);
 
 private:

@@ -18,7 +18,7 @@ ValueSlider::ValueSlider(const QString& name, const QString& accessibleName, dou
       m_spinBox(named(new QDoubleSpinBox, name + ".value", accessibleName)) {
     m_spinBox->setDecimals(decimals);
     m_spinBox->setSingleStep(step);
-    m_spinBox->setKeyboardTracking(false);  // "25" is one value, not 2 and then 25
+    m_spinBox->setKeyboardTracking(false);  // "25" is one value, not first 2
     m_spinBox->setAlignment(Qt::AlignRight);
     m_slider->setMinimumWidth(60);
     wheelNeedsFocus(m_slider);
@@ -66,7 +66,7 @@ void ValueSlider::setStandard(double standard) {
     showReset();
 }
 
-/// A number that the spin box rounds is no other number.
+/// The reset compares the numbers as the spin box shows them: rounding is no change.
 void ValueSlider::showReset() {
     if (m_reset != nullptr)
         m_reset->setEnabled(m_spinBox->textFromValue(m_standard) != m_spinBox->textFromValue(value()));

@@ -9,13 +9,13 @@ class QToolButton;
 
 namespace echolucent {
 
-/// One number in a range, by slider (coarse steps) and spin box (exact). The slider's objectName is `name`, the spin
-/// box's `name` + ".value"; both carry the accessible name.
+/// One number in a range, as slider (coarse steps) and spin box (exact). The slider's object name is `name`, the spin
+/// box's `name` + ".value". Both carry the accessible name.
 class ValueSlider : public QWidget {
     Q_OBJECT
 
 public:
-    /// Slider steps of `step`, spin box with `decimals` digits after the point.
+    /// The slider moves by `step`. The spin box has `decimals` digits after the point.
     ValueSlider(const QString& name, const QString& accessibleName, double step, int decimals,
                 QWidget* parent = nullptr);
 
@@ -27,12 +27,10 @@ public:
     /// Clamps the value into the new range; emits nothing. Needs minimum <= maximum.
     void setRange(double minimum, double maximum);
     void setSuffix(const QString& suffix);
-    /// Shows a button, `name` + ".reset", that sets the value back to `standard`; it is enabled where the value
-    /// differs.
+    /// Shows a button, `name` + ".reset", that resets the value to `standard`. It is enabled if the value differs.
     void setStandard(double standard);
 
 signals:
-    /// The person moved the slider or changed the number.
     void valueChanged(double value);
 
 private:

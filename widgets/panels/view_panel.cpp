@@ -27,9 +27,9 @@ QComboBox* createChoice(const QString& name, const QString& accessibleName, cons
     return comboBox;
 }
 
-constexpr int labelWidth = 92;  // pixels; longer labels are wrapped, so that the panel fits a narrow column
+constexpr int labelWidth = 92;  // pixels; longer labels wrap, so that the panel fits a narrow column
 
-/// A title with a button that sets back what stands below it.
+/// A title with a button that resets the controls below it.
 QToolButton* addGroup(QGridLayout& grid, const QString& resetName, const QString& title, const QString& resets) {
     auto* reset = resetButton(resetName, resets);
     auto* label = new QLabel(title);

@@ -28,8 +28,8 @@ class ParameterControls;
 /// view.depthColouring, view.colourMap, view.interpolation, view.projection, view.renderer, view.beamAxis, view.phase
 /// (+ .value; hidden with one phase), view.reset, view.resetAll, view.savePicture; sliders with ".value" and ".reset".
 /// The controls stand in groups, each with a reset beside its title: view.cut.reset, view.light.reset,
-/// view.speckle.reset, view.colours.reset, view.rendering.reset; view.reset is that of the view. What plays no part in
-/// the mode chosen is disabled, and the remark says so of the curve. No setter emits a signal.
+/// view.speckle.reset, view.colours.reset, view.rendering.reset; view.reset resets the view. Controls that play no part
+/// in the chosen mode are disabled. The remark says so of the curve. No setter emits a signal.
 class ViewPanel : public QWidget {
     Q_OBJECT
 
@@ -39,34 +39,34 @@ public:
 
     [[nodiscard]] double nearCutMm() const;
     void setNearCutMm(double mm);
-    /// The near cut goes from 0 to maxMm (the depth of the volume along the view); a larger value is clamped silently.
-    /// Where the spacing is not known, the number is marked as a guess.
+    /// The near cut goes from 0 to maxMm, the depth of the volume along the view. A larger value is clamped without a
+    /// signal. If the spacing is unknown, the number is marked as a guess.
     void setNearCutRange(double maxMm, bool spacingKnown = true);
 
-    /// The look as it was set, but for what a person changed since; lookAtStart() at first.
+    /// The last look set, with a person's changes since; lookAtStart() at first.
     [[nodiscard]] const Look& look() const;
     void setLook(const Look& look);
     [[nodiscard]] RendererChoice renderer() const;
     void setRenderer(RendererChoice renderer);
-    /// Where it is not usable, it cannot be chosen. At first it is not.
+    /// The person can choose the graphics card only if it is usable. At first it is not.
     void setGraphicsCardUsable(bool usable);
     [[nodiscard]] BeamAxis beamAxis() const;
     void setBeamAxis(BeamAxis axis);
 
-    /// Number of phases, at least 1; with 1 the selector is hidden. The phase becomes 0 where it was beyond.
+    /// Number of phases, at least 1. With 1 the selector is hidden. A phase beyond the last becomes 0.
     void setPhaseCount(int count);
-    /// Phase, counted from 0 (people read it from 1).
+    /// Counted from 0; people read it from 1.
     [[nodiscard]] int phase() const;
     void setPhase(int phase);
 
 signals:
     void nearCutChanged(double mm);
-    /// The person asks where to cut.
+    /// The person asks for a suggested near cut.
     void nearCutSuggestionRequested();
-    /// The person asks for the cut that opening gave.
+    /// The person asks for the near cut found on opening.
     void nearCutResetRequested();
     void lookChanged(const echolucent::Look& look);
-    /// A group of the look, by its title, was set back to what the program starts with.
+    /// A group of the look, named by its title, was reset to the values at start.
     void lookReset(const echolucent::Look& look, const QString& group);
     void rendererChanged(echolucent::RendererChoice renderer);
     void beamAxisChanged(echolucent::BeamAxis axis);

@@ -76,7 +76,7 @@ void paintMeasurements(QPainter& painter, const std::vector<PlacedMeasurement>& 
         if (!measurement.arc.empty()) paintLine(painter, lineThrough(measurement.arc, picture), scale);
         for (const QPointF& at : places) paintMark(painter, at, scale);
     }
-    // Words lie over the lines of all.
+    // Paint texts last, over all lines.
     paintTexts(painter, measurements, picture, scale);
     painter.restore();
 }

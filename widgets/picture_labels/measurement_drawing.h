@@ -1,4 +1,4 @@
-// How measurements are drawn over a picture: alike in planes, saved pictures and whatever else is handed over.
+// Draws measurements over a picture: alike in planes, saved pictures and exports.
 #pragma once
 
 #include <QColor>
@@ -11,17 +11,16 @@ class QPainter;
 
 namespace echolucent {
 
-/// The one colour of measurements.
 inline constexpr QColor measurementColour{0xf2, 0xe3, 0x5c};
 
-/// Sizes of what is drawn, in pixels of a plain screen.
+/// In pixels of a plain screen.
 inline constexpr double measurementLineWidth = 1.5, measurementMarkRadius = 3.0, measurementTextGap = 9.0;
 inline constexpr int measurementFontPixels = 14;
 
-/// Paints measurements over a picture that lies at the painter's origin and is as large as said, in the painter's
-/// units: a mark at each place, a line through them, an angle's arc, and the value beside it. `scale` is the number of
-/// these units in a pixel of a plain screen (1 on a widget; device pixels of an image on a screen of ratio 2: 2), above
-/// 0. Works on any paint device, in any thread that may paint on it.
+/// Paints measurements over a picture at the painter's origin: a mark at each place, a line through them, an angle's
+/// arc, and the value beside it. `picture` is its size in the painter's units. `scale` is the number of these units in
+/// a pixel of a plain screen, above 0 (on a widget 1; for device pixels on a screen of ratio 2: 2). Works in any thread
+/// that may paint on the device.
 void paintMeasurements(QPainter& painter, const std::vector<PlacedMeasurement>& measurements, const QSizeF& picture,
                        double scale = 1.0);
 

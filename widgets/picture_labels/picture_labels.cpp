@@ -17,7 +17,7 @@ namespace {
 
 constexpr double annotationRim = 1.0;                // pixels of a plain screen around a shape
 constexpr QColor annotationRimColour{0, 0, 0, 140};  // as the 3D view's
-constexpr QColor shadowColour{0, 0, 0};              // of words, one pixel to the right and down
+constexpr QColor shadowColour{0, 0, 0};              // below words, one pixel to the right and down
 
 QColor colourOf(const Colour& colour) { return {colour[0], colour[1], colour[2]}; }
 
@@ -42,7 +42,7 @@ public:
             paint(textOf(text.words), placeOf(text.at), text.anchor, colourOf(text.colour));
     }
 
-    /// `at` is from the upper left corner.
+    /// `at` counts from the upper left corner.
     void paint(const QString& words, const QPointF& at, const TextAnchor& anchor, const QColor& colour) {
         const QFontMetricsF metrics(m_painter.font());
         const QStringList lines = words.split(u'\n');

@@ -12,7 +12,7 @@ namespace echolucent {
 
 namespace {
 
-/// The text's path with its rim, from (0, 0) as its baseline's left end.
+/// Paints the text's path with its rim, from the left end of its baseline.
 void paintPath(QPainter& painter, const QPointF& baseline, const QString& text, const QColor& colour, double rim) {
     QPainterPath path;
     path.addText(baseline, painter.font(), text);
@@ -23,7 +23,7 @@ void paintPath(QPainter& painter, const QPointF& baseline, const QString& text, 
     painter.restore();
 }
 
-/// On nothing, with room for the rim around it.
+/// The text on a transparent ground, with room for the rim.
 QPixmap pixmapOf(const QFont& font, const QString& text, const QColor& colour, double rim, double ratio) {
     const QFontMetricsF metrics(font);
     const QSizeF size(metrics.horizontalAdvance(text) + 4 * rim, metrics.height() + 4 * rim);
@@ -40,10 +40,10 @@ QPixmap pixmapOf(const QFont& font, const QString& text, const QColor& colour, d
 
 void paintRimmedText(QPainter& painter, const QPointF& baseline, const QString& text, const QColor& colour,
                      double rim) {
-    // Pixmaps belong to the GUI thread.
+    // Only the GUI thread may use pixmaps.
     if (QThread::currentThread() != QCoreApplication::instance()->thread())
         return paintPath(painter, baseline, text, colour, rim);
-    // Rims take longer to paint than all else in a pane, and most texts stay the same while a hand drags.
+    // Rims take longer to paint than all else in a pane. Most texts stay the same during a drag, so keep them.
     const double ratio = painter.device()->devicePixelRatioF();
     const QString key = QStringLiteral("rimmed/%1/%2/%3/%4/%5")
                             .arg(painter.font().key(), colour.name(QColor::HexArgb))

@@ -1,4 +1,4 @@
-// Words over a picture that are read over black and over bright tissue.
+// Text over a picture that is legible over black and over bright tissue.
 #pragma once
 
 #include <QColor>
@@ -9,9 +9,9 @@ class QPainter;
 
 namespace echolucent {
 
-/// Paints a text with a dark rim in the painter's font, from its baseline's left end on. `rim` is the rim's width in
-/// the painter's units, above 0. In the GUI thread texts are kept from one painting to the next; elsewhere they are
-/// made anew.
+/// Paints a text with a dark rim in the painter's font, from the left end of its baseline. `rim` is the rim's width in
+/// the painter's units, above 0. The GUI thread keeps texts from one painting to the next. Other threads make them
+/// anew.
 void paintRimmedText(QPainter& painter, const QPointF& baseline, const QString& text, const QColor& colour,
                      double rim = 1.5);
 

@@ -12,10 +12,10 @@ namespace echolucent {
 namespace {
 
 constexpr double turnStalk = 24.0;       // logical pixels from the box to its turning grip
-constexpr double startLineStep = 4.0;    // between the corners of the start surface's line
-constexpr double leastMiddlePart = 0.3;  // the share of a surface's forward that must lie in the plane
+constexpr double startLineStep = 4.0;    // between points of the start surface's line
+constexpr double leastMiddlePart = 0.3;  // least share of a surface's forward that must lie in the plane
 
-/// The start surface's line: where lines along its forward, as the plane sees it, first pass through it.
+/// The start surface's line: there lines along its forward, projected onto the plane, first pass through it.
 QPolygonF startLineOf(const CutSurface& surface, const PlaneMapping& mapping) {
     const ViewFrame& frame = mapping.view.frame;
     const Vec3 inPlane = surface.frame.forward - frame.forward * frame.forward.dot(surface.frame.forward);
@@ -62,7 +62,7 @@ void addBoxGrips(BoxDrawing& drawing, const PlaneMapping& mapping, const Oriente
             {BoxGrip::Kind::face, drawing.faces[static_cast<std::size_t>(i)], {}, edgeOf(drawing.outline, i).center()});
 }
 
-/// Where the start line is held: nearest to where a bow is largest.
+/// Puts the bow's grip on the start line, at the point in the pane with the largest bow.
 void addBowGrip(BoxDrawing& drawing, const PlaneMapping& mapping, const CutSurface& surface) {
     double most = 0.1;
     std::optional<QPointF> middle;

@@ -1,4 +1,4 @@
-// What of the render box, and of the surface that the picture begins at, the hand can hold in a plane.
+// Grips in a plane: the parts of the render box and of the picture's start surface that the hand can hold.
 #pragma once
 
 #include <QPolygonF>
@@ -12,18 +12,18 @@
 
 namespace echolucent {
 
-/// The box and the start surface of a view; either may not be there.
+/// The box and the start surface of a view. Either may be missing.
 struct BoxScene {
     std::optional<OrientedBox> box{};
     BoxFace front{2, -1};  ///< of the box
-    /// What the picture begins at: the cut's own surface, or, where a box is on, the flat one that would be bowed.
+    /// The surface that the picture begins at: the cut's own, or, if a box is on, the flat one that a bow would bend.
     std::optional<CutSurface> start{};
-    bool startIsCut = false;  ///< whether the start surface cuts already, and is no mere front of the box
-    double leastMm = 1.0;     ///< thickness of the box, > 0
+    bool startIsCut = false;  ///< whether the start surface already cuts; false: it is only the front of the box
+    double leastMm = 1.0;     ///< least thickness of the box, > 0
     friend bool operator==(const BoxScene&, const BoxScene&) = default;
 };
 
-/// Something that can be dragged.
+/// A part that can be dragged.
 struct BoxGrip {
     enum class Kind {
         face,    ///< one face moves
@@ -38,29 +38,29 @@ struct BoxGrip {
     QPointF at;                 ///< logical pixels
 };
 
-/// What the hand makes of the scene.
+/// The scene after a drag.
 struct BoxDrag {
-    OrientedBox box{};     ///< of all grips but bow and start
-    CutSurface start{};    ///< of bow and start
+    OrientedBox box{};     ///< changed by all grips but bow and start
+    CutSurface start{};    ///< changed by bow and start
     double startMm = 0.0;  ///< of start: by how much it moved
 };
 
 /// What a plane shows of the scene: polygon of the box with its faces, line of the start surface, grips.
 struct BoxDrawing {
-    QPolygonF outline;           ///< closed; empty where the plane misses the box
+    QPolygonF outline;           ///< closed; empty if the plane misses the box
     std::vector<BoxFace> faces;  ///< edge i, from corner i to the next one, lies on faces[i]
-    QPolygonF startLine;         ///< open; empty where the plane does not meet the surface across
+    QPolygonF startLine;         ///< open; empty if the plane does not cross the surface
     bool startIsCut = false;     ///< as in BoxScene
-    std::vector<BoxGrip> grips;  ///< those that lie before others come first
+    std::vector<BoxGrip> grips;  ///< a grip in front of others comes first
 };
 [[nodiscard]] BoxDrawing boxDrawing(const BoxScene& scene, const PlaneMapping& mapping);
 
-/// The grip under a place; a face is held anywhere along its line.
+/// The grip under a place. A face can be held anywhere along its line.
 [[nodiscard]] std::optional<BoxGrip> gripAt(const BoxDrawing& drawing, const QPointF& pixel);
-/// The least distance, logical pixels, at which a grip is held: targets are 16 pixels wide.
+/// A grip is held if the place is nearer than this, in logical pixels: targets are 16 pixels wide.
 inline constexpr double gripReach = 8.0;
 
-/// The scene after a grip was dragged from one pixel to another, counted from the scene in which the drag began.
+/// The scene after a grip was dragged from one pixel to another. `scene` is that at the beginning of the drag.
 [[nodiscard]] BoxDrag dragged(const BoxScene& scene, const PlaneMapping& mapping, const BoxGrip& grip,
                               const QPointF& from, const QPointF& to);
 

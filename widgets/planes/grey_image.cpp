@@ -14,8 +14,8 @@ QImage greyImage(const PlaneSamples& samples, const GreyScale& scale) {
             samples.intensity.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns);
         uchar* to = image.scanLine(row);
         for (int column = 0; column < columns; ++column) {
-            // No data is NaN, for which every comparison is false: max() gives its first argument then. Written without
-            // a branch, and with a conversion that processors have, the loop takes many pixels at once.
+            // No data is NaN. Every comparison with it is false, so max() returns its first argument. Without a branch,
+            // and with a conversion that processors have, the loop takes many pixels at once.
             const float grey = std::min(std::max(0.0f, from[column] * slope + offset), 255.0f);
             to[column] = static_cast<uchar>(static_cast<int>(grey));
         }

@@ -7,14 +7,14 @@
 
 namespace echolucent {
 
-/// How intensities become grey: `level` is half bright, `window` reaches from black to white (> 0), and grey is
-/// multiplied by `brightness` (> 0) then.
+/// How intensities become grey. `level` is half bright, and `window` (> 0) reaches from black to white. `brightness` (>
+/// 0) then multiplies the grey.
 struct GreyScale {
     double window = 1.0, level = 0.5, brightness = 1.0;
     friend bool operator==(const GreyScale&, const GreyScale&) = default;
 };
 
-/// Eight bits a pixel, row by row from the top; black where there is no data.
+/// Eight bits a pixel, row by row from the top. No data is black.
 [[nodiscard]] QImage greyImage(const PlaneSamples& samples, const GreyScale& scale);
 
 }  // namespace echolucent

@@ -11,7 +11,7 @@ namespace {
 constexpr ChoiceNames<3> layoutNames{"3d", "quad", "large 3d"};
 constexpr std::size_t pane3d = 3;
 constexpr int gap = 3;               // logical pixels between panes
-constexpr double columnShare = 0.3;  // of the width, for the small planes beside a large 3D view
+constexpr double columnShare = 0.3;  // of the width, for the small planes beside the large 3D view
 
 }  // namespace
 
@@ -80,7 +80,7 @@ std::array<QRect, paneCount> PaneGrid::places() const {
 
 void PaneGrid::place() {
     const auto rectangles = places();
-    // What is hidden first leaves its place before another pane takes it.
+    // Hide panes first, so that they leave their places before others take them.
     for (std::size_t i = 0; i < paneCount; ++i)
         if (rectangles[i].isEmpty()) m_panes[i]->hide();
     for (std::size_t i = 0; i < paneCount; ++i) {

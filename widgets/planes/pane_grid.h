@@ -1,4 +1,4 @@
-// The room of four panes: planes A, B and C, and the 3D view.
+// The four panes: planes A, B and C, and the 3D view.
 #pragma once
 
 #include <QWidget>
@@ -21,7 +21,7 @@ enum class PaneLayout {
 /// A, B, C, 3D.
 inline constexpr std::size_t paneCount = 4;
 
-/// Places four panes by a layout; one of them may have the whole room for a while. A pane without a place is hidden, so
+/// Places four panes by a layout. One of them may fill the whole room for a while. A pane without a place is hidden, so
 /// that nothing is computed for it.
 class PaneGrid : public QWidget {
     Q_OBJECT
@@ -33,11 +33,11 @@ public:
     [[nodiscard]] PaneLayout paneLayout() const { return m_layout; }
     /// Ends a maximised pane.
     void setPaneLayout(PaneLayout layout);
-    /// The pane that has the whole room, by its place in `paneCount`.
+    /// The pane that fills the whole room, by its place in `paneCount`.
     [[nodiscard]] std::optional<std::size_t> maximised() const { return m_maximised; }
-    /// Gives a pane the whole room; where it has it, or it is the only one, the layout again.
+    /// Gives a pane the whole room. If it has that already, or is the only one, returns to the layout.
     void toggleMaximised(std::size_t pane);
-    /// False where no pane has the whole room.
+    /// False if no pane is maximised.
     bool endMaximised();
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }

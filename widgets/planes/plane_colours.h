@@ -1,5 +1,5 @@
-// What is drawn over pictures, which are on black in every theme: the one colour of each plane, in frames, lines and
-// letters, and the colours of the render box.
+// Colours over pictures, which are on black in every theme: one colour for each plane, in frames, lines and letters,
+// and the colours of the render box.
 #pragma once
 
 #include <QColor>
@@ -18,10 +18,10 @@ namespace echolucent {
     return {};
 }
 
-/// Amber, and the accent for the side through which the box is looked into.
+/// Amber. The face through which one looks into the box has the accent.
 [[nodiscard]] inline QColor boxColour() { return coloursOverPictures().warning; }
 [[nodiscard]] inline QColor boxFrontColour() { return coloursOverPictures().accent; }
-/// Of edges that the box itself hides.
+/// Of edges hidden behind the box itself.
 [[nodiscard]] inline QColor boxBehindColour() { return {0x8a, 0x6c, 0x38}; }
 
 }  // namespace echolucent

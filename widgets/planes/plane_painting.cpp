@@ -1,4 +1,4 @@
-// How a pane of a plane is painted.
+// How the pane of a plane is painted.
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -47,7 +47,7 @@ void paintGrip(QPainter& painter, const BoxGrip& grip) {
 
 void PlanePane::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    // An image of just the pane's pixels leaves nothing of what lies behind it.
+    // An image with just the pane's pixels covers all that lies behind it.
     const bool covered = m_scene && QSizeF(m_image.size()) == QSizeF(size()) * devicePixelRatioF();
     if (!covered) painter.fillRect(rect(), Qt::black);
     if (!m_scene) return;
@@ -65,7 +65,7 @@ void PlanePane::paintEvent(QPaintEvent*) {
     painter.drawRect(QRectF(rect()).adjusted(width / 2, width / 2, -width / 2, -width / 2));
 }
 
-/// Where the other planes cross this one, and the reference point.
+/// Draws the lines of the other planes and the reference point.
 void PlanePane::paintLines(QPainter& painter) const {
     const Planes& planes = m_scene->planes;
     const ViewFrame frame = mapping().view.frame;
@@ -91,7 +91,7 @@ void PlanePane::paintLines(QPainter& painter) const {
     painter.drawEllipse(centre, referenceRadius, referenceRadius);
 }
 
-/// The box with its front in the accent, the line that the picture begins at, and what can be held.
+/// Draws the box with its front in the accent, the start line, and the grips.
 void PlanePane::paintBox(QPainter& painter) const {
     const BoxDrawing& shown = drawing();
     painter.setBrush(Qt::NoBrush);
@@ -139,7 +139,7 @@ void PlanePane::paintWords(QPainter& painter) const {
         if (!m_scene->letters[i].isEmpty()) paintRimmedText(painter, places[i], m_scene->letters[i], words);
 }
 
-/// The rim under the pointer shows that it turns the planes.
+/// Shades the rim under the pointer: there a drag turns the planes.
 void PlanePane::paintRim(QPainter& painter) const {
     QPainterPath path;
     path.addRect(rect());

@@ -110,7 +110,7 @@ PlaneMapping PlanePane::mapping() const {
 }
 
 const BoxDrawing& PlanePane::drawing() const {
-    // Its line takes hundreds of rays through the start surface, and every move of the cursor asks for it.
+    // Kept, as its line takes hundreds of rays through the start surface, and every move of the cursor needs it.
     if (!m_drawing) m_drawing = boxDrawing(m_scene->box, mapping());
     return *m_drawing;
 }
@@ -202,7 +202,7 @@ void PlanePane::mouseReleaseEvent(QMouseEvent* event) {
 void PlanePane::mouseDoubleClickEvent(QMouseEvent* event) {
     if (!m_scene || event->button() != Qt::LeftButton) return QWidget::mouseDoubleClickEvent(event);
     if (cancelDrag()) return;
-    // The first click has moved the reference point, which nobody who asks for the whole room wants.
+    // The first click has moved the reference point. A person who asks for the whole room does not want that.
     if (m_scene->planes != m_beforeClick) emit clickTakenBack(m_beforeClick, m_what);
     emit maximiseRequested();
 }
@@ -224,7 +224,7 @@ void PlanePane::dragTo(const QPointF& pixel) {
             return;
         case Drag::reference: next = withReferencePoint(m_before, m_mappingBefore.gridAt(pixel), m_scene->data); break;
         case Drag::turn: {
-            // All is counted from where the drag began, so that roundings do not add up.
+            // Count from the beginning of the drag, so that rounding errors do not add up.
             const QPointF centre = referencePixel(), from = m_from - centre, to = pixel - centre;
             const double radians = std::atan2(from.x() * to.y() - from.y() * to.x(), QPointF::dotProduct(from, to));
             next = turned(m_before, m_plane, radians * 180.0 / std::numbers::pi, m_scene->beam);
@@ -262,7 +262,7 @@ void PlanePane::zoom(double factor, const QPointF& about) {
     Planes next = m_scene->planes;
     PlaneCrop& crop = next.crops[indexOf(m_plane)];
     const double magnification = std::clamp(crop.magnification * factor, leastMagnification, largestMagnification);
-    // What is seen there stays there.
+    // The place under `about` stays there.
     const double kept = 1.0 - crop.magnification / magnification;
     crop.panRightMm += (about.x() - width() / 2.0) * mapping().mmPerPixel() * kept;
     crop.panDownMm += (about.y() - height() / 2.0) * mapping().mmPerPixel() * kept;
@@ -276,8 +276,8 @@ void PlanePane::turn(double degrees) {
 
 void PlanePane::reset() {
     if (!m_scene) return;
-    // The reference point, the turn and the greys belong to all planes: they go back too, and with the turn what it
-    // moved the other pictures by.
+    // The reference point, the turn and the greys belong to all planes and are reset too. With the turn go the shifts
+    // of the other pictures.
     Planes next = m_scene->planes;
     const Planes start;
     for (PlaneCrop& crop : next.crops) crop = {.magnification = crop.magnification};

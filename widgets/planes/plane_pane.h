@@ -1,4 +1,4 @@
-// A pane that shows one of the planes A, B and C, and takes what the hand does with it.
+// A pane that shows plane A, B or C, and takes the gestures of the hand.
 #pragma once
 
 #include <QImage>
@@ -22,25 +22,25 @@ class QToolButton;
 
 namespace echolucent {
 
-/// What a pane shows beside its image.
+/// All that a pane shows beside its image.
 struct PlaneScene {
     Planes planes{};
     BeamAxis beam = BeamAxis::plusZ;
     DataBox data{};
-    double unitMm = 1.0;       ///< of a step through parallel planes
-    bool lengthsKnown = true;  ///< where false, no length is said in mm
+    double unitMm = 1.0;       ///< length of a step through parallel planes
+    bool lengthsKnown = true;  ///< if false, no length is given in mm
     double brightness = 1.0;   ///< of the look
     BoxScene box{};
-    std::array<QString, 4> letters{};              ///< what stands at the edges: left, right, top, bottom
+    std::array<QString, 4> letters{};              ///< letters at the edges: left, right, top, bottom
     std::vector<ShownMeasurement> measurements{};  ///< those that lie in the plane are drawn
     friend bool operator==(const PlaneScene&, const PlaneScene&) = default;
 };
 
-/// Left click or drag moves the reference point, left drag at the rim turns the planes about it, the wheel steps
-/// through parallel planes, Ctrl + wheel zooms about the cursor, middle or Shift + left drag pans, right drag sets
+/// A left click or drag moves the reference point, a left drag at the rim turns the planes about it. The wheel steps
+/// through parallel planes, Ctrl + wheel zooms about the cursor. A middle or Shift + left drag pans. A right drag sets
 /// window (to the right) and level (down). Left and Right turn by 1 degree, with Shift by 10, Up and Down step by a
-/// unit, Page up and Page down by ten, + and - zoom, Home resets. A double click asks for the whole room; Escape ends a
-/// drag without change. The pane keeps nothing of it: it says what the planes would be. Objects: planes.a, planes.b,
+/// unit, Page up and Page down by ten, + and - zoom, Home resets. A double click asks for the whole room. Escape ends a
+/// drag without change. The pane does not change the planes: it says how they would be. Objects: planes.a, planes.b,
 /// planes.c, each with .reset and .maximise.
 class PlanePane : public QWidget {
     Q_OBJECT
@@ -50,54 +50,53 @@ public:
 
     [[nodiscard]] PlaneName plane() const { return m_plane; }
     void setScene(const PlaneScene& scene);
-    /// Without a value nothing is shown, and the hand does nothing.
+    /// Shows nothing, and ignores the hand until the next scene.
     void clear();
     [[nodiscard]] const std::optional<PlaneScene>& scene() const { return m_scene; }
-    /// What the pane is to show, at its present size in device pixels; nothing where there is nothing to show.
+    /// The picture that the pane wants, at its present size in device pixels; no value if it shows nothing.
     [[nodiscard]] std::optional<PlaneRequest> wanted(const std::shared_ptr<const Volume>& volume) const;
     void setSamples(const std::shared_ptr<const PlaneSamples>& samples);
     [[nodiscard]] const QImage& image() const { return m_image; }
-    /// True while the hand drags.
     [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
-    /// Ends a drag without change; false where there is none.
+    /// Ends a drag without change. False if there is none.
     bool cancelDrag();
 
-    /// What is being measured in the pane is drawn too.
+    /// Draws the measurement in progress too.
     void setMarking(const std::optional<ShownMeasurement>& marking);
-    /// The cursor while a tool is in the hand, or a mark lies under it, and the rim turns nothing; nothing: the pane's.
+    /// The cursor while a tool is in the hand or a mark lies under it: the rim is off then. No value: the pane's own.
     void setToolCursor(std::optional<Qt::CursorShape> cursor);
 
-    /// Where places of the grid are seen now; needs a scene.
+    /// Where places of the grid are seen now. Needs a scene.
     [[nodiscard]] PlaneMapping mapping() const;
-    /// What is drawn of the box, and where it can be held.
+    /// The drawing of the box, and its grips.
     [[nodiscard]] const BoxDrawing& drawing() const;
 
-    /// What lies nearer to the pane's border, in logical pixels, is its rim.
+    /// The rim is the part nearer than this to the pane's border, in logical pixels.
     static constexpr double rim = 24.0;
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 260}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {96, 72}; }
 
 signals:
-    /// The hand asks for other planes; `what` names the step. While it drags, dragging() is true, and dragEnded() or
+    /// The hand asks for other planes. `what` names the step. During a drag dragging() is true, and dragEnded() or
     /// dragCancelled() follows.
     void changed(const echolucent::Planes& next, const QString& what);
-    /// The same for the render box and the surface that the picture begins at.
+    /// The same for the render box and the picture's start surface.
     void boxDragged(const echolucent::BoxGrip& grip, const echolucent::BoxDrag& next, const QString& what);
     void dragEnded(const QString& what);
-    /// Escape has ended the drag: all is to be as before it.
+    /// Escape has ended the drag: restore the planes and the box as before it.
     void dragCancelled();
-    /// A double click, or its button: the whole room for this pane, or back.
+    /// A double click, or a click on the button: this pane asks for the whole room, or gives it back.
     void maximiseRequested();
-    /// The click just made was the first of a double click: the step that it made is to be taken back.
+    /// The last click was the first of a double click: take its step back.
     void clickTakenBack(const echolucent::Planes& before, const QString& what);
-    /// The pane has another size, was shown or hidden: it wants another picture.
+    /// The pane changed its size, was shown or hidden: it wants another picture.
     void wantsOther();
-    /// The place under the cursor, grid mm; nothing where the cursor is elsewhere.
+    /// The place under the cursor, grid mm; no value if the cursor is elsewhere.
     void pointed(const std::optional<echolucent::Vec3>& gridMm);
 
 protected:
-    /// Keys of the pane are no shortcuts of the window while the pane has the focus.
+    /// While the pane has the focus, its keys are no shortcuts of the window.
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -136,7 +135,7 @@ private:
     std::optional<PlaneScene> m_scene;
     std::shared_ptr<const PlaneSamples> m_samples;
     QImage m_image;
-    mutable std::optional<BoxDrawing> m_drawing;  ///< of the present scene and size, once it was asked for
+    mutable std::optional<BoxDrawing> m_drawing;  ///< for the present scene and size, once something asked for it
     GreyScale m_greys;                            ///< of the image
     QToolButton* m_reset = nullptr;
     QToolButton* m_maximise = nullptr;
@@ -146,7 +145,7 @@ private:
     Planes m_before;               ///< when the drag began
     Planes m_beforeClick;          ///< when the first press of what may become a double click came
     QPointF m_from;                ///< where the drag began
-    BoxGrip m_grip;                ///< what of the box is dragged
+    BoxGrip m_grip;                ///< the dragged part of the box
     BoxScene m_boxBefore;          ///< when the drag began
     PlaneMapping m_mappingBefore;  ///< when the drag began
     bool m_pointerAtRim = false;

@@ -33,10 +33,10 @@ void PlaneResampler::start() {
     std::vector<PlaneName> open;
     for (const PlaneName plane : allPlaneNames)
         if (m_wanted[indexOf(plane)] && m_wanted[indexOf(plane)] != m_made[indexOf(plane)]) open.push_back(plane);
-    // What is being made already is waited for.
+    // If the same planes are being made already, wait for them.
     if (open.empty() || (m_thread.busy() && m_asked == m_wanted)) return;
     m_asked = m_wanted;
-    // A drag shows something also where newer requests come faster than planes are made.
+    // A drag shows planes even if newer requests come faster than planes are made.
     m_thread.submit(
         [this, open, requests = m_wanted](const Progress&) -> NewestWinsThread::Deliver {
             std::vector<Made> made;
@@ -47,17 +47,17 @@ void PlaneResampler::start() {
                         plane, std::make_shared<const PlaneSamples>(sampledPlane(*request.volume, gridOf(request))));
                 }
             } catch (const std::bad_alloc&) {
-                return {};  // the planes stay as they are, and every change tries again
+                return {};  // the planes stay the same, and every change tries again
             }
             return [this, made = std::move(made), requests] {
                 for (const auto& [plane, samples] : made) {
                     const auto &request = requests[indexOf(plane)], &wanted = m_wanted[indexOf(plane)];
-                    // A plane that is hidden now, or of a volume that is no longer shown, comes too late.
+                    // Too late: the plane is now hidden, or its volume is no longer shown.
                     if (!wanted || wanted->volume != request->volume) continue;
                     m_made[indexOf(plane)] = request;
                     emit resampled(plane, samples, *request);
                 }
-                start();  // another one may have been wanted since
+                start();  // another request may have come since
             };
         },
         NewestWinsThread::WhenSuperseded::finish);

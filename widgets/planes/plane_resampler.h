@@ -20,18 +20,18 @@ struct PlaneRequest {
     friend bool operator==(const PlaneRequest&, const PlaneRequest&) = default;
 };
 
-/// The places of the pixels of a picture: its centre is the view's, and rows are as far apart as columns.
+/// The places of a picture's pixels. Its centre is the view's, and rows are as far apart as columns.
 [[nodiscard]] PlaneGrid gridOf(const PlaneRequest& request);
 
-/// Resamples the planes that are wanted, in one thread; the newest request wins, and what is wanted already or was made
-/// last is not made again. Values cross the threads, and nothing else.
+/// Resamples the wanted planes in one thread. The newest request wins. A plane that is being made or was made last is
+/// not made again. Only values cross the threads.
 class PlaneResampler : public QObject {
     Q_OBJECT
 
 public:
     explicit PlaneResampler(QObject* parent = nullptr);
 
-    /// The planes that are wanted from now on; those without a value are not.
+    /// The planes that are wanted from now on. A plane without a value is not wanted.
     void want(const std::array<std::optional<PlaneRequest>, 3>& requests);
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
 
@@ -46,7 +46,7 @@ private:
     using Requests = std::array<std::optional<PlaneRequest>, 3>;
     Requests m_wanted, m_made;
     Requests m_asked;  ///< of the newest job
-    // Last, so that its thread has ended before anything above is destroyed.
+    // Last, so that its thread ends before the members above are destroyed.
     NewestWinsThread m_thread;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* setOption = "--set";
 
-/// A text as a parameter's value of the kind that `like` has; no value where it is none.
+/// Reads a text as a value of the kind of `like`; no value if it is none.
 std::optional<ParameterValue> valueFrom(const std::string& text, const ParameterValue& like) {
     if (std::holds_alternative<std::string>(like)) return text;
     if (std::holds_alternative<bool>(like)) {
@@ -32,7 +32,7 @@ std::optional<ParameterValue> valueFrom(const std::string& text, const Parameter
     return std::holds_alternative<std::int64_t>(like) ? number(std::int64_t{}) : number(double{});
 }
 
-/// What sets a parameter that is no row of a designer's table.
+/// The remedy for a name that is no row of a designer's table.
 template <typename Values>
 std::string knownOf(const ParameterTable<Values>& table, const std::string& name) {
     if (std::is_same_v<Values, AdaptiveConfig> && parameterNamed(methodParameters(), name) != nullptr)
@@ -42,7 +42,6 @@ std::string knownOf(const ParameterTable<Values>& table, const std::string& name
     return known.empty() ? "It has none." : "It has " + known + ".";
 }
 
-/// Sets one parameter of a config.
 template <typename Values>
 Result<void> set(const ParameterTable<Values>& table, Values& values, const std::string& name,
                  const std::string& text) {

@@ -16,16 +16,16 @@ namespace echolucent::cli {
 
 /// --designer NAME and --set NAME=VALUE.
 struct DesignerOptions {
-    std::string name;                   ///< empty where no designer was asked for
+    std::string name;                   ///< empty if no designer was asked for
     std::vector<std::string> settings;  ///< "NAME=VALUE"
-    /// Adds the options to a command. They must stay where they are from here to get().
+    /// Adds the options to a command. They must not move until get().
     void addTo(CLI::App& command);
-    /// The config that was asked for; no value where no designer was. Fails (wrong usage) where there is no such
-    /// designer or parameter, or where a value is of another kind or out of range.
+    /// The wanted config; no value if no designer was asked for. Fails (wrong usage) if there is no such designer or
+    /// parameter, or if a value is of another kind or out of range.
     [[nodiscard]] Result<std::optional<DesignerConfig>> get() const;
 };
 
-/// The names of all designers as a sentence lists them.
+/// The names of all designers as a list in a sentence.
 [[nodiscard]] std::string listedDesigners();
 
 }  // namespace echolucent::cli

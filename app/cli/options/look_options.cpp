@@ -11,7 +11,7 @@ namespace echolucent::cli {
 
 namespace {
 
-/// The names that people know an option by.
+/// An option may have another familiar name beside its own.
 std::string namesOf(const AnyParameter& row) {
     return row.name == "depth_colouring" ? "--depth-colour,--depth-colouring" : optionOf(row.name);
 }
@@ -48,7 +48,7 @@ void LookOptions::addTo(CLI::App& command, const std::vector<std::string_view>& 
         ->excludes("--light-elevation");
 }
 
-/// An option of the light that was given although it plays no part is a mistake; its default is none.
+/// A light option is a mistake if it is given and plays no part. Its default is not.
 Result<void> LookOptions::checkParts(const Look& look) const {
     if (look.mode != RenderMode::direct && (m_shade || !m_light.empty()))
         return wrongUsage("--shade and --light", "need direct volume rendering",

@@ -15,11 +15,10 @@ class App;
 
 namespace echolucent::cli {
 
-/// An option for each row of lookParameters(), whose default is lookAtStart(), and the short forms --shade,
+/// An option for each row of lookParameters(), with the defaults of lookAtStart(). Short forms: --shade,
 /// --depth-colour, --perspective and --light.
 struct LookOptions {
-    /// `names` are those of the rows that get an option; where there are none, all rows get one. The options must stay
-    /// where they are from here to get().
+    /// `names` are the rows that get an option; if empty, all rows. The options must not move until get().
     void addTo(CLI::App& command, const std::vector<std::string_view>& names = {});
     /// Fails (wrong usage) if an option is out of range or plays no part in the mode.
     [[nodiscard]] Result<Look> get() const;

@@ -15,7 +15,7 @@ namespace echolucent::cli {
 
 namespace {
 
-/// Options that say the same as a parameter's own and are shorter.
+/// Short forms of parameters' options.
 constexpr std::array<std::pair<std::string_view, const char*>, 1> shortOptions{{{"sigma_per_kernel_size", "--sigma"}}};
 
 }  // namespace
@@ -32,7 +32,7 @@ void MethodOptions::addTo(CLI::App& command) {
             ->type_name("NAME")
             ->capture_default_str();
     for (const auto& [row, standard] : defaultsOf(methodParameters())) {
-        if (row->name == "opacity_scale") {  // belongs to the initial function that is named beside it
+        if (row->name == "opacity_scale") {  // belongs to the initial function, named beside it
             command.add_option(optionOf(row->name), opacityScale, helpOf(*row))
                 ->type_name("A")
                 ->default_str(wordOf(standard));

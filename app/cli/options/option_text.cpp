@@ -20,7 +20,7 @@ Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t co
     for (char& character : spaced)
         if (character == 'x' || character == 'X' || character == ',') character = ' ';
     const auto values = realNumbers(spaced);
-    // Counting separators too: "3xx4" is a slip, not two numbers.
+    // Count the separators too: "3xx4" is a slip, not two numbers.
     const auto separators = static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return c == 'x' || c == 'X' || c == ','; }));
     if (!values || values->size() != count || separators + 1 != count)

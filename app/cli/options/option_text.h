@@ -1,4 +1,4 @@
-// What the text of an option says, for every command: numbers, and what is wrong with them in the same words.
+// Reads the text of options for every command, and words their errors alike.
 #pragma once
 
 #include <array>
@@ -11,29 +11,29 @@
 
 namespace echolucent::cli {
 
-/// A failure of wrong usage. `option` is the option as a person writes it, `problem` what it is or must be ("must be 0
-/// or more"), `remedy` a sentence that says what to write instead, or nothing.
+/// A failure of wrong usage. `option` is the option as a person writes it. `problem` says what it is or must be ("must
+/// be 0 or more"). `remedy` is a sentence that says what to write instead, or empty.
 [[nodiscard]] tl::unexpected<Failure> wrongUsage(const std::string& option, const std::string& problem,
                                                  const std::string& remedy = {});
 
-/// "AxB" or "AxBxC" (also with commas) into numbers; fails with `option` named, and with `example` as what it must be
-/// like.
+/// Reads "AxB" or "AxBxC" (also with commas) as numbers. A failure names `option`, and says that it must be like
+/// `example`.
 [[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count,
                                                        const std::string& option, const std::string& example);
 
-/// "AxB" into two whole numbers from `least` to `largest`; fails with `option` named and with `example` as remedy.
+/// Reads "AxB" as two whole numbers from `least` to `largest`. A failure names `option`, with `example` as remedy.
 [[nodiscard]] Result<std::array<int, 2>> parseWholePair(const std::string& text, int least, int largest,
                                                         const std::string& option, const std::string& example);
 
-/// Whether an angle in degrees is finite and near enough to 0 for a double to tell it from the next, +-36000.
+/// Whether an angle in degrees is finite and within +-36000. There a double still tells neighbouring angles apart.
 [[nodiscard]] bool isAngle(double degrees);
-/// What an option says that isAngle() refuses, as the problem of wrongUsage().
+/// The problem of wrongUsage() if isAngle() refuses an option's angle.
 inline constexpr const char* mustBeAngles = "must be angles in degrees, -36000 to 36000";
 
 /// "a, b or c".
 [[nodiscard]] std::string listed(const std::vector<std::string_view>& names);
 
-/// Says a note on stderr; an empty one is none.
+/// Prints a note on stderr, unless it is empty.
 void sayNote(const std::string& note);
 
 }  // namespace echolucent::cli

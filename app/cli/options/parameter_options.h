@@ -1,4 +1,4 @@
-// Options made from the rows of a table of parameters, and what the command line says of them.
+// Options made from the rows of a table of parameters, and their values on the command line.
 #pragma once
 
 #include <map>
@@ -16,27 +16,27 @@ class Option;
 
 namespace echolucent::cli {
 
-/// What an option of a row does: its meaning, its choices, its unit and the choice that it belongs to.
+/// The help of a row's option: its meaning, its choices, its unit and the choice that it belongs to.
 [[nodiscard]] std::string helpOf(const AnyParameter& row);
 /// "must be 2 to 32 units".
 [[nodiscard]] std::string mustBe(const AnyParameter& row);
-/// What a value of a row may be, as a sentence; `like` has the kind of its values.
+/// The allowed values of a row, as a sentence. `like` has the kind of its values.
 [[nodiscard]] std::string allowedBy(const AnyParameter& row, const ParameterValue& like);
 
-/// What the command line says of the rows of a table.
+/// The values that the command line gives for the rows of a table.
 class GivenParameters {
 public:
-    /// Adds an option for a row, under optionOf() its name, or under `names`, which begin with it. This must stay where
-    /// it is until the command line is read.
+    /// Adds an option for a row, under optionOf() its name or under `names`, which begin with it. This object must not
+    /// move until the command line is read.
     CLI::Option& add(CLI::App& command, const AnyParameter& row, const ParameterValue& standard,
                      const std::string& names = {});
-    /// Adds another option for the number of a row, which has the option `added`.
+    /// Adds a second option for the number of a row, whose first option is `added`.
     void addShort(CLI::App& command, const AnyParameter& row, const std::string& name, CLI::Option& added);
 
     [[nodiscard]] bool has(std::string_view parameter) const { return m_given.contains(parameter); }
 
-    /// Sets what was given, in the table's order: a choice stands before what belongs to it. Fails (wrong usage) if a
-    /// value is out of range or no choice, or belongs to a choice that is not made.
+    /// Sets the given values, in the table's order: so a choice comes before what belongs to it. Fails (wrong usage) if
+    /// a value is out of range or no choice, or belongs to a choice that is not made.
     template <typename Values>
     [[nodiscard]] Result<void> override(const ParameterTable<Values>& table, Values& values) const {
         for (const Parameter<Values>& row : table) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kinds = "linear, convex, linear-wobbler or wobbler";
 
-/// The numbers of an option that must be there.
+/// The numbers of a required option.
 Result<std::vector<double>> neededNumbers(const std::string& text, std::size_t count, const std::string& option,
                                           const std::string& example) {
     if (!text.empty()) return parseNumbers(text, count, option, example);

@@ -20,12 +20,12 @@ struct PolarOptions {
     std::string kind, range, lines, planes, radius;
     void addTo(CLI::App& command);
     [[nodiscard]] bool any() const;
-    /// The geometry of `size` samples, lines and planes; no value where none of the options is given. Fails (wrong
-    /// usage) where one is missing or superfluous for the kind, is no number, or where the geometry makes no sense.
+    /// The geometry of `size` samples, lines and planes; no value if none of the options is given. Fails (wrong usage)
+    /// if an option is missing, superfluous for the kind or no number, or if the geometry makes no sense.
     [[nodiscard]] Result<std::optional<PolarGeometry>> get(const std::array<std::int64_t, 3>& size) const;
 };
 
-/// The kind of probe that `option` names. Fails (wrong usage) where there is none of that name.
+/// The kind of probe with this name. Fails (wrong usage), naming `option`, if there is none.
 [[nodiscard]] Result<PolarKind> polarKindOf(const std::string& name, const std::string& option);
 
 }  // namespace echolucent::cli

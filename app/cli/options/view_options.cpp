@@ -40,7 +40,7 @@ void ViewOptions::addTo(CLI::App& command, ViewOf of) {
 
 namespace {
 
-/// An axis without a sign is the positive one.
+/// Without a sign an axis is positive.
 std::optional<BeamAxis> axisNamed(const std::string& name) {
     return beamAxisFromName(name.size() == 1 ? "+" + name : name);
 }

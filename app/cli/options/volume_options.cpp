@@ -71,7 +71,7 @@ int exitStatus(const Failure& failure) {
 }
 
 Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& curveNames) {
-    // No file needs to be there; empty where the path cannot be followed.
+    // The file need not exist. Empty if the path cannot be resolved.
     const auto whole = [](const std::string& path) {
         std::error_code error;
         return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
@@ -161,7 +161,7 @@ Result<const SeriesEntry*> VolumeOptions::chosenSeries(const SeriesList& list) c
 }
 
 Result<VolumeOptions::Named> VolumeOptions::readNamed(const std::vector<std::string>& outputs) const {
-    // The path itself is compared at once, the files behind it when they are known.
+    // Compare the path itself at once, and the files behind it when they are known.
     keepFromOverwriting({path});
     if (auto possible = checkOutputs(outputs); !possible) return tl::unexpected(possible.error());
     const auto list = listedSeries();

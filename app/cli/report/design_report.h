@@ -1,4 +1,4 @@
-// What an OTF designer made of a volume as text: JSON, CSV and a summary for a person (docs/cli-otf.md).
+// The result of an OTF designer as text: JSON, CSV and a summary for a person (docs/cli-otf.md).
 #pragma once
 
 #include <string>
@@ -11,18 +11,17 @@
 
 namespace echolucent::cli {
 
-/// A run of a designer.
 struct DesignRun {
     DesignerConfig config;
     Design design;
     Viewpoint view;
-    SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels that it looked at
+    SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels that the designer read
     double milliseconds = 0.0;                           ///< wall time
 };
 
-/// One JSON object, numbers round-trip, ends with a newline.
+/// One JSON object that ends with a newline. Its numbers are read back without loss.
 [[nodiscard]] std::string jsonReport(const Volume& volume, const DesignRun& run, const OtfContext& context);
-/// intensity, opacity: 256 rows and a header; of a two-dimensional OTF intensity, gradient, opacity: one row a node.
+/// intensity, opacity: a header and 256 rows. For a two-dimensional OTF intensity, gradient, opacity: one row a node.
 [[nodiscard]] std::string curveTable(const Design& design);
 [[nodiscard]] std::string summary(const DesignRun& run);
 

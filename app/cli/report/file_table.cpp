@@ -15,13 +15,13 @@ namespace echolucent::cli {
 
 namespace {
 
-/// A text as the cell of a Markdown table.
+/// Escapes a text for a cell of a Markdown table.
 std::string tableCell(std::string text) {
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.replace(at, 1, "\\|");
     return text;
 }
 
-/// A fact of the import report, "value {source}"; an empty text where there is none of that name.
+/// A fact of the import report, "value {source}"; empty if there is none of that name.
 std::string factOf(const Study& study, const std::string& name) {
     const auto fact = std::find_if(study.facts.begin(), study.facts.end(),
                                    [&](const ImportFact& candidate) { return candidate.name == name; });
@@ -42,7 +42,7 @@ std::string summaryOf(const Study& study) {
     return text;
 }
 
-/// The sentence of a failure, of which the row's file needs no name.
+/// The sentence of a failure. It leaves out the name of the row's own file.
 std::string sentenceOf(Failure failure, const std::string& path) {
     failure.file = failure.file == path ? std::string() : nameFromPath(failure.file);
     return failure.sentence();

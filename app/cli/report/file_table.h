@@ -9,12 +9,12 @@
 namespace echolucent::cli {
 
 /// The row of a file in a Markdown table, without the end of the line: its name, "opens" or "refused", and what was
-/// read or why it was not. Where frames can be taken as slices, the row says what comes of it.
+/// read or why not. If its frames can be taken as slices, the row also says what comes of that.
 [[nodiscard]] std::string fileRow(const std::string& path, const std::string& shownName);
 
-/// A Markdown table of all files in a folder and the folders in it, sorted by name; files whose name begins with a dot
-/// are left out. Fails (unreadable) where the folder cannot be read, and (wrong usage), before any of them is read,
-/// where `output`, which the table is to be written to, is one of them.
+/// A Markdown table of all files in a folder and its subfolders, sorted by name. Leaves out files whose name begins
+/// with a dot. Fails (unreadable) if the folder cannot be read. Fails (wrong usage) before it reads any file if
+/// `output`, the file for the table, is one of them.
 [[nodiscard]] Result<std::string> fileTable(const std::string& folder, const Progress& progress,
                                             const std::string& output = {});
 

@@ -33,7 +33,7 @@ bool isFrontTaken(const DocumentStudy& opened) {
     return front.source == FrontSource::found && front.depthMm > 0.0;
 }
 
-/// What the search answers. If it suggests a cut that is not taken, this says so.
+/// The answer of the search for the front. If it suggests a cut that is not taken, the text says so.
 std::string frontText(const DocumentStudy& opened) {
     const auto& cut = opened.finds->cut;
     if (!cut) return opened.finds->beam.sure ? "" : "No front is looked for along a beam that is not sure.";
@@ -85,7 +85,7 @@ Result<Json> madeOf(const Invocation& invocation, const DocumentStudy& opened) {
     const auto& file = std::get<StudyFile>(opened.document.study);
     const auto checksum = checksumOf(opened.study.files);
     if (!checksum) return tl::unexpected<Failure>(checksum.error());
-    // Checksum and UID tell a folder's study; its name may be a patient's.
+    // Checksum and UID identify a folder's study. Its name may be a patient's.
     std::error_code unreadable;
     const bool isFolder = std::filesystem::is_directory(file.path, unreadable);
     Json arguments = Json::array();

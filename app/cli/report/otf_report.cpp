@@ -20,7 +20,7 @@ namespace {
 Json maybe(const std::optional<double>& value) { return value ? finiteJson(*value) : Json(nullptr); }
 Json maybe(const std::optional<Vec3>& value) { return value ? vectorJson(*value) : Json(nullptr); }
 
-/// Of the tube core of an index; one that is never placed tells nothing of where it would lie.
+/// The status of the tube core at an index. One that is never placed does not say what lies there.
 std::string_view statusOf(const AdaptiveOtf& otf, std::size_t tube) {
     if (isNeverPlaced(otf.config.grid, tube)) return "never placed";
     switch (otf.tubes[tube].status) {
@@ -31,7 +31,7 @@ std::string_view statusOf(const AdaptiveOtf& otf, std::size_t tube) {
     return "";
 }
 
-/// a of the initial function, as --opacity-scale sets it: for a manual curve the factor on its file's opacities.
+/// a of the initial function, as --opacity-scale sets it. For a manual curve the factor on its file's opacities.
 double opacityScaleOf(const OpacityCurve& curve, double manualFactor) {
     if (const auto* power = std::get_if<PowerCurve>(&curve)) return power->scale;
     if (const auto* linear = std::get_if<LinearCurve>(&curve)) return linear->slope;
@@ -64,7 +64,7 @@ Json valueOf(const ParameterValue& value) {
     return std::visit([](const auto& one) { return Json(one); }, value);
 }
 
-/// By the names of the command line's options; what does not apply is left out.
+/// Named like the command line's options. Parameters that do not apply are left out.
 Json methodParametersJson(const AdaptiveOtf& otf, const std::string& initialName, double manualFactor) {
     const AdaptiveOtfConfig& config = otf.config;
     Json all{{"reading", readingName(config)},
@@ -110,7 +110,7 @@ Json tubeObject(const TubeCore& tube, std::string_view status) {
             {"d", tube.d}};
 }
 
-/// A tube core, with what it says of the quiet voxels if there are any.
+/// A tube core, with its values in the quiet voxels if there are any.
 Json tubeObject(const AdaptiveOtf& otf, std::size_t tube) {
     Json object = tubeObject(otf.tubes[tube], statusOf(otf, tube));
     if (otf.quiet.empty()) return object;
@@ -130,7 +130,7 @@ Json curveObject(const AdaptiveOtf& otf) {
     return {{"intensity", intensities}, {"log_opacity", logOpacities}, {"opacity", opacities}};
 }
 
-/// Shortest text that reads back as the same double; empty where there is no number.
+/// The shortest text that reads back as the same double; empty if there is no number.
 std::string numberCell(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
 }

@@ -11,20 +11,20 @@
 
 namespace echolucent::cli {
 
-/// What stands in the JSON beside the OTF.
+/// What the JSON holds beside the OTF.
 struct OtfContext {
     Json madeOf;
     ChosenBeam beam;
-    double findingMilliseconds = 0.0;     ///< wall time of looking for beam and front
+    double findingMilliseconds = 0.0;     ///< wall time of the search for beam and front
     double quieteningMilliseconds = 0.0;  ///< wall time of making the quiet voxels
 };
 
-/// One JSON object, numbers round-trip, ends with a newline.
+/// One JSON object that ends with a newline. Its numbers are read back without loss.
 [[nodiscard]] std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfContext& context,
                                      const std::string& initialName, double manualFactor);
 /// intensity, opacity, log_opacity, initial_opacity: 256 rows and a header.
 [[nodiscard]] std::string curveTable(const AdaptiveOtf& otf);
-/// One row a tube core and a header, columns as in the JSON.
+/// A header, and a row for each tube core; columns as in the JSON.
 [[nodiscard]] std::string tubeTable(const AdaptiveOtf& otf);
 [[nodiscard]] std::string summary(const Volume& volume, const AdaptiveOtf& otf);
 

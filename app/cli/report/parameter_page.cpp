@@ -82,7 +82,7 @@ std::string allParametersJson() {
     for (const Designer designer : allDesigners)
         designers[std::string(echolucent::nameOf(designer))] =
             std::visit([](const auto& values) { return tableJson(parametersOf(values)); }, defaultConfigOf(designer));
-    // The adaptive designer runs the method as it is set.
+    // The adaptive designer runs the method, with the method's parameters.
     designers[std::string(echolucent::nameOf(Designer::adaptive))] = tableJson(methodParameters());
     const Json all{{"method", tableJson(methodParameters())},
                    {"initial_function", tableJson(initialFunctionParameters())},

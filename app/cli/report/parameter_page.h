@@ -1,4 +1,4 @@
-// Tables of parameters as pages of docs/ have them, and as JSON.
+// Tables of parameters for the pages of docs/, and as JSON.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace echolucent::cli {
 /// A value as people write it on the command line.
 [[nodiscard]] std::string wordOf(const ParameterValue& value);
 
-/// One row a parameter, in the table's order, as a table in Markdown; ends with a newline.
+/// A Markdown table: one row a parameter, in the table's order. Ends with a newline.
 [[nodiscard]] std::string parameterPage(const std::vector<ParameterDefault>& rows);
 
 /// All rows of the method, the designers, the look and the curve's sliders, as JSON.

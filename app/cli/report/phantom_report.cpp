@@ -49,7 +49,7 @@ Json primitivesJson(const PhantomTruth& truth) {
     return all;
 }
 
-/// The truth along one tube core: depths in units from where the tube core's axis enters the picture.
+/// The truth along one tube core. Depths are in units from the place where the picture begins on its axis.
 Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view, const TubeAxis& axis,
               int cellSize) {
     Json tube{{"u", axis.column},         {"v", axis.row},

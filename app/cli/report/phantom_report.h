@@ -1,4 +1,4 @@
-// What is true of a simulated scan, as JSON. docs/cli-phantom.md describes each field.
+// The truth of a simulated scan as JSON. docs/cli-phantom.md describes each field.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace echolucent::cli {
 
-/// One JSON object that ends with a newline; its numbers are read back without loss. `phases` are the configs of the
-/// phases written, at least one; `cellSize` is the width of a tube core in units.
+/// One JSON object that ends with a newline. Its numbers are read back without loss. `phases` are the configs of the
+/// written phases, at least one. `cellSize` is the width of a tube core in units.
 [[nodiscard]] std::string truthReport(const std::vector<PhantomConfig>& phases, const Viewpoint& view,
                                       const TubeGrid& tubes, int cellSize);
 

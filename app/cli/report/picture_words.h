@@ -9,14 +9,14 @@
 
 namespace echolucent::cli {
 
-/// What every picture of a volume has to say of it: "spacing unknown", "reduced 2 x 2 x 2", both, or nothing.
+/// The words that every picture of a volume must show: "spacing unknown", "reduced 2 x 2 x 2", both, or none.
 [[nodiscard]] std::string pictureWordsOf(const VolumeGeometry& geometry);
 
-/// The same as a sentence for each, for stderr; `picture` is "picture" or "movie".
+/// The same as sentences for stderr. `picture` is "picture" or "movie".
 [[nodiscard]] std::string pictureNotesOf(const VolumeGeometry& geometry, const std::string& picture);
 
-/// Words in the lower left corner, as large as a sixteenth of the picture's height allows. rgb: width * height * 3
-/// bytes. No words change nothing.
+/// Writes words into the lower left corner, as large as a sixteenth of the picture's height allows. rgb: width * height
+/// * 3 bytes. Empty words change nothing.
 void writeWords(std::vector<std::uint8_t>& rgb, int width, int height, const std::string& words);
 
 }  // namespace echolucent::cli

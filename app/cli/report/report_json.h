@@ -1,4 +1,4 @@
-// What the command line's JSON reports have in common.
+// What the command line's JSON reports share.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,12 +7,11 @@
 
 namespace echolucent::cli {
 
-/// Keys in the order they are written; doubles are written with as many digits as they need to come back the same.
+/// Keys keep the order in which they are written. Doubles have as many digits as reading them back needs.
 using Json = nlohmann::ordered_json;
 
-/// The number; null where it is not finite.
+/// The number; null if it is not finite.
 [[nodiscard]] Json finiteJson(double value);
-/// The list of a vector's three numbers.
 [[nodiscard]] Json vectorJson(const Vec3& vector);
 
 }  // namespace echolucent::cli

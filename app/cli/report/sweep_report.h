@@ -17,18 +17,18 @@ struct SweepReport {
     Json madeOf = {};
     Viewpoint start = {};
     MotionChoice motion = {};
-    std::optional<OtfSmoothing> smoothing = {};  ///< not set where one OTF is shown in all frames
+    std::optional<OtfSmoothing> smoothing = {};  ///< not set if one OTF is shown in all frames
     std::span<const SweptOtf> frames = {};
-    std::optional<PictureFlicker> unsmoothedPictures = {}, shownPictures = {};  ///< where they were asked for
+    std::optional<PictureFlicker> unsmoothedPictures = {}, shownPictures = {};  ///< if they were asked for
 };
 
-/// One JSON object, numbers round-trip, ends with a newline.
+/// One JSON object that ends with a newline. Its numbers are read back without loss.
 [[nodiscard]] std::string sweepJson(const SweepReport& report);
-/// A header and a row a frame.
+/// A header, and a row for each frame.
 [[nodiscard]] std::string sweepTable(std::span<const SweptOtf> frames);
 [[nodiscard]] std::string sweepSummary(const SweepReport& report);
 
-/// The course of the OTFs that were computed, and of those shown.
+/// The course of the computed OTFs, and of the shown ones.
 [[nodiscard]] std::vector<SampledCurve> unsmoothedOf(std::span<const SweptOtf> frames);
 [[nodiscard]] std::vector<SampledCurve> shownOf(std::span<const SweptOtf> frames);
 

@@ -33,9 +33,9 @@ struct BenchOptions {
     int runs = 51;
 };
 
-/// The oblique view where nobody asks for another, degrees.
+/// The oblique view if no option gives another, degrees.
 constexpr double defaultAzimuth = 20.0, defaultElevation = -12.0;
-/// Before any run counts, one run fills caches and page tables.
+/// Runs before any counts: they fill caches and page tables.
 constexpr int warmUps = 3;
 
 double leastOf(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
@@ -46,14 +46,14 @@ constexpr std::array<std::pair<const char*, double StageTimes::*>, 5> stages{{{"
                                                                               {"weights", &StageTimes::weights},
                                                                               {"curve", &StageTimes::curve}}};
 
-/// The runs of one view, side by side with what they are compared to.
+/// The runs of one view, side by side with those of Touch.
 class ViewBench {
 public:
     ViewBench(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config)
         : m_volume(volume), m_view(view), m_config(config), m_touch(volume, view, config) {}
 
     void run(bool counts) {
-        // Each is run once before it is timed, because what came between has filled the caches with something else.
+        // Run each once untimed, because the other one has filled the caches.
         auto otf = adaptOpacity(m_volume, m_view, m_config);
         const double total = millisecondsOf([&] { otf = adaptOpacity(m_volume, m_view, m_config); });
         m_sink = m_sink + m_touch.run();

@@ -45,7 +45,7 @@ double touchRows(const Voxel* voxels, const std::vector<std::size_t>& rows, std:
     return sum;
 }
 
-/// Positions of a slab's samples beside its axis.
+/// Positions of a slab's samples relative to its axis.
 struct Offsets {
     std::vector<float> x, y, z;
 };
@@ -102,7 +102,7 @@ private:
     Vec3 m_reach{0, 0, 0};
 };
 
-/// How many slabs of a tube core the method reads before it turns to the next.
+/// The method reads this many slabs of a tube core before it turns to the next.
 constexpr int slabsPerTurn = 16;
 
 template <typename Voxel>

@@ -1,4 +1,4 @@
-// `study cut`: what the search for the near cut answers, volume by volume, axis by axis.
+// `study cut`: the answers of the search for the near cut, volume by volume, axis by axis.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -16,14 +16,14 @@ namespace {
 constexpr BeamAxis allAxes[] = {BeamAxis::plusX,  BeamAxis::minusX, BeamAxis::plusY,
                                 BeamAxis::minusY, BeamAxis::plusZ,  BeamAxis::minusZ};
 
-/// How far a cut lies behind a plane across the view through the middle of the volume, mm.
+/// How far a cut lies behind the plane across the view through the volume's centre, mm.
 double behindTheMiddle(const Viewpoint& view, const VolumeGeometry& geometry, double nearCutMm) {
     Viewpoint cut = view;
     cut.nearCutMm = nearCutMm;
     return nearPlaneDepthMm(cut, geometry) - frameOf(view).forward.dot(geometry.centreMm());
 }
 
-/// How far the cut moves at most while the view turns to four sides, mm; "-" where the answer changes.
+/// The largest move of the cut while the view turns to four sides, mm; "-" if the answer changes.
 std::string moved(const Volume& volume, const Viewpoint& view, const NearCutFinding& found, double turn) {
     const double before = behindTheMiddle(view, volume.geometry(), found.nearCutMm);
     double most = 0.0;

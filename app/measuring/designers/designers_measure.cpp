@@ -18,7 +18,7 @@ Design designOnce(const ComparedDesigner& designer, const DesignerInput& input) 
     return *design(*designer.config, input);
 }
 
-/// The error of the kernel's picture from the plain route's at equal settings, of a small picture.
+/// The error of the kernel's small picture from the plain route's with equal settings.
 PictureError errorOf(const Classification& classification, const DesignerCase& one) {
     constexpr int edge = 96;
     RayCastSettings settings = one.settings;
@@ -29,7 +29,7 @@ PictureError errorOf(const Classification& classification, const DesignerCase& o
                         *castRaysPlainly(*one.shown, classification, settings, casting));
 }
 
-/// Each picture is seen from a little farther round, so that nothing of the one before can serve.
+/// Each picture is seen from a little farther round, so that no earlier result can be used again.
 double castTime(RayCaster& caster, const Classification& classification, const DesignerCase& one, int repeats) {
     std::vector<double> times;
     (void)caster.cast(classification, one.settings);

@@ -17,7 +17,7 @@ std::string labelOfName(const std::string& name) {
     return designer ? std::string(labelOf(*designer)) : "x²";
 }
 
-/// CNR_S by designer and condition, mean over the seeds; the last columns are the mean over the conditions and ms.
+/// CNR_S by designer and condition, as mean over the seeds. The last columns are the mean over the conditions, and ms.
 TextTable contrastTable(const DesignersStudy& study) {
     TextTable table{{"designer"}, {}};
     const auto conditions = namesIn(study.contrasts, [](const ContrastRow& row) { return row.condition; });

@@ -1,4 +1,4 @@
-// `study designers`: all OTF designers on simulated scans whose truth is known, or on a volume.
+// `study designers`: all OTF designers on simulated scans with known truth, or on a volume.
 #include "app/measuring/designers/study_designers.h"
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// The parts of `study designers`: what is measured of each OTF designer, and the page about it.
+// The parts of `study designers`: the measures of each OTF designer, and the page.
 #pragma once
 
 #include <cstdint>
@@ -17,29 +17,29 @@
 
 namespace echolucent::cli {
 
-/// A designer that is compared: with its defaults, or under another name where a page compares two forms of it.
+/// A compared designer: with its defaults, or under another name if a page compares two forms of it.
 struct ComparedDesigner {
-    std::string name;  ///< that of the designer, or "x2": the parabola x^2, which no designer makes
+    std::string name;  ///< of the designer, or "x2": the parabola x^2, which no designer makes
     std::optional<DesignerConfig> config;
 };
 /// x^2 first, then all designers with their defaults, in the order of allDesigners.
 [[nodiscard]] std::vector<ComparedDesigner> comparedDesigners();
 
-/// What one designer made of one voxel set, and how long that took.
+/// A designer's result on one set of voxels, and its time.
 struct DesignTimed {
     Design design;
     double milliseconds = 0.0;  ///< median of the runs, wall time; 0 for x^2
 };
 [[nodiscard]] DesignTimed timedDesign(const ComparedDesigner& designer, const DesignerInput& input, int repeats);
 
-/// One designer on one simulated scan whose truth is known.
+/// One designer on one simulated scan with known truth.
 struct ContrastRow {
     std::string designer, condition;
     std::uint64_t seed = 0;
     std::optional<double> contrast;  ///< CNR_S
     double milliseconds = 0.0;       ///< of the designer
 };
-/// How the tube cores look at a scan, and what it is shown with.
+/// How scans are measured: the view of the tube cores, the method, and the reduction of the shown voxels.
 struct ContrastSetting {
     Viewpoint view;
     AdaptiveOtfConfig method;
@@ -49,7 +49,7 @@ struct ContrastSetting {
 /// All designers on the six conditions of a scan.
 [[nodiscard]] std::vector<ContrastRow> measureContrasts(const PhantomConfig& base, const ContrastSetting& setting);
 
-/// A volume that is shown with each designer's OTF.
+/// A volume to show with each designer's OTF.
 struct DesignerCase {
     std::string name;
     std::shared_ptr<const Volume> raw{}, shown{};
@@ -58,18 +58,17 @@ struct DesignerCase {
     AdaptiveOtfConfig method{};
     RayCastSettings settings{};
 };
-/// What is shown and known of one designer on a case.
+/// The picture and the results of one designer on a case.
 struct DesignerPicture {
     std::string designer;
     DesignTimed made;
     Picture picture;
     double castMilliseconds = 0.0;                   ///< median of a picture that is cast anew, with light
-    PictureError error;                              ///< of a small picture by the kernel from the plain route's, lit
+    PictureError error;                              ///< of a small lit picture by the kernel, from the plain route's
     std::optional<ClassificationMeasures> measures;  ///< by the tube cores' surfaces
 };
 [[nodiscard]] std::vector<DesignerPicture> showDesigners(const DesignerCase& one, int repeats);
 
-/// Everything `study designers` found.
 struct DesignersStudy {
     std::string seeds;
     SpeckleReduction reduction = SpeckleReduction::off;
@@ -83,7 +82,7 @@ struct DesignersStudy {
 };
 [[nodiscard]] std::string designersCsv(const DesignersStudy& study);
 [[nodiscard]] std::string designersPage(const DesignersStudy& study);
-/// The table of contrasts and the tables of what is shown, for a terminal.
+/// The tables of contrasts and of pictures, for a terminal.
 [[nodiscard]] std::string designersSummary(const DesignersStudy& study);
 
 }  // namespace echolucent::cli

@@ -1,4 +1,4 @@
-// The parts of `study light`: which light volumes are compared with the reference, what is measured, and the page.
+// The parts of `study light`: the light volumes to compare with the reference, the measures, and the page.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,6 @@
 
 namespace echolucent::cli {
 
-/// What is lit.
 struct LightCase {
     std::string name;
     std::shared_ptr<const Volume> volume;
@@ -28,13 +27,13 @@ struct LightVariant {
     std::string parameter, value;
     LightScene scene;
 };
-/// The default first, then one parameter at a time: coarseness, directions of the key light, directions around.
+/// First the default, then one parameter at a time: coarseness, directions of the key light, directions around.
 [[nodiscard]] std::vector<LightVariant> lightVariants(const LightScene& usual);
 
-/// What is known of a variant.
+/// The results of a variant.
 struct LightResult {
     LightVariant variant;
-    PictureError error;               ///< of the picture, from that with the reference's light
+    PictureError error;               ///< of the picture, from the one with the reference's light
     double milliseconds = 0.0;        ///< median; a new camera and a new curve
     double turnedMilliseconds = 0.0;  ///< median; a new camera alone
     double keyMilliseconds = 0.0;     ///< median; a new key light alone
@@ -44,10 +43,10 @@ struct LightStudy {
     std::string name;
     double referenceSeconds = 0.0;
     Picture reference, usual;      ///< with the reference's light, and with the default light volume
-    PictureError withoutReaching;  ///< gradient light alone, from the reference: how much is at stake
+    PictureError withoutReaching;  ///< of gradient light alone, from the reference
     std::vector<LightResult> results;
 };
-/// `rings` as ReferenceLight has it.
+/// `rings` as in ReferenceLight.
 [[nodiscard]] LightStudy measureLight(const LightCase& one, int repeats, int rings);
 
 [[nodiscard]] std::string lightCsv(const std::vector<LightStudy>& studies);

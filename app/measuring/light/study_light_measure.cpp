@@ -9,14 +9,14 @@ namespace echolucent::cli {
 
 namespace {
 
-/// A curve that is drawn as the given one and is not equal to it.
+/// A curve that looks like the given one and is not equal to it.
 OpacityCurve changed(const OpacityCurve& curve, int turn) {
     std::vector<double> opacities = sampledOpacities(curve, 256);
     opacities.back() = std::max(0.0, opacities.back() - 1e-6 * (turn + 1));
     return SampledCurve{std::move(opacities)};
 }
 
-/// All variants take turns; each turn changes all directions a little, so that nothing of the turn before can serve.
+/// All variants take turns. Each turn changes all directions a little, so that no earlier result can be used again.
 void timeAll(const LightCase& one, std::vector<LightResult>& results, int repeats) {
     std::vector<std::vector<double>> all(results.size()), turned(results.size()), key(results.size());
     LightSweep sweep(one.volume);

@@ -24,7 +24,7 @@ struct DetectionQuality {
     [[nodiscard]] double foundShare() const {
         return tubesWithInterface > 0 ? static_cast<double>(tubesRight) / tubesWithInterface : 0.0;
     }
-    /// Mean |found - true| in units over the tubes with an interface where any surface was found.
+    /// Mean |found - true| in units, over the tube cores with an interface on which any surface was found.
     [[nodiscard]] double meanDistanceUnits() const { return tubesFound > 0 ? distanceUnits / tubesFound : 0.0; }
     void add(const DetectionQuality& other) {
         weight += other.weight;
@@ -38,19 +38,18 @@ struct DetectionQuality {
     }
 };
 
-/// Distance in mm along the view, from the grid's origin, of the first interface on a ray parallel to the axis, shifted
-/// by offsetMm (grid mm); nothing where the ray has no interface.
+/// Depth of the first interface on a ray parallel to the axis and shifted by offsetMm (grid mm): mm along the view from
+/// the grid's origin. No value if the ray has no interface.
 [[nodiscard]] std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry,
                                                      const Viewpoint& view, const TubeAxis& axis, const Vec3& offsetMm);
 
-/// Whether the four corners of the tube core see the interface at depths no more than 10 units apart, or none of them.
+/// Whether the four corners of the tube core see the interface at depths within 10 units, or none of them sees one.
 [[nodiscard]] bool cornersAgree(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                 const TubeAxis& axis, int cellSize);
 
-/// What the truth says of each tube core, in the order of AdaptiveOtf::tubes. It is asked once for many runs over one
-/// grid.
+/// The truth of each tube core, in the order of AdaptiveOtf::tubes. Computed once for many runs over one grid.
 struct TubeTruth {
-    bool counts = false;                     ///< false where the tube core is outside or its corners disagree
+    bool counts = false;                     ///< false if the tube core is outside or its corners disagree
     std::optional<double> interfaceDepthMm;  ///< depth along its axis, as interfaceDepthMm() gives it
 };
 [[nodiscard]] std::vector<TubeTruth> tubeTruths(const PhantomTruth& truth, const VolumeGeometry& geometry,
@@ -58,7 +57,7 @@ struct TubeTruth {
 
 [[nodiscard]] DetectionQuality detectionQuality(const AdaptiveOtf& otf, const PhantomTruth& truth,
                                                 const VolumeGeometry& geometry);
-/// The same where the truth is at hand: tubeTruths() of the same geometry, view, grid and cell size.
+/// The same with tubeTruths() of the same geometry, view, grid and cell size.
 [[nodiscard]] DetectionQuality detectionQuality(const AdaptiveOtf& otf, const std::vector<TubeTruth>& truths,
                                                 const VolumeGeometry& geometry);
 

@@ -4,7 +4,7 @@ namespace echolucent {
 
 namespace {
 
-/// The base condition on the scene, size, spacing, seed, bits and phase of another config.
+/// The base condition, with scene, size, spacing, seed, bits and phase of another config.
 PhantomConfig baseCondition(const PhantomConfig& given) {
     PhantomConfig base;
     base.scene = given.scene;

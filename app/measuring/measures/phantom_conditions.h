@@ -1,4 +1,4 @@
-// The conditions of docs/experiments.md by name, so that tests and studies share them.
+// The conditions of docs/experiments.md by name. Tests and studies share them.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct NamedPhantom {
     PhantomConfig config;
 };
 
-/// Each takes scene, size, spacing, seed and whatever else is not part of the condition from `base`.
+/// Each takes scene, size, spacing, seed and all else outside the condition from `base`. The names:
 /// "base", "ramp2", "little_speckle", "attenuation_shadow", "specular".
 [[nodiscard]] std::vector<NamedPhantom> ordinaryConditions(
     const PhantomConfig& base = defaultPhantom(PhantomScene::shapes));

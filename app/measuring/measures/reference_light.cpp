@@ -12,7 +12,7 @@ namespace echolucent::light {
 namespace {
 
 constexpr int extinctionIntervals = 4080;
-constexpr double mostExtinction = 1e6;  // per unit, of opacity 1
+constexpr double mostExtinction = 1e6;  // per unit, for opacity 1
 
 std::vector<double> extinctionsOf(const OpacityCurve& curve) {
     std::vector<double> extinctions = sampledOpacities(curve, extinctionIntervals + 1);

@@ -1,5 +1,5 @@
-// The slow, obvious route to light: from every sample straight to the lights, in double. The sweeps are measured
-// against it.
+// The slow, plain route to light: from every sample straight to the lights, in double. It is the reference for the
+// sweeps.
 #pragma once
 
 #include <functional>
@@ -19,12 +19,12 @@
 
 namespace echolucent::light {
 
-/// What reaches places by marching: along each of many directions within the lights' cones, not those that the sweeps
-/// take, the extinctions of trilinear samples add up until the volume ends.
+/// The light that reaches places, by marching along many directions within the lights' cones. The sweeps take other
+/// directions. Along each the extinctions of trilinear samples add up until the volume ends.
 class ReferenceLight {
 public:
-    /// The volume and the curve must outlive it. `rings` as in denseDirectionsWithin(); `step` is the length between
-    /// samples in units, above 0.
+    /// Volume and curve must outlive it. `rings` as in denseDirectionsWithin(). `step` is the length between samples in
+    /// units, above 0.
     ReferenceLight(const Volume& volume, const OpacityCurve& curve, const LightScene& scene, int rings = 4,
                    double step = 0.5);
     [[nodiscard]] ReachingShares at(const Vec3& gridMm) const;
@@ -41,12 +41,12 @@ private:
     std::vector<WeightedDirection> m_key, m_around;
 };
 
-/// What reaches a place in grid mm.
+/// The shares of light that reach a place in grid mm.
 using Reaching = std::function<ReachingShares(const Vec3& gridMm)>;
 
-/// The plain route's picture (castRaysPlainly(), direct mode) with light that reaches, sample by sample in double.
-/// settings.shading must be set; its strengths count. Samples that add less than 1/2048 to their pixel are lit evenly,
-/// as if all light reached them. The result is empty only where progress.cancel was raised.
+/// The plain route's picture (castRaysPlainly(), direct mode) with the light that reaches each sample, in double.
+/// settings.shading must be set; its strengths count. Samples that add less than 1/2048 to their pixel are lit as if
+/// all light reached them. No value only if progress.cancel was raised.
 [[nodiscard]] std::optional<Picture> castRaysInLight(const Volume& volume, const OpacityCurve& curve,
                                                      const RayCastSettings& settings, const Reaching& reaching,
                                                      const Progress& progress = {});

@@ -19,7 +19,6 @@ RayCastSettings pictureSettings(int edge) {
     return settings;
 }
 
-/// The same course with another smoothing.
 std::vector<SampledCurve> smoothed(const std::vector<SweptOtf>& frames, OtfSmoothing smoothing) {
     OtfHistory history(smoothing);
     std::vector<SampledCurve> shown;
@@ -60,7 +59,7 @@ ModeFigures measureMode(const MotionMode& mode, const MotionFigures& figures, co
         std::tie(result.lowest, result.highest) = unclampedRange(figures.frames, *mode);
     }
     result.otfFlicker = otfFlicker(result.shown);
-    // One OTF changes no picture.
+    // With one OTF for all frames, no picture changes.
     if (mode) result.pictures = *pictureFlicker(framesOf(figures.frames), result.shown, render);
     return result;
 }
@@ -86,14 +85,14 @@ std::string nameOfFrame(const MotionFigures& figures, std::size_t index) {
     return figures.motionCase.motion.probeMoves ? fmt::format("{:g}°", frame.degrees) : fmt::format("frame {}", index);
 }
 
-/// The frames are the first, the middle and the last (-45, 0 and +45 degrees), as in the paper's Fig. 10.
+/// Compares the first, the middle and the last frame (-45, 0 and +45 degrees), as in the paper's Fig. 10.
 void compareCurves(MotionFigures& figures, const FrameRenderer& render) {
     const std::size_t last = figures.frames.size() - 1, middle = last / 2;
     const SweepFrame& view = figures.frames[middle].frame;
     const auto with = [&](std::size_t index) { return *render(view, figures.frames[index].unsmoothed); };
     figures.adaptation = rmsOf(figures.oneOtf, figures.initial);
     figures.adaptationPicture = differenceOf(*render(view, figures.oneOtf), *render(view, figures.initial)).rms;
-    // Frames of a still probe may show the same phase: then there is nothing to compare.
+    // If the probe is still, the frames may show the same phase: there is nothing to compare then.
     if (!figures.motionCase.motion.probeMoves) return;
     for (const auto& [left, right] :
          {std::pair(std::size_t{0}, middle), std::pair(middle, last), std::pair(std::size_t{0}, last)}) {
@@ -115,7 +114,7 @@ void compareWithStatic(MotionFigures& figures, const FrameRenderer& render) {
     figures.staticPictureRms = std::sqrt(squares / static_cast<double>(figures.frames.size()));
 }
 
-/// Opacity and another quantity that is smoothed in its stead, scaled into [0,1].
+/// Maps opacity to another quantity that is smoothed instead, scaled into [0,1], and back.
 struct Domain {
     double (*forward)(double);
     double (*backward)(double);
@@ -137,7 +136,7 @@ double flickerLeft(const std::vector<SweptOtf>& frames, const Domain& domain) {
     return unsmoothed > 0.0 ? otfFlicker(after) / unsmoothed : 0.0;
 }
 
-// The floor of the logarithm is ln(1e-4); extinction is cut at -ln(1e-3).
+// The logarithm ends at ln(1e-4), the extinction at -ln(1e-3).
 constexpr double lowestLogarithm = -9.210340371976182;
 constexpr double highestExtinction = 6.907755278982137;
 

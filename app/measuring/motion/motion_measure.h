@@ -1,4 +1,4 @@
-// What `study motion` measures of one motion.
+// The measures of `study motion` on one motion.
 #pragma once
 
 #include <memory>
@@ -21,8 +21,7 @@ struct MotionCase {
     bool stills = false;  ///< whether the page shows pictures of it
 };
 
-/// How the OTFs of the frames are chosen: by a smoothing, or, without one, as the OTF of the first view for all of
-/// them.
+/// How the OTFs of the frames are chosen: by a smoothing. Without one, all frames have the OTF of the first view.
 using MotionMode = std::optional<OtfSmoothing>;
 /// The modes static, none, mean, mls and least-flicker.
 [[nodiscard]] std::vector<MotionMode> motionModes();
@@ -37,13 +36,13 @@ struct ModeFigures {
     double lowest = 0.0, highest = 0.0;  ///< opacities before they are clamped to [0,1]
 };
 
-/// How far apart the OTFs of two frames are, and the pictures of the first view made with them.
+/// How far apart the OTFs of two frames are, and the first view's pictures with them.
 struct CurveDifference {
     std::string name;  ///< name of the pair of frames, as "-45 and 0 degrees"
     double rms = 0.0, largest = 0.0, pictureRms = 0.0;
 };
 
-/// The flicker that leastFlicker leaves where opacities are smoothed as another quantity, as a share of the unsmoothed.
+/// The flicker after leastFlicker, if another quantity than opacity is smoothed: as a share of the unsmoothed flicker.
 struct DomainFigures {
     double opacity = 0.0, logarithm = 0.0, extinction = 0.0;
 };
@@ -61,14 +60,14 @@ struct MotionFigures {
     std::vector<CurveDifference> differences;
     double adaptation = 0.0;         ///< RMS difference between oneOtf and the initial function, to compare with
     double adaptationPicture = 0.0;  ///< RMS difference of the pictures made with these two
-    /// RMS over pixels and frames between pictures with oneOtf and with the OTF of each frame, and the largest RMS of
-    /// one frame.
+    /// RMS over pixels and frames between pictures with oneOtf and with each frame's OTF, and the largest RMS of one
+    /// frame.
     double staticPictureRms = 0.0, worstStaticPictureRms = 0.0;
     DomainFigures domains;
     std::vector<Still> stills;
 };
 
-/// Square pictures of `edge` pixels an edge are compared, and pictures of `stillEdge` pixels are shown.
+/// Compares square pictures of `edge` pixels an edge. The stills have `stillEdge` pixels an edge.
 [[nodiscard]] MotionFigures measureMotion(const MotionCase& motionCase, const AdaptiveOtfConfig& config, int edge,
                                           int stillEdge);
 

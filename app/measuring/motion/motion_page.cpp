@@ -17,7 +17,7 @@ constexpr int stillZoom = 3;
 
 std::string number(double value) { return fmt::format("{:.4g}", value); }
 
-/// A figure as a share of the unsmoothed one.
+/// A value as a share of the unsmoothed one.
 std::string share(double value, double unsmoothed) {
     return unsmoothed > 0.0 ? fmt::format("{:.3f}", value / unsmoothed) : std::string("-");
 }
@@ -97,7 +97,7 @@ void addDifferences(HtmlPage& page, const MotionFigures& figures) {
                     number(figures.staticPictureRms), number(figures.worstStaticPictureRms)));
 }
 
-/// Adds the curves as the paper's Fig. 10 shows them.
+/// Adds the curves as in the paper's Fig. 10.
 void addCurves(HtmlPage& page, const MotionFigures& figures) {
     Plot plot{.title = "OTF at both ends and in the middle (Fig. 10)",
               .xLabel = "normalised intensity",
@@ -141,8 +141,8 @@ Spread spreadOf(const std::vector<SampledCurve>& course) {
     return spread;
 }
 
-/// Intensity 1 is on top and frames go to the right; valueOf(opacity, sample) lies in [0,1]. A row is the mean over
-/// eight intensities, because finer rows cannot be told apart on the page.
+/// Intensity 1 is on top, and frames go to the right. valueOf(opacity, sample) lies in [0,1]. A row is the mean over
+/// eight intensities: the page could not show finer rows.
 template <typename ValueOf>
 HeatMap mapOf(const MotionFigures& figures, const std::vector<SampledCurve>& course, const std::string& title,
               const ValueOf& valueOf) {
@@ -169,7 +169,7 @@ HeatMap mapOf(const MotionFigures& figures, const std::vector<SampledCurve>& cou
     return map;
 }
 
-/// Adds the paper's Fig. 11 as maps: the OTF, and how it deviates from its mean, unsmoothed and smoothed on one scale.
+/// Adds the paper's Fig. 11 as maps: the OTF, and its deviation from its mean, unsmoothed and smoothed on one scale.
 void addMaps(HtmlPage& page, const MotionFigures& figures) {
     const auto &raw = unsmoothed(figures).shown, &shown = figuresOf(figures, OtfSmoothing::leastFlicker).shown;
     const Spread spread = spreadOf(raw);

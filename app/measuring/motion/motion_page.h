@@ -1,4 +1,4 @@
-// The report of `study motion`: one page and tables.
+// The report of `study motion`: one page, and tables.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace echolucent::cli {
 
-/// The page as HTML that needs nothing beside it.
+/// The page as HTML with all it needs inside.
 [[nodiscard]] std::string motionPage(const std::vector<MotionFigures>& cases);
 /// A row for each case and mode.
 [[nodiscard]] std::string motionFiguresTable(const std::vector<MotionFigures>& cases);

@@ -1,4 +1,4 @@
-// `study motion`: what the OTF does while the probe or the object moves.
+// `study motion`: how the OTF changes while the probe or the object moves.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int largestStillEdge = 64;  // pixels; larger ones would fill the page (HtmlPage::mostBytes)
 
-/// Probe, object and both, as far as there are phases.
+/// Adds the motions of the probe, of the object and of both, as far as there are phases.
 void addCases(std::vector<MotionCase>& cases, const MotionCase& base) {
     const auto with = [&](const char* name, const char* words, bool probe, bool object) {
         MotionCase added = base;
@@ -60,7 +60,7 @@ private:
         method.addTo(command);
     }
 
-    /// The tables, the page, and for every case of addCases() two courses.
+    /// The tables, the page, and two courses for every case of addCases().
     std::vector<std::string> files() const override {
         std::vector<std::string> names{"motion.csv", "motion_views.csv", "motion.html"};
         for (const char* subject : {"shapes", "fetus", "volume"})

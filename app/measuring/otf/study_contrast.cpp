@@ -20,7 +20,7 @@ std::string line(const std::string& name, const Values& values) {
     return text + '\n';
 }
 
-/// This takes the mean of the rows of every column.
+/// The mean over the rows for every column.
 Values columnMeans(const std::vector<Values>& rows) {
     Values means;
     for (std::size_t c = 0; c < rows.front().size(); ++c) {

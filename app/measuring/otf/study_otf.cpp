@@ -29,14 +29,14 @@ std::vector<GroupedPhantom> allConditions(const PhantomConfig& base) {
     return all;
 }
 
-/// The settings' errors are measured on these, the readings on all. Run times are measured on the first alone, because
-/// how long a run takes hardly depends on what the voxels hold.
+/// The settings' errors are measured in these conditions, the readings in all. Run times are measured in the first
+/// alone, because they hardly depend on the voxels' values.
 bool isForErrors(const std::string& condition) {
     return condition == "base" || condition == "attenuation_shadow" || condition == "hard_full_speckle" ||
            condition == "hard_ramp8" || condition == "front_wall";
 }
 
-/// CNR_S of the fixed curves and of the readings just measured, where the condition is one of the six.
+/// Adds CNR_S of the fixed curves and of the new readings, if the condition is one of the six.
 void addContrast(const StudyPhantom& phantom, const std::string& condition, std::span<ReadingResult> readings,
                  OtfStudy& study) {
     bool isOne = false;

@@ -1,4 +1,4 @@
-// The parts of `study otf`: which settings are compared, what is measured of them, and the page about it.
+// The parts of `study otf`: the compared settings, the measures, and the page.
 #pragma once
 
 #include <array>
@@ -15,23 +15,23 @@
 
 namespace echolucent::cli {
 
-/// One setting that is compared: the default but for one parameter.
+/// One of the compared settings: the default with one parameter changed.
 struct OtfVariant {
     std::string interfaceFunction = "variance";  ///< a name of that parameter, "variance" or "ratio"
-    std::string parameter;  ///< "tube spacing", "cell size", ...; "unchanged": nothing but the interface function
+    std::string parameter;  ///< "tube spacing", "cell size", ...; "unchanged": only the interface function differs
     std::string value;
     AdaptiveOtfConfig config;
     bool isReference = false;  ///< whether it is the densest: tube cores every 4 units, double precision
     [[nodiscard]] std::string name() const { return value.empty() ? parameter : parameter + " " + value; }
 };
-/// The interface functions that are compared.
+/// The compared interface functions.
 inline const std::array<std::string, 2> interfaceFunctions{"variance", "ratio"};
 
-/// For the variance and then for the ratio: unchanged, the reference, and one parameter at a time. A grid of tube cores
-/// of a given spacing covers this volume in this view. There are as many variants in the same order for any volume.
+/// For the variance, then for the ratio: unchanged, the reference, and one parameter at a time. Grids of tube cores
+/// with a given spacing cover this volume in this view. For any volume the variants have the same number and order.
 [[nodiscard]] std::vector<OtfVariant> otfVariants(const VolumeGeometry& geometry, const Viewpoint& view);
 
-/// A volume in a view. It has no truth where none is known.
+/// A volume in a view. Its truth is null if unknown.
 struct OtfCase {
     std::string name;
     const Volume* volume = nullptr;
@@ -39,7 +39,7 @@ struct OtfCase {
     const PhantomTruth* truth = nullptr;
 };
 
-/// What is known of one variant over all cases.
+/// The results of one variant over all cases.
 struct VariantResult {
     OtfVariant variant;
     DetectionQuality detection;
@@ -54,12 +54,12 @@ struct VariantResult {
     [[nodiscard]] double timeRatio() const;  ///< geometric mean over the cases
     [[nodiscard]] double time() const;       ///< mean over the cases, ms
 };
-/// Adds the errors of every variant on a case to what is known.
+/// Adds the errors of every variant on a case to the results.
 void measureErrors(const OtfCase& one, std::vector<VariantResult>& results);
-/// Adds the run times of every variant, which run `repeats` times in turn. measureErrors() of some case comes before.
+/// Adds the run times of every variant, run `repeats` times in turn. Call measureErrors() of some case before.
 void measureTimes(const OtfCase& one, int repeats, std::vector<VariantResult>& results);
-/// Marks, for each interface function, the variants that no other beats in both run time and RMS difference. The
-/// reference is out of it: its difference is 0 by definition.
+/// For each interface function, marks the variants that no other beats in both run time and RMS difference. Leaves out
+/// the reference: its difference is 0 by definition.
 void markFront(std::vector<VariantResult>& results);
 
 /// One reading on one case.
@@ -70,7 +70,7 @@ struct ReadingResult {
     Viewpoint view;
     MethodReading reading = MethodReading::standard;
     DetectionQuality detection;
-    std::optional<double> contrast;  ///< CNR_S, where it is one of the six conditions along the beam
+    std::optional<double> contrast;  ///< CNR_S, if it is one of the six conditions along the beam
     double sumOfWeights = 0.0;       ///< sum of d
     int tubesWithWeight = 0;
     SurfaceLight light;          ///< light with the reading's own curve
@@ -81,14 +81,13 @@ struct ReadingResult {
 };
 [[nodiscard]] ReadingResult measureReading(const OtfCase& one, MethodReading reading);
 
-/// CNR_S of the curves that no tube core shapes, on the six conditions.
+/// CNR_S of the curves without tube cores, in the six conditions.
 struct FixedContrast {
     std::string condition;
     std::uint64_t seed = 0;
     std::optional<double> parabola, linear;
 };
 
-/// Everything `study otf` found.
 struct OtfStudy {
     std::string subject;  ///< what was measured, a sentence
     bool truthKnown = false;
@@ -100,7 +99,7 @@ struct OtfStudy {
 [[nodiscard]] std::string variantsCsv(const OtfStudy& study);
 [[nodiscard]] std::string readingsCsv(const OtfStudy& study);
 [[nodiscard]] std::string summaryText(const OtfStudy& study);
-/// Run time against RMS difference of opacity, or, with ofDetection, against the weight that is not on right tubes.
+/// Run time against RMS difference of opacity. With ofDetection, against the weight that is not on right tubes.
 [[nodiscard]] Plot paretoPlot(const OtfStudy& study, const std::string& function, bool ofDetection);
 [[nodiscard]] std::string otfPage(const OtfStudy& study);
 
@@ -109,7 +108,7 @@ struct OtfStudy {
 [[nodiscard]] TextTable detectionTable(const OtfStudy& study);
 /// CNR_S of the readings and of the fixed curves, by condition.
 [[nodiscard]] TextTable contrastTable(const OtfStudy& study);
-/// What is known of a volume without truth: tube cores, weight, surface light.
+/// For a volume without truth: tube cores, weight, surface light.
 [[nodiscard]] TextTable volumeTable(const OtfStudy& study);
 
 }  // namespace echolucent::cli

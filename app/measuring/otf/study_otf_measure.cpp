@@ -13,7 +13,7 @@ namespace echolucent::cli {
 
 namespace {
 
-/// The truth of the tube cores for each grid and cell size that occurs, asked once.
+/// The truth of the tube cores, computed once for each grid and cell size.
 class TruthOfGrids {
 public:
     explicit TruthOfGrids(const OtfCase& one) : m_case(one) {}
@@ -29,7 +29,7 @@ private:
     std::map<std::tuple<int, int, double, int>, std::vector<TubeTruth>> m_known;
 };
 
-/// Adds the differences between two curves of equally many samples.
+/// Adds the differences between two curves with equally many samples.
 void addDifference(const SampledCurve& curve, const SampledCurve& reference, VariantResult& result) {
     for (std::size_t i = 0; i < curve.opacities.size(); ++i) {
         const double difference = std::abs(curve.opacities[i] - reference.opacities[i]);
@@ -39,8 +39,8 @@ void addDifference(const SampledCurve& curve, const SampledCurve& reference, Var
     result.samples += curve.opacities.size();
 }
 
-/// The median run time of each variant in ms, and last the default setting's. Every round runs all of them once, so
-/// that whatever else the machine does meets them alike.
+/// The median run time of each variant in ms, and last that of the default setting. Every round runs all of them once,
+/// so that other load on the machine meets them alike.
 std::vector<double> medianTimes(const OtfCase& one, const std::vector<OtfVariant>& variants, int repeats) {
     std::vector<std::vector<double>> times(variants.size() + 1);
     for (int round = 0; round < repeats; ++round)
@@ -96,7 +96,7 @@ void measureTimes(const OtfCase& one, int repeats, std::vector<VariantResult>& r
     const auto times = medianTimes(one, variants, repeats);
     for (std::size_t v = 0; v < variants.size(); ++v) {
         results[v].times.push_back(times[v]);
-        // A clock that ticks too slowly for the run must not make the ratio infinite.
+        // A coarse clock must not make the ratio infinite.
         constexpr double leastTime = 1e-6;
         results[v].timeRatios.push_back(std::max(times[v], leastTime) / std::max(times.back(), leastTime));
     }

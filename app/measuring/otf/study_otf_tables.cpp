@@ -17,7 +17,7 @@ std::string percent(double share) { return fmt::format("{:.2f}", 100.0 * share);
 /// CNR_S, or a dash.
 std::string value(const std::optional<double>& number) { return shown(number, "—"); }
 
-/// The figures are pooled over the results of a reading that `belongs` picks.
+/// Adds up the quality of a reading over the results that `belongs` picks.
 template <typename Belongs>
 DetectionQuality pooled(const OtfStudy& study, MethodReading reading, Belongs belongs) {
     DetectionQuality quality;
@@ -135,7 +135,7 @@ std::string variantsCsv(const OtfStudy& study) {
                   "rms_difference", "max_difference", "right_weight_share", "empty_weight_share", "found_share",
                   "mean_error_units", "tubes_with_interface"});
     for (const VariantResult& result : study.variants) {
-        // Without a truth these are not 0 but unknown, so their cells are empty.
+        // Without a truth these are unknown, not 0, so their cells are empty.
         const auto known = [&](double number) { return study.truthKnown ? number : NAN; };
         const DetectionQuality& detection = result.detection;
         csv.row({result.variant.interfaceFunction, result.variant.parameter, result.variant.value,

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double referenceSpacing = 4.0;  // units between tube cores
 
-/// How many units the automatic grid covers along the view's right and down axes.
+/// The units that the automatic grid covers along the view's right and down axes.
 std::array<double, 2> coveredUnits(const VolumeGeometry& geometry, const Viewpoint& view) {
     return tubeSpacingUnits(geometry, view, {.columns = 1, .rows = 1, .spacing = 0}, CellRule{}.size);
 }
@@ -28,7 +28,7 @@ public:
              bool isReference = false) {
         variants.push_back({m_function, parameter, value, config, isReference});
     }
-    /// The base with one field set.
+    /// Adds the base with one field changed.
     template <typename Change>
     void vary(const std::string& parameter, const std::string& name, const Change& change) {
         AdaptiveOtfConfig config = m_base;
@@ -63,7 +63,7 @@ void VariantList::addGrids() {
     for (const int spacing : {40, 26, 20, 10, 8, 6, 4})
         add("tube spacing", std::to_string(spacing), ofSpacing(spacing));
     for (const int count : {5, 10}) {
-        // These grids cover only the middle of the picture, at the spacing that the whole grid has.
+        // These grids cover only the middle of the picture, at the spacing of the whole grid.
         AdaptiveOtfConfig fewer = m_base;
         const double across = std::max(m_covered[0] / m_base.grid.columns, 1.0 * m_base.cells.size);
         fewer.grid.spacing = static_cast<int>(across);
@@ -78,7 +78,7 @@ void VariantList::addCells() {
 }
 
 void VariantList::addSmoothing() {
-    // The ratio rule knows no scale space.
+    // The ratio rule has no scale space.
     const auto* base = std::get_if<VarianceRule>(&m_base.detection);
     if (base == nullptr) return;
     const auto varyRule = [&](const std::string& parameter, const std::string& name, const VarianceRule& rule) {

@@ -19,7 +19,7 @@ constexpr std::int64_t edge = 64;
 constexpr double fluid = 14, tissue = 85, object = 170;
 constexpr double middle = (edge - 1) / 2.0;
 
-/// A volume of an echo that follows from the place, under speckle.
+/// A volume with the echo of a function, under speckle.
 Volume painted(const std::function<double(const Vec3&)>& echoAt, std::uint64_t seed) {
     VolumeGeometry geometry;
     geometry.size = {edge, edge, edge};
@@ -40,13 +40,13 @@ Volume painted(const std::function<double(const Vec3&)>& echoAt, std::uint64_t s
     return Volume(geometry, std::move(voxels), 255.0);
 }
 
-/// From fluid at negative distances to tissue at positive ones.
+/// Fluid at negative distances, tissue at positive ones, and a ramp between.
 double rampAtDistance(double distance) {
     constexpr double width = 4.0;
     return fluid + (tissue - fluid) * std::clamp(distance / width + 0.5, 0.0, 1.0);
 }
 
-/// Means of the voxels at like distances from a structure, in bins of one unit; away from the borders.
+/// Mean voxel values over the distance from a structure, in bins of one unit. Leaves out a rim at the borders.
 std::vector<double> profileOf(const Volume& volume, const std::function<double(const Vec3&)>& distance, int bins) {
     constexpr std::int64_t rim = 8;
     std::vector<double> sums(static_cast<std::size_t>(bins)), counts(sums.size());
@@ -63,7 +63,7 @@ std::vector<double> profileOf(const Volume& volume, const std::function<double(c
     return sums;
 }
 
-/// Where a profile crosses halfway between its ends, units; NaN where it does not.
+/// Where a profile crosses the middle between its ends, units; NaN if it does not.
 double crossingOf(const std::vector<double>& profile) {
     const double half = (profile.front() + profile.back()) / 2.0;
     for (std::size_t i = 1; i < profile.size(); ++i) {
@@ -74,13 +74,13 @@ double crossingOf(const std::vector<double>& profile) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// How far a surface moves against the voxels as they were.
+/// How far the filter moves a surface.
 double shiftOf(const Volume& volume, const QuietFilter& filter, const std::function<double(const Vec3&)>& distance,
                int bins) {
     return crossingOf(profileOf(filter.run(volume), distance, bins)) - crossingOf(profileOf(volume, distance, bins));
 }
 
-/// The contrast of what lies within one bin, at the middle, against the first bin; share of what it was.
+/// The remaining share of the contrast between the first and the last bin.
 double contrastLeft(const Volume& volume, const QuietFilter& filter, const std::function<double(const Vec3&)>& distance,
                     int bins) {
     const auto before = profileOf(volume, distance, bins), after = profileOf(filter.run(volume), distance, bins);
@@ -137,7 +137,7 @@ StructureError structureErrorOf(const QuietFilter& filter, std::uint64_t seed) {
     const Volume sphere = painted([&](const Vec3& at) { return rampAtDistance(radius - fromCentre(at)); }, seed);
     error.sphereShift = shiftOf(sphere, filter, fromCentre, 22);
 
-    // Membrane and finger lie along x, so that the first bin holds nothing but them.
+    // Membrane and finger lie along x, so that the first bin holds them alone.
     const auto fromMembrane = [&](const Vec3& at) { return std::abs(at[2] - middle); };
     const Volume membrane = painted([&](const Vec3& at) { return fromMembrane(at) < 1.0 ? tissue : fluid; }, seed);
     error.membrane = contrastLeft(membrane, filter, fromMembrane, 12);

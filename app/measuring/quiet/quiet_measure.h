@@ -1,4 +1,4 @@
-// The parts of `study quiet`: which filters are compared, and what is measured of each.
+// The parts of `study quiet`: the compared filters, and the measures of each.
 #pragma once
 
 #include <functional>
@@ -13,32 +13,32 @@ namespace echolucent::cli {
 
 /// One way to make voxels quiet.
 struct QuietFilter {
-    std::string name;        ///< what it does
-    std::string setting;     ///< the reduction it stands behind; empty where none
-    SpeckleReduction named;  ///< that reduction, as the curve is told; where `setting` is empty, the nearest
+    std::string name;        ///< its work in words
+    std::string setting;     ///< the reduction that uses it; empty if none
+    SpeckleReduction named;  ///< that reduction, as the curve is told; if `setting` is empty, the nearest
     std::function<Volume(const Volume&)> run;
 };
-/// The voxels as they are, Gaussians, and the filters behind every reduction.
+/// The unfiltered voxels, Gaussians, and the filters of all reductions.
 [[nodiscard]] std::vector<QuietFilter> quietFilters();
 
-/// What is left of known structures, measured on small volumes with speckle of s = 0.5 and a FWHM of 2 voxels. Fluid is
-/// 14, tissue 85, object 170. Noise is averaged out along the structure.
+/// The loss of known structures, on small volumes with speckle of s = 0.5 and a FWHM of 2 voxels. Fluid is 14, tissue
+/// 85, object 170. Means along the structure remove the noise.
 struct StructureError {
     double planeShift = 0.0;   ///< units by which the middle of a plane's ramp of 4 units moves, to either side
-    double sphereShift = 0.0;  ///< the same on a sphere with a radius of 12 units; below 0 where it shrinks
-    double membrane = 0.0;     ///< contrast of a membrane of tissue, 2 voxels thick, in fluid; share of what was there
-    double finger = 0.0;       ///< contrast on the axis of a finger of object in fluid, 4 voxels thick; share
+    double sphereShift = 0.0;  ///< the same on a sphere with a radius of 12 units; below 0 if it shrinks
+    double membrane = 0.0;     ///< remaining share of the contrast of a membrane of tissue in fluid, 2 voxels thick
+    double finger = 0.0;       ///< the same on the axis of a finger of object in fluid, 4 voxels thick
 };
 [[nodiscard]] StructureError structureErrorOf(const QuietFilter& filter, std::uint64_t seed);
 
 /// Wall time of a filter, ms per million voxels of 8 bits: the median of `repeats` runs.
 struct QuietTimes {
     double whole = 0.0;   ///< all voxels are data
-    double masked = 0.0;  ///< a sector of two thirds of the voxels is
+    double masked = 0.0;  ///< two thirds of the voxels, a sector, are data
 };
 [[nodiscard]] QuietTimes quietTimesOf(const QuietFilter& filter, int edge, int repeats);
 
-/// CNR_S of the default reading's curve on the quiet voxels, for which it is meant.
+/// CNR_S of the default reading's curve, on the quiet voxels for which it is made.
 [[nodiscard]] std::optional<double> quietContrastOf(const StudyPhantom& phantom, const std::vector<SurfaceRay>& rays,
                                                     const QuietFilter& filter);
 

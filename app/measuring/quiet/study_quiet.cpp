@@ -1,4 +1,4 @@
-// `study quiet`: what each filter of speckle reduction brings, costs and takes away.
+// `study quiet`: the gain, the cost and the loss of each filter of speckle reduction.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -11,7 +11,7 @@ namespace echolucent::cli {
 
 namespace {
 
-/// What is known of one filter.
+/// The results of one filter.
 struct QuietResult {
     QuietFilter filter;
     StructureError error;
@@ -29,7 +29,7 @@ const std::vector<std::string>& conditionNames() {
     return names;
 }
 
-/// Means over the seeds, for every filter at once: phantom and rays are made once.
+/// Means over the seeds, for every filter at once, so that phantom and rays are made only once.
 void measureContrasts(const std::vector<PhantomConfig>& bases, PhantomScene scene, std::vector<QuietResult>& results) {
     for (std::size_t c = 0; c < conditionNames().size(); ++c) {
         std::vector<std::vector<std::optional<double>>> seeds(results.size());

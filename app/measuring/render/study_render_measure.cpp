@@ -14,12 +14,12 @@ namespace echolucent::cli {
 namespace {
 
 constexpr double convergedStep = 0.1;
-/// The camera turns between timed runs, so that no kept sample of an unchanged view is timed.
+/// The camera turns between timed runs, so that no run uses kept samples of an unchanged view.
 constexpr double hairDegrees = 0.01;
-/// The plain route is slow, and its run times vary little beside its differences from the kernel's.
+/// The plain route is slow, and its run times vary little compared with their distance from the kernel's.
 constexpr int mostPlainRepeats = 3;
 
-/// The camera turned about the picture's vertical axis through the focal point.
+/// Turns the camera about the picture's vertical axis through the focal point.
 Camera turned(Camera camera, double degrees) {
     const double angle = degrees * std::numbers::pi / 180.0;
     const ViewFrame frame = camera.frame;
@@ -28,7 +28,7 @@ Camera turned(Camera camera, double degrees) {
     return camera;
 }
 
-/// What is cast, in the size it is cast in.
+/// Casts the picture of a setting, not enlarged.
 Picture castOnce(const RenderVariant& variant, const RenderCase& one, RayCaster& caster, double turnedDegrees) {
     RayCastSettings settings = variant.settings;
     settings.camera = turned(settings.camera, turnedDegrees);
@@ -50,7 +50,7 @@ std::string letterOf(std::size_t index) {
     return letters;
 }
 
-/// The plain route in double at these settings.
+/// The result of the plain route in double at these settings.
 const RenderResult& inDouble(const std::vector<RenderResult>& results, const RayCastSettings& settings) {
     return *std::find_if(results.begin(), results.end(), [&](const RenderResult& result) {
         return result.variant.plain == asTheKernel(settings.step) && result.variant.settings == settings;
@@ -69,9 +69,9 @@ void measureErrors(const RenderCase& one, RayCaster& caster, RenderStudy& study)
     }
 }
 
-/// Every round runs all settings once, every other round backwards, so that whatever else the machine does meets them
-/// alike. A run that is not timed comes before each: a hand that moves casts many pictures of one setting, and what the
-/// caster makes for a setting (tables, where the volume is empty) is made once.
+/// Every round runs all settings once, every other round backwards, so that other load on the machine meets them alike.
+/// An untimed run comes before each: a moving hand casts many pictures of one setting, and the caster makes
+/// a setting's tables and its map of empty space only once.
 void measureTimes(const RenderCase& one, RayCaster& caster, RenderStudy& study) {
     const std::size_t count = study.results.size();
     std::vector<std::vector<double>> times(count);
@@ -89,7 +89,7 @@ void measureTimes(const RenderCase& one, RayCaster& caster, RenderStudy& study) 
     runAll(false, study.repeats);
     runAll(true, study.plainRepeats);
     for (std::size_t i = 0; i < times.size(); ++i) study.results[i].milliseconds = medianOf(times[i]);
-    // A clock that ticks too slowly for the run must not make the ratio infinite.
+    // A coarse clock must not make the ratio infinite.
     constexpr double leastTime = 1e-6;
     for (RenderResult& result : study.results) {
         const RenderResult& unit =
@@ -98,7 +98,7 @@ void measureTimes(const RenderCase& one, RayCaster& caster, RenderStudy& study) 
     }
 }
 
-/// Both routes render with equal settings, and rays go to their ends.
+/// Both routes render with equal settings, and rays do not end early.
 void checkSameRays(const RenderCase& one, RayCaster& caster, RenderStudy& study) {
     const auto check = [&](const std::string& name, double offsetPixels, auto change) {
         RayCastSettings settings = one.reference;

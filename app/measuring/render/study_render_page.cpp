@@ -9,7 +9,7 @@ namespace echolucent::cli {
 
 namespace {
 
-constexpr int overviewEdge = 128, detailEdge = 80, zoom = 2;  // pixels; the page keeps within HtmlPage::mostBytes
+constexpr int overviewEdge = 128, detailEdge = 80, zoom = 2;  // pixels; so the page keeps within HtmlPage::mostBytes
 constexpr double amplification = 8.0;
 
 /// Settings of one axis, by run time and RMSE.
@@ -45,7 +45,7 @@ Plot stepPlot(const RenderStudy& study) {
     return plot;
 }
 
-/// These are the reference setting, the fastest within each bound, and what older hardware did.
+/// The reference setting, the fastest one within each bound, and the settings of older hardware.
 std::vector<std::pair<std::string, const RenderResult*>> shownResults(const RenderStudy& study) {
     std::vector<std::pair<std::string, const RenderResult*>> shown{{"reference setting", &study.results.front()}};
     const auto add = [&](const std::string& name, const RenderResult* result) {

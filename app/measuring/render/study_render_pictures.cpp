@@ -6,7 +6,7 @@ namespace echolucent::cli {
 
 namespace {
 
-/// Two neighbours and the share of the second, for a place between pixel centres.
+/// The two pixels beside a place between pixel centres, and the share of the second.
 struct Neighbours {
     std::size_t first, second;
     float share;

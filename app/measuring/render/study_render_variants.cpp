@@ -51,7 +51,7 @@ void addOmissions(VariantList& list) {
         list.add("resolution", fmt::format("1/{:g}", reduction), [&](RenderVariant& v) { v.reduction = reduction; });
 }
 
-/// Float is what the kernel stores, so only the plain route can tell what each precision costs.
+/// The kernel stores floats, so only the plain route can tell the cost of each precision.
 void addPrecisions(VariantList& list) {
     for (const double step : {1.0, 0.25})
         for (const auto precision : {CompositingPrecision::twofold, CompositingPrecision::single,
@@ -63,7 +63,7 @@ void addPrecisions(VariantList& list) {
             });
 }
 
-/// These say what it would cost to count whole steps only.
+/// The cost of counting whole steps only.
 void addEnds(VariantList& list) {
     for (const double step : {2.0, 1.0, 0.25})
         list.add("ends", fmt::format("double, step {:g}, whole steps only", step), [&](RenderVariant& v) {
@@ -74,8 +74,7 @@ void addEnds(VariantList& list) {
         });
 }
 
-/// These are what a controller may choose from a frame budget: rays end at 1/128, there are fewer of them, and steps
-/// are longer.
+/// Settings for a controller with a frame budget: rays end at 1/128, there are fewer rays, and steps are longer.
 void addCombinations(VariantList& list) {
     for (const double reduction : {1.0, 1.5, 2.0, 3.0, 4.0})
         for (const double step : {0.5, 0.75, 1.0, 1.5, 2.0, 3.0})

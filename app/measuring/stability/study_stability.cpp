@@ -34,7 +34,7 @@ std::string casesCsv(const std::vector<ExtremeResult>& results) {
     return csv.text();
 }
 
-/// The errors of the basis function over the gap.
+/// The error of the basis function over the gap.
 Plot basisPlot(const std::vector<NumericCheck>& checks) {
     Plot plot{"Error of the basis function", "I_H - I_L", "largest error", true, true, {}};
     for (const bool here : {true, false}) {
@@ -44,7 +44,7 @@ Plot basisPlot(const std::vector<NumericCheck>& checks) {
         for (const NumericCheck& check : checks) {
             if (!check.abscissa || check.isOurs() != here) continue;
             series.x.push_back(*check.abscissa);
-            // A logarithmic axis has no 0, and what is not finite ends at the top.
+            // A logarithmic axis has no 0. A value that is not finite is drawn at the top.
             series.y.push_back(std::clamp(check.error, 1e-18, 1e3));
         }
         plot.series.push_back(std::move(series));
@@ -52,7 +52,7 @@ Plot basisPlot(const std::vector<NumericCheck>& checks) {
     return plot;
 }
 
-/// As many digits of a reference as tell it from a double; the tables as CSV hold all 50.
+/// Enough digits of a reference to tell it from a double. The CSV tables hold all 50.
 std::string shortened(const std::string& reference) {
     constexpr std::size_t shownDigits = 24;
     const auto exponent = std::min(reference.find('e'), reference.size());

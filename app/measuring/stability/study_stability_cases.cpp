@@ -1,4 +1,4 @@
-// Volumes and settings at the end of what may come.
+// Extreme volumes and settings.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -19,7 +19,7 @@ VolumeGeometry geometryOf(std::array<std::int64_t, 3> size, const Vec3& spacing 
     return geometry;
 }
 
-/// The value of every voxel by its place.
+/// A volume whose voxels are a function of their place.
 template <typename Stored>
 Volume volumeOf(const VolumeGeometry& geometry,
                 const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& value,
@@ -128,7 +128,7 @@ ExtremeResult resultOf(const ExtremeCase& extreme, const std::string& reading, c
         config.grid.columns = config.grid.rows = *extreme.tubesAcross;
         config.grid.spacing = static_cast<double>(extreme.volume.geometry().size[0]) / *extreme.tubesAcross;
     }
-    // Only the product has a d_max.
+    // Only the product rule has a d_max.
     if (extreme.dMax) config.curve = ProductRule{*extreme.dMax * config.grid.columns * config.grid.rows};
     const AdaptiveOtf otf = *adaptOpacity(extreme.volume, extreme.view, config);
     ExtremeResult result{extreme.name, reading, otf.message, otf.tubesMeetingVolume, otf.tubesWithWeight};

@@ -1,5 +1,5 @@
-// Inputs of the reference values in tests/fixtures and in study_stability_reference.cpp: the same numbers as
-// tests/fixtures/make_reference.py makes, because every operation here is rounded alike in both.
+// Inputs of the reference values in tests/fixtures and in study_stability_reference.cpp. They equal those of
+// tests/fixtures/make_reference.py, because both round every operation alike.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct BasisInput {
     Range range;
 };
 
-/// Row i of basis_function.csv: every fourth intensity lies anywhere, the others about the range.
+/// Row i of basis_function.csv: every fourth intensity lies anywhere, the others near the range.
 inline BasisInput basisInput(std::uint64_t i) {
     const Range range = narrowOrWide(8 * i);
     const double share = unit(8 * i + 3);
@@ -43,8 +43,8 @@ struct TubeInput {
     Range range;
 };
 
-/// Tube core t of log_opacity_*.csv: every eighth has a range from narrowOrWide(), the others have one that is 0.1 to
-/// 0.6 wide.
+/// Tube core t of log_opacity_*.csv: every eighth has a range of narrowOrWide(), the others one that is 0.1 to 0.6
+/// wide.
 inline TubeInput tubeInput(std::uint64_t t, double dMax) {
     const std::uint64_t counter = (std::uint64_t{1} << 40) + 8 * t;
     const double d = dMax * unit(counter + 3);

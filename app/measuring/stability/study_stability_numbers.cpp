@@ -1,4 +1,4 @@
-// The numbers of the method beside what the textbook formulas give in the same precision.
+// The numbers of the method beside those of the textbook formulas in the same precision.
 #include <fmt/format.h>
 
 #include <array>
@@ -22,16 +22,16 @@ namespace {
 constexpr char ours[] = "as here";
 constexpr double infiniteError = std::numeric_limits<double>::infinity();
 
-/// More digits than a double's are needed to see a double's error.
+/// To see a double's error, a number needs more digits than a double has.
 long double numberFrom(const std::string& digits) { return std::strtold(digits.c_str(), nullptr); }
 
-/// The worst of several values of one way.
+/// The worst value of one way in one condition.
 class Worst {
 public:
     Worst(std::string quantity, std::string condition, std::string way, std::optional<double> allowed) {
         m_check = {std::move(quantity), std::move(condition), std::move(way), 0.0, "", -1.0, allowed, {}};
     }
-    /// The error is counted in `scale`.
+    /// The error is given in multiples of `scale`.
     void add(double value, long double exact, const std::string& digits, long double scale = 1.0L) {
         const long double error = std::abs(static_cast<long double>(value) - exact) / scale;
         const double counted = std::isfinite(value) ? static_cast<double>(error) : infiniteError;
@@ -50,7 +50,7 @@ private:
     NumericCheck m_check;
 };
 
-/// Eqs. 5 and 6 as they stand, with the erratum, in double.
+/// Eqs. 5 and 6 literally, with the erratum, in double.
 double literalBasis(double x, double low, double high) {
     const double b = 2.0 / ((high - low) * (high - low));
     const double c = 1.0 / std::sqrt(2.0 * b) + low;
@@ -88,7 +88,7 @@ std::vector<TubeCore> tubesOf(const reference::LogOpacityReference& row) {
     return tubes;
 }
 
-/// ln of x^2 prod (1 + d)^g as eq. 4 multiplies it.
+/// ln of x^2 prod (1 + d)^g, multiplied as in eq. 4.
 double logOfProduct(const std::vector<TubeCore>& tubes, double x) {
     double product = x * x;
     for (const TubeCore& tube : tubes)
@@ -130,12 +130,12 @@ void checkSteps(std::vector<NumericCheck>& checks) {
     }
 }
 
-/// The cells in the far corner of a cube of 16-bit voxels around a mean, spread over 5 values.
+/// Cells in the far corner of a cube of 16-bit voxels. The voxels take 5 values around a mean.
 class BrightCube {
 public:
     static constexpr std::size_t edge = 160, cell = 5;
     explicit BrightCube(int mean) : m_mean(mean) {
-        // Sums over everything before a corner: 0 along the faces (Crow 1984).
+        // Sums over all voxels before a corner; 0 along the faces (Crow 1984).
         for (std::size_t z = 1; z <= edge; ++z)
             for (std::size_t y = 1; y <= edge; ++y) {
                 double row = 0.0, rowOfSquares = 0.0;
@@ -155,7 +155,7 @@ public:
     [[nodiscard]] std::uint16_t voxel(std::size_t x, std::size_t y, std::size_t z) const {
         return static_cast<std::uint16_t>(m_mean - 2 + static_cast<int>(splitmix64(x + edge * (y + edge * z)) % 5));
     }
-    /// The sum of the cell that begins there, from the eight corners of the summed-area table.
+    /// The variance of the cell that begins at a voxel, from the eight corners of the summed-area tables.
     [[nodiscard]] double varianceByTable(std::size_t x, std::size_t y, std::size_t z) const {
         constexpr double n = cell * cell * cell;
         const auto box = [&](const std::vector<double>& table) {
@@ -223,7 +223,7 @@ void checkVariance(std::vector<NumericCheck>& checks) {
             std::int64_t sum = 0, squares = 0;
             for (std::size_t k = 0; k < cell * cell * cell; ++k) {
                 values.push_back(cube.voxel(x + k % cell, y + k / cell % cell, z + k / (cell * cell)));
-                // The reference uses deviations from a known mean, which are small whole numbers.
+                // The reference uses deviations from a known mean: small whole numbers.
                 const std::int64_t deviation = values.back() - mean;
                 sum += deviation;
                 squares += deviation * deviation;
@@ -241,7 +241,7 @@ void checkVariance(std::vector<NumericCheck>& checks) {
     }
 }
 
-/// Weights of the parabola's value at the newest of five times, by the normal equations in the times as they are.
+/// Weights of the parabola's value at the newest of five times, by the normal equations in the unshifted times.
 std::array<double, 5> weightsByNormalEquations(const std::array<double, 5>& times) {
     std::array<std::array<double, 4>, 3> equations{};  // moments | powers of the newest time
     for (int row = 0; row < 3; ++row) {

@@ -97,7 +97,7 @@ int CurveCanvas::nodeAt(QPointF position) const {
     for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
         const QPointF away = m_axes.positionOf(nodes[static_cast<std::size_t>(i)]) - position;
         const double distance = std::max(std::abs(away.x()), std::abs(away.y()));
-        // Where two nodes lie on each other, the selected one is meant.
+        // If two nodes lie on each other, take the selected one.
         if (distance < nearestDistance || (distance == nearestDistance && i == m_model.selectedNode())) {
             nearest = i;
             nearestDistance = distance;
@@ -108,7 +108,7 @@ int CurveCanvas::nodeAt(QPointF position) const {
 
 bool CurveCanvas::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && handlesKey(*static_cast<QKeyEvent*>(event))) {
-        event->accept();  // arrows turn the view elsewhere; here they move the node
+        event->accept();  // elsewhere the arrows turn the view, here they move the node
         return true;
     }
     if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) {
@@ -122,7 +122,7 @@ bool CurveCanvas::event(QEvent* event) {
 }
 
 bool CurveCanvas::focusNextPrevChild(bool next) {
-    // Past the last node Tab leaves, so that the keyboard is never caught here.
+    // Tab leaves past the last node, so that the keyboard is never caught here.
     return selectNeighbour(next ? 1 : -1) || QWidget::focusNextPrevChild(next);
 }
 
@@ -134,7 +134,7 @@ void CurveCanvas::changeEvent(QEvent* event) {
 }
 
 void CurveCanvas::mousePressEvent(QMouseEvent* event) {
-    if (m_grab) return;  // a second button changes nothing about the drag
+    if (m_grab) return;  // a second button does not change the drag
     const QPointF position = event->position();
     Grab grab{event->button(), -1, position, {}, m_axes.intensity, m_axes.opacity};
     if (event->button() == Qt::LeftButton) {

@@ -1,4 +1,4 @@
-// The plot of the OTF editor: histogram, five curves, nodes that are moved directly.
+// The plot of the OTF editor: histogram, five curves, and nodes that a person drags.
 #pragma once
 
 #include <QWidget>
@@ -13,15 +13,15 @@
 
 namespace echolucent {
 
-/// Mouse: drag a node (Shift keeps to one axis), double click adds one, the wheel zooms the intensities (over the plot
-/// or their axis) or the opacities (over theirs, or with Ctrl), the middle button pans, a double click on an axis
-/// resets it. Keys: Tab and Page keys go from node to node, arrows move the selected one by 1/256 (with Shift by
-/// 10/256), Delete removes it, Escape ends a drag without change.
+/// Mouse: a drag moves a node (with Shift along one axis), a double click adds one, the middle button pans. The wheel
+/// zooms the intensities over the plot or their axis, the opacities over their axis or with Ctrl. A double click on an
+/// axis resets it. Keys: Tab and the Page keys go from node to node, arrows move the selected one by 1/256 (with Shift
+/// by 10/256), Delete removes it, Escape ends a drag without change.
 class CurveCanvas : public QWidget {
     Q_OBJECT
 
 public:
-    /// Distance from a node's centre, along either axis and in pixels, within which it is hit.
+    /// A press hits a node if it is this near its centre along each axis, in pixels.
     static constexpr double hitDistance = 10.0;
 
     explicit CurveCanvas(OtfEditorModel& model, QWidget* parent = nullptr);
@@ -29,10 +29,9 @@ public:
     void setHistogram(const IntensityHistogram& histogram);
     void setHistogramScale(HistogramScale scale);
     [[nodiscard]] HistogramScale histogramScale() const { return m_histogramScale; }
-    /// Takes the stored value at normalised intensity 1, for the second row of numbers; at 1 or less there is no such
-    /// row.
+    /// The stored value at normalised intensity 1, for the second row of numbers. At 1 or less there is no such row.
     void setWhiteLevel(double whiteLevel);
-    /// Marks the intensity under the cursor elsewhere (the 3D view); removes the mark where it is not given.
+    /// Marks the intensity under the cursor in the 3D view. No value removes the mark.
     void setCursorIntensity(std::optional<double> intensity);
 
     /// The mapping between values and this widget's pixels.
@@ -47,7 +46,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {260, 150}; }
 
 signals:
-    /// The value under the pointer and the node that it is over (-1 for none); nothing once it has left the plot.
+    /// The value under the pointer, and the node there (-1 for none). No value once the pointer has left the plot.
     void hovered(std::optional<echolucent::CurveNode> value, int node);
 
 protected:
@@ -68,7 +67,7 @@ protected:
 private:
     static constexpr double storedRowGap = 18.0;  // pixels from the name of the row of stored values to the plot
     enum class Region { plot, intensityAxis, opacityAxis, corner };
-    /// Where a node or the plot was taken, so that it does not jump under the pointer.
+    /// The place at which a person took a node or the plot, so that it does not jump under the pointer.
     struct Grab {
         Qt::MouseButton button;
         int node;  // -1: the plot

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double nodeSide = 8.0;
 constexpr double highlightedNodeSide = 11.0;
-constexpr double haloWidth = 2.5;  // background colour around the active curve, so that it stands off the others
+constexpr double haloWidth = 2.5;  // background colour around the active curve sets it off from the others
 
-/// As many decimals as tell neighbouring ticks apart.
+/// Enough decimals to tell neighbouring ticks apart.
 QString tickText(double value, double step) {
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-6)), 1, 4);
     return QString::number(std::abs(value) < step / 2 ? 0.0 : value, 'f', decimals);
@@ -157,7 +157,7 @@ void CurveCanvas::paintCurve(QPainter& painter, CurveKind kind, const PlotColour
     const QPen pen = curvePen(kind, active, themeOf(palette()));
     painter.setBrush(Qt::NoBrush);
     if (isAdjusted) {
-        // What is adjusted stays in sight, thin: its nodes are the ones that are edited.
+        // Draw the curve before adjustment too, thin: a person edits its nodes.
         painter.setPen(curvePen(kind, false, themeOf(palette())));
         painter.drawPolyline(curvePolygon(kind));
     }
@@ -169,7 +169,7 @@ void CurveCanvas::paintCurve(QPainter& painter, CurveKind kind, const PlotColour
     painter.drawPolyline(polygon);
 }
 
-/// What the picture is rendered with, adjusted; it is not edited, and so has no nodes.
+/// Draws the designer's upper curve, adjusted. A person cannot edit it, so it has no nodes.
 void CurveCanvas::paintDesign(QPainter& painter, const PlotColours& colors) const {
     const OtfEditorState& state = m_model.state();
     if (!state.designVisible || !state.design) return;

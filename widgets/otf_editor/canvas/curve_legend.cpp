@@ -39,7 +39,7 @@ CurveLegend::CurveLegend(OtfEditorModel& model, QWidget* parent) : QWidget(paren
         m_active[indexOf(kind)] = active;
         m_visible[indexOf(kind)] = visible;
     }
-    // In the place that the fifth kind leaves free.
+    // The fifth kind leaves this place free.
     grid->addWidget(secondaryLabel(tr("○ render   □ show")), 2, 2, 1, 2);
     m_designActive = new QRadioButton;
     m_designActive->setObjectName("otfEditor.active.design");

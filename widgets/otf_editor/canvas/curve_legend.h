@@ -1,4 +1,4 @@
-// Which curve is rendered and which are drawn.
+// Which curve is rendered, and which are drawn.
 #pragma once
 
 #include <QCheckBox>
@@ -10,8 +10,8 @@
 
 namespace echolucent {
 
-/// A column per curve: a radio button makes it the rendered one, a check box beside a piece of its line draws it. While
-/// the OTF of a designer is rendered, a row below has its name; any of the five leaves it.
+/// A column per curve: a radio button renders it, a check box beside a piece of its line draws it. While a designer's
+/// OTF is rendered, a row below has its name. Choosing one of the five leaves it.
 class CurveLegend : public QWidget {
     Q_OBJECT
 

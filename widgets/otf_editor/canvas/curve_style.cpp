@@ -18,7 +18,7 @@ struct CurveStyle {
     ColourOfThemes colour;
     double width;                // pixels, not active
     double activeWidth;          // pixels
-    std::vector<double> dashes;  // pixels on and off in turn; without any the line is solid
+    std::vector<double> dashes;  // pixels on and off in turn; none: the line is solid
 };
 
 const CurveStyle& styleOf(CurveKind kind) {

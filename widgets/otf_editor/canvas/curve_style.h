@@ -19,18 +19,18 @@ namespace echolucent {
 /// The name in a sentence: "adaptive", "manual", "linear", "parabolic", "quartic".
 [[nodiscard]] QString curveName(CurveKind kind);
 
-/// The curve's one colour, in the light theme as dark as the ground asks for: at least 3 : 1 on plots and panels (WCAG
-/// 2.1, 1.4.11). Reports draw curves in the same colours.
+/// The curve's one colour. It has a contrast of at least 3 : 1 on plots and panels of the theme (WCAG 2.1, 1.4.11).
+/// Reports use the same colours.
 [[nodiscard]] QColor curveColor(CurveKind kind, Theme theme);
 /// Colour, width and dashes; the active curve is drawn heavier.
 [[nodiscard]] QPen curvePen(CurveKind kind, bool active, Theme theme);
-/// The same of the upper curve of what a designer made, which is told from the five by colour and dashes too.
+/// Colour and pen of a designer's upper curve. Its colour and its dashes differ from those of the five.
 [[nodiscard]] QColor designColor(Theme theme);
 [[nodiscard]] QPen designPen(Theme theme);
 inline constexpr QSize curveSampleSize{25, 12};  ///< pixels
 /// A short piece of the line, with a square node for the manual curve.
 [[nodiscard]] QIcon curveSample(CurveKind kind, Theme theme);
-/// The same of a designer's upper curve.
+/// A short piece of the line of a designer's upper curve.
 [[nodiscard]] QIcon designSample(Theme theme);
 
 /// The square of a manual curve's node around `centre`; `side` in pixels.

@@ -24,7 +24,7 @@ std::array<double, 256> histogramHeights(const IntensityHistogram& histogram, Hi
 
 void paintHistogram(QPainter& painter, const PlotAxes& axes, const std::array<double, 256>& heights, const QColor& fill,
                     const QColor& outline) {
-    constexpr double headroom = 0.94;  // the fullest bin stays clear of the frame
+    constexpr double headroom = 0.94;  // keeps the fullest bin clear of the frame
     const auto xOf = [&](std::size_t edge) {
         return axes.positionOf({static_cast<double>(edge) / static_cast<double>(heights.size()), 0.0}).x();
     };

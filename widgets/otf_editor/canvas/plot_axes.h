@@ -1,4 +1,4 @@
-// From intensity and opacity to pixels and back.
+// Maps intensity and opacity to pixels and back.
 #pragma once
 
 #include <QPointF>
@@ -15,18 +15,18 @@ struct AxisRange {
     double upper = 1.0;
 
     [[nodiscard]] double length() const { return upper - lower; }
-    /// Length times `factor` with `anchor` kept where it is on the screen; within [0,1], no shorter than `minLength`.
+    /// Length times `factor`, within [0,1] and no shorter than `minLength`. `anchor` keeps its place on the screen.
     [[nodiscard]] AxisRange zoomed(double anchor, double factor, double minLength) const;
     /// Moved by `distance`, stopped at 0 and 1.
     [[nodiscard]] AxisRange moved(double distance) const;
     friend bool operator==(const AxisRange&, const AxisRange&) = default;
 };
 
-/// Shortest ranges that zooming reaches: 8 of 256 intensities, and an opacity of 0.005 (adaptive ones can be small).
+/// The shortest ranges when zooming: 8 of 256 intensities, and an opacity of 0.005 (adaptive ones can be small).
 inline constexpr double minIntensityLength = 8.0 / 256.0;
 inline constexpr double minOpacityLength = 0.005;
 
-/// A rectangle in pixels that shows a range of intensities to the right and one of opacities upwards.
+/// A rectangle in pixels. Intensities go to the right, opacities upwards.
 struct PlotAxes {
     QRectF rect;
     AxisRange intensity;
@@ -37,7 +37,7 @@ struct PlotAxes {
     [[nodiscard]] CurveNode valueAt(QPointF position) const;
 };
 
-/// Round positions (1, 2 or 5 times a power of ten apart) in the range, at most `maxCount` (>= 2) of them.
+/// Round positions in the range, 1, 2 or 5 times a power of ten apart: at most `maxCount` (>= 2).
 [[nodiscard]] std::vector<double> tickPositions(const AxisRange& range, int maxCount);
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// The colours of plots: of the curve editor, of the OTF over the angle.
+// The colours of plots: of the curve editor, and of the OTF over the angle.
 #pragma once
 
 #include "widgets/theme_colours.h"
@@ -8,7 +8,7 @@ namespace echolucent {
 struct PlotColours {
     QColor background, text, secondary, grid, frame, histogram, histogramOutline;
 };
-/// Of a plot whose ground lies a little deeper than its panel in the dark theme, and is white in the light one.
+/// In the dark theme the ground of a plot is a little darker than its panel; in the light theme it is white.
 [[nodiscard]] PlotColours plotColours(Theme theme);
 
 }  // namespace echolucent
