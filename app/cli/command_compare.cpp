@@ -6,7 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/document_study.h"
 #include "io/output/atomic_file.h"
-#include "processing/document/pane_measures.h"
+#include "processing/pane_picture/pane_measures.h"
 #include "processing/document/panes.h"
 
 namespace echolucent::cli {

@@ -12,7 +12,7 @@
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/designers/designer.h"
-#include "processing/document/view_caster.h"
+#include "processing/pane_picture/pane_caster.h"
 
 namespace echolucent::cli {
 

@@ -12,7 +12,7 @@
 #include "app/cli/report/picture_words.h"
 #include "io/study/import_report.h"
 #include "io/writers/picture_file.h"
-#include "processing/document/view_picture.h"
+#include "processing/pane_picture/pane_picture.h"
 #include "processing/picture/empty_picture.h"
 
 namespace echolucent::cli {
@@ -107,7 +107,7 @@ Result<void> render(const RenderOptions& options, const CLI::App& command) {
     const VolumeGeometry& geometry = made->study.phases.front()->geometry();
     sayNote(pictureNotesOf(geometry, "picture"));
     const auto quality = options.quality == "quick" ? PictureQuality::quick : PictureQuality::converged;
-    const auto shown = viewPicture(made->document, made->pane, made->study.phases, width, height, {}, quality);
+    const auto shown = panePicture(made->document, made->pane, made->study.phases, width, height, {}, quality);
     sayNote(shown->message);
     if (shown->cast.mode == RenderMode::direct) explainEmptiness(shown->picture, shown->classification, *shown->voxels);
     std::vector<std::uint8_t> rgb = overBackground(shown->picture, *background);

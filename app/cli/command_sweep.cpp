@@ -19,8 +19,8 @@
 #include "io/output/atomic_file.h"
 #include "io/study/import_report.h"
 #include "io/writers/movie_file.h"
-#include "processing/document/view_caster.h"
-#include "processing/document/view_frames.h"
+#include "processing/pane_picture/pane_caster.h"
+#include "processing/pane_picture/pane_frames.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/otf_sweep.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
@@ -142,7 +142,7 @@ std::vector<QuietVoxels> shownVoxels(const StudyPhases& phases) {
 /// The OTF of the view from which the motion begins, for all frames.
 std::vector<SweptOtf> withOneOtf(const Document& document, const StudyPhases& phases,
                                  const std::vector<SweepFrame>& frames) {
-    const AdaptiveOtf otf = ViewCaster(phases).readTubeCores(document, firstPane)->otf;
+    const AdaptiveOtf otf = PaneCaster(phases).readTubeCores(document, firstPane)->otf;
     double sumOfD = 0.0;
     for (const TubeCore& tube : otf.tubes) sumOfD += tube.d;
     std::vector<SweptOtf> swept;
@@ -169,12 +169,12 @@ public:
     Picture of(const SweepFrame& frame, const SampledCurve& curve) {
         m_document.scene.motionAngle = frame.degrees;
         m_document.scene.phase = frame.phase;
-        return std::move(m_caster.picture(m_document, firstPane, m_size[0], m_size[1], {.curve = curve})->picture);
+        return std::move(m_caster.pictureWith({.curve = curve}, m_document, firstPane, m_size[0], m_size[1])->picture);
     }
 
 private:
     Document m_document;
-    ViewCaster m_caster;
+    PaneCaster m_caster;
     std::array<int, 2> m_size;
 };
 

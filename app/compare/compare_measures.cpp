@@ -6,7 +6,7 @@
 
 #include "processing/comparison/plain_frames.h"
 #include "processing/designers/designer.h"
-#include "processing/document/view_caster.h"
+#include "processing/pane_picture/pane_caster.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/motion_mode.h"
 #include "widgets/compare/compare_panel.h"

@@ -196,11 +196,11 @@ void CompareRoom::writeWaitingPage() {
                      .version = QApplication::applicationVersion(),
                      .panes = {}};
     const std::vector<CompareRow>& rows = m_measures.rows();
-    for (std::size_t i = 0; i < frame->request.places.size(); ++i) {
-        const std::size_t place = frame->request.places[i];
-        if (place >= document.panes.size() || place >= rows.size()) continue;
-        ComparePage::Pane pane{place, rows[place], frame->panes[i].image, frame->request.panes[i].classification};
-        if (const auto otf = m_parts.otfs.of(place)) pane.explanation = otf->design.explanation;
+    for (std::size_t i = 0; i < frame->panes.size(); ++i) {
+        const PaneRequest& shown = frame->request.panes[i];
+        if (shown.pane >= document.panes.size() || shown.pane >= rows.size()) continue;
+        ComparePage::Pane pane{shown.pane, rows[shown.pane], m_views.images()[i], shown.classification};
+        if (const auto otf = m_parts.otfs.of(shown.pane)) pane.explanation = otf->design.explanation;
         page.panes.push_back(std::move(pane));
     }
     m_writing.begin(

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "processing/document/view_caster.h"
+#include "app/picture/picture_image.h"
+#include "processing/pane_picture/pane_caster.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/difference_image.h"
 #include "widgets/otf_editor/canvas/curve_style.h"
@@ -11,6 +12,8 @@
 namespace echolucent {
 
 namespace {
+
+constexpr double frameMilliseconds = 40.0;  // from one frame to the next while the hand moves
 
 /// A curve has its colour and dashes wherever it is shown; a designer's OTF has none.
 PaneFace faceOf(std::size_t place, const Pane& choice) {
@@ -26,14 +29,15 @@ PaneFace faceOf(std::size_t place, const Pane& choice) {
 
 }  // namespace
 
-ComparedViews::ComparedViews(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+ComparedViews::ComparedViews(const Parts& parts, QObject* parent)
+    : QObject(parent), m_parts(parts), m_caster(PreviewQuality(frameMilliseconds)) {
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ComparedViews::forgetStudy);
     connect(&m_parts.panes, &ShownPanes::changed, this, &ComparedViews::follow);
     connect(&m_parts.grid, &CompareGrid::arranged, this, &ComparedViews::follow);
-    connect(&m_parts.grid, &CompareGrid::painted, &m_caster, &CompareCaster::drawn);
-    connect(&m_caster, &CompareCaster::delivered, this, &ComparedViews::take);
-    connect(&m_caster, &CompareCaster::busyChanged, this, &ComparedViews::busyChanged);
-    connect(&m_caster, &CompareCaster::failed, this, &ComparedViews::failed);
+    connect(&m_parts.grid, &CompareGrid::painted, &m_caster, &ProgressiveCaster::drawn);
+    connect(&m_caster, &ProgressiveCaster::delivered, this, &ComparedViews::take);
+    connect(&m_caster, &ProgressiveCaster::busyChanged, this, &ComparedViews::busyChanged);
+    connect(&m_caster, &ProgressiveCaster::failed, this, &ComparedViews::failed);
 }
 
 void ComparedViews::setShown(bool shown) {
@@ -55,32 +59,46 @@ void ComparedViews::follow() {
     if (!m_shown || !isCompared(document) || !m_parts.openStudy.volume()) return clear();
     m_parts.grid.arrange(comparison.layout, document.panes.size());
     const QSize size = m_parts.grid.pictureSize();
-    if (size.isEmpty()) return m_caster.clear();
-    m_places = placesWanted();
-    CompareRequest request{.places = m_places};
+    if (size.isEmpty()) return stopCasting();
+    m_asked = {};
     bool usable = true;
-    for (const std::size_t place : m_places) {
+    for (const std::size_t place : placesWanted()) {
         const ShownPane& pane = paneAt(place);
         usable = usable && pane.ready;
-        request.panes.push_back({pane.voxels, pane.classification});
+        m_asked.panes.push_back({pane.voxels, pane.classification, place});
     }
-    // The camera is that of the first pane, also where another one has the whole room.
+    // The camera is that of the first pane, also if another one has the whole room.
     const auto first = paneAt(firstPane).voxels;
-    request.settings = castSettingsOf(document, first->geometry(), first->dataBox(), size.width(), size.height());
+    m_asked.settings = castSettingsOf(document, first->geometry(), first->dataBox(), size.width(), size.height());
     // Before a frame's OTFs are there, what was shown stays: a pane without one would be black.
-    m_waits = !usable && m_frame && m_frame->request.places == m_places && m_study == m_parts.openStudy.study();
+    m_waits = !usable && frameHasPanesAsked() && m_study == m_parts.openStudy.study();
     m_study = m_parts.openStudy.study();
-    if (!m_waits) m_caster.request(request);
+    if (!m_waits) m_caster.request(m_asked);
     showFaces();
-    if (m_frame && m_frame->request.places == m_places) showPair();
+    if (frameHasPanesAsked()) showPair();
     emit followed();
+}
+
+bool ComparedViews::frameHasPanesAsked() const {
+    return m_frame && std::ranges::equal(m_frame->request.panes, m_asked.panes, {}, &PaneRequest::pane,
+                                         &PaneRequest::pane);
+}
+
+bool ComparedViews::frameIsCurrent() const {
+    return !m_waits && (m_asked.panes.empty() || (m_frame && samePicture(m_frame->request, m_asked)));
+}
+
+void ComparedViews::stopCasting() {
+    m_asked = {};
+    m_caster.clear();
 }
 
 /// Nothing of another study or of a comparison that is left stays in the panes.
 void ComparedViews::clear() {
-    m_caster.clear();
+    stopCasting();
     m_rows.clear();
     m_pair.reset();
+    m_images.clear();
     if (std::exchange(m_frame, nullptr) == nullptr) return;
     for (std::size_t place = 0; place < mostPanes; ++place) {
         m_parts.grid.pane(place).setImage({});
@@ -112,23 +130,30 @@ bool ComparedViews::refused() const {
     return false;
 }
 
-void ComparedViews::take(const std::shared_ptr<const CompareFrame>& frame) {
-    m_frame = frame;
+void ComparedViews::take(const std::shared_ptr<const CastPicture>& frame) {
+    const auto before = std::exchange(m_frame, frame);
+    // A frame of other panes than those that are asked for now is not shown.
+    if (!frameHasPanesAsked()) {
+        m_frame = before;
+        return;
+    }
+    m_images.clear();
+    for (const CastPane& pane : frame->panes) m_images.push_back(imageOf(*pane.screen));
     showFrame();
     emit frameShown();
 }
 
 void ComparedViews::showFrame() {
     if (m_parts.model.document().comparison.layout != ComparisonLayout::sideBySide) return showPair();
-    const std::vector<std::size_t>& places = m_frame->request.places;
-    for (std::size_t i = 0; i < places.size(); ++i) m_parts.grid.pane(places[i]).setImage(m_frame->panes[i].image);
+    for (std::size_t i = 0; i < m_images.size(); ++i)
+        m_parts.grid.pane(m_frame->request.panes[i].pane).setImage(m_images[i]);
 }
 
 void ComparedViews::showPair() {
     const Comparison& comparison = m_parts.model.document().comparison;
-    if (comparison.layout == ComparisonLayout::sideBySide || m_frame->panes.size() != 2) return;
-    const QImage& first = m_frame->panes[0].image;
-    const QImage& second = m_frame->panes[1].image;
+    if (comparison.layout == ComparisonLayout::sideBySide || m_images.size() != 2) return;
+    const QImage& first = m_images[0];
+    const QImage& second = m_images[1];
     ComparePane& pair = m_parts.grid.pair();
     const auto nameAt = [&](int place) {
         const auto at = static_cast<std::size_t>(place);
@@ -168,7 +193,7 @@ void ComparedViews::showFaces() {
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);
         m_parts.grid.pane(place).setBusy(busy);
-        pairBusy = pairBusy || (busy && std::ranges::find(m_places, place) != m_places.end());
+        pairBusy = pairBusy || (busy && std::ranges::find(m_asked.panes, place, &PaneRequest::pane) != m_asked.panes.end());
     }
     m_parts.grid.pair().setBusy(pairBusy);
 }
@@ -177,10 +202,10 @@ void ComparedViews::addTimes(std::size_t place, CompareRow& row) const {
     if (const auto otf = m_parts.otfs.of(place); otf && m_parts.otfs.isNewest(place))
         row.designMilliseconds = otf->milliseconds;
     if (!m_frame || !m_frame->converged()) return;
-    const std::vector<std::size_t>& places = m_frame->request.places;
-    const auto found = std::ranges::find(places, place);
-    if (found != places.end())
-        if (const PanePicture& picture = m_frame->panes[static_cast<std::size_t>(found - places.begin())];
+    const std::vector<PaneRequest>& panes = m_frame->request.panes;
+    const auto found = std::ranges::find(panes, place, &PaneRequest::pane);
+    if (found != panes.end())
+        if (const CastPane& picture = m_frame->panes[static_cast<std::size_t>(found - panes.begin())];
             picture.sampled)  // what is made of kept samples is no measure of the OTF
             row.pictureMilliseconds = picture.milliseconds;
 }

@@ -1,13 +1,15 @@
 // The pictures of a comparison: what each pane is cast through, and what is shown of it.
 #pragma once
 
+#include <QImage>
 #include <QObject>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "app/compare/compare_caster.h"
 #include "app/otf/shown_panes.h"
 #include "processing/document/panes.h"
+#include "widgets/casting/progressive_caster.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_rows.h"
 #include "widgets/document/document_model.h"
@@ -35,7 +37,7 @@ public:
     [[nodiscard]] bool shown() const { return m_shown; }
     [[nodiscard]] bool busy() const { return m_caster.busy(); }
     /// Whether what the document says now is on the screen, of whichever quality.
-    [[nodiscard]] bool frameIsCurrent() const { return !m_waits && m_caster.newestIsThere(); }
+    [[nodiscard]] bool frameIsCurrent() const;
     /// Whether every pane shows what the document asks for, converged.
     [[nodiscard]] bool settled() const;
     /// Whether some pane will not show what the document asks for.
@@ -43,7 +45,9 @@ public:
     /// ShownPanes::at().
     [[nodiscard]] const ShownPane& paneAt(std::size_t place) const { return m_parts.panes.at(place); }
     /// The newest frame; null before the first.
-    [[nodiscard]] const std::shared_ptr<const CompareFrame>& frame() const { return m_frame; }
+    [[nodiscard]] const std::shared_ptr<const CastPicture>& frame() const { return m_frame; }
+    /// The images of the frame's panes, as they are shown.
+    [[nodiscard]] const std::vector<QImage>& images() const { return m_images; }
     /// Milliseconds of the designer and of the picture of a pane, where they are known.
     void addTimes(std::size_t place, CompareRow& row) const;
     /// What is measured of the panes, by place; shown under them.
@@ -63,29 +67,33 @@ signals:
 
 private:
     [[nodiscard]] std::vector<std::size_t> placesWanted() const;
-    void take(const std::shared_ptr<const CompareFrame>& frame);
+    /// Whether the frame has the panes that are asked for.
+    [[nodiscard]] bool frameHasPanesAsked() const;
+    void take(const std::shared_ptr<const CastPicture>& frame);
     void showFrame();
     void showFaces();
     void showPair();
+    void stopCasting();
     void clear();
     void forgetStudy();
 
     Parts m_parts;
     bool m_shown = false;
     const Study* m_study = nullptr;     ///< of m_frame or of what was asked for last; told apart by address only
-    std::vector<std::size_t> m_places;  ///< of the newest request
-    std::shared_ptr<const CompareFrame> m_frame;
+    PictureRequest m_asked;             ///< the newest request; without panes if nothing is asked for
+    std::shared_ptr<const CastPicture> m_frame;
+    std::vector<QImage> m_images;  ///< of m_frame's panes
     std::vector<CompareRow> m_rows;
     /// What the picture of a pair was made of.
     struct ShownPair {
-        std::shared_ptr<const CompareFrame> frame;
+        std::shared_ptr<const CastPicture> frame;
         Comparison comparison;
         QString first, second;  ///< their names
         friend bool operator==(const ShownPair&, const ShownPair&) = default;
     };
     std::optional<ShownPair> m_pair;
     bool m_waits = false;  ///< for an OTF, before which a pane would be clear
-    CompareCaster m_caster;
+    ProgressiveCaster m_caster;
 };
 
 }  // namespace echolucent

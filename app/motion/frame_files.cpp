@@ -30,7 +30,7 @@ tl::unexpected<Failure> cancelled(const FrameOrder& order) {
     return fail(FailureKind::cancelled, order.choice.path.toStdString(), "", "was cancelled");
 }
 
-PictureLabels frameLabels(const FrameOrder& order, const ViewFrames& frames, int frame, const ViewPicture& picture) {
+PictureLabels frameLabels(const FrameOrder& order, const PaneFrames& frames, int frame, const PanePicture& picture) {
     const Document shown = frames.documentOf(frame);
     const bool known = picture.voxels->geometry().spacingKnown;
     const MotionChoice& motion = order.document.motion;
@@ -49,7 +49,7 @@ PictureLabels frameLabels(const FrameOrder& order, const ViewFrames& frames, int
 }
 
 /// A frame as 8-bit red, green, blue; empty where it was cancelled.
-std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, ViewFrames& frames, int frame,
+std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, PaneFrames& frames, int frame,
                                                   const Progress& progress) {
     const QSize size = order.choice.size;
     const auto picture = frames.picture(frame, size.width(), size.height(), progress);
@@ -125,7 +125,7 @@ Result<void> removePictures(const std::vector<std::string>& files) {
 
 /// Hands each frame to `take`, in turn.
 template <typename Take>
-Result<void> eachFrame(const FrameOrder& order, ViewFrames& frames, const Progress& progress, const Take& take) {
+Result<void> eachFrame(const FrameOrder& order, PaneFrames& frames, const Progress& progress, const Take& take) {
     for (int frame = 0; frame < frames.count(); ++frame) {
         const Progress ofFrame{
             [&](double share) { progress.at((frame + share) / static_cast<double>(frames.count())); }, progress.cancel};
@@ -176,7 +176,7 @@ Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int 
 }
 
 Result<void> writeFrames(const FrameOrder& order, const Progress& progress) {
-    ViewFrames frames(order.document, firstPane, order.phases);
+    PaneFrames frames(order.document, firstPane, order.phases);
     const QSize size = order.choice.size;
     if (order.output == FrameOutput::series) {
         const std::vector<std::string> paths = filesOf(order.output, order.choice, frames.count());

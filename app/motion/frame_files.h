@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "processing/document/view_frames.h"
+#include "processing/pane_picture/pane_frames.h"
 #include "processing/progress.h"
 #include "processing/result.h"
 #include "widgets/panels/movie_dialog.h"
@@ -33,7 +33,7 @@ struct FrameOrder {
 [[nodiscard]] Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int frames,
                                            const std::vector<std::string>& study);
 
-/// Writes every frame of one turn (ViewFrames), over black, with labels and measurements where the choice wants them.
+/// Writes every frame of one turn (PaneFrames), over black, with labels and measurements where the choice wants them.
 /// Files appear once the last frame is made, and none of them before: where it fails until then, or is cancelled
 /// (Failure::cancelled, within a frame), what was there before is as it was. Where a picture of a series cannot take
 /// its place then, those before it that are new are removed, and those that replaced others stay. Where the choice

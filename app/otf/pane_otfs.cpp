@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "processing/designers/designer.h"
-#include "processing/document/view_caster.h"
+#include "processing/pane_picture/pane_caster.h"
 
 namespace echolucent {
 

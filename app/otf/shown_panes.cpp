@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "processing/document/view_caster.h"
+#include "processing/pane_picture/pane_caster.h"
 
 namespace echolucent {
 
@@ -161,7 +161,7 @@ ShownPane ShownPanes::shownNow(std::size_t place) const {
         pane.classification = last->second.classification;
         return pane;
     }
-    ViewOtf otf;
+    PaneOtf otf;
     if (made) {
         otf.designed = made->design.classification;
         if (const SampledCurve* curve = curveAt(place, *made)) {

@@ -4,7 +4,7 @@
 #include <QStringList>
 
 #include "app/otf/editor_otfs.h"
-#include "processing/document/view_caster.h"
+#include "processing/pane_picture/pane_caster.h"
 #include "widgets/panels/panel_controls.h"
 
 namespace echolucent {

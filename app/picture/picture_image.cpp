@@ -11,6 +11,12 @@ QImage imageOf(const Picture& picture) {
         .copy();
 }
 
+QImage imageOf(const ScreenPicture& picture) {
+    return QImage(picture.rgba.data(), picture.width, picture.height, 4 * static_cast<qsizetype>(picture.width),
+                  QImage::Format_RGBX8888)
+        .convertToFormat(QImage::Format_RGB888);
+}
+
 std::vector<std::uint8_t> rgbBytesOf(const QImage& image) {
     const QImage coloured = image.convertToFormat(QImage::Format_RGB888);
     const auto row = 3 * static_cast<std::ptrdiff_t>(coloured.width());

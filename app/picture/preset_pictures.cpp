@@ -6,6 +6,7 @@
 
 #include "app/picture/picture_image.h"
 #include "app/study/freed_elsewhere.h"
+#include "processing/pane_picture/small_picture.h"
 
 namespace echolucent {
 
@@ -15,6 +16,8 @@ namespace {
 /// depends on the curve that is rendered, and the adaptive one on that which the method begins with.
 Document pictured(Document document) {
     document.scene.planes = {};
+    document.scene.phase = 0;  // of the one that is cast through
+    document.panes.at(firstPane).phase.reset();
     // An angle of the motion turns the pose about the motion's axis.
     if (document.scene.motionAngle == 0.0) document.motion = {};
     const Preset rendered = presetOf(document, firstPane, {});
@@ -53,9 +56,10 @@ void PresetPictures::setPresets(std::vector<Preset> presets) {
 void PresetPictures::setSeen(bool seen) {
     if (seen == m_seen) return;
     m_seen = seen;
-    if (seen) m_caster = freedElsewhere(std::make_shared<PresetCaster>());
     follow();
-    if (!seen) m_caster.reset();
+    if (seen) return;
+    m_caster.reset();
+    m_cast = {};
 }
 
 void PresetPictures::setAtRest(bool atRest) {
@@ -66,12 +70,25 @@ void PresetPictures::setAtRest(bool atRest) {
 
 QImage PresetPictures::picture(int index) const { return m_entries.at(static_cast<std::size_t>(index)).picture; }
 
+/// The voxels that are there: at this size nobody sees whether they are quiet, so none are waited for.
+StudyPhases PresetPictures::voxelsNow() const {
+    const Study* study = m_openStudy.study();
+    if (study == nullptr) return {};
+    const QuietPhases& quiet = m_openStudy.quietPhases();
+    const int phase = m_openStudy.phase();
+    StudyPhases voxels{.scans = {study->phases[static_cast<std::size_t>(phase)]}};
+    if (auto made = quiet.of(phase)) {
+        voxels.quiet = {std::move(made)};
+        voxels.reduction = quiet.reduction();
+    }
+    return voxels;
+}
+
 std::optional<PresetPictures::Asked> PresetPictures::askedOf(const Preset& preset) const {
-    const std::shared_ptr<const Volume> raw = m_openStudy.volume();
-    if (!raw) return std::nullopt;
-    const std::shared_ptr<const Volume> shown = m_openStudy.newestVoxels();
-    const SpeckleReduction reduction = shown == raw ? SpeckleReduction::off : m_openStudy.quietPhases().reduction();
-    return Asked{pictured(withPreset(m_model.document(), firstPane, preset)), {raw, shown, reduction}};
+    Asked asked{pictured(withPreset(m_model.document(), firstPane, preset)), voxelsNow()};
+    if (asked.voxels.scans.empty()) return std::nullopt;
+    asked.document.scene.look.reduction = asked.voxels.reduction;
+    return asked;
 }
 
 /// Something changed that pictures may depend on.
@@ -79,7 +96,7 @@ void PresetPictures::follow() {
     for (Entry& entry : m_entries) {
         entry.wanted = m_seen ? askedOf(entry.preset) : std::nullopt;
         // What nobody sees keeps no volume that is gone from the window.
-        if (!m_seen && entry.made && entry.made->voxels.shown != m_openStudy.newestVoxels()) entry.made.reset();
+        if (!m_seen && entry.made && entry.made->voxels != voxelsNow()) entry.made.reset();
     }
     const bool current =
         std::ranges::any_of(m_entries, [this](const Entry& entry) { return m_making && entry.wanted == m_making; });
@@ -99,16 +116,20 @@ void PresetPictures::makeNext() {
     const int index = next();
     if (index < 0 || m_making) return;
     m_making = m_entries[static_cast<std::size_t>(index)].wanted;
+    if (!m_caster || m_cast != m_making->voxels) {
+        m_cast = m_making->voxels;
+        m_caster = freedElsewhere(std::make_shared<PaneCaster>(m_cast));
+    }
     m_thread.submit(
         [this, asked = *m_making, caster = m_caster](const Progress& progress) -> NewestWinsThread::Deliver {
             QImage image;
             try {
-                const auto picture = caster->cast(asked.document, firstPane, asked.voxels, width, height, progress);
+                const auto picture = smallPicture(*caster, asked.document, firstPane, width, height, progress);
                 if (!picture) return {};
                 image = imageOf(*picture);
             } catch (const std::bad_alloc&) {
                 // The gallery shows the name alone; the 3D view says what lacks memory. What was left half done goes.
-                *caster = PresetCaster();
+                *caster = PaneCaster(asked.voxels);
             }
             return [this, asked, image] { take(asked, image); };
         });

@@ -9,7 +9,7 @@
 
 #include "app/study/open_study.h"
 #include "processing/document/preset.h"
-#include "processing/document/preset_caster.h"
+#include "processing/pane_picture/pane_caster.h"
 #include "widgets/document/document_model.h"
 #include "widgets/newest_wins_thread.h"
 
@@ -50,7 +50,7 @@ private:
     /// All that a picture depends on.
     struct Asked {
         Document document;
-        PresetCaster::Voxels voxels;
+        StudyPhases voxels;  ///< the phase shown, uncut, and its quiet voxels if they are made
         friend bool operator==(const Asked&, const Asked&) = default;
     };
     struct Entry {
@@ -63,6 +63,7 @@ private:
     void follow();
     void makeNext();
     void drop();
+    [[nodiscard]] StudyPhases voxelsNow() const;
     [[nodiscard]] std::optional<Asked> askedOf(const Preset& preset) const;
     [[nodiscard]] int next() const;
     void take(const Asked& asked, const QImage& picture);
@@ -72,7 +73,9 @@ private:
     std::vector<Entry> m_entries;
     bool m_seen = false, m_atRest = false;
     std::optional<Asked> m_making;
-    std::shared_ptr<PresetCaster> m_caster;  ///< for the thread alone, null while nobody sees the pictures
+    /// For the thread alone; null while nobody sees the pictures.
+    std::shared_ptr<PaneCaster> m_caster;
+    StudyPhases m_cast;  ///< what m_caster casts through
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;
 };

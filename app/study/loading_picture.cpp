@@ -3,7 +3,7 @@
 #include <new>
 
 #include "app/picture/picture_image.h"
-#include "processing/document/coarse_picture.h"
+#include "processing/pane_picture/coarse_picture.h"
 #include "widgets/volume_view/still_picture.h"
 #include "widgets/volume_view/volume_view_widget.h"
 

@@ -7,7 +7,7 @@
 #include "app/study/study_names.h"
 #include "io/study/import_report.h"
 #include "processing/box_section.h"
-#include "processing/document/view_caster.h"
+#include "processing/pane_picture/pane_caster.h"
 #include "processing/picture/empty_picture.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/message_bar.h"

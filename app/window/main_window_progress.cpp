@@ -90,7 +90,7 @@ void MainWindow::connectProgress() {
     connect(&m_compare->views(), &ComparedViews::frameShown, this, somethingEnded);
     // What the 3D view took last says nothing of the panes.
     connect(&m_compare->views(), &ComparedViews::frameShown, this, [this] {
-        const CompareFrame& frame = *m_compare->views().frame();
+        const CastPicture& frame = *m_compare->views().frame();
         if (frame.converged()) m_widgets.status->setRenderer(tr("software renderer"), frame.milliseconds);
     });
     connect(m_panes.get(), &ShownPanes::changed, this, somethingEnded);

@@ -14,7 +14,7 @@ constexpr ChoiceNames<2> frontSourceNames{"person", "found"};
 /// Farther than any volume, and finite as a float.
 constexpr double farthestMm = 1e30;
 /// A plane that lies flatter over the surface's way than this has no depth over the surface's nodes.
-constexpr double leastRise = 0.1;
+constexpr double leastAcross = 0.1;
 
 /// The node (column, row) of a surface, grid mm, at depth 0.
 Vec3 nodeOf(const CutSurface& surface, int column, int row) {
@@ -78,7 +78,7 @@ std::string problemOf(const Scene& scene, BeamAxis beam) {
     const Front& front = scene.front;
     if (!front.surface || front.depthMm == 0.0 || !front.direction) return {};
     const Vec3 forward = frameOf(viewpointOf(beam, *front.direction, 0.0)).forward;
-    if (forward.dot(front.surface->frame.forward) < leastRise)
+    if (forward.dot(front.surface->frame.forward) < leastAcross)
         return "front.direction must look about the same way as front.surface";
     return {};
 }

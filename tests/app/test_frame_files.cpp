@@ -14,7 +14,7 @@
 #include "app/motion/frame_files.h"
 #include "app/picture/picture_image.h"
 #include "io/study/study.h"
-#include "processing/document/view_picture.h"
+#include "processing/pane_picture/pane_picture.h"
 #include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
@@ -55,7 +55,7 @@ private slots:
         const auto paths = filesOf(order.output, order.choice, 20);
         Document thirteenth = order.document;
         thirteenth.scene.phase = 13;
-        const auto alone = viewPicture(thirteenth, firstPane, study->phases, edge, edge);
+        const auto alone = panePicture(thirteenth, firstPane, study->phases, edge, edge);
         QCOMPARE(rgbBytesOf(QImage(QString::fromStdString(paths[13]))), overBackground(alone->picture, {0, 0, 0}));
         std::vector<cv::Mat> expected;
         for (const std::string& path : paths) {

@@ -11,7 +11,7 @@
 
 #include "app/otf/pane_otfs.h"
 #include "processing/designers/designer.h"
-#include "processing/document/view_caster.h"
+#include "processing/pane_picture/pane_caster.h"
 #include "tests/app/session_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/panels/design_plot.h"
@@ -51,7 +51,7 @@ private slots:
         QVERIFY(designerConfigOf(document(), firstPane) != nullptr);
         waitUntilIdle();
         QVERIFY(window().otfs().isNewest(firstPane));
-        ViewCaster caster({.scans = window().openStudy().study()->phases});
+        PaneCaster caster({.scans = window().openStudy().study()->phases});
         const auto otf = caster.otf(document(), firstPane);
         QVERIFY(otf.has_value());
         QVERIFY(window().volumeView().classification() == classificationOf(document(), firstPane, *otf));
@@ -169,7 +169,7 @@ private slots:
         m_held = false;
         waitUntilIdle();
         QVERIFY(window().otfs().isNewest(firstPane));
-        ViewCaster caster({.scans = window().openStudy().study()->phases});
+        PaneCaster caster({.scans = window().openStudy().study()->phases});
         QVERIFY(window().volumeView().classification() ==
                 classificationOf(document(), firstPane, *caster.otf(document(), firstPane)));
     }

@@ -22,7 +22,7 @@
 
 #include "app/picture/picture_image.h"
 #include "app/window/theme.h"
-#include "processing/document/view_picture.h"
+#include "processing/pane_picture/pane_picture.h"
 #include "tests/app/movie_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/panels/run_status.h"
@@ -240,7 +240,7 @@ private slots:
         QTest::keyClick(&window(), Qt::Key_5);  // another curve
         window().open(still());                 // and another study
         QVERIFY(ended());
-        const auto picture = viewPicture(frameOf(asked, 3), firstPane, phases(), 48, 48);
+        const auto picture = panePicture(frameOf(asked, 3), firstPane, phases(), 48, 48);
         QCOMPARE(rgbBytesOf(QImage(out().filePath("heart-0004.png"))), overBackground(picture->picture, {0, 0, 0}));
         waitUntilIdle();
     }
@@ -287,7 +287,7 @@ private:
     }
     /// The picture of a phase by itself.
     std::vector<std::uint8_t> alone(int phase, const QSize& size) {
-        const auto picture = viewPicture(frameOf(window().document().document(), phase), firstPane,
+        const auto picture = panePicture(frameOf(window().document().document(), phase), firstPane,
                                          window().openStudy().study()->phases, size.width(), size.height());
         return overBackground(picture->picture, {0, 0, 0});
     }

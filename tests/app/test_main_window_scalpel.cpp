@@ -3,7 +3,7 @@
 #include <QTimer>
 
 #include "processing/document/box_editing.h"
-#include "processing/document/view_picture.h"
+#include "processing/pane_picture/pane_picture.h"
 #include "processing/ray_caster.h"
 #include "processing/scalpel/scalpel_cuts.h"
 #include "tests/app/picture_measures.h"
@@ -122,7 +122,7 @@ private slots:
         window().document().showPhase(1);
         waitUntilIdle();
         const Picture ofWindow = cast();
-        const auto alone = viewPicture(window().document().document(), firstPane, openStudy().study()->phases,
+        const auto alone = panePicture(window().document().document(), firstPane, openStudy().study()->phases,
                                        ofWindow.width, ofWindow.height);
         QVERIFY(alone->cast == window().volumeView().settings());
         QCOMPARE(difference(alone->picture, ofWindow), 0.0);

@@ -17,7 +17,7 @@
 #include "processing/phantom/phantom.h"
 #include "processing/picture/look.h"
 #include "processing/ray_caster.h"
-#include "widgets/volume_view/qualities.h"
+#include "widgets/casting/qualities.h"
 
 namespace {
 

@@ -22,7 +22,7 @@
 #include "processing/ray_caster.h"
 #include "processing/scalpel/scalpel_cuts.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
-#include "widgets/volume_view/qualities.h"
+#include "widgets/casting/qualities.h"
 
 namespace {
 

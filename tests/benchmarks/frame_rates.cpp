@@ -13,7 +13,7 @@
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"
-#include "widgets/volume_view/qualities.h"
+#include "widgets/casting/qualities.h"
 
 namespace echolucent::bench {
 

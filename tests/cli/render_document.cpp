@@ -7,10 +7,10 @@
 #include "io/document/session_file.h"
 #include "io/study/study.h"
 #include "io/study/study_checksum.h"
-#include "processing/document/pane_measures.h"
+#include "processing/pane_picture/pane_measures.h"
 #include "processing/document/panes.h"
-#include "processing/document/view_frames.h"
-#include "processing/document/view_picture.h"
+#include "processing/pane_picture/pane_frames.h"
+#include "processing/pane_picture/pane_picture.h"
 #include "program.h"
 
 namespace echolucent {
@@ -40,7 +40,7 @@ cv::Mat pictureOf(const std::string& options, const Folder& folder) {
 /// The number of bytes that differ from the view's picture over black.
 int apart(const cv::Mat& picture, const Document& document, std::size_t pane) {
     const auto study = readStudy(shapesFile());
-    const auto expected = viewPicture(document, pane, study->phases, 70, 52);
+    const auto expected = panePicture(document, pane, study->phases, 70, 52);
     const std::vector<std::uint8_t> rgb = overBackground(expected->picture, {0, 0, 0});
     if (picture.cols != 70 || picture.rows != 52) return -1;
     int differing = 0;
@@ -134,7 +134,7 @@ TEST(RenderDocument, IsEachFrameOfTheDocumentsMotion) {
         for (const MotionOtf otf : {MotionOtf::oneOtf, MotionOtf::eachView}) {
             document.motion.scenario = scenario;
             document.motion.otf = otf;
-            ViewFrames frames(document, firstPane, {.scans = study->phases});
+            PaneFrames frames(document, firstPane, {.scans = study->phases});
             ASSERT_TRUE(writeDocument(folder / "frame.json", frames.documentOf(2)));
             const cv::Mat rendered = pictureOf("--document \"" + folder / "frame.json" + "\"", folder);
             std::vector<std::uint8_t> rgb = overBackground(frames.picture(2, 70, 52)->picture, {0, 0, 0});

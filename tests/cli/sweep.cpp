@@ -8,8 +8,8 @@
 
 #include "io/study/study.h"
 #include "processing/document/opening_finds.h"
-#include "processing/document/view_frames.h"
-#include "processing/document/view_picture.h"
+#include "processing/pane_picture/pane_frames.h"
+#include "processing/pane_picture/pane_picture.h"
 
 #include "otf_of.h"
 #include "program.h"
@@ -210,7 +210,7 @@ TEST(SweepMovie, HoldsTheWindowsMotion) {
         ASSERT_EQ(outcome.status, 0) << outcome.errors;
         Document document = windowsDocument(*study, 64.0 / 48.0);
         if (!smoothing.empty()) document.motion.otf = MotionOtf::leastFlicker;
-        ViewFrames window(document, firstPane, {.scans = study->phases});
+        PaneFrames window(document, firstPane, {.scans = study->phases});
         const std::vector<cv::Mat> frames = framesOf(folder / "m.mkv");
         ASSERT_EQ(static_cast<int>(frames.size()), window.count()) << "the object of a 4D study moves";
         for (int i = 0; i < window.count(); ++i) {
@@ -227,7 +227,7 @@ TEST(SweepMovie, HoldsTheRenderedFrames) {
     Document document = windowsDocument(*study, 96.0 / 64.0);
     document.scene.motionAngle = 30;
     document.panes.front().motionOtf = MotionOtf::eachView;
-    const cv::Mat rendered = imageOf(viewPicture(document, firstPane, study->phases, 96, 64)->picture);
+    const cv::Mat rendered = imageOf(panePicture(document, firstPane, study->phases, 96, 64)->picture);
     // The bounds of docs/cli-sweep.md, levels.
     for (const auto& [ending, rmse] : {std::pair(".avi", 8.0), {".mp4", 10.0}, {".mkv", 0.0}}) {
         const std::string path = folder / (std::string("m") + ending);

@@ -1,5 +1,6 @@
 #include <QTest>
 #include <cmath>
+#include <optional>
 
 #include "processing/picture/camera_pose.h"
 #include "processing/ray_caster.h"
@@ -13,13 +14,23 @@ using echolucent::testing::volumeOf;
 
 namespace {
 
-PictureRequest requestFor(std::shared_ptr<const Volume> volume, const OpacityCurve& curve, const Viewpoint& view = {},
+/// A pane and what it was cast with.
+struct ShownPicture {
+    PaneRequest pane;
+    RayCastSettings settings;
+};
+
+std::optional<PointedSample> pointedAt(const ShownPicture& shown, double x, double y) {
+    return samplePointedAt(shown.pane, shown.settings, x, y);
+}
+
+ShownPicture requestFor(std::shared_ptr<const Volume> volume, const OpacityCurve& curve, const Viewpoint& view = {},
                           Projection projection = Projection::parallel) {
-    PictureRequest request{std::move(volume), curve, {}};
+    ShownPicture request{{std::move(volume), curve}, {}};
     request.settings.width = 300;
     request.settings.height = 200;
-    request.settings.camera = cameraFor(fittedPose(request.volume->geometry(), view, projection, 1.5));
-    request.settings.nearPlaneDepthMm = nearPlaneDepthMm(view, request.volume->geometry());
+    request.settings.camera = cameraFor(fittedPose(request.pane.volume->geometry(), view, projection, 1.5));
+    request.settings.nearPlaneDepthMm = nearPlaneDepthMm(view, request.pane.volume->geometry());
     return request;
 }
 
@@ -42,7 +53,7 @@ private slots:
     void firstOpaqueSurfaceIsSeen() {
         QFETCH(Projection, projection);
         const OpacityCurve surface = ManualCurve{{{0.5, 0.0}, {0.5, 0.9}}};
-        const auto sample = samplePointedAt(requestFor(slabs(), surface, {}, projection), 150, 100);
+        const auto sample = pointedAt(requestFor(slabs(), surface, {}, projection), 150, 100);
         QVERIFY(sample);
         QVERIFY(sample->intensity > 0.5);
         QCOMPARE(sample->opacity, 0.9);
@@ -50,7 +61,7 @@ private slots:
     }
 
     void fluidIsSeenWhereItIsOpaque() {
-        const auto sample = samplePointedAt(requestFor(slabs(), ManualCurve{{{0.0, 0.95}}}), 150, 100);
+        const auto sample = pointedAt(requestFor(slabs(), ManualCurve{{{0.0, 0.95}}}), 150, 100);
         QVERIFY(sample);
         QCOMPARE(sample->intensity, 40 / 255.0);
         QCOMPARE(sample->opacity, 0.95);
@@ -63,9 +74,9 @@ private slots:
         });
         const OpacityCurve curve =
             ManualCurve{{{0.3, 0}, {100 / 255.0, 0.30}, {0.5, 0}, {0.7, 0}, {200 / 255.0, 0.1}, {1, 0}}};
-        PictureRequest request = requestFor(volume, curve);
+        ShownPicture request = requestFor(volume, curve);
         request.settings.interpolation = Interpolation::nearest;
-        const auto sample = samplePointedAt(request, 150, 100);
+        const auto sample = pointedAt(request, 150, 100);
         QVERIFY(sample);
         QCOMPARE(sample->intensity, 100 / 255.0);
         QVERIFY(std::abs(sample->gridMm[2] - 20) <= 0.5);
@@ -90,7 +101,7 @@ private slots:
         QFETCH(RenderMode, mode);
         const auto volume = volumeOf(geometryOf(24, 21, 26, {1, 1.2, 0.9}),
                                      [](double x, double y, double z) { return 90 + 6 * x - 3 * y + 2 * z; });
-        PictureRequest request = requestFor(volume, PowerCurve{1, 0.3}, {BeamAxis::plusZ, 31, -17, 4, 3.3}, projection);
+        ShownPicture request = requestFor(volume, PowerCurve{1, 0.3}, {BeamAxis::plusZ, 31, -17, 4, 3.3}, projection);
         request.settings.width = 30;
         request.settings.height = 20;
         request.settings.step = step;
@@ -98,13 +109,13 @@ private slots:
         request.settings.findDepth = true;
         request.settings.terminationTransmittance = 0;
         request.settings.box = RenderBox{{2.1, 1.7, 3.4}, {19, 22, 20}};
-        const auto picture = castRays(*volume, request.classification, request.settings);
+        const auto picture = castRays(*volume, request.pane.classification, request.settings);
         int compared = 0, elsewhere = 0;
         for (int row = 0; row < 20; ++row)
             for (int column = 0; column < 30; ++column) {
                 const float depth = picture->depthMm[static_cast<std::size_t>(row * 30 + column)];
                 if (!std::isfinite(depth)) continue;
-                const auto sample = samplePointedAt(request, column + 0.7, row + 0.2);
+                const auto sample = pointedAt(request, column + 0.7, row + 0.2);
                 QVERIFY(sample);
                 const double pointed = sample->gridMm.dot(request.settings.camera.frame.forward);
                 elsewhere += std::abs(pointed - static_cast<double>(depth)) < 2e-3 ? 0 : 1;
@@ -118,8 +129,8 @@ private slots:
 
     void nearCutHidesWhatLiesBeforeIt() {
         const OpacityCurve opaque = ManualCurve{{{0.0, 1.0}}};
-        PictureRequest request = requestFor(slabs(), opaque, {BeamAxis::plusZ, 0, 0, 0, 30});
-        const auto sample = samplePointedAt(request, 150, 100);
+        ShownPicture request = requestFor(slabs(), opaque, {BeamAxis::plusZ, 0, 0, 0, 30});
+        const auto sample = pointedAt(request, 150, 100);
         QVERIFY(sample);
         QCOMPARE(sample->intensity, 200 / 255.0);
         QVERIFY(sample->gridMm[2] >= 29);
@@ -128,17 +139,17 @@ private slots:
     void limitsHideWhatLiesBeyondThem() {
         const OpacityCurve opaque = ManualCurve{{{0.0, 1.0}}};
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
-            const PictureRequest whole = requestFor(slabs(), opaque, {}, projection);
-            PictureRequest request = whole;
+            const ShownPicture whole = requestFor(slabs(), opaque, {}, projection);
+            ShownPicture request = whole;
             request.settings.box = RenderBox{{-10, -10, 25}, {50, 50, 50}};
-            QVERIFY(std::abs(samplePointedAt(request, 150, 100)->gridMm[2] - 25) < 1.1);
+            QVERIFY(std::abs(pointedAt(request, 150, 100)->gridMm[2] - 25) < 1.1);
             request.settings.box = RenderBox{{-10, -10, 60}, {50, 50, 90}};
-            QVERIFY(!samplePointedAt(request, 150, 100));
+            QVERIFY(!pointedAt(request, 150, 100));
             request = whole;
             request.settings.clippingPlanes = {{{0, 0, 23}, {0, 0, 5}}};
-            QVERIFY(std::abs(samplePointedAt(request, 150, 100)->gridMm[2] - 23) < 1.1);
+            QVERIFY(std::abs(pointedAt(request, 150, 100)->gridMm[2] - 23) < 1.1);
             request.settings.clippingPlanes.push_back({{0, 0, 22}, {0, 0, -1}});
-            QVERIFY(!samplePointedAt(request, 150, 100));
+            QVERIFY(!pointedAt(request, 150, 100));
         }
     }
 
@@ -146,33 +157,33 @@ private slots:
         const auto volume = volumeOf(geometryOf(9, 9, 30), [](double, double, double z) {
             return z == 8 ? 200 : z == 20 ? 10 : 100;
         });
-        PictureRequest request = requestFor(volume, ManualCurve{{{0.0, 0.0}, {1.0, 1.0}}});
+        ShownPicture request = requestFor(volume, ManualCurve{{{0.0, 0.0}, {1.0, 1.0}}});
         request.settings.interpolation = Interpolation::nearest;
         request.settings.mode = RenderMode::maximum;
-        QCOMPARE(samplePointedAt(request, 150, 100)->intensity, 200 / 255.0);
-        QCOMPARE(samplePointedAt(request, 150, 100)->opacity, 200 / 255.0);
-        QVERIFY(std::abs(samplePointedAt(request, 150, 100)->gridMm[2] - 8) <= 0.5);
+        QCOMPARE(pointedAt(request, 150, 100)->intensity, 200 / 255.0);
+        QCOMPARE(pointedAt(request, 150, 100)->opacity, 200 / 255.0);
+        QVERIFY(std::abs(pointedAt(request, 150, 100)->gridMm[2] - 8) <= 0.5);
         request.settings.mode = RenderMode::minimum;
-        QCOMPARE(samplePointedAt(request, 150, 100)->intensity, 10 / 255.0);
-        QVERIFY(std::abs(samplePointedAt(request, 150, 100)->gridMm[2] - 20) <= 0.5);
+        QCOMPARE(pointedAt(request, 150, 100)->intensity, 10 / 255.0);
+        QVERIFY(std::abs(pointedAt(request, 150, 100)->gridMm[2] - 20) <= 0.5);
         request.settings.mode = RenderMode::mean;
-        QVERIFY(std::abs(samplePointedAt(request, 150, 100)->intensity - (28 * 100 + 200 + 10) / 30.0 / 255.0) < 1e-9);
-        QVERIFY(!samplePointedAt(request, 1, 100));
+        QVERIFY(std::abs(pointedAt(request, 150, 100)->intensity - (28 * 100 + 200 + 10) / 30.0 / 255.0) < 1e-9);
+        QVERIFY(!pointedAt(request, 1, 100));
     }
 
     void thePixelChoosesTheRay() {
         // One bright voxel column; right is +x, down is +y.
         const auto volume =
             volumeOf(geometryOf(21, 11, 5), [](double x, double y, double) { return x == 15 && y == 3 ? 255 : 0; });
-        PictureRequest request = requestFor(volume, ManualCurve{{{0.9, 0}, {0.9, 1}}});
+        ShownPicture request = requestFor(volume, ManualCurve{{{0.9, 0}, {0.9, 1}}});
         request.settings.interpolation = Interpolation::nearest;
         const double pixelsPerMm = request.settings.height / request.settings.camera.heightMm;
         const double x = 150 + (15 - 10) * pixelsPerMm, y = 100 + (3 - 5) * pixelsPerMm;
-        const auto sample = samplePointedAt(request, x, y);
+        const auto sample = pointedAt(request, x, y);
         QVERIFY(sample);
         QCOMPARE(sample->intensity, 1.0);
-        QVERIFY(!samplePointedAt(request, 300 - x, y));
-        QVERIFY(!samplePointedAt(request, x, 200 - y));
+        QVERIFY(!pointedAt(request, 300 - x, y));
+        QVERIFY(!pointedAt(request, x, 200 - y));
     }
 
     void modesTellWhatTheyShow() {
@@ -180,12 +191,12 @@ private slots:
         const auto volume = volumeOf(geometryOf(9, 9, 30), [](double, double, double z) {
             return z == 8 ? 250 : z == 20 ? 5 : 50 + 2 * z;
         });
-        PictureRequest request = requestFor(volume, ManualCurve{});
+        ShownPicture request = requestFor(volume, ManualCurve{});
         request.settings.interpolation = Interpolation::nearest;
-        QVERIFY(!samplePointedAt(request, 150, 100));
+        QVERIFY(!pointedAt(request, 150, 100));
         const auto pointedIn = [&](RenderMode mode) {
             request.settings.mode = mode;
-            return samplePointedAt(request, 150, 100);
+            return pointedAt(request, 150, 100);
         };
         const auto brightest = pointedIn(RenderMode::maximum), darkest = pointedIn(RenderMode::minimum),
                    mean = pointedIn(RenderMode::mean);
@@ -198,13 +209,13 @@ private slots:
         for (int z = 0; z < 30; ++z) sum += z == 8 || z == 20 ? 0 : 50 + 2 * z;
         QVERIFY(std::abs(mean->intensity - sum / 30 / 255) < 1e-12);
         QVERIFY(mean->gridMm[2] <= 0.5);
-        QVERIFY(!samplePointedAt(request, 1, 100));  // beside the volume
+        QVERIFY(!pointedAt(request, 1, 100));  // beside the volume
     }
 
     void nothingWhereNothingIsVisible() {
-        QVERIFY(!samplePointedAt(requestFor(slabs(), ManualCurve{}), 150, 100));
-        QVERIFY(!samplePointedAt(requestFor(slabs(), ManualCurve{{{0.0, 1.0}}}), 1, 100));  // beside the volume
-        QVERIFY(!samplePointedAt({}, 1, 1));
+        QVERIFY(!pointedAt(requestFor(slabs(), ManualCurve{}), 150, 100));
+        QVERIFY(!pointedAt(requestFor(slabs(), ManualCurve{{{0.0, 1.0}}}), 1, 100));  // beside the volume
+        QVERIFY(!pointedAt({}, 1, 1));
     }
 
     void noDataIsTransparent() {
@@ -212,7 +223,7 @@ private slots:
         std::vector<std::uint8_t> mask(static_cast<std::size_t>(volume->geometry().voxelCount()), 1);
         std::fill(mask.begin(), mask.begin() + 20 * 20 * 10, std::uint8_t{0});
         const auto masked = std::make_shared<const Volume>(volume->withDataMask(mask));
-        const auto sample = samplePointedAt(requestFor(masked, ManualCurve{{{0.0, 1.0}}}), 150, 100);
+        const auto sample = pointedAt(requestFor(masked, ManualCurve{{{0.0, 1.0}}}), 150, 100);
         QVERIFY(sample);
         QCOMPARE(sample->intensity, 200 / 255.0);
     }

@@ -13,7 +13,7 @@
 #include "widgets/volume_view/frame_meter.h"
 #include "widgets/volume_view/grip_pointer.h"
 #include "widgets/volume_view/lasso_pointer.h"
-#include "widgets/volume_view/progressive_caster.h"
+#include "widgets/casting/progressive_caster.h"
 #include "widgets/volume_view/scene/volume_scene.h"
 #include "widgets/volume_view/view_pointer.h"
 #include "widgets/volume_view/volume_view_widget.h"

@@ -8,9 +8,10 @@
 #include <new>
 #include <utility>
 
+#include "processing/picture/picture_request.h"
 #include "processing/picture/view_limits.h"
 #include "processing/ray_caster.h"
-#include "widgets/volume_view/qualities.h"
+#include "widgets/casting/qualities.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
 #include "widgets/volume_view/volume_view_parts.h"
 
@@ -34,7 +35,7 @@ RayCastSettings VolumeViewWidget::settingsFor(const QSize& pixels) const {
 
 PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     const Parts& parts = *m_parts;
-    PictureRequest request{parts.volume, parts.classification, lookSettings(parts.look, pixels)};
+    PictureRequest request{{{parts.volume, parts.classification}}, lookSettings(parts.look, pixels)};
     request.settings.camera = cameraFor(camera());
     Viewpoint limits = view();
     limits.cutSurface = parts.cutSurface;
@@ -57,7 +58,7 @@ QString VolumeViewWidget::rendererRemark() const {
     const VolumeScene& scene = m_parts->scene;
     if (scene.openGlRenderer().empty()) return {};
     const PictureRequest request = presentRequest(pixelSize());
-    const std::string why = scene.whySoftware(request.settings, request.classification);
+    const std::string why = scene.whySoftware(request.settings, m_parts->classification);
     if (!why.empty()) return QString::fromStdString(why);
     return tr("OpenGL: %1").arg(QString::fromStdString(scene.openGlRenderer()));
 }
@@ -102,7 +103,7 @@ QString VolumeViewWidget::caption() const { return QString::fromStdString(m_part
 VolumeScene& VolumeViewWidget::scene() { return m_parts->scene; }
 
 std::shared_ptr<const Picture> VolumeViewWidget::picture() const {
-    return m_parts->shown ? m_parts->shown->picture : nullptr;
+    return m_parts->shown && !m_parts->shown->live ? m_parts->shown->panes.front().picture : nullptr;
 }
 
 bool VolumeViewWidget::pictureIsFine() const { return m_parts->shown && m_parts->shown->converged(); }
@@ -167,7 +168,7 @@ void VolumeViewWidget::requestPicture() {
     const QSize pixels = pixelSize();
     if (parts.volume && isVisible() && !pixels.isEmpty()) {
         PictureRequest request = presentRequest(pixels);
-        if (parts.scene.rendererFor(request.settings, request.classification) == RendererChoice::graphicsCard) {
+        if (parts.scene.rendererFor(request.settings, parts.classification) == RendererChoice::graphicsCard) {
             showLive(request);
         } else {
             request.settings.findDepth = parts.scene.wantsDepth();
@@ -187,7 +188,7 @@ void VolumeViewWidget::showLive(const PictureRequest& request) {
                                                                   .settings = request.settings,
                                                                   .followsHand = true,
                                                                   .live = true});
-    parts.scene.setTransfer(request.classification, request.settings.colourMap);
+    parts.scene.setTransfer(request.panes.front().classification, request.settings.colourMap);
     parts.scene.showLive(request.settings.camera, request.settings);
     render(true);
     report(*parts.shown);
@@ -197,8 +198,8 @@ void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& pic
     Parts& parts = *m_parts;
     parts.shown = picture;
     const PictureRequest& request = picture->request;
-    parts.scene.setTransfer(request.classification, request.settings.colourMap);
-    parts.scene.show(picture->screen, request.settings.camera);
+    parts.scene.setTransfer(request.panes.front().classification, request.settings.colourMap);
+    parts.scene.show(picture->panes.front().screen, request.settings.camera);
     render(picture->followsHand);
     report(*picture);
 }
@@ -259,10 +260,9 @@ void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
     std::optional<PointedSample> sample;
     if (position && parts.shown) {
         // The rays and steps of the picture that is shown, not of the one that was asked for.
-        const PictureRequest shown{parts.shown->request.volume, parts.shown->request.classification,
-                                   parts.shown->settings};
-        sample = samplePointedAt(shown, position->x() * shown.settings.width / width(),
-                                 position->y() * shown.settings.height / height());
+        const RayCastSettings& shown = parts.shown->settings;
+        sample = samplePointedAt(parts.shown->request.panes.front(), shown, position->x() * shown.width / width(),
+                                 position->y() * shown.height / height());
     }
     if (sample) {
         const RenderMode mode = parts.shown->settings.mode;
@@ -282,8 +282,7 @@ std::optional<Vec3> VolumeViewWidget::shownAt(const PicturePlace& place, double 
     if (!parts.shown) return std::nullopt;
     RayCastSettings settings = parts.shown->settings;
     settings.step = step;
-    const PictureRequest shown{parts.shown->request.volume, parts.shown->request.classification, settings};
-    const auto sample = samplePointedAt(shown, settings.width / 2.0 + place[0] * settings.height,
+    const auto sample = samplePointedAt(parts.shown->request.panes.front(), settings, settings.width / 2.0 + place[0] * settings.height,
                                         settings.height / 2.0 + place[1] * settings.height);
     return sample ? std::optional(sample->gridMm) : std::nullopt;
 }

@@ -76,7 +76,7 @@ void markFront(std::vector<RenderResult>& results);
 
 /// The error allowed for a quality, in 8-bit levels: RMSE and largest difference from the converged reference.
 struct QualityBound {
-    std::string name;  ///< name of a quality in the program (widgets/volume_view/qualities.h)
+    std::string name;  ///< name of a quality in the program (widgets/casting/qualities.h)
     double rmse, largest = std::numeric_limits<double>::infinity();
 };
 /// From fine to coarse.

@@ -29,6 +29,7 @@ protected:
     }
     [[nodiscard]] const Document& document() { return window().document().document(); }
     CompareGrid& grid() { return *child<CompareGrid>("compare.panes"); }
+    [[nodiscard]] const std::vector<QImage>& images() { return window().compareRoom().views().images(); }
     ComparePanel& panel() { return *child<ComparePanel>("compare"); }
     void waitForFrame() {
         const auto& views = window().compareRoom().views();

@@ -8,7 +8,7 @@
 
 #include "io/document/session_file.h"
 #include "processing/comparison/classification_measures.h"
-#include "processing/document/pane_measures.h"
+#include "processing/pane_picture/pane_measures.h"
 #include "tests/app/compare/compare_fixture.h"
 #include "tests/qt_program/test_classes.h"
 
@@ -41,10 +41,10 @@ private slots:
         QVERIFY(frame->converged());
         QCOMPARE(frame->panes.size(), std::size_t{4});
         for (std::size_t i = 0; i < 4; ++i) {
-            QCOMPARE(frame->panes[i].image.size(), frame->panes[0].image.size());
+            QCOMPARE(images()[i].size(), images()[0].size());
             QVERIFY(frame->request.panes[i].volume == window().openStudy().newestVoxels());
-            QVERIFY(grid().pane(i).image() == frame->panes[i].image);
-            for (std::size_t k = 0; k < i; ++k) QVERIFY(frame->panes[i].image != frame->panes[k].image);
+            QVERIFY(grid().pane(i).image() == images()[i]);
+            for (std::size_t k = 0; k < i; ++k) QVERIFY(images()[i] != images()[k]);
         }
         QVERIFY(frame->request.panes[3].classification.isTwoDimensional());
         QVERIFY(!window().compareRoom().busy());
@@ -53,6 +53,7 @@ private slots:
     void aDragOrbitsAllPanesInOneStep() {
         const Pose before = document().scene.pose;
         const auto frameBefore = window().compareRoom().views().frame();
+        const std::vector<QImage> imagesBefore = images();
         const int steps = window().document().steps().index();
         ComparePane& pane = grid().pane(2);
         drag(pane, pane.pictureRect().center(), QPoint(40, 15), Qt::LeftButton);
@@ -61,14 +62,13 @@ private slots:
         waitForFrame();
         const auto frame = window().compareRoom().views().frame();
         QVERIFY(frame->settings.camera != frameBefore->settings.camera);
-        for (std::size_t i = 0; i < 4; ++i) QVERIFY(frame->panes[i].image != frameBefore->panes[i].image);
+        for (std::size_t i = 0; i < 4; ++i) QVERIFY(images()[i] != imagesBefore[i]);
         window().document().steps().undo();
         QVERIFY(document().scene.pose == before);
         waitForFrame();
         QVERIFY(window().compareRoom().views().frame()->settings.camera == frameBefore->settings.camera);
         for (std::size_t i = 0; i < 4; ++i)
-            QVERIFY(window().compareRoom().views().frame()->panes[i].image.size() ==
-                    frameBefore->panes[i].image.size());
+            QCOMPARE(images()[i].size(), imagesBefore[i].size());
     }
 
     void escapeEndsADragWithoutChange() {

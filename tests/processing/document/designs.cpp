@@ -7,8 +7,8 @@
 #include "processing/designers/designer.h"
 #include "processing/document/document.h"
 #include "processing/document/preset.h"
-#include "processing/document/view_caster.h"
-#include "processing/document/view_picture.h"
+#include "processing/pane_picture/pane_caster.h"
+#include "processing/pane_picture/pane_picture.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/converged.h"
 #include "processing/ray_caster.h"
@@ -69,7 +69,7 @@ TEST(Designs, TheViewsPictureIsThatOfItsDesign) {
     for (const DesignerConfig& config : {DesignerConfig(LevoyConfig{}), DesignerConfig(OtsuConfig{})}) {
         Document document = withDesigner({}, firstPane, config);
         document.curves.adjustment.transparency = 0.5;
-        const auto shown = viewPicture(document, firstPane, scans, 40, 32);
+        const auto shown = panePicture(document, firstPane, scans, 40, 32);
         const Volume quiet = *quietVolume(*scan, document.scene.look.reduction);
         const Design made =
             *design(config, designerInputOf(document, firstPane, *scan, quiet, document.scene.look.reduction));

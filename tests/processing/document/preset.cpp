@@ -3,13 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <set>
-
-#include "processing/document/preset_caster.h"
-#include "processing/document/view_picture.h"
-#include "processing/phantom/phantom.h"
 
 namespace echolucent {
 namespace {
@@ -126,54 +120,6 @@ TEST(Preset, FreeNamesAreTrimmedNumberedAndWholeCharacters) {
     const std::string second = freePresetName("x" + umlauts, {first});
     EXPECT_LE(second.size(), longestPresetName);
     EXPECT_TRUE(second.ends_with("ü (2)")) << second;
-}
-
-TEST(PresetCaster, MakesTheViewsPictureSmall) {
-    PhantomConfig config = defaultPhantom(PhantomScene::shapes);
-    config.size = {40, 38, 42};
-    const auto volume = std::make_shared<const Volume>(*makePhantom(config));
-    Document document;
-    document.scene.look = Look{};
-    PresetCaster caster;
-    for (const Preset& preset : standardPresets()) {
-        Document next = withPreset(document, firstPane, preset);
-        next.scene.look.reduction = SpeckleReduction::off;  // so that both are made of the same voxels
-        const auto small = caster.cast(next, firstPane, {volume, volume}, 24, 20);
-        const auto whole = viewPicture(next, firstPane, std::array{volume}, 48, 40);
-        ASSERT_TRUE(small && whole);
-        ASSERT_EQ(small->width, 24);
-        ASSERT_EQ(small->height, 20);
-        double sum = 0;
-        for (std::size_t i = 0; i < small->rgba.size(); ++i) {
-            const std::size_t x = i / 4 % 24, y = i / 4 / 24, channel = i % 4;
-            double mean = 0;
-            for (std::size_t n = 0; n < 4; ++n)
-                mean += 0.25 * whole->picture.rgba[4 * ((2 * y + n / 2) * 48 + 2 * x + n % 2) + channel];
-            sum += std::abs(small->rgba[i] - mean);
-        }
-        // The converged picture has a quarter of the step; pictures of other presets differ by ten times as much.
-        EXPECT_LT(sum / static_cast<double>(small->rgba.size()), 0.006) << preset.name;
-    }
-}
-
-TEST(PresetCaster, FollowsTheScalpelAndACancelledCall) {
-    PhantomConfig config = defaultPhantom(PhantomScene::shapes);
-    config.size = {40, 38, 42};
-    const auto volume = std::make_shared<const Volume>(*makePhantom(config));
-    std::vector<std::uint8_t> mask(static_cast<std::size_t>(volume->geometry().voxelCount()), 1);
-    std::fill_n(mask.begin(), mask.size() / 2, std::uint8_t{0});
-    const auto cut = std::make_shared<const Volume>(volume->withCut(std::make_shared<const DataMask>(std::move(mask))));
-    const Document document = withPreset(Document{}, firstPane, standardPresets()[0]);
-    const PresetCaster::Voxels before{volume, volume}, after{cut, cut};
-    PresetCaster caster, fresh;
-    const auto whole = caster.cast(document, firstPane, before, 24, 20);
-    const std::atomic<bool> cancelled{true};
-    EXPECT_FALSE(caster.cast(document, firstPane, after, 24, 20, Progress{{}, &cancelled}));
-    const auto followed = caster.cast(document, firstPane, after, 24, 20);
-    const auto expected = fresh.cast(document, firstPane, after, 24, 20);
-    ASSERT_TRUE(whole && followed && expected);
-    EXPECT_EQ(followed->rgba, expected->rgba);
-    EXPECT_NE(followed->rgba, whole->rgba);
 }
 
 }  // namespace

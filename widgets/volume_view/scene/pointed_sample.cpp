@@ -11,25 +11,24 @@ namespace echolucent {
 
 namespace {
 
-double opacityOf(const PictureRequest& request, const Vec3& voxel, double intensity) {
-    const double gradient =
-        request.classification.isTwoDimensional() ? GradientMagnitude(*request.volume).at(voxel) : 0.0;
-    return opacityAt(request.classification, intensity, gradient);
+double opacityOf(const PaneRequest& pane, const Vec3& voxel, double intensity) {
+    const double gradient = pane.classification.isTwoDimensional() ? GradientMagnitude(*pane.volume).at(voxel) : 0.0;
+    return opacityAt(pane.classification, intensity, gradient);
 }
 
-std::optional<PointedSample> sampleByOpacity(const PictureRequest& request, const std::vector<RaySample>& ray) {
+std::optional<PointedSample> sampleByOpacity(const PaneRequest& pane, const RayCastSettings& settings,
+                                             const std::vector<RaySample>& ray) {
     constexpr double visible = 1.0 / 255.0;  // less does not show on a screen
     double transmittance = 1.0, largest = 0.0;
     std::optional<PointedSample> pointed;
     for (const RaySample& sample : ray) {
         if (!sample.intensity) continue;
-        const double opacity = opacityOf(request, sample.voxel, *sample.intensity);
-        const double share = opacityForStep(opacity, request.settings.step * sample.length);
+        const double opacity = opacityOf(pane, sample.voxel, *sample.intensity);
+        const double share = opacityForStep(opacity, settings.step * sample.length);
         const bool half = transmittance * (1.0 - share) <= 0.5;
         if (half || transmittance * share > largest) {
             largest = transmittance * share;
-            pointed =
-                PointedSample{*sample.intensity, opacity, request.volume->geometry().gridMmFromVoxel(sample.voxel)};
+            pointed = PointedSample{*sample.intensity, opacity, pane.volume->geometry().gridMmFromVoxel(sample.voxel)};
         }
         transmittance *= 1.0 - share;
         if (half) break;
@@ -37,8 +36,9 @@ std::optional<PointedSample> sampleByOpacity(const PictureRequest& request, cons
     return 1.0 - transmittance < visible ? std::nullopt : pointed;
 }
 
-std::optional<PointedSample> sampleByIntensity(const PictureRequest& request, const std::vector<RaySample>& ray) {
-    const RenderMode mode = request.settings.mode;
+std::optional<PointedSample> sampleByIntensity(const PaneRequest& pane, const RayCastSettings& settings,
+                                               const std::vector<RaySample>& ray) {
+    const RenderMode mode = settings.mode;
     std::optional<PointedSample> pointed;
     double sum = 0.0, steps = 0.0;
     for (const RaySample& sample : ray) {
@@ -46,26 +46,26 @@ std::optional<PointedSample> sampleByIntensity(const PictureRequest& request, co
         const double intensity = *sample.intensity;
         const bool chosen = !pointed || (mode == RenderMode::maximum && intensity > pointed->intensity) ||
                             (mode == RenderMode::minimum && intensity < pointed->intensity);
-        if (chosen) pointed = PointedSample{intensity, 0.0, request.volume->geometry().gridMmFromVoxel(sample.voxel)};
+        if (chosen) pointed = PointedSample{intensity, 0.0, pane.volume->geometry().gridMmFromVoxel(sample.voxel)};
         sum += intensity * sample.length;
         steps += sample.length;
     }
     if (!pointed) return std::nullopt;
     if (mode == RenderMode::mean) pointed->intensity = sum / steps;
-    pointed->opacity =
-        opacityOf(request, request.volume->geometry().voxelFromGridMm(pointed->gridMm), pointed->intensity);
+    pointed->opacity = opacityOf(pane, pane.volume->geometry().voxelFromGridMm(pointed->gridMm), pointed->intensity);
     return pointed;
 }
 
 }  // namespace
 
-std::optional<PointedSample> samplePointedAt(const PictureRequest& request, double x, double y) {
-    if (!request.volume) return std::nullopt;
-    const RayCastSettings& settings = request.settings;
+std::optional<PointedSample> samplePointedAt(const PaneRequest& pane, const RayCastSettings& settings, double x,
+                                             double y) {
+    if (!pane.volume) return std::nullopt;
     const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
     if (column < 0 || column >= settings.width || row < 0 || row >= settings.height) return std::nullopt;
-    const std::vector<RaySample> ray = samplesAlongRay(*request.volume, settings, column, row);
-    return settings.mode == RenderMode::direct ? sampleByOpacity(request, ray) : sampleByIntensity(request, ray);
+    const std::vector<RaySample> ray = samplesAlongRay(*pane.volume, settings, column, row);
+    return settings.mode == RenderMode::direct ? sampleByOpacity(pane, settings, ray)
+                                               : sampleByIntensity(pane, settings, ray);
 }
 
 std::optional<double> measuredAt(const Volume& volume, const Vec3& gridMm) {

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "widgets/volume_view/scene/picture_request.h"
+#include "processing/picture/screen_picture.h"
 
 class vtkOpenGLHelper;
 class vtkOpenGLRenderWindow;

@@ -13,7 +13,7 @@
 #include "widgets/volume_view/scene/annotation/scale_bar.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
-#include "widgets/volume_view/scene/picture_request.h"
+#include "processing/picture/screen_picture.h"
 
 class vtkRenderer;
 class vtkVolume;

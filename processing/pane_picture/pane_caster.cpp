@@ -1,0 +1,161 @@
+#include "processing/pane_picture/pane_caster.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/designers/designer.h"
+#include "processing/picture/converged.h"
+#include "processing/picture/view_limits.h"
+#include "processing/speckle_reduction/speckle_reduction.h"
+
+namespace echolucent {
+
+namespace {
+
+const VolumeGeometry& gridOf(const StudyPhases& phases) {
+    if (phases.scans.empty()) throw std::invalid_argument("PaneCaster: a study has at least one phase");
+    return phases.scans.front()->geometry();
+}
+
+}  // namespace
+
+RayCastSettings castSettingsOf(const Document& document, const VolumeGeometry& geometry, const DataBox& box, int width,
+                               int height) {
+    const Look& look = document.scene.look;
+    const Pose pose = shownPose(document);
+    const Front& front = document.scene.front;
+    RayCastSettings settings = rayCastSettings(look);
+    settings.width = width;
+    settings.height = height;
+    settings.camera = cameraFor(cameraPoseOf(pose, document.beam.axis, front.depthMm, box, look.projection,
+                                             static_cast<double>(width) / height));
+    Viewpoint limits = viewpointOf(document.beam.axis, pose.direction, front.depthMm);
+    limits.cutSurface = front.surface;
+    limits.box = viewpointOf(document).box;
+    return limitedTo(limits, geometry, std::move(settings));
+}
+
+bool needsComputedOtf(const Document& document, std::size_t pane) {
+    const Pane& shown = document.panes.at(pane);
+    const bool computed = shown.designer || shown.curve == CurveKind::adaptive;
+    return computed && document.scene.look.mode == RenderMode::direct;
+}
+
+Classification classificationOf(const Document& document, std::size_t pane, const PaneOtf& otf) {
+    if (designerConfigOf(document, pane) == nullptr) return curveOf(document, pane, otf.curve);
+    return adjustedClassification(otf.designed.value_or(Classification()), document.curves.adjustment);
+}
+
+DesignerInput designerInputOf(const Document& document, std::size_t pane, const Volume& raw, const Volume& shown,
+                              SpeckleReduction reduction) {
+    return {raw, shown, reduction, otfViewpointOf(document, pane), configOf(document, pane)};
+}
+
+int otfPhaseOf(const Document& document, std::size_t pane, int phases) {
+    const MotionOtf otf = document.panes.at(pane).motionOtf.value_or(document.motion.otf);
+    if (phases < 2 || otf != MotionOtf::oneOtf) return phaseOf(document, pane);
+    return std::min(document.motion.otfPhase, phases - 1);
+}
+
+PaneCaster::PaneCaster(StudyPhases phases) : m_phases(std::move(phases)), m_cuts(gridOf(m_phases)) {}
+
+PaneCaster::AskedVoxels PaneCaster::askedVoxels(const Document& document, int phase) {
+    return {phase, document.scene.strokes, document.scene.look.reduction};
+}
+
+const PaneCaster::Voxels* PaneCaster::voxels(const AskedVoxels& asked, const Progress& progress) {
+    if (m_voxels && m_voxels->asked == asked) return &*m_voxels;
+    const auto place = static_cast<std::size_t>(asked.phase);
+    const Volume& scan = *m_phases.scans.at(place);
+    const std::vector<ScalpelStroke>& strokes = asked.strokes;
+    const auto raw = m_cuts.cut(scan, strokes, progress);
+    if (!raw) return nullptr;
+    Voxels made{.asked = asked};
+    made.raw = std::make_shared<const Volume>(*raw);
+    if (asked.reduction == SpeckleReduction::off) {
+        made.shown = made.raw;
+    } else if (asked.reduction == m_phases.reduction && place < m_phases.quiet.size() && m_phases.quiet[place]) {
+        made.shown = std::make_shared<const Volume>(m_phases.quiet[place]->withCut(raw->cut()));
+    } else {
+        const auto quiet = quietVolume(*raw, asked.reduction, progress);
+        if (!quiet) return nullptr;
+        made.shown = std::make_shared<const Volume>(quiet->withDataBox(scan.dataBox()));
+    }
+    m_voxels = std::move(made);
+    return &*m_voxels;
+}
+
+std::optional<PaneOtf> PaneCaster::otf(const Document& document, std::size_t pane, const Progress& progress) {
+    if (!needsComputedOtf(document, pane)) return PaneOtf{};
+    const DesignerConfig* designer = designerConfigOf(document, pane);
+    AskedOtf asked{askedVoxels(document, otfPhaseOf(document, pane, phaseCount())), otfViewpointOf(document, pane),
+                   configOf(document, pane), designer ? std::optional(*designer) : std::nullopt};
+    if (m_askedOtf == asked) return m_otf;
+    auto computed = computedOtf(document, pane, progress);
+    if (!computed) return std::nullopt;
+    m_askedOtf = std::move(asked);
+    m_otf = *computed;
+    return computed;
+}
+
+std::optional<PaneOtf> PaneCaster::computedOtf(const Document& document, std::size_t pane, const Progress& progress) {
+    if (const DesignerConfig* config = designerConfigOf(document, pane)) {
+        const Progress silent{{}, progress.cancel};
+        const Voxels* of = voxels(askedVoxels(document, otfPhaseOf(document, pane, phaseCount())), silent);
+        if (!of) return std::nullopt;
+        auto made = design(*config, designerInputOf(document, pane, *of->raw, *of->shown, of->asked.reduction), silent);
+        if (!made) return std::nullopt;
+        return PaneOtf{.designed = std::move(made->classification), .message = std::move(made->message)};
+    }
+    auto read = readTubeCores(document, pane, progress);
+    if (!read) return std::nullopt;
+    return PaneOtf{.curve = std::move(read->otf.curve), .message = std::move(read->otf.message)};
+}
+
+std::optional<PaneCaster::TubeCoreReading> PaneCaster::readTubeCores(const Document& document, std::size_t pane,
+                                                                     const Progress& progress) {
+    const Progress silent{{}, progress.cancel};
+    const Voxels* of = voxels(askedVoxels(document, otfPhaseOf(document, pane, phaseCount())), silent);
+    if (!of) return std::nullopt;
+    const SpeckleReduction reduction = of->asked.reduction;
+    const QuietVoxels shown =
+        reduction == SpeckleReduction::off ? QuietVoxels{} : QuietVoxels{of->shown.get(), reduction};
+    auto otf = adaptOpacity(*of->raw, otfViewpointOf(document, pane), configOf(document, pane), silent, shown);
+    if (!otf) return std::nullopt;
+    return TubeCoreReading{std::move(*otf), of->shown};
+}
+
+RayCaster& PaneCaster::raysThrough(const std::shared_ptr<const Volume>& volume, bool withoutKeptSamples) {
+    if (!m_rays || withoutKeptSamples || !m_rays->volume()->isSameScanAs(*volume))
+        m_rays.emplace(volume);
+    else if (m_rays->volume() != volume)
+        m_rays->setCut(volume);
+    return *m_rays;
+}
+
+std::optional<PanePicture> PaneCaster::picture(const Document& document, std::size_t pane, int width, int height,
+                                               const Progress& progress, PictureQuality quality) {
+    const auto computed = otf(document, pane, progress);
+    return computed ? pictureWith(*computed, document, pane, width, height, progress, quality) : std::nullopt;
+}
+
+std::optional<PanePicture> PaneCaster::pictureWith(const PaneOtf& otf, const Document& document, std::size_t pane,
+                                                   int width, int height, const Progress& progress,
+                                                   PictureQuality quality) {
+    const Voxels* of = voxels(askedVoxels(document, phaseOf(document, pane)), Progress{{}, progress.cancel});
+    if (!of) return std::nullopt;
+    const RayCastSettings asked = castSettingsOf(document, of->shown->geometry(), of->shown->dataBox(), width, height);
+    const bool isConverged = quality == PictureQuality::converged;
+    const RayCastSettings settings = isConverged ? converged(asked) : asked;
+    const Classification classification = classificationOf(document, pane, otf);
+    // From kept samples a picture follows to half a level only.
+    RayCaster& rays = raysThrough(of->shown, isConverged && m_cast == settings);
+    m_cast = settings;
+    auto picture = rays.cast(classification, settings, progress);
+    if (!picture) return std::nullopt;
+    return PanePicture{std::move(*picture), settings, classification, of->shown, otf.message};
+}
+
+}  // namespace echolucent

@@ -1,0 +1,140 @@
+// Casts pictures of panes of documents, one after another, through the phases of one study.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/classification.h"
+#include "processing/designers/design.h"
+#include "processing/designers/designer_config.h"
+#include "processing/document/document.h"
+#include "processing/picture/picture.h"
+#include "processing/picture/ray_cast_settings.h"
+#include "processing/progress.h"
+#include "processing/ray_caster.h"
+#include "processing/scalpel/scalpel_cuts.h"
+#include "processing/shared_list.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// How the panes of a document are cast at their look's own step. The camera is that of the shown pose, fitted to a data
+/// box. Front and box limit the picture.
+[[nodiscard]] RayCastSettings castSettingsOf(const Document& document, const VolumeGeometry& geometry,
+                                             const DataBox& box, int width, int height);
+
+/// How much a pane's picture spares.
+enum class PictureQuality {
+    converged,  ///< converged(): what the window shows at rest, and saves
+    quick,      ///< the look's own step and the ray caster's own end of rays
+};
+
+/// What a pane shows.
+struct PanePicture {
+    Picture picture;
+    RayCastSettings cast;                  ///< the settings that it was cast with
+    Classification classification;         ///< and the classification
+    std::shared_ptr<const Volume> voxels;  ///< quiet if speckle is reduced, and cut by the strokes
+    std::string message;                   ///< from the computed OTF; empty if there is none
+};
+
+/// The phases of a study.
+struct StudyPhases {
+    std::vector<std::shared_ptr<const Volume>> scans;  ///< as they were read, at least one, all on one grid
+    /// Their quiet voxels by phase, uncut, if somebody has them. Null, or beyond the end: they are not made.
+    std::vector<std::shared_ptr<const Volume>> quiet{};
+    SpeckleReduction reduction = SpeckleReduction::off;  ///< of `quiet`; for another reduction quiet voxels are made
+    friend bool operator==(const StudyPhases&, const StudyPhases&) = default;
+};
+
+/// The OTF that is computed from the voxels for a pane.
+struct PaneOtf {
+    SampledCurve curve{};                      ///< the adaptive one, if the pane is rendered with it
+    std::optional<Classification> designed{};  ///< its designer's, if it has one
+    std::string message{};                     ///< from either
+};
+
+/// Whether a pane's picture needs an OTF that is computed: in direct mode, if the pane is rendered with the adaptive
+/// OTF or a designer's.
+[[nodiscard]] bool needsComputedOtf(const Document& document, std::size_t pane);
+
+/// What a pane is rendered with, adjusted. A designer's OTF that is not computed yet is clear everywhere.
+[[nodiscard]] Classification classificationOf(const Document& document, std::size_t pane, const PaneOtf& otf);
+
+/// What the designer of a pane is given, if it has one. The volumes outlive it. The viewpoint is otfViewpointOf().
+[[nodiscard]] DesignerInput designerInputOf(const Document& document, std::size_t pane, const Volume& raw,
+                                            const Volume& shown, SpeckleReduction reduction);
+
+/// The phase whose computed OTF a pane shows. If one OTF is chosen for all frames of several phases, it is
+/// MotionChoice::otfPhase, or the last phase if there are fewer; else the phase that the pane shows.
+[[nodiscard]] int otfPhaseOf(const Document& document, std::size_t pane, int phases);
+
+/// Keeps what pictures have in common: what the scalpel cut, the voxels of the newest phase, their ray caster, and the
+/// newest OTF. Converged pictures are the same, to the bit, as if each were the only one. Only one thread at a time may
+/// use it.
+class PaneCaster {
+public:
+    explicit PaneCaster(StudyPhases phases);
+
+    [[nodiscard]] int phaseCount() const { return static_cast<int>(m_phases.scans.size()); }
+    /// The OTF that a pane needs, of the phase otfPhaseOf(). If the pane has a designer, the designer computes it; else
+    /// it is the adaptive one, computed from raw voxels along otfViewpointOf() for the voxels that are shown. Unless
+    /// needsComputedOtf(), nothing is computed. The result is empty only if progress.cancel was raised.
+    [[nodiscard]] std::optional<PaneOtf> otf(const Document& document, std::size_t pane, const Progress& progress = {});
+    /// What tube cores read for the adaptive OTF of a pane, and the voxels that the OTF is for.
+    struct TubeCoreReading {
+        AdaptiveOtf otf;
+        std::shared_ptr<const Volume> shown;  ///< of the phase otfPhaseOf()
+    };
+    /// The adaptive OTF of a pane with its tube cores, whatever the pane is rendered with. The result is empty only if
+    /// progress.cancel was raised.
+    [[nodiscard]] std::optional<TubeCoreReading> readTubeCores(const Document& document, std::size_t pane,
+                                                               const Progress& progress = {});
+    /// The picture of the phase that a pane shows, `width` x `height` pixels, with its otf(). The result is empty only
+    /// if progress.cancel was raised. Throws std::out_of_range if there is no such phase.
+    [[nodiscard]] std::optional<PanePicture> picture(const Document& document, std::size_t pane, int width, int height,
+                                                     const Progress& progress = {},
+                                                     PictureQuality quality = PictureQuality::converged);
+    /// The same with another OTF in the place of otf().
+    [[nodiscard]] std::optional<PanePicture> pictureWith(const PaneOtf& otf, const Document& document, std::size_t pane,
+                                                         int width, int height, const Progress& progress = {},
+                                                         PictureQuality quality = PictureQuality::converged);
+
+private:
+    /// All that voxels and OTF of a phase are made from.
+    struct AskedVoxels {
+        int phase = 0;
+        SharedList<ScalpelStroke> strokes{};
+        SpeckleReduction reduction = SpeckleReduction::off;
+        friend bool operator==(const AskedVoxels&, const AskedVoxels&) = default;
+    };
+    struct AskedOtf {
+        AskedVoxels voxels;
+        Viewpoint viewpoint;
+        AdaptiveOtfConfig config;
+        std::optional<DesignerConfig> designer;
+        friend bool operator==(const AskedOtf&, const AskedOtf&) = default;
+    };
+    struct Voxels {
+        AskedVoxels asked;
+        std::shared_ptr<const Volume> raw{}, shown{};
+    };
+    [[nodiscard]] static AskedVoxels askedVoxels(const Document& document, int phase);
+    [[nodiscard]] const Voxels* voxels(const AskedVoxels& asked, const Progress& progress);
+    [[nodiscard]] std::optional<PaneOtf> computedOtf(const Document& document, std::size_t pane,
+                                                     const Progress& progress);
+    [[nodiscard]] RayCaster& raysThrough(const std::shared_ptr<const Volume>& volume, bool withoutKeptSamples);
+
+    StudyPhases m_phases;
+    ScalpelCuts m_cuts;
+    std::optional<Voxels> m_voxels;  ///< asked for last
+    std::optional<AskedOtf> m_askedOtf;
+    PaneOtf m_otf;  ///< the answer to m_askedOtf
+    std::optional<RayCaster> m_rays;
+    RayCastSettings m_cast;  ///< what m_rays cast with last
+};
+
+}  // namespace echolucent

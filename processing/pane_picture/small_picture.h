@@ -1,0 +1,19 @@
+// Pictures of panes for galleries: small, quick and smooth.
+#pragma once
+
+#include <optional>
+
+#include "processing/document/document.h"
+#include "processing/pane_picture/pane_caster.h"
+#include "processing/picture/picture.h"
+#include "processing/progress.h"
+
+namespace echolucent {
+
+/// A pane's picture, `width` x `height` pixels, each the mean of four rays in quick quality (PictureQuality::quick). Like
+/// quick pictures it keeps the caster's samples for the next curve. The result is empty only if progress.cancel was
+/// raised.
+[[nodiscard]] std::optional<Picture> smallPicture(PaneCaster& caster, const Document& document, std::size_t pane,
+                                                  int width, int height, const Progress& progress = {});
+
+}  // namespace echolucent

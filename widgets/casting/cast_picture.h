@@ -1,0 +1,35 @@
+// The pictures of panes, on their way from the casting thread to the screen.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "processing/picture/picture.h"
+#include "processing/picture/picture_request.h"
+#include "processing/picture/screen_picture.h"
+#include "widgets/casting/qualities.h"
+
+namespace echolucent {
+
+/// The finished picture of one pane.
+struct CastPane {
+    std::shared_ptr<const Picture> picture{};  ///< null if the picture comes from kept frames
+    std::shared_ptr<const ScreenPicture> screen{};
+    double milliseconds = 0.0;  ///< wall time in the casting thread, light included
+    bool sampled = true;        ///< false: made of kept samples, which takes less time
+};
+
+/// The pictures of all panes of a request, and what they were made from.
+struct CastPicture {
+    PictureRequest request;        ///< as it was asked for, at full size
+    std::size_t quality = 0;       ///< of qualities
+    RayCastSettings settings;      ///< of the quality
+    std::vector<CastPane> panes{};  ///< as in the request; empty if the graphics card draws
+    double milliseconds = 0.0;     ///< wall time of all panes in the casting thread
+    bool followsHand = false;      ///< the quick one of its request, not one that refines it
+    bool live = false;             ///< the graphics card draws
+    [[nodiscard]] bool converged() const { return quality == convergedQuality; }
+};
+
+}  // namespace echolucent

@@ -1,0 +1,105 @@
+#include "widgets/casting/preview_quality.h"
+
+#include <algorithm>
+
+namespace echolucent {
+
+namespace {
+
+constexpr double newestMeasureShare = 0.5;  // of the newest measure in a learnt cost
+constexpr double smallestBudget = 1.0 / 3;  // of a frame, however slowly pictures reach the screen
+constexpr double reclassifyShare = 0.25;    // of the cost of sampling, until it is measured
+constexpr double shadedRatio = 4.0;         // of the cost of sampling, until it is measured
+
+double samplesOf(const RayCastSettings& settings) {
+    return static_cast<double>(settings.width) * settings.height / settings.step;
+}
+
+double samplesAt(std::size_t quality, const RayCastSettings& asked) { return samplesOf(settingsAt(quality, asked)); }
+
+void learn(double& cost, double measured) {
+    cost = cost > 0.0 ? cost + newestMeasureShare * (measured - cost) : measured;
+}
+
+/// How far from the budget costs must be for another quality to be taken.
+struct Reluctance {
+    double toCoarsen;  // the quality's cost is above this share
+    double toRefine;   // the next finer one's is not
+};
+constexpr Reluctance usual{1.0, 0.7};
+constexpr Reluctance withinSeries{1.5, 0.35};
+
+/// From a quality to the finest within the budget.
+template <typename Cost>
+std::size_t qualityWithin(double budget, std::size_t quality, const Reluctance& reluctance, const Cost& cost) {
+    while (quality + 1 < qualities.size() && cost(quality) > reluctance.toCoarsen * budget) ++quality;
+    while (quality > 0 && cost(quality - 1) <= reluctance.toRefine * budget) --quality;
+    return quality;
+}
+
+}  // namespace
+
+void PreviewQuality::sampled(const RayCastSettings& settings, double milliseconds) {
+    learn(costOf(settings).sampling, milliseconds / samplesOf(settings));
+}
+
+void PreviewQuality::reclassified(const RayCastSettings& settings, double milliseconds) {
+    learn(costOf(settings).reclassifying, milliseconds / samplesOf(settings));
+}
+
+void PreviewQuality::couldNotKeep(const RayCastSettings& settings) {
+    m_samplesNotKept = std::min(m_samplesNotKept, samplesOf(settings));
+}
+
+void PreviewQuality::drawn(double milliseconds) {
+    // Drawing that takes longer than a frame says nothing about the next one (a menu opened, the window was moved).
+    if (++m_drawn > 1) learn(m_drawing, std::min(milliseconds, m_frame));
+}
+
+void PreviewQuality::lit(const RayCastSettings& settings, double milliseconds) {
+    if (settings.shading && settings.shading->asksWhatReaches()) learn(m_light, std::min(milliseconds, m_frame));
+}
+
+double PreviewQuality::budgetFor(const RayCastSettings& asked) const {
+    const bool lit = asked.shading && asked.shading->asksWhatReaches();
+    return std::max(budgetMilliseconds() - (lit ? m_light : 0.0), smallestBudget * m_frame);
+}
+
+double PreviewQuality::budgetMilliseconds() const { return std::max(m_frame - m_drawing, smallestBudget * m_frame); }
+
+std::size_t PreviewQuality::qualityInMotion(const RayCastSettings& asked) {
+    m_samplesNotKept = std::numeric_limits<double>::infinity();  // another view has other samples
+    if (const double cost = samplingCost(asked); cost > 0.0)
+        m_motionQuality = qualityWithin(budgetFor(asked), m_motionQuality, usual,
+                                        [&](std::size_t quality) { return cost * samplesAt(quality, asked); });
+    return m_motionQuality;
+}
+
+std::size_t PreviewQuality::qualityAlone(const RayCastSettings& asked) {
+    const std::size_t inMotion = qualityInMotion(asked), atRest = convergedQuality + 1;
+    const double cost = samplingCost(asked) * samplesAt(atRest, asked);
+    return cost > 0.0 && cost <= aloneFrames * m_frame ? std::min(inMotion, atRest) : inMotion;
+}
+
+std::size_t PreviewQuality::qualityForEdits(const RayCastSettings& asked, bool inSeries) {
+    if (samplingCost(asked) > 0.0)
+        m_editQuality = qualityWithin(budgetFor(asked), m_editQuality, inSeries ? withinSeries : usual,
+                                      [&](std::size_t quality) { return editCost(quality, asked); });
+    return std::min(m_editQuality, m_motionQuality);
+}
+
+double PreviewQuality::samplingCost(const RayCastSettings& settings) const {
+    if (settings.shading) return m_shaded.sampling > 0.0 ? m_shaded.sampling : shadedRatio * m_unshaded.sampling;
+    return m_unshaded.sampling > 0.0 ? m_unshaded.sampling : m_shaded.sampling / shadedRatio;
+}
+
+double PreviewQuality::editCost(std::size_t quality, const RayCastSettings& asked) {
+    const double samples = samplesAt(quality, asked);
+    const double sampling = samplingCost(asked) * samples;
+    if (samples >= m_samplesNotKept) return sampling;
+    if (sampling > warmUpFrames * m_frame) return std::max(sampling, 2.0 * m_frame);
+    const double reclassifying = costOf(asked).reclassifying;
+    return reclassifying > 0.0 ? reclassifying * samples : reclassifyShare * sampling;
+}
+
+}  // namespace echolucent

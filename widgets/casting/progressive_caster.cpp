@@ -1,0 +1,176 @@
+#include "widgets/casting/progressive_caster.h"
+
+#include <chrono>
+#include <new>
+#include <utility>
+
+#include "widgets/casting/kept_frames.h"
+
+namespace echolucent {
+
+namespace {
+constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts more often
+constexpr int passedFrames = 2;            // of a motion, before one is cast in high quality: it goes on meanwhile
+}  // namespace
+
+ProgressiveCaster::ProgressiveCaster(const PreviewQuality& quality, Cast cast)
+    : m_cast(std::move(cast)), m_quality(quality), m_frames(std::make_unique<KeptFrames>()), m_thread("ray caster") {
+    connect(&m_thread, &NewestWinsThread::busyChanged, this, &ProgressiveCaster::busyChanged);
+    m_rest.setSingleShot(true);
+    connect(&m_rest, &QTimer::timeout, this, &ProgressiveCaster::refine);
+}
+
+ProgressiveCaster::~ProgressiveCaster() = default;
+
+void ProgressiveCaster::setPlaying(bool playing) {
+    if (std::exchange(m_playing, playing) == playing) return;
+    m_passed = passedFrames;  // the first frame is kept at once
+    if (!playing && m_newest && !busy() && m_startedQuality != convergedQuality) refine();
+}
+
+int ProgressiveCaster::keptFrames() const { return m_frames->count(); }
+
+std::size_t ProgressiveCaster::keptFrameBytes() const { return m_frames->bytes(); }
+
+/// A frame that was kept is delivered as one that was cast would be: after the request has returned.
+bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
+    const auto frame = m_playing ? m_frames->find(request) : nullptr;
+    if (!frame) return false;
+    m_newest = std::make_shared<const PictureRequest>(request);
+    m_startedQuality = frame->quality;
+    if (!frame->converged()) m_rest.start(editRestMilliseconds);
+    QMetaObject::invokeMethod(
+        this,
+        [this, frame] {
+            if (m_newest && samePicture(*m_newest, frame->request)) emit delivered(frame);
+        },
+        Qt::QueuedConnection);
+    return true;
+}
+
+void ProgressiveCaster::request(const PictureRequest& request) {
+    if (m_newest && samePicture(*m_newest, request)) return;
+    if (deliverKept(request)) return;
+    if (!m_playing) m_frames->clear();
+    // A picture of another volume is not a quick picture of this one; in a motion it is a frame to keep.
+    if (!m_playing && m_newest && !sameVolumes(*m_newest, request)) m_thread.cancel();
+    const bool edited = m_newest && sameSamples(*m_newest, request);
+    m_inStream = m_sinceRequest.isValid() && m_sinceRequest.elapsed() < streamMilliseconds;
+    m_sinceRequest.start();
+    m_rest.stop();
+    const std::size_t quality = qualityFor(request, edited);
+    m_newest = std::make_shared<const PictureRequest>(request);
+    start(quality, NewestWinsThread::WhenSuperseded::finish);
+}
+
+std::size_t ProgressiveCaster::qualityFor(const PictureRequest& request, bool edited) {
+    // What plays has no hand that waits: a frame is as fine as its time allows.
+    if (m_playing) return m_quality.qualityAlone(request.settings);
+    if (edited) {
+        const std::size_t quality = m_quality.qualityForEdits(request.settings, m_editing && m_inStream);
+        // The first edit of a series has no samples to be made of: it is shown as quickly as a new view.
+        m_editing = m_inStream || quality == m_startedQuality || quality == m_keptQuality;
+        if (m_editing) return quality;
+    } else {
+        m_keptQuality.reset();
+    }
+    m_editing = false;
+    return m_inStream ? m_quality.qualityInMotion(request.settings) : m_quality.qualityAlone(request.settings);
+}
+
+void ProgressiveCaster::clear() {
+    if (!m_newest) return;
+    m_newest.reset();
+    m_rest.stop();
+    m_sinceRequest.invalidate();
+    // Another phase comes next: the frame that is being cast is one to keep, and its caster goes with the next one.
+    if (m_playing) return emit busyChanged();
+    m_thread.cancel();
+    m_thread.submit(
+        [cast = m_cast](const Progress& progress) -> NewestWinsThread::Deliver {
+            cast({}, progress);
+            return {};
+        },
+        NewestWinsThread::WhenSuperseded::finish);
+    emit busyChanged();
+}
+
+void ProgressiveCaster::refine() {
+    m_inStream = false;
+    if (m_startedQuality == convergedQuality) return;
+    start(nextAtRest(m_startedQuality), NewestWinsThread::WhenSuperseded::cancel);
+}
+
+void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded) {
+    m_startedQuality = quality;
+    const bool followsHand = whenSuperseded == NewestWinsThread::WhenSuperseded::finish;
+    m_startedQuick = followsHand;
+    auto make = [=, this, cast = m_cast, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
+        const auto begin = std::chrono::steady_clock::now();
+        const PictureRequest atQuality{asked->panes, settingsAt(quality, asked->settings)};
+        const CastResult result = cast(atQuality, progress);
+        if (result.panes.empty()) return {};
+        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+        auto finished = std::make_shared<const CastPicture>(
+            CastPicture{*asked, quality, atQuality.settings, result.panes, taken.count(), followsHand});
+        return [this, finished, result] {
+            learn(*finished, result);
+            deliver(finished);
+        };
+    };
+    auto job = [this, cast = m_cast, make](const Progress& progress) -> NewestWinsThread::Deliver {
+        try {
+            return make(progress);
+        } catch (const std::bad_alloc&) {
+            cast({}, progress);  // a caster that was interrupted is not used again
+            return [this] { fail(); };
+        }
+    };
+    m_thread.submit(std::move(job), whenSuperseded);
+}
+
+void ProgressiveCaster::fail() {
+    m_keptQuality.reset();
+    emit failed();
+}
+
+void ProgressiveCaster::learn(const CastPicture& picture, const CastResult& result) {
+    if (!result.samples) return;
+    const double casting = picture.milliseconds - result.lightMilliseconds;
+    if (picture.followsHand) m_quality.lit(picture.settings, result.lightMilliseconds);
+    if (result.samples == SampleUse::kept) {
+        if (m_newest && sameSamples(*m_newest, picture.request)) m_keptQuality = picture.quality;
+        m_quality.reclassified(picture.settings, casting);
+    } else {
+        m_quality.sampled(picture.settings, casting);
+    }
+    if (result.samples == SampleUse::notKept) m_quality.couldNotKeep(picture.settings);
+}
+
+void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture) {
+    const bool newest = m_newest && samePicture(*m_newest, picture->request);
+    if (m_playing) {
+        if (picture->quality <= highQuality) {
+            m_frames->keep(*picture);
+            m_passed = 0;
+        }
+        if (!newest) return;
+        if (picture->quality > highQuality && ++m_passed > passedFrames) {
+            start(highQuality, NewestWinsThread::WhenSuperseded::finish);
+        } else if (!picture->converged()) {
+            m_rest.start(editRestMilliseconds);  // a frame that stays becomes as fine as at rest
+        }
+        emit delivered(picture);
+        return;
+    }
+    if (newest && !picture->converged()) {
+        if (m_inStream) {
+            m_rest.start(m_editing ? editRestMilliseconds : restMilliseconds);
+        } else {
+            refine();
+        }
+    }
+    emit delivered(picture);
+}
+
+}  // namespace echolucent
