@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QTextStream>
-#include <memory>
 
 #include "app/study/open_study.h"
 #include "app/window/main_window.h"
@@ -54,12 +53,9 @@ int main(int count, char** arguments) {
     parser.process(application);
 
     // The study is being read while the window is made: neither waits for the other.
-    auto openStudy = std::make_unique<OpenStudy>();
-    if (const QString file = parser.positionalArguments().value(0); !file.isEmpty())
-        openStudy->open(QFileInfo(file).absoluteFilePath());
-    else
-        openStudy->openSimulatedScan();
-    MainWindow window({}, std::move(openStudy));
+    MainWindow window({}, [file = parser.positionalArguments().value(0)](OpenStudy& openStudy) {
+        file.isEmpty() ? openStudy.openSimulatedScan() : openStudy.open(QFileInfo(file).absoluteFilePath());
+    });
     if (parser.isSet(firstPicture)) printStartTimes(window);
     window.show();
     return QApplication::exec();

@@ -6,29 +6,27 @@
 
 #include "processing/comparison/plain_frames.h"
 #include "processing/designers/designer.h"
-#include "processing/pane_picture/pane_caster.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/motion_mode.h"
+#include "processing/pane_picture/pane_caster.h"
 #include "widgets/compare/compare_panel.h"
 
 namespace echolucent {
 
-CompareMeasures::CompareMeasures(const Parts& parts, QObject* parent)
+CompareMeasures::CompareMeasures(const Parts& parts, const Work& work, QObject* parent)
     : QObject(parent),
       m_model(parts.model),
       m_openStudy(parts.openStudy),
       m_otfs(parts.otfs),
       m_views(parts.views),
       m_player(parts.player),
-      m_thread("comparison measures"),
-      m_flickerThread("comparison flicker") {
+      m_thread(parts.works, "comparison measures", work),
+      m_flickerThread(parts.works, "comparison flicker", work) {
     connect(&m_views, &ComparedViews::frameShown, this, &CompareMeasures::follow);
     connect(&m_views, &ComparedViews::followed, this, &CompareMeasures::follow);
     connect(&m_openStudy, &OpenStudy::studyOpened, this, &CompareMeasures::forgetStudy);
     connect(&m_player, &MotionPlayer::playingChanged, this, &CompareMeasures::follow);
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &CompareMeasures::busyChanged);
-    connect(&m_flickerThread, &NewestWinsThread::busyChanged, this, &CompareMeasures::busyChanged);
-    connect(&m_flickerThread, &NewestWinsThread::progressed, this, &CompareMeasures::progressed);
+    connect(&m_flickerThread, &NewestWinsThread::busyChanged, this, &CompareMeasures::measuringFlicker);
 }
 
 std::optional<CompareMeasures::Asked> CompareMeasures::wanted() const {

@@ -10,7 +10,7 @@
 #include "app/compare/compared_views.h"
 #include "app/motion/motion_player.h"
 #include "processing/comparison/classification_measures.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -24,15 +24,15 @@ public:
     struct Parts {
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         PaneOtfs& otfs;
         ComparedViews& views;
         const MotionPlayer& player;
     };
-    /// All of them must outlive this.
-    explicit CompareMeasures(const Parts& parts, QObject* parent = nullptr);
+    /// All of them must outlive this. `work` is what both threads do.
+    CompareMeasures(const Parts& parts, const Work& work, QObject* parent = nullptr);
 
     [[nodiscard]] bool busy() const { return m_thread.busy() || m_flickerThread.busy(); }
-    [[nodiscard]] bool measuringFlicker() const { return m_flickerThread.busy(); }
     [[nodiscard]] const std::vector<CompareRow>& rows() const { return m_rows; }
     void measureFlicker();
     /// Ends both. What was cancelled is measured again once the document asks for something else.
@@ -50,10 +50,9 @@ public slots:
 
 signals:
     void rowsChanged(const std::vector<echolucent::CompareRow>& rows);
-    void busyChanged();
+    void measuringFlicker(bool measuring);
     /// There is not memory enough to measure.
     void failed(const QString& sentence);
-    void progressed(double share);
 
 private:
     /// What is measured, by pane of those that can be.

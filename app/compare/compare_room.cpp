@@ -22,11 +22,12 @@ namespace echolucent {
 CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
-      m_views({parts.model, parts.openStudy, parts.otfs, parts.panes, parts.grid}),
+      m_views({parts.model, parts.openStudy, parts.works, parts.otfs, parts.panes, parts.grid}),
       m_hand(parts.model, parts.openStudy, parts.grid),
       m_controls(parts.model, parts.openStudy, parts.panel),
-      m_measures({parts.model, parts.openStudy, parts.otfs, m_views, parts.player}),
-      m_writing("comparison page") {
+      m_measures({parts.model, parts.openStudy, parts.works, parts.otfs, m_views, parts.player}, work()),
+      m_pageWaits(parts.works, work()),
+      m_writing(parts.works, "comparison page", work()) {
     // What fails for the first pane is said of the 3D view already.
     connect(&m_parts.otfs, &PaneOtfs::failed, this, [this](std::size_t place, const QString& sentence) {
         if (place != firstPane && place != PaneOtfs::adaptiveOfScene)
@@ -36,34 +37,29 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
         if (!isCompared(m_parts.model.document())) setShown(false);  // it was taken back
     });
     connect(&m_hand, &CompareHand::cameraMoved, this, &CompareRoom::cameraMoved);
-    connect(&m_views, &ComparedViews::busyChanged, this, &CompareRoom::busyChanged);
-    for (const auto may : {&ComparedViews::frameShown, &ComparedViews::followed})
-        connect(&m_views, may, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
-    connect(&m_measures, &CompareMeasures::busyChanged, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
-    connect(&m_parts.otfs, &PaneOtfs::busyChanged, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
+    // What it waits for ends as a work.
+    connect(&m_parts.works, &Works::changed, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
     connect(&m_parts.openStudy, &OpenStudy::openFailed, this, [this] { m_figureWaits = 0; });
     connect(&m_views, &ComparedViews::failed, this, [this] {
         m_parts.player.pause();
         m_parts.messages.showMessage(MessageKind::error, tr("The pictures need more memory than this machine has."));
-        m_waitingPage.clear();
-        emit busyChanged();
+        setWaitingPage({});
     });
-    connect(&m_measures, &CompareMeasures::busyChanged, this, [this] {
-        m_parts.panel.setMeasuringFlicker(m_measures.measuringFlicker());
-        emit busyChanged();
-    });
+    connect(&m_measures, &CompareMeasures::measuringFlicker, &m_parts.panel, &ComparePanel::setMeasuringFlicker);
     connect(&m_measures, &CompareMeasures::failed, this,
             [this](const QString& sentence) { m_parts.messages.showMessage(MessageKind::error, sentence); });
-    connect(&m_measures, &CompareMeasures::progressed, this, &CompareRoom::progressed);
     connect(&m_measures, &CompareMeasures::rowsChanged, &m_parts.panel, &ComparePanel::setRows);
     connect(&m_parts.panel, &ComparePanel::flickerRequested, &m_measures, &CompareMeasures::measureFlicker);
     connect(&m_parts.panel, &ComparePanel::pageRequested, this, &CompareRoom::chooseAndSavePage);
     connect(&m_parts.otfs, &PaneOtfs::computed, this, &CompareRoom::setUpWaitingFigure, Qt::QueuedConnection);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
-        m_waitingPage.clear();
+        setWaitingPage({});
         if (!m_parts.openStudy.isSimulatedScan()) m_figureWaits = 0;
     });
-    connect(&m_writing, &FileWriting::busyChanged, this, &CompareRoom::busyChanged);
+}
+
+Work CompareRoom::work() {
+    return {.words = tr("comparing"), .urgency = Urgency::comparing, .cancel = [this] { cancel(); }};
 }
 
 void CompareRoom::setShown(bool shown) {
@@ -76,7 +72,6 @@ void CompareRoom::setShown(bool shown) {
     else
         leave();
     emit shownChanged(shown);
-    emit busyChanged();
 }
 
 /// What was cancelled is measured again when the room is shown again.
@@ -88,9 +83,8 @@ void CompareRoom::leave() {
 void CompareRoom::cancel() {
     m_measures.cancel();
     m_writing.cancel();
-    m_waitingPage.clear();
+    setWaitingPage({});
     m_figureWaits = 0;
-    emit busyChanged();
 }
 
 void CompareRoom::createMenu() {
@@ -171,15 +165,18 @@ void CompareRoom::chooseAndSavePage() {
 void CompareRoom::savePage(const QString& path) {
     if (!shown() || m_writing.busy()) return;
     m_parts.player.pause();
-    m_waitingPage = path;
-    emit busyChanged();
+    setWaitingPage(path);
     writeWaitingPage();
 }
 
+void CompareRoom::setWaitingPage(const QString& path) {
+    m_waitingPage = path;
+    m_pageWaits.set(!path.isEmpty());
+}
+
 void CompareRoom::giveUpPage(const QString& sentence) {
-    m_waitingPage.clear();
+    setWaitingPage({});
     m_parts.messages.showMessage(MessageKind::error, sentence);
-    emit busyChanged();
 }
 
 void CompareRoom::writeWaitingPage() {
@@ -187,7 +184,7 @@ void CompareRoom::writeWaitingPage() {
     if (m_views.refused())
         return giveUpPage(tr("The page was not saved: the OTF of a pane was cancelled or could not be made."));
     if (!m_views.settled() || m_measures.busy() || m_parts.otfs.busy()) return;
-    const QString path = std::exchange(m_waitingPage, {});
+    const QString path = m_waitingPage;
     const Document& document = m_parts.model.document();
     const auto& frame = m_views.frame();
     ComparePage page{.study = m_parts.openStudy.isSimulatedScan() ? tr("simulated scan")
@@ -210,6 +207,7 @@ void CompareRoom::writeWaitingPage() {
             if (!written)
                 m_parts.messages.showMessage(MessageKind::error, QString::fromStdString(written.error().sentence()));
         });
+    setWaitingPage({});
 }
 
 }  // namespace echolucent

@@ -11,6 +11,7 @@
 #include "app/motion/motion_player.h"
 #include "app/window/escape_order.h"
 #include "app/window/file_writing.h"
+#include "widgets/threads/works.h"
 
 class QAction;
 class QMainWindow;
@@ -31,6 +32,7 @@ public:
         QMainWindow& window;
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         MotionPlayer& player;
         QStackedWidget& rooms;  ///< the review room first
         PaneOtfs& otfs;
@@ -48,13 +50,6 @@ public:
     [[nodiscard]] bool shown() const { return m_views.shown(); }
     /// Shows the comparison, the standard one where there is none yet, or the review room again.
     void setShown(bool shown);
-    [[nodiscard]] bool busy() const {
-        return m_views.busy() || m_measures.busy() || m_writing.busy() || !m_waitingPage.isEmpty();
-    }
-    /// True while something that takes long is computed or written, pictures and OTFs apart.
-    [[nodiscard]] bool computing() const { return m_measures.busy() || m_writing.busy() || !m_waitingPage.isEmpty(); }
-    /// Ends what takes long.
-    void cancel();
     [[nodiscard]] const ComparedViews& views() const { return m_views; }
     /// Adds its entries to the menu of the room, which is there.
     void createMenu();
@@ -66,13 +61,15 @@ public:
 
 signals:
     void shownChanged(bool shown);
-    void busyChanged();
     /// The hand has moved the camera.
     void cameraMoved();
-    void progressed(double share);
 
 private:
+    [[nodiscard]] Work work();
+    /// Ends what takes long, pictures and OTFs apart.
+    void cancel();
     void chooseAndSavePage();
+    void setWaitingPage(const QString& path);
     void writeWaitingPage();
     void giveUpPage(const QString& sentence);
     void leave();
@@ -85,6 +82,7 @@ private:
     CompareControls m_controls;
     CompareMeasures m_measures;
     QString m_waitingPage;  ///< path of the page that is to be written; empty where none is
+    Works::UnderWay m_pageWaits;
     int m_figureWaits = 0;  ///< for the simulated scan and its OTF; 0 where none does
     // Last, so that its thread has ended before anything above is destroyed.
     FileWriting m_writing;

@@ -30,13 +30,12 @@ PaneFace faceOf(std::size_t place, const Pane& choice) {
 }  // namespace
 
 ComparedViews::ComparedViews(const Parts& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_caster(PreviewQuality(frameMilliseconds)) {
+    : QObject(parent), m_parts(parts), m_caster(parts.works, PreviewQuality(frameMilliseconds)) {
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ComparedViews::forgetStudy);
     connect(&m_parts.panes, &ShownPanes::changed, this, &ComparedViews::follow);
     connect(&m_parts.grid, &CompareGrid::arranged, this, &ComparedViews::follow);
     connect(&m_parts.grid, &CompareGrid::painted, &m_caster, &ProgressiveCaster::drawn);
     connect(&m_caster, &ProgressiveCaster::delivered, this, &ComparedViews::take);
-    connect(&m_caster, &ProgressiveCaster::busyChanged, this, &ComparedViews::busyChanged);
     connect(&m_caster, &ProgressiveCaster::failed, this, &ComparedViews::failed);
 }
 
@@ -80,8 +79,8 @@ void ComparedViews::follow() {
 }
 
 bool ComparedViews::frameHasPanesAsked() const {
-    return m_frame && std::ranges::equal(m_frame->request.panes, m_asked.panes, {}, &PaneRequest::pane,
-                                         &PaneRequest::pane);
+    return m_frame &&
+           std::ranges::equal(m_frame->request.panes, m_asked.panes, {}, &PaneRequest::pane, &PaneRequest::pane);
 }
 
 bool ComparedViews::frameIsCurrent() const {
@@ -193,7 +192,8 @@ void ComparedViews::showFaces() {
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);
         m_parts.grid.pane(place).setBusy(busy);
-        pairBusy = pairBusy || (busy && std::ranges::find(m_asked.panes, place, &PaneRequest::pane) != m_asked.panes.end());
+        pairBusy =
+            pairBusy || (busy && std::ranges::find(m_asked.panes, place, &PaneRequest::pane) != m_asked.panes.end());
     }
     m_parts.grid.pair().setBusy(pairBusy);
 }

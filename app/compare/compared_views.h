@@ -16,6 +16,8 @@
 
 namespace echolucent {
 
+class Works;
+
 /// Casts the panes that are shown with the camera of the first, to the bit, and puts their pictures, names and numbers
 /// into the grid. What is compared is read from the document; nothing of it is kept here.
 class ComparedViews : public QObject {
@@ -25,6 +27,7 @@ public:
     struct Parts {
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         PaneOtfs& otfs;
         ShownPanes& panes;
         CompareGrid& grid;
@@ -35,7 +38,6 @@ public:
     /// While it is not shown, nothing is cast, and no designer runs for it.
     void setShown(bool shown);
     [[nodiscard]] bool shown() const { return m_shown; }
-    [[nodiscard]] bool busy() const { return m_caster.busy(); }
     /// Whether what the document says now is on the screen, of whichever quality.
     [[nodiscard]] bool frameIsCurrent() const;
     /// Whether every pane shows what the document asks for, converged.
@@ -58,7 +60,6 @@ public slots:
     void follow();
 
 signals:
-    void busyChanged();
     /// Another frame is shown.
     void frameShown();
     /// What the panes show, or are to show, may be another.
@@ -79,8 +80,8 @@ private:
 
     Parts m_parts;
     bool m_shown = false;
-    const Study* m_study = nullptr;     ///< of m_frame or of what was asked for last; told apart by address only
-    PictureRequest m_asked;             ///< the newest request; without panes if nothing is asked for
+    const Study* m_study = nullptr;  ///< of m_frame or of what was asked for last; told apart by address only
+    PictureRequest m_asked;          ///< the newest request; without panes if nothing is asked for
     std::shared_ptr<const CastPicture> m_frame;
     std::vector<QImage> m_images;  ///< of m_frame's panes
     std::vector<CompareRow> m_rows;

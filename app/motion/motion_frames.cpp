@@ -9,11 +9,13 @@
 
 namespace echolucent {
 
-MotionFrames::MotionFrames(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+MotionFrames::MotionFrames(const Parts& parts, QObject* parent)
+    : QObject(parent), m_parts(parts), m_plays(parts.works, {}) {
     connectPanel();
     MotionPlayer& player = m_parts.player;
     connect(&player, &MotionPlayer::frameChanged, this, &MotionFrames::showFrame);
     connect(&player, &MotionPlayer::playingChanged, this, [this](bool playing) {
+        m_plays.set(playing);
         m_parts.panel.setPlaying(playing);
         m_parts.picture.setPlaying(playing);
         m_parts.panes.setPlaying(playing);

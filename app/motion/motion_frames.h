@@ -8,6 +8,7 @@
 #include "app/motion/motion_player.h"
 #include "app/otf/shown_panes.h"
 #include "widgets/paced_words.h"
+#include "widgets/threads/works.h"
 
 namespace echolucent {
 
@@ -24,6 +25,7 @@ public:
     struct Parts {
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         const PaneOtfs& otfs;
         ShownPanes& panes;
         DocumentView& view;
@@ -59,6 +61,7 @@ private:
     void tellFrameRate();
 
     Parts m_parts;
+    Works::UnderWay m_plays;
     QElapsedTimer m_frameClock;  ///< runs since the frame shown last
     double m_frameSeconds = 0;   ///< running mean; 0 before the first frame
     PacedWords m_frameRate{[this] { tellFrameRate(); }};

@@ -15,10 +15,9 @@
 namespace echolucent {
 
 MovieFiles::MovieFiles(Parts parts)
-    : QObject(&parts.window), m_parts(std::move(parts)), m_writing(QStringLiteral("movie")) {
-    connect(&m_writing, &FileWriting::busyChanged, this, &MovieFiles::busyChanged);
-    connect(&m_writing, &FileWriting::progressed, this, &MovieFiles::progressed);
-}
+    : QObject(&parts.window),
+      m_parts(std::move(parts)),
+      m_writing(m_parts.works, QStringLiteral("movie"), {.urgency = Urgency::movie}) {}
 
 /// "heart.mp4", or "heart-0001.png to heart-0020.png"; where names are not shown, "*.png" for all of them.
 QString MovieFiles::namesOf(const std::vector<std::string>& files) const {
@@ -137,6 +136,7 @@ void MovieFiles::begin(FrameOutput output, const MovieChoice& choice) {
     m_last = choice;
     m_output = output;
     m_parts.settings.setLastSaveFolder(QFileInfo(choice.path).absolutePath());
+    m_writing.setWords(output == FrameOutput::movie ? tr("writing the movie") : tr("writing the pictures"));
     m_writing.begin(
         choice.path,
         [order = std::make_shared<const FrameOrder>(orderOf(output, choice))](const Progress& progress) {
@@ -159,10 +159,6 @@ void MovieFiles::tell(const QString& names, const Result<void>& written) {
 void MovieFiles::tell(bool written, MessageKind kind, const QString& sentence) {
     m_parts.messages.showMessage(kind, sentence);
     emit ended(written, sentence);
-}
-
-QString MovieFiles::activity() const {
-    return m_output == FrameOutput::movie ? tr("writing the movie") : tr("writing the pictures");
 }
 
 }  // namespace echolucent

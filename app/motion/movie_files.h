@@ -18,6 +18,7 @@ namespace echolucent {
 
 class MessageBar;
 class StudyNames;
+class Works;
 enum class MessageKind;
 
 /// Writes one movie or series at a time, of the document and the phases as they were when it was begun; the window
@@ -30,6 +31,7 @@ public:
         QWidget& window;  ///< parent of the dialog
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;
@@ -46,12 +48,8 @@ public:
     [[nodiscard]] bool busy() const { return m_writing.busy(); }
     /// Ends what is being written, within a frame.
     void cancel() { m_writing.cancel(); }
-    /// "writing the movie".
-    [[nodiscard]] QString activity() const;
 
 signals:
-    void busyChanged(bool busy);
-    void progressed(double share);
     /// What was begun has ended: the sentence that says so, and whether it was written.
     void ended(bool written, const QString& sentence);
 

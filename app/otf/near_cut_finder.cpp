@@ -7,8 +7,11 @@
 namespace echolucent {
 
 NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_search(&findNearCut), m_thread(QStringLiteral("near cut")) {
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &NearCutFinder::busyChanged);
+    : QObject(parent),
+      m_parts(parts),
+      m_search(&findNearCut),
+      m_thread(parts.works, QStringLiteral("near cut"),
+               {.words = tr("looking for the near cut"), .urgency = Urgency::nearCut}) {
     connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &NearCutFinder::cancel);
     // What was asked of the volume is asked of the one that is cut.
     connect(&m_parts.openStudy, &OpenStudy::volumeCut, this, [this] {

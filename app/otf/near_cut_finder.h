@@ -9,8 +9,8 @@
 #include "app/study/open_study.h"
 #include "processing/near_cut.h"
 #include "widgets/document/document_model.h"
-#include "widgets/newest_wins_thread.h"
 #include "widgets/panels/message_bar.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -21,6 +21,7 @@ public:
     struct Parts {
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         MessageBar& messages;
     };
     explicit NearCutFinder(const Parts& parts, QObject* parent = nullptr);
@@ -38,9 +39,6 @@ public:
     /// What is run; tests put one in its place that ends on command.
     using Search = std::function<std::optional<NearCutFinding>(const Volume&, const Viewpoint&, const Progress&)>;
     void setSearch(Search search) { m_search = std::move(search); }
-
-signals:
-    void busyChanged(bool busy);
 
 private:
     void look();

@@ -23,14 +23,14 @@ std::size_t paneOf(std::size_t place) { return place == PaneOtfs::adaptiveOfScen
 
 }  // namespace
 
-PaneOtfs::PaneOtfs(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
+PaneOtfs::PaneOtfs(DocumentModel& model, OpenStudy& openStudy, Works& works, QObject* parent)
     : QObject(parent),
       m_model(model),
       m_openStudy(openStudy),
       m_run([](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
           return design(config, input, progress);
       }),
-      m_thread(QStringLiteral("OTFs")) {
+      m_thread(works, QStringLiteral("OTFs"), {.urgency = Urgency::designing, .cancel = [this] { cancel(); }}) {
     begin();
     connect(&m_model, &DocumentModel::changed, this, &PaneOtfs::follow);
     connect(&m_openStudy, &OpenStudy::volumeChanged, this, &PaneOtfs::follow);
@@ -39,7 +39,6 @@ PaneOtfs::PaneOtfs(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
     connect(&m_openStudy, &OpenStudy::quieteningChanged, this, &PaneOtfs::follow);
     // Strokes that cut nothing change no voxels.
     connect(&m_openStudy, &OpenStudy::cuttingChanged, this, &PaneOtfs::follow);
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &PaneOtfs::busyChanged);
     connect(&m_thread, &NewestWinsThread::progressed, this, &PaneOtfs::progressed);
 }
 
@@ -86,8 +85,8 @@ bool PaneOtfs::designing() const { return m_running && !std::holds_alternative<A
 
 void PaneOtfs::cancel() {
     if (!m_running) return;
-    const OtfRequest running = *std::exchange(m_running, std::nullopt);
-    m_thread.cancel();
+    const OtfRequest running = *m_running;
+    stop();
     for (const auto& [place, request] : m_wanted) {
         const bool ended = place != adaptiveOfScene || request == running;
         if (ended && !isNewest(place) && !refused(request)) m_refused.push_back(request);
@@ -175,7 +174,7 @@ void PaneOtfs::begin() {
     m_kept.clear();
     m_made.clear();
     m_refused.clear();
-    if (std::exchange(m_running, std::nullopt)) m_thread.cancel();
+    stop();
     const Document& document = m_model.document();
     m_followed = {.fromSide = otfViewpointOf(document, firstPane),
                   .otf = document.motion.otf,
@@ -282,11 +281,19 @@ void PaneOtfs::computeNext() {
         if (wanted == m_wanted.end() || (made && made->asked == wanted->second) || refused(wanted->second)) continue;
         return compute(wanted->second);
     }
-    if (std::exchange(m_running, std::nullopt)) m_thread.cancel();
+    stop();
+}
+
+/// Ends what is computed, of which nobody waits for the end.
+void PaneOtfs::stop() {
+    if (!std::exchange(m_running, std::nullopt)) return;
+    m_thread.cancel();
+    m_thread.setWords({});
 }
 
 void PaneOtfs::compute(const OtfRequest& request) {
     m_running = request;
+    m_thread.setWords(designing() ? tr("designing the OTF") : QString());
     m_thread.submit([this, run = m_run, request](const Progress& progress) -> NewestWinsThread::Deliver {
         QElapsedTimer clock;
         clock.start();

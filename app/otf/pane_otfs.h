@@ -13,7 +13,7 @@
 #include "app/study/open_study.h"
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "widgets/document/document_model.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -35,8 +35,8 @@ public:
     /// rendered with it or not.
     static constexpr std::size_t adaptiveOfScene = mostPanes;
 
-    /// Both outlive this.
-    PaneOtfs(DocumentModel& model, OpenStudy& openStudy, QObject* parent = nullptr);
+    /// All outlive this.
+    PaneOtfs(DocumentModel& model, OpenStudy& openStudy, Works& works, QObject* parent = nullptr);
 
     /// Whether somebody looks at all panes, and not at the first one alone.
     void setComparing(bool comparing);
@@ -89,7 +89,6 @@ signals:
     void failed(std::size_t place, const QString& sentence);
     /// cancel() has ended what was computed.
     void cancelled();
-    void busyChanged(bool busy);
     void progressed(double share);
 
 private:
@@ -105,6 +104,7 @@ private:
     void askForVoxels();
     void giveWhatIsKept();
     void computeNext();
+    void stop();
     void compute(const OtfRequest& request);
     void take(const OtfRequest& request, Design design, double milliseconds);
     void fail(const OtfRequest& request, const QString& sentence);

@@ -35,7 +35,7 @@ QString contentsOf(const Preset& preset) {
 }  // namespace
 
 PresetControls::PresetControls(const Parts& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_pictures(parts.model, parts.openStudy) {
+    : QObject(parent), m_parts(parts), m_pictures(parts.model, parts.openStudy, parts.works) {
     const PresetsPanel* panel = &m_parts.panel;
     connect(panel, &PresetsPanel::seenChanged, &m_pictures, &PresetPictures::setSeen);
     connect(panel, &PresetsPanel::chosen, this, &PresetControls::choose);

@@ -20,6 +20,7 @@ namespace echolucent {
 class MessageBar;
 class PresetsPanel;
 class StudyNames;
+class Works;
 
 /// Makes one step of the document of each preset that is chosen, and keeps a person's own in a file beside the
 /// settings, which is written with every change. Where that file cannot be read, it is left as it is, and nothing is
@@ -32,6 +33,7 @@ public:
         QWidget& window;  ///< parent of the dialogs
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         PresetsPanel& panel;
         Settings& settings;
         MessageBar& messages;
@@ -42,7 +44,6 @@ public:
     /// Reads the person's own presets and whether the gallery was open.
     void restore();
     void keep();
-    [[nodiscard]] PresetPictures& pictures() { return m_pictures; }
     /// Adds the presets of a file to a person's own, under other names where theirs are taken. False, with a message,
     /// where it cannot be read.
     bool importFrom(const QString& path);

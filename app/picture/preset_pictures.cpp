@@ -33,8 +33,14 @@ Document pictured(Document document) {
 
 }  // namespace
 
-PresetPictures::PresetPictures(DocumentModel& model, OpenStudy& openStudy, QObject* parent)
-    : QObject(parent), m_model(model), m_openStudy(openStudy), m_thread(QStringLiteral("preset pictures")) {
+PresetPictures::PresetPictures(DocumentModel& model, OpenStudy& openStudy, Works& works, QObject* parent)
+    : QObject(parent),
+      m_model(model),
+      m_openStudy(openStudy),
+      m_works(works),
+      m_wanted(works, {.countsForRest = false}),
+      m_thread(works, QStringLiteral("preset pictures"), {.countsForRest = false}) {
+    connect(&m_works, &Works::changed, this, &PresetPictures::followRest);
     connect(&m_model, &DocumentModel::changed, this, &PresetPictures::follow);
     connect(&m_openStudy, &OpenStudy::volumeChanged, this, &PresetPictures::follow);
     connect(&m_openStudy, &OpenStudy::volumeCut, this, &PresetPictures::follow);
@@ -62,11 +68,7 @@ void PresetPictures::setSeen(bool seen) {
     m_cast = {};
 }
 
-void PresetPictures::setAtRest(bool atRest) {
-    if (atRest == m_atRest) return;
-    m_atRest = atRest;
-    atRest ? makeNext() : drop();
-}
+void PresetPictures::followRest() { m_works.atRest() ? makeNext() : drop(); }
 
 QImage PresetPictures::picture(int index) const { return m_entries.at(static_cast<std::size_t>(index)).picture; }
 
@@ -101,8 +103,8 @@ void PresetPictures::follow() {
     const bool current =
         std::ranges::any_of(m_entries, [this](const Entry& entry) { return m_making && entry.wanted == m_making; });
     if (!m_seen || !current) drop();
-    if (m_atRest) makeNext();
-    emit busyChanged();
+    makeNext();
+    m_wanted.set(next() >= 0);
 }
 
 int PresetPictures::next() const {
@@ -114,7 +116,7 @@ int PresetPictures::next() const {
 
 void PresetPictures::makeNext() {
     const int index = next();
-    if (index < 0 || m_making) return;
+    if (index < 0 || m_making || !m_works.atRest()) return;
     m_making = m_entries[static_cast<std::size_t>(index)].wanted;
     if (!m_caster || m_cast != m_making->voxels) {
         m_cast = m_making->voxels;
@@ -149,8 +151,8 @@ void PresetPictures::take(const Asked& asked, const QImage& picture) {
         entry.picture = picture;
         emit made(static_cast<int>(i));
     }
-    if (m_atRest) makeNext();
-    emit busyChanged();
+    makeNext();
+    m_wanted.set(next() >= 0);
 }
 
 }  // namespace echolucent

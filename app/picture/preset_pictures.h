@@ -11,13 +11,13 @@
 #include "processing/document/preset.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "widgets/document/document_model.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
-/// Makes pictures one after the other while somebody sees them and nothing else is being computed, and makes only those
-/// anew of which anything changed. While they are seen, a ray caster of their own is kept (RayCaster says how large it
-/// is).
+/// Makes pictures one after the other while somebody sees them and nothing else is under way, and makes only those anew
+/// of which anything changed. If something else begins, the one that is being made is dropped. While they are seen, a
+/// ray caster of their own is kept (RayCaster says how large it is).
 class PresetPictures : public QObject {
     Q_OBJECT
 
@@ -25,26 +25,20 @@ public:
     /// Pixels of a picture.
     static constexpr int width = 184, height = 138;
 
-    /// `model` and `openStudy` must outlive this.
-    PresetPictures(DocumentModel& model, OpenStudy& openStudy, QObject* parent = nullptr);
+    /// All must outlive this.
+    PresetPictures(DocumentModel& model, OpenStudy& openStudy, Works& works, QObject* parent = nullptr);
 
     /// Pictures of presets that were there before are kept.
     void setPresets(std::vector<Preset> presets);
     /// Whether somebody sees the pictures; at first nobody does.
     void setSeen(bool seen);
-    /// Whether nothing else loads, computes or renders, so that this thread may. What is being made is dropped where
-    /// that ends.
-    void setAtRest(bool atRest);
 
     /// Null where it was not made yet.
     [[nodiscard]] QImage picture(int index) const;
-    /// True from what changes a picture that is seen until it is made.
-    [[nodiscard]] bool busy() const { return next() >= 0; }
 
 signals:
     /// The picture of a preset is another one.
     void made(int index);
-    void busyChanged();
 
 private:
     /// All that a picture depends on.
@@ -61,6 +55,7 @@ private:
     };
 
     void follow();
+    void followRest();
     void makeNext();
     void drop();
     [[nodiscard]] StudyPhases voxelsNow() const;
@@ -70,9 +65,11 @@ private:
 
     DocumentModel& m_model;
     OpenStudy& m_openStudy;
+    Works& m_works;
     std::vector<Entry> m_entries;
-    bool m_seen = false, m_atRest = false;
+    bool m_seen = false;
     std::optional<Asked> m_making;
+    Works::UnderWay m_wanted;  ///< from what changes a picture that is seen until it is made
     /// For the thread alone; null while nobody sees the pictures.
     std::shared_ptr<PaneCaster> m_caster;
     StudyPhases m_cast;  ///< what m_caster casts through

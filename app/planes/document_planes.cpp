@@ -9,8 +9,9 @@
 
 namespace echolucent {
 
-DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, const Panes& panes, QObject* parent)
-    : QObject(parent), m_model(model), m_openStudy(openStudy), m_panes(panes) {
+DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works& works, const Panes& panes,
+                               QObject* parent)
+    : QObject(parent), m_model(model), m_openStudy(openStudy), m_panes(panes), m_resampler(works) {
     for (PlanePane* pane : m_panes) {
         connect(pane, &PlanePane::changed, this, [this, pane](const Planes& next, const QString& what) {
             pane->dragging() ? m_model.preview(with(next), what) : take(next, what, m_model.gesture());
@@ -45,7 +46,6 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, const
         for (PlanePane* pane : m_panes) pane->clear();
         show();
     });
-    connect(&m_resampler, &PlaneResampler::busyChanged, this, &DocumentPlanes::busyChanged);
     connect(&m_resampler, &PlaneResampler::resampled, this,
             [this](PlaneName plane, const std::shared_ptr<const PlaneSamples>& samples) {
                 m_panes[indexOf(plane)]->setSamples(samples);

@@ -20,17 +20,15 @@ public:
     using Panes = std::array<PlanePane*, 3>;  ///< A, B, C
 
     /// All of them must outlive this.
-    DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, const Panes& panes, QObject* parent = nullptr);
+    DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works& works, const Panes& panes,
+                   QObject* parent = nullptr);
 
-    /// True while planes that are wanted are not there yet.
-    [[nodiscard]] bool busy() const { return m_resampler.busy(); }
     /// All planes, their pictures and greys as on opening, in one step.
     void resetAll();
     /// Ends a drag in a pane; false where there is none.
     bool cancelDrag();
 
 signals:
-    void busyChanged(bool busy);
     /// Normalised intensity that was read under the cursor, whatever voxels the plane shows; nothing where there is
     /// none.
     void pointed(std::optional<double> intensity);

@@ -56,9 +56,11 @@ QImage imageOfPane(PlanePane& pane) {
 }  // namespace
 
 ReportSaving::ReportSaving(const Parts& parts)
-    : QObject(&parts.window), m_parts(parts), m_writing(QStringLiteral("case report")) {
-    connect(&m_writing, &FileWriting::busyChanged, this, &ReportSaving::busyChanged);
-    connect(&m_writing, &FileWriting::progressed, this, &ReportSaving::progressed);
+    : QObject(&parts.window),
+      m_parts(parts),
+      m_waits(parts.works, work()),
+      m_writing(parts.works, QStringLiteral("case report"), work()) {
+    connect(&m_parts.works, &Works::changed, this, &ReportSaving::followRest);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
         if (m_wanted)
             endUnwritten(tr("The case report %1 was not written, since another study was opened before it was taken.")
@@ -67,6 +69,10 @@ ReportSaving::ReportSaving(const Parts& parts)
     connect(&m_parts.picture, &VolumeViewWidget::pictureDelivered, this, [this](const PictureReport& made) {
         if (made.converged) m_converged = made;
     });
+}
+
+Work ReportSaving::work() {
+    return {tr("making the report"), Urgency::report, false, [this] { cancel(); }};
 }
 
 void ReportSaving::choose() {
@@ -85,15 +91,14 @@ void ReportSaving::choose() {
 
 void ReportSaving::save(const QString& path, bool withPatient) {
     if (m_parts.openStudy.study() == nullptr) return;
-    if (busy()) {
+    if (m_wanted || m_writing.busy()) {
         m_parts.messages.showMessage(MessageKind::info, tr("A report is being made. Wait for it, or cancel it."));
         return;
     }
     m_parts.player.pause();
     m_wanted = Wanted{path, withPatient};
     m_taken.reset();
-    if (m_atRest) begin();
-    emit busyChanged();
+    m_waits.begin();
 }
 
 void ReportSaving::cancel() {
@@ -106,16 +111,13 @@ void ReportSaving::endUnwritten(const QString& sentence) {
     m_wanted.reset();
     m_taken.reset();
     m_parts.messages.showMessage(MessageKind::info, sentence);
-    emit busyChanged();
+    m_waits.end();
 }
 
-void ReportSaving::setAtRest(bool atRest) {
-    m_atRest = atRest;
-    if (!atRest) m_taken.reset();
-    if (atRest && m_wanted && !m_taken) begin();
-}
-
-void ReportSaving::begin() {
+/// Takes the panes while they show what they are to show, and anew if that ends before all are taken.
+void ReportSaving::followRest() {
+    if (!m_parts.works.atRest()) return m_taken.reset();
+    if (!m_wanted || m_taken) return;
     m_taken = Taken{windowState(), 0};
     takeNextSoon();
 }
@@ -147,6 +149,7 @@ void ReportSaving::write() {
         [source, report = std::move(taken), inputs = study.files, path = wanted.path.toStdString()](
             const Progress& progress) { return writeReport(report, source, inputs, path, progress); },
         [this, path = wanted.path](const Result<void>& written) { tell(path, written); });
+    m_waits.end();
 }
 
 CaseReport ReportSaving::windowState() const {

@@ -12,6 +12,7 @@
 #include "app/study/open_study.h"
 #include "app/window/file_writing.h"
 #include "widgets/document/document_model.h"
+#include "widgets/threads/works.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 class QWidget;
@@ -36,6 +37,7 @@ public:
         QWidget& window;  ///< parent of the dialogs
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         const PaneOtfs& otfs;
         MotionPlayer& player;
         std::array<PlanePane*, 3> planes;
@@ -58,15 +60,6 @@ public:
     void save(const QString& path, bool withPatient);
     /// Ends what save() began, and says so; where it was not whole before, no file is left.
     void cancel();
-    /// Whether nothing loads, computes or renders, so that the panes show what they are to show.
-    void setAtRest(bool atRest);
-    /// True from save() until the file is written.
-    [[nodiscard]] bool busy() const { return m_wanted || m_writing.busy(); }
-
-signals:
-    void busyChanged();
-    /// Share of the work done, in [0,1].
-    void progressed(double share);
 
 private:
     struct Wanted {
@@ -78,7 +71,8 @@ private:
         CaseReport report;
         std::size_t panes = 0;  ///< looked at
     };
-    void begin();
+    [[nodiscard]] Work work();
+    void followRest();
     void takeNextSoon();
     void takeNext();
     void write();
@@ -89,10 +83,10 @@ private:
     void tell(const QString& path, const Result<void>& written);
 
     Parts m_parts;
-    bool m_atRest = false;
     std::optional<Taken> m_taken;  ///< while the panes are at rest; anew where that ends before all is taken
     bool m_takesSoon = false;
-    std::optional<Wanted> m_wanted;            ///< until the panes are at rest
+    std::optional<Wanted> m_wanted;            ///< until the panes are taken
+    Works::UnderWay m_waits;                   ///< as long as it is wanted
     std::optional<PictureReport> m_converged;  ///< how the newest converged picture was made
     // Last, so that its thread has ended before anything above is destroyed.
     FileWriting m_writing;

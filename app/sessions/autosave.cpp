@@ -37,8 +37,8 @@ QString Autosave::carriedOut(const Write& write, const QString& file, const Orde
     return {};
 }
 
-Autosave::Autosave(const QString& folder, std::function<SavedSession()> present, QObject* parent)
-    : QObject(parent), m_folder(folder), m_present(std::move(present)), m_write(&writeSession) {
+Autosave::Autosave(Works& works, const QString& folder, std::function<SavedSession()> present, QObject* parent)
+    : QObject(parent), m_works(works), m_folder(folder), m_present(std::move(present)), m_write(&writeSession) {
     for (QTimer* timer : {&m_timer, &m_again}) timer->setSingleShot(true);
     setInterval(standardIntervalMilliseconds);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
@@ -75,7 +75,7 @@ void Autosave::beginFile() {
     m_lock->setStaleLockTime(0);  // it is as old as this program
     m_file->lock = m_lock;
     m_written.reset();
-    m_file->thread = std::make_unique<NewestWinsThread>(QStringLiteral("autosave"));
+    m_file->thread = std::make_unique<NewestWinsThread>(m_works, QStringLiteral("autosave"));
     connect(m_file->thread.get(), &NewestWinsThread::busyChanged, this, [this] { emit busyChanged(busy()); });
 }
 

@@ -13,7 +13,7 @@
 
 #include "processing/document/saved_session.h"
 #include "processing/result.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -34,7 +34,7 @@ public:
     static constexpr int standardIntervalMilliseconds = 4000;
 
     /// `present` is asked in this thread for what is to be written.
-    Autosave(const QString& folder, std::function<SavedSession()> present, QObject* parent = nullptr);
+    Autosave(Works& works, const QString& folder, std::function<SavedSession()> present, QObject* parent = nullptr);
     /// Removes its file, or, after keepAtEnd(), writes it a last time and leaves it behind. Waits until that is done,
     /// and what is still to be done with the files that were left.
     ~Autosave() override;
@@ -104,6 +104,7 @@ private:
     bool own(const std::shared_ptr<QLockFile>& lock) const;
     static QString carriedOut(const Write& write, const QString& file, const Order& order);
 
+    Works& m_works;
     QString m_folder;
     std::function<SavedSession()> m_present;
     Write m_write;

@@ -32,16 +32,18 @@ Document comparable(Document document, const Document& like) {
 SessionKeeping::SessionKeeping(const Parts& parts)
     : QObject(&parts.window),
       m_parts(parts),
-      m_autosave(std::make_unique<Autosave>(parts.settings.autosaveFolder(), [this] { return present(); })),
-      m_taking(QStringLiteral("left sessions")),
-      m_saving(QStringLiteral("session saving")) {
+      m_autosave(
+          std::make_unique<Autosave>(parts.works, parts.settings.autosaveFolder(), [this] { return present(); })),
+      m_underWay(parts.works,
+                 {.words = tr("saving the session"), .urgency = Urgency::saving, .cancel = [this] { cancelSaving(); }}),
+      m_taking(parts.works, QStringLiteral("left sessions")),
+      m_saving(parts.works, QStringLiteral("session saving")) {
     connect(&m_parts.model, &DocumentModel::changed, this, &SessionKeeping::noteChange);
     connect(&m_snapshots, &Snapshots::changed, this, &SessionKeeping::noteChange);
     connect(&m_parts.shown, &ShownStudy::aboutToBegin, this, &SessionKeeping::leave);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &SessionKeeping::begin);
     connect(&m_parts.openStudy, &OpenStudy::studyNamed, this,
             [this] { m_parts.model.noteChecksum(m_parts.openStudy.reference()); });
-    connect(m_autosave.get(), &Autosave::busyChanged, this, &SessionKeeping::busyChanged);
     connect(m_autosave.get(), &Autosave::failed, this, [this](const QString& sentence) {
         m_parts.messages.showMessage(MessageKind::warning, m_parts.names.shownOfFile(sentence));
     });
@@ -52,11 +54,7 @@ SessionKeeping::SessionKeeping(const Parts& parts)
     m_looking.setSingleShot(true);
     m_looking.setInterval(lookEvery);
     connect(&m_looking, &QTimer::timeout, this, &SessionKeeping::look);
-    connect(&m_taking, &NewestWinsThread::busyChanged, this, &SessionKeeping::busyChanged);
-    connect(&m_saving, &NewestWinsThread::busyChanged, this, [this] {
-        writeNext();
-        emit busyChanged();
-    });
+    connect(&m_saving, &NewestWinsThread::busyChanged, this, &SessionKeeping::writeNext);
     m_taking.submit([this, folder = m_parts.settings.autosaveFolder()](const Progress&) -> NewestWinsThread::Deliver {
         auto found = takeLeftovers(folder);
         return [this, left = std::move(found)] {
@@ -233,7 +231,6 @@ void SessionKeeping::send(Order order) {
                    m_orders.end());
     m_orders.push_back(std::move(order));
     writeNext();
-    emit busyChanged();
 }
 
 void SessionKeeping::cancelSaving() {
@@ -245,11 +242,12 @@ void SessionKeeping::cancelSaving() {
     m_then = Then::goOn;
     m_parts.messages.showMessage(MessageKind::info,
                                  tr("Saving %1 was cancelled; it is as it was.").arg(names.join(QStringLiteral(", "))));
-    emit busyChanged();
+    m_underWay.set(saving());
 }
 
 /// The orders are written one after the other; one of the open study waits for its checksum.
 void SessionKeeping::writeNext() {
+    m_underWay.set(saving());
     if (m_orders.empty() || m_saving.busy()) return;
     Order& next = m_orders.front();
     if (next.number == m_number) {

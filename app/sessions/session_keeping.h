@@ -17,6 +17,7 @@
 #include "app/sessions/snapshots.h"
 #include "app/study/shown_study.h"
 #include "widgets/document/document_model.h"
+#include "widgets/threads/works.h"
 
 class QMainWindow;
 
@@ -41,6 +42,7 @@ public:
         QMainWindow& window;
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         ShownStudy& shown;
         Settings& settings;
         OtfEditor& editor;
@@ -71,11 +73,11 @@ public:
     [[nodiscard]] bool mayClose();
 
     /// Whether nothing is written, nor about to be.
-    [[nodiscard]] bool atRest() const { return !busy() && !m_looking.isActive() && !m_autosave->waits(); }
-    [[nodiscard]] bool busy() const { return saving() || m_autosave->busy() || m_taking.busy(); }
+    [[nodiscard]] bool atRest() const {
+        return !saving() && !m_autosave->busy() && !m_taking.busy() && !m_looking.isActive() && !m_autosave->waits();
+    }
 
 signals:
-    void busyChanged();
     /// The session is in its file.
     void saved();
 
@@ -126,6 +128,7 @@ private:
     std::deque<Leftover> m_leftovers;
     std::vector<std::pair<int, Leftover>> m_leftWhileSaving;  ///< with the number of their session; not offered
     std::unique_ptr<Autosave> m_autosave;
+    Works::UnderWay m_underWay;  ///< while it is saving()
     NewestWinsThread m_taking, m_saving;
 };
 

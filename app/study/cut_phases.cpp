@@ -7,7 +7,7 @@
 
 namespace echolucent {
 
-CutPhases::CutPhases(QObject* parent) : QObject(parent), m_thread(QStringLiteral("scalpel")) {
+CutPhases::CutPhases(Works& works, QObject* parent) : QObject(parent), m_thread(works, QStringLiteral("scalpel")) {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &CutPhases::busyChanged);
 }
 

@@ -9,7 +9,7 @@
 
 #include "processing/scalpel/scalpel_cuts.h"
 #include "processing/volume/volume.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -21,7 +21,7 @@ class CutPhases : public QObject {
 public:
     using Phases = std::vector<std::shared_ptr<const Volume>>;
 
-    explicit CutPhases(QObject* parent = nullptr);
+    explicit CutPhases(Works& works, QObject* parent = nullptr);
 
     /// Another study is open, of which nothing is cut.
     void begin(Phases scans);

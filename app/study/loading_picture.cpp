@@ -10,9 +10,8 @@
 namespace echolucent {
 
 LoadingPicture::LoadingPicture(const Parts& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_thread(QStringLiteral("coarse picture")) {
+    : QObject(parent), m_parts(parts), m_thread(parts.works, QStringLiteral("coarse picture")) {
     OpenStudy& openStudy = m_parts.openStudy;
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &LoadingPicture::busyChanged);
     connect(&openStudy, &OpenStudy::loadingBegun, this, &LoadingPicture::end);
     connect(&openStudy, &OpenStudy::coarseVolumeRead, this, &LoadingPicture::make);
     connect(&openStudy, &OpenStudy::studyOpened, this, [this] {
@@ -31,8 +30,6 @@ LoadingPicture::LoadingPicture(const Parts& parts, QObject* parent)
         if (m_opened) end();
     });
 }
-
-bool LoadingPicture::shown() const { return m_still != nullptr && !m_still->isHidden(); }
 
 void LoadingPicture::make(const CoarseVolume& coarse) {
     if (!m_parts.picture.isVisible()) return;
@@ -56,15 +53,14 @@ void LoadingPicture::show(const QImage& image) {
         m_still->setAccessibleName(tr("Coarse picture of the volume that is being loaded"));
     }
     m_still->showImage(image);
-    emit shownChanged(true);
+    m_parts.openStudy.setLoadingWords(tr("coarse picture, loading goes on"));
 }
 
 void LoadingPicture::end() {
     m_thread.cancel();
     m_opened = false;
-    if (!shown()) return;
-    m_still->hide();
-    emit shownChanged(false);
+    m_parts.openStudy.setLoadingWords(tr("loading"));
+    if (m_still != nullptr) m_still->hide();
 }
 
 }  // namespace echolucent

@@ -7,7 +7,7 @@
 #include "app/document/document_view.h"
 #include "app/study/open_study.h"
 #include "widgets/document/document_model.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -24,21 +24,12 @@ public:
     struct Parts {
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         DocumentView& documentView;
         VolumeViewWidget& picture;
     };
     /// All outlive this.
     explicit LoadingPicture(const Parts& parts, QObject* parent = nullptr);
-
-    /// Whether the coarse picture lies over the 3D view.
-    [[nodiscard]] bool shown() const;
-    /// True while it is being made.
-    [[nodiscard]] bool busy() const { return m_thread.busy(); }
-
-signals:
-    /// It is shown, or no longer.
-    void shownChanged(bool shown);
-    void busyChanged();
 
 private:
     void make(const CoarseVolume& coarse);

@@ -17,13 +17,14 @@ double millisecondsOf(const QElapsedTimer& clock) { return static_cast<double>(c
 
 }  // namespace
 
-OpenStudy::OpenStudy(QObject* parent)
+OpenStudy::OpenStudy(Works& works, QObject* parent)
     : QObject(parent),
       m_checksum(&checksumOf),
-      m_loader(QStringLiteral("study loader")),
-      m_checksumThread(QStringLiteral("study checksum")) {
+      m_quiet(works),
+      m_cut(works),
+      m_loader(works, QStringLiteral("study loader"), {.words = tr("loading"), .urgency = Urgency::loading}),
+      m_checksumThread(works, QStringLiteral("study checksum")) {
     connect(&m_loader, &NewestWinsThread::busyChanged, this, &OpenStudy::loadingChanged);
-    connect(&m_loader, &NewestWinsThread::progressed, this, &OpenStudy::loadingProgressed);
     connect(&m_cut, &CutPhases::made, this, &OpenStudy::takeCut);
     connect(&m_cut, &CutPhases::made, this, &OpenStudy::phaseVoxelsChanged);
     connect(&m_checksumThread, &NewestWinsThread::busyChanged, this, &OpenStudy::takingChecksumChanged);
@@ -38,7 +39,6 @@ OpenStudy::OpenStudy(QObject* parent)
             m_quieteningMilliseconds = millisecondsOf(m_quieteningClock);
     });
     connect(&m_quiet, &QuietPhases::busyChanged, this, &OpenStudy::quieteningChanged);
-    connect(&m_quiet, &QuietPhases::progressed, this, &OpenStudy::quieteningProgressed);
     connect(&m_quiet, &QuietPhases::failed, this,
             [this](int, const QString& sentence) { emit quieteningFailed(sentence); });
 }

@@ -20,7 +20,7 @@
 #include "processing/document/study_reference.h"
 #include "processing/intensity/histogram.h"
 #include "processing/volume/coarse_grid.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -30,7 +30,7 @@ class OpenStudy : public QObject {
     Q_OBJECT
 
 public:
-    explicit OpenStudy(QObject* parent = nullptr);
+    explicit OpenStudy(Works& works, QObject* parent = nullptr);
 
     /// Loads a file or a DICOM folder; what is open stays until the new study is there. A newer call replaces an older.
     /// Where a folder holds several series that could be opened and the options name none, seriesFound() asks.
@@ -50,6 +50,8 @@ public:
     /// Makes and opens the simulated scan a newcomer sees first.
     void openSimulatedScan();
     void cancelLoading();
+    /// Of what is loaded, for the status line.
+    void setLoadingWords(const QString& words) { m_loader.setWords(words); }
     [[nodiscard]] bool loading() const { return m_loader.busy(); }
     /// True while the checksum of the study is taken, which reference() holds afterwards.
     [[nodiscard]] bool takingChecksum() const { return m_checksumThread.busy(); }
@@ -116,7 +118,6 @@ signals:
     void loadingChanged(bool loading);
     /// A study is being loaded, perhaps in the place of another one that was.
     void loadingBegun();
-    void loadingProgressed(double share);
     /// The study that is being loaded is large, and this is what its first phase looks like on a coarse grid
     /// (processing/volume/coarse_grid.h). Loading may fail all the same. At most once a study; never of sessions.
     void coarseVolumeRead(const echolucent::CoarseVolume& coarse);
@@ -147,7 +148,6 @@ signals:
     void quietVoxelsMade();
     /// Of all phases; false where all that are kept are made.
     void quieteningChanged(bool quietening);
-    void quieteningProgressed(double share);
     void quieteningFailed(const QString& sentence);
 
 private:

@@ -16,12 +16,12 @@ std::size_t bytesOfVoxels(const Volume& volume) {
 
 }  // namespace
 
-QuietPhases::QuietPhases(QObject* parent)
-    : QObject(parent), m_reduce(&quietVolume), m_thread(QStringLiteral("speckle reduction")) {
+QuietPhases::QuietPhases(Works& works, QObject* parent)
+    : QObject(parent),
+      m_reduce(&quietVolume),
+      m_thread(works, QStringLiteral("speckle reduction"),
+               {.words = tr("reducing speckle"), .urgency = Urgency::quietening, .cancel = [this] { cancel(); }}) {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &QuietPhases::busyChanged);
-    connect(&m_thread, &NewestWinsThread::progressed, this, [this](double share) {
-        emit progressed((madeCount() + share) / std::max(1, std::min(phaseCount(), keptAtMost())));
-    });
 }
 
 void QuietPhases::begin(Phases raw) {
@@ -91,12 +91,13 @@ void QuietPhases::makeNext() {
     const int phase = next();
     if (phase < 0 || phase == m_making) return;
     m_making = phase;
+    const int kept = keptAtMost(), before = std::min(madeCount(), kept - 1);
     // A phase that is begun runs to its end: in a motion, which wants another one all the time, none would be made.
     m_thread.submit(
-        [this, phase, reduce = m_reduce, raw = m_raw[static_cast<std::size_t>(phase)],
+        [this, phase, kept, before, reduce = m_reduce, raw = m_raw[static_cast<std::size_t>(phase)],
          reduction = m_reduction](const Progress& progress) -> NewestWinsThread::Deliver {
             try {
-                auto quiet = reduce(*raw, reduction, progress);
+                auto quiet = reduce(*raw, reduction, partOf(progress, 1.0 * before / kept, (before + 1.0) / kept));
                 if (!quiet) return {};
                 Quiet made{freedElsewhere(std::make_shared<const Volume>(quiet->withDataBox(raw->dataBox()))),
                            std::make_shared<const IntensityHistogram>(intensityHistogram(*quiet))};

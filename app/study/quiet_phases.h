@@ -10,7 +10,7 @@
 #include "processing/intensity/histogram.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "processing/volume/volume.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -22,7 +22,7 @@ class QuietPhases : public QObject {
 public:
     using Phases = std::vector<std::shared_ptr<const Volume>>;
 
-    explicit QuietPhases(QObject* parent = nullptr);
+    explicit QuietPhases(Works& works, QObject* parent = nullptr);
 
     /// Another study is open: what was made is forgotten, and nothing is made until want().
     void begin(Phases raw);
@@ -56,8 +56,6 @@ signals:
     /// There is not memory enough; the phase stays as it is.
     void failed(int phase, const QString& sentence);
     void busyChanged(bool busy);
-    /// Share done of all phases that will be kept.
-    void progressed(double share);
 
 private:
     [[nodiscard]] int keptAtMost() const;

@@ -34,13 +34,14 @@ void removeOthers(const QString& folder, const QStringList& recent) {
 
 }  // namespace
 
-RecentPictures::RecentPictures(const Settings& settings, VolumeViewWidget& view, QObject* parent)
+RecentPictures::RecentPictures(const Settings& settings, Works& works, VolumeViewWidget& view, QObject* parent)
     : QObject(parent),
       m_settings(settings),
+      m_works(works),
       m_view(view),
       m_folder(settings.recentPicturesFolder()),
-      m_thread(QStringLiteral("recent pictures")) {
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &RecentPictures::busyChanged);
+      m_thread(works, QStringLiteral("recent pictures"), {.countsForRest = false}) {
+    connect(&m_works, &Works::changed, this, &RecentPictures::followRest);
 }
 
 void RecentPictures::setOpened(const QString& path) {
@@ -48,8 +49,8 @@ void RecentPictures::setOpened(const QString& path) {
     m_opened = path;
 }
 
-void RecentPictures::setAtRest(bool atRest) {
-    const bool cameToRest = atRest && !m_atRest;
+void RecentPictures::followRest() {
+    const bool atRest = m_works.atRest(), cameToRest = atRest && !m_atRest;
     m_atRest = atRest;
     const QString path = m_opened;
     if (!atRest || path.isEmpty() || !m_view.volume() || !m_view.pictureIsFine() || !m_view.pictureIsCurrent()) return;

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "processing/picture/picture.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -16,7 +16,9 @@ class Settings;
 class VolumeViewWidget;
 
 /// Writes, finds and removes one PNG file for each study in the list of recent files. Files are written and removed in
-/// a thread of its own. A picture that cannot be written is left out: the list does without.
+/// a thread of its own. The picture of the study that is open is kept at rest, each time that the 3D view shows another
+/// one; none is cast for it. Pictures of studies that have left the list go then. A picture that cannot be written is
+/// left out: the list does without.
 class RecentPictures : public QObject {
     Q_OBJECT
 
@@ -25,28 +27,22 @@ public:
     static constexpr int edge = 96;
 
     /// All must outlive this. The folder of the pictures is made with the first of them.
-    RecentPictures(const Settings& settings, VolumeViewWidget& view, QObject* parent = nullptr);
+    RecentPictures(const Settings& settings, Works& works, VolumeViewWidget& view, QObject* parent = nullptr);
 
     /// The path under which what is open now stands in the list of recent files, a session's where one was opened;
     /// empty where it does not stand there.
     void setOpened(const QString& path);
-    /// Whether nothing loads, computes or renders, so that the 3D view shows the study that is open. Its picture is
-    /// kept each time it is another one; none is cast for it. Pictures of studies that have left the list go.
-    void setAtRest(bool atRest);
     /// The list of recent files was cleared: all pictures go.
     void clear();
     /// The picture kept of a study; null where there is none.
     [[nodiscard]] QImage of(const QString& path) const;
-    /// True while a file is being written or removed.
-    [[nodiscard]] bool busy() const { return m_thread.busy(); }
-
-signals:
-    void busyChanged();
 
 private:
+    void followRest();
     void keep(const QString& path, std::function<QImage()> make);
 
     const Settings& m_settings;
+    Works& m_works;
     VolumeViewWidget& m_view;
     QString m_folder;
     QString m_opened;

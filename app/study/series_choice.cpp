@@ -35,10 +35,8 @@ SeriesRow rowOf(const SeriesEntry& entry, std::size_t number, const StudyNames& 
 
 }  // namespace
 
-SeriesChoice::SeriesChoice(QWidget& window, StudyNames& names)
-    : QObject(&window), m_window(window), m_names(names), m_pictures(QStringLiteral("pictures of series")) {
-    connect(&m_pictures, &NewestWinsThread::busyChanged, this, &SeriesChoice::busyChanged);
-}
+SeriesChoice::SeriesChoice(QWidget& window, StudyNames& names, Works& works)
+    : QObject(&window), m_window(window), m_names(names), m_pictures(works, QStringLiteral("pictures of series")) {}
 
 void SeriesChoice::ask(const std::shared_ptr<const SeriesList>& list, std::function<void(std::size_t)> chosen) {
     delete m_dialog;

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "io/study/series_list.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 class QWidget;
 
@@ -23,16 +23,10 @@ class SeriesChoice : public QObject {
 public:
     /// `window` is the parent of the dialog; both must outlive this. Where numbers stand for names, series are called
     /// by their numbers alone.
-    SeriesChoice(QWidget& window, StudyNames& names);
+    SeriesChoice(QWidget& window, StudyNames& names, Works& works);
 
     /// Asks, and calls `chosen` with the entry's index in the list; a dialog that is open already goes away.
     void ask(const std::shared_ptr<const SeriesList>& list, std::function<void(std::size_t)> chosen);
-
-    /// True while small pictures are being read.
-    [[nodiscard]] bool busy() const { return m_pictures.busy(); }
-
-signals:
-    void busyChanged();
 
 private:
     void readPicture(const std::shared_ptr<const SeriesList>& list, std::size_t index);

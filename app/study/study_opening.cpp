@@ -46,9 +46,8 @@ std::int64_t bytesOfRawFile(const QString& path) {
 }  // namespace
 
 StudyOpening::StudyOpening(const Parts& parts)
-    : QObject(&parts.window), m_parts(parts), m_series(parts.window, parts.names) {
+    : QObject(&parts.window), m_parts(parts), m_series(parts.window, parts.names, parts.works) {
     connect(&m_parts.openStudy, &OpenStudy::seriesFound, this, &StudyOpening::askForSeries);
-    connect(&m_series, &SeriesChoice::busyChanged, this, &StudyOpening::busyChanged);
     connect(&m_parts.openStudy, &OpenStudy::openFailed, this, &StudyOpening::tellFailure);
     connect(&m_parts.openStudy, &OpenStudy::savedStudyAsked, this, &StudyOpening::askForSavedStudy);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &StudyOpening::noteOpened);

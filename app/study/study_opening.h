@@ -16,6 +16,7 @@ namespace echolucent {
 class MessageBar;
 class RecentPictures;
 class StudyNames;
+class Works;
 
 class StudyOpening : public QObject {
     Q_OBJECT
@@ -24,6 +25,7 @@ public:
     struct Parts {
         QWidget& window;  ///< parent of the dialogs
         OpenStudy& openStudy;
+        Works& works;
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;
@@ -43,11 +45,7 @@ public:
     /// Fills a menu with the files opened last, each with its small picture.
     void fillRecentFiles(QMenu& menu);
 
-    /// True while the small pictures of series are being read.
-    [[nodiscard]] bool busy() const { return m_series.busy(); }
-
 signals:
-    void busyChanged();
     /// The person wants to open this file as a curve.
     void curveChosen(const QString& path);
     /// The person wants the presets of a file that is no volume.

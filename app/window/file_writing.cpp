@@ -20,10 +20,8 @@ Result<void> writtenBy(const FileWriting::Write& write, const std::string& path,
 
 }  // namespace
 
-FileWriting::FileWriting(const QString& threadName, QObject* parent) : QObject(parent), m_thread(threadName) {
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &FileWriting::busyChanged);
-    connect(&m_thread, &NewestWinsThread::progressed, this, &FileWriting::progressed);
-}
+FileWriting::FileWriting(Works& works, const QString& threadName, const Work& work)
+    : m_thread(works, threadName, withCancel(work, [this] { cancel(); })) {}
 
 FileWriting::~FileWriting() { cancel(); }
 

@@ -1,7 +1,6 @@
 // Files that a person asked for are written in a thread of their own, and what became of them is always told.
 #pragma once
 
-#include <QObject>
 #include <QString>
 #include <atomic>
 #include <functional>
@@ -9,15 +8,13 @@
 
 #include "processing/progress.h"
 #include "processing/result.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
 /// Writes one order at a time. One that was cancelled is told of like any other: as cancelled, or as written where it
 /// was whole before.
-class FileWriting : public QObject {
-    Q_OBJECT
-
+class FileWriting {
 public:
     /// Runs in the thread, and polls progress.cancelled(); where it was cancelled in time, it leaves no file and fails
     /// with FailureKind::cancelled. What it throws becomes a failure that names `path`.
@@ -25,19 +22,19 @@ public:
     /// Runs in this object's thread.
     using Tell = std::function<void(const Result<void>& written)>;
 
-    explicit FileWriting(const QString& threadName, QObject* parent = nullptr);
+    /// If the work has no cancel, it is cancel().
+    FileWriting(Works& works, const QString& threadName, const Work& work);
     /// Cancels what is being written and waits for it; nothing is told afterwards.
-    ~FileWriting() override;
+    ~FileWriting();
+    FileWriting(const FileWriting&) = delete;
+    FileWriting& operator=(const FileWriting&) = delete;
 
     /// Nothing else may be under way (busy()).
     void begin(const QString& path, Write write, Tell tell);
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
     void cancel();
-
-signals:
-    void busyChanged(bool busy);
-    /// Share of the work done, in [0,1].
-    void progressed(double share);
+    /// As NewestWinsThread::setWords().
+    void setWords(const QString& words) { m_thread.setWords(words); }
 
 private:
     std::shared_ptr<std::atomic<bool>> m_cancel;  ///< of what was begun last; null before the first

@@ -26,7 +26,6 @@
 #include "app/study/study_opening.h"
 #include "app/window/curve_and_picture_files.h"
 #include "app/window/full_screen.h"
-#include "app/window/long_works.h"
 #include "app/window/review_room.h"
 #include "app/window/theme.h"
 #include "app/window/window_menus.h"
@@ -44,22 +43,22 @@ namespace {
 constexpr int layoutVersion = 3;  // of the docks: an arrangement of an older kind is not restored
 }  // namespace
 
-MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> openStudy)
-    : m_settings(settingsFile), m_openStudy(std::move(openStudy)) {
+MainWindow::MainWindow(const QString& settingsFile, const std::function<void(OpenStudy&)>& begin)
+    : m_settings(settingsFile) {
+    if (begin) begin(m_openStudy);
     wearTheme(m_settings.theme());  // before there are widgets, which would be dressed twice
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));
     setAcceptDrops(true);
     resize(1440, 920);
     m_document.setHand([this] { return m_hand.current(); });
-    m_widgets = layOut(*this, m_document, m_course);
+    m_widgets = layOut(*this, m_works, m_document, m_course);
     m_fullScreen = new FullScreen(*this, {m_widgets.motion});
     m_escapes.add(EscapeStep::drag, [this] { return m_widgets.picture->cancelDrag(); });
     m_escapes.add(EscapeStep::fullScreen, [this] { return m_fullScreen->leave(); });
     createUnits();
     m_room->addTo(m_escapes);
     m_compare->addTo(m_escapes);
-    createLongWorks();
     connectProgress();
     connectUnits();
     connectCaption();
@@ -68,14 +67,14 @@ MainWindow::MainWindow(const QString& settingsFile, std::unique_ptr<OpenStudy> o
     connectNames();
     createActions();
     restoreSettings();
-    m_works->follow();
-    updateIdle();
+    followWorks();
 }
 
 MainWindow::~MainWindow() {
     hide();  // a number that is half typed is taken while there is a document
     // What the widgets still tell while they go has nobody to act on it.
-    m_openStudy->disconnect(this);
+    m_works.disconnect();
+    m_openStudy.disconnect(this);
     m_otfs->disconnect(this);
     m_motionPlayer.disconnect(this);
     m_compare->disconnect(this);
@@ -85,9 +84,9 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::createUnits() {
-    m_otfs = std::make_unique<PaneOtfs>(m_document, *m_openStudy);
-    m_panes = std::make_unique<ShownPanes>(m_document, *m_openStudy, *m_otfs, m_course);
-    m_view = std::make_unique<DocumentView>(m_document, *m_openStudy, *m_panes, *m_widgets.picture);
+    m_otfs = std::make_unique<PaneOtfs>(m_document, m_openStudy, m_works);
+    m_panes = std::make_unique<ShownPanes>(m_document, m_openStudy, *m_otfs, m_course);
+    m_view = std::make_unique<DocumentView>(m_document, m_openStudy, *m_panes, *m_widgets.picture);
     m_editorOtfs = std::make_unique<EditorOtfs>(
         EditorOtfs::Parts{m_document, *m_otfs, *m_panes, *m_widgets.editor, *m_widgets.messages});
     m_designerControls =
@@ -97,41 +96,42 @@ void MainWindow::createUnits() {
         PictureControls::Parts{m_document, *m_view, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
-        *this, m_document, *m_openStudy, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
-    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, *m_openStudy, *m_otfs, *m_panes, *m_view,
-                                                                  *m_widgets.picture, m_motionPlayer, *m_widgets.motion,
-                                                                  *m_widgets.course});
+        *this, m_document, m_openStudy, m_works, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
+    m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, m_openStudy, m_works, *m_otfs, *m_panes,
+                                                                  *m_view, *m_widgets.picture, m_motionPlayer,
+                                                                  *m_widgets.motion, *m_widgets.course});
     m_shownStudy = std::make_unique<ShownStudy>(
-        ShownStudy::Parts{*this, m_document, *m_openStudy, *m_otfs, *m_panes, *m_widgets.picture, *m_motion,
+        ShownStudy::Parts{*this, m_document, m_openStudy, *m_otfs, *m_panes, *m_widgets.picture, *m_motion,
                           m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
                           *m_widgets.status, *m_widgets.messages, m_names});
-    m_loadingPicture =
-        std::make_unique<LoadingPicture>(LoadingPicture::Parts{m_document, *m_openStudy, *m_view, *m_widgets.picture});
+    m_loadingPicture = std::make_unique<LoadingPicture>(
+        LoadingPicture::Parts{m_document, m_openStudy, m_works, *m_view, *m_widgets.picture});
     m_nearCutFinder =
-        std::make_unique<NearCutFinder>(NearCutFinder::Parts{m_document, *m_openStudy, *m_widgets.messages});
-    m_recentPictures = std::make_unique<RecentPictures>(m_settings, *m_widgets.picture);
+        std::make_unique<NearCutFinder>(NearCutFinder::Parts{m_document, m_openStudy, m_works, *m_widgets.messages});
+    m_recentPictures = std::make_unique<RecentPictures>(m_settings, m_works, *m_widgets.picture);
     m_opening = std::make_unique<StudyOpening>(
-        StudyOpening::Parts{*this, *m_openStudy, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
+        StudyOpening::Parts{*this, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
     m_files = std::make_unique<CurveAndPictureFiles>(
-        CurveAndPictureFiles::Parts{*this, m_document, *m_openStudy, *m_widgets.editor, *m_widgets.picture, m_settings,
+        CurveAndPictureFiles::Parts{*this, m_document, m_openStudy, *m_widgets.editor, *m_widgets.picture, m_settings,
                                     *m_widgets.messages, m_names});
     m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
-        *this, m_document, *m_openStudy, m_settings, *m_widgets.messages, m_names,
+        *this, m_document, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
         [this](const QString& what) { return m_files->proposedName(what); }});
-    m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{m_document, *m_openStudy, m_motionPlayer, *m_widgets.panes,
-                                                            m_widgets.planes, *m_widgets.picture, *m_widgets.room,
-                                                            *m_widgets.measurements, *m_widgets.messages, m_settings});
+    m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{
+        m_document, m_openStudy, m_works, m_motionPlayer, *m_widgets.panes, m_widgets.planes, *m_widgets.picture,
+        *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_compare = std::make_unique<CompareRoom>(
-        CompareRoom::Parts{*this, m_document, *m_openStudy, m_motionPlayer, *m_widgets.rooms, *m_otfs, *m_panes,
+        CompareRoom::Parts{*this, m_document, m_openStudy, m_works, m_motionPlayer, *m_widgets.rooms, *m_otfs, *m_panes,
                            *m_widgets.compared, *m_widgets.compare, *m_widgets.messages, m_settings, m_names,
                            [this](const QString& what) { return m_files->proposedName(what); }});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
-        *this, m_document, *m_openStudy, *m_otfs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
+        *this, m_document, m_openStudy, m_works, *m_otfs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
         *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
-    m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{
-        *this, m_document, *m_openStudy, *m_shownStudy, m_settings, *m_widgets.editor, *m_widgets.messages, m_names});
+    m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{*this, m_document, m_openStudy, m_works,
+                                                                        *m_shownStudy, m_settings, *m_widgets.editor,
+                                                                        *m_widgets.messages, m_names});
     connect(m_sessions.get(), &SessionKeeping::saved, this,
             [this] { m_recentPictures->setOpened(m_sessions->file()); });
     m_history =
@@ -192,19 +192,19 @@ void MainWindow::connectExplanation() {
 }
 
 void MainWindow::connectCaption() {
-    connect(m_openStudy.get(), &OpenStudy::studyOpened, this, [this] {
-        if (m_openStudy->finds() && m_openStudy->finds()->cut) m_nearCutFinder->tellOpening(*m_openStudy->finds()->cut);
+    connect(&m_openStudy, &OpenStudy::studyOpened, this, [this] {
+        if (m_openStudy.finds() && m_openStudy.finds()->cut) m_nearCutFinder->tellOpening(*m_openStudy.finds()->cut);
     });
     const auto tell = [this] {
         // A picture that is still of the study before keeps its own caption.
-        if (!m_openStudy->volume() || m_view->held()) return;
+        if (!m_openStudy.volume() || m_view->held()) return;
         m_widgets.picture->setCaption(
             pictureCaption({.document = m_document.document(),
                             .speckle = shownSpeckle(),
                             .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), m_otfs->adaptive().get()),
                             .designIsShown = designIsShown(),
-                            .lengthsKnown = m_openStudy->volume()->geometry().spacingKnown,
-                            .reduction = m_openStudy->volume()->geometry().reduction}));
+                            .lengthsKnown = m_openStudy.volume()->geometry().spacingKnown,
+                            .reduction = m_openStudy.volume()->geometry().reduction}));
     };
     connect(m_panes.get(), &ShownPanes::changed, this, tell);
     connect(m_compare.get(), &CompareRoom::cameraMoved, m_motion.get(), &MotionFrames::endByHand);
@@ -220,8 +220,8 @@ bool MainWindow::designIsShown() const {
 
 ShownSpeckle MainWindow::shownSpeckle() const {
     const std::shared_ptr<const Volume> shown = m_widgets.picture->volume();
-    if (shown && shown != m_openStudy->volume()) return ShownSpeckle::reduced;
-    return m_openStudy->quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
+    if (shown && shown != m_openStudy.volume()) return ShownSpeckle::reduced;
+    return m_openStudy.quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
 }
 
 void MainWindow::createActions() {
@@ -268,23 +268,14 @@ void MainWindow::createActions() {
     createMenus(*this, *m_widgets.editor, *m_widgets.courseDock, commands);
     findChild<QAction*>("view.lightTheme")->setChecked(m_settings.theme() == Theme::light);
     findChild<QAction*>("view.numbersForNames")->setChecked(m_names.showsNumbers());
-    connect(m_openStudy.get(), &OpenStudy::studyOpened, this,
-            [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_openStudy->seriesBeside() != nullptr); });
-    connect(m_opening.get(), &StudyOpening::busyChanged, this, &MainWindow::updateIdle);
+    connect(&m_openStudy, &OpenStudy::studyOpened, this,
+            [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_openStudy.seriesBeside() != nullptr); });
     m_room->createMenu(*this);
     m_compare->createMenu();
 }
 
-void MainWindow::open(const QString& path, const ReadOptions& options) {
-    m_opening->open(path, options);
-    updateIdle();
-}
-
-void MainWindow::openSimulatedScan() {
-    m_openStudy->openSimulatedScan();
-    updateIdle();
-}
-
+void MainWindow::open(const QString& path, const ReadOptions& options) { m_opening->open(path, options); }
+void MainWindow::openSimulatedScan() { m_openStudy.openSimulatedScan(); }
 bool MainWindow::openCurve(const QString& path) { return m_files->openCurve(path); }
 bool MainWindow::saveCurve(const QString& path) { return m_files->saveCurve(path); }
 void MainWindow::saveReport(const QString& path, bool withPatient) { m_report->save(path, withPatient); }
@@ -320,11 +311,11 @@ void MainWindow::keepSettings() {
 }
 
 QString MainWindow::explanation() const {
-    if (!m_openStudy->volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
+    if (!m_openStudy.volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
     const auto designed = m_otfs->designOf(firstPane);
     const auto otf = m_otfs->adaptive();
-    return explainPicture({.study = *m_openStudy->study(),
-                           .volume = *m_openStudy->volume(),
+    return explainPicture({.study = *m_openStudy.study(),
+                           .volume = *m_openStudy.volume(),
                            .otf = otf.get(),
                            .document = m_document.document(),
                            .speckle = shownSpeckle(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <functional>
 #include <memory>
 
 #include "app/document/document_view.h"
@@ -15,6 +16,7 @@
 #include "widgets/control_keys.h"
 #include "widgets/hand_gesture.h"
 #include "widgets/otf_editor/otf_editor.h"
+#include "widgets/threads/works.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -26,7 +28,6 @@ class EditorOtfs;
 class FullScreen;
 class HistoryControls;
 class LoadingPicture;
-class LongWorks;
 class MovieFiles;
 class NearCutFinder;
 class PictureControls;
@@ -45,10 +46,9 @@ class MainWindow : public QMainWindow {
     Q_PROPERTY(bool idle READ idle NOTIFY idleChanged)
 
 public:
-    /// `settingsFile` is handed to Settings; tests give one of their own. `openStudy` may be reading a study already,
-    /// which goes on while the window is made; it has opened none yet, and must not be null.
-    explicit MainWindow(const QString& settingsFile = {},
-                        std::unique_ptr<OpenStudy> openStudy = std::make_unique<OpenStudy>());
+    /// `settingsFile` is handed to Settings; tests give one of their own. `begin` is called first: what it begins to
+    /// read is read while the window is made.
+    explicit MainWindow(const QString& settingsFile = {}, const std::function<void(OpenStudy&)>& begin = {});
     ~MainWindow() override;
 
     /// As StudyOpening::open().
@@ -62,9 +62,10 @@ public:
     /// As ReportSaving::save().
     void saveReport(const QString& path, bool withPatient);
 
-    [[nodiscard]] bool idle() const;
+    [[nodiscard]] bool idle() const { return m_works.idle(); }
+    [[nodiscard]] const Works& works() const { return m_works; }
     [[nodiscard]] DocumentModel& document() { return m_document; }
-    [[nodiscard]] OpenStudy& openStudy() { return *m_openStudy; }
+    [[nodiscard]] OpenStudy& openStudy() { return m_openStudy; }
     [[nodiscard]] PaneOtfs& otfs() { return *m_otfs; }
     [[nodiscard]] NearCutFinder& nearCutFinder() { return *m_nearCutFinder; }
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
@@ -97,7 +98,7 @@ protected:
 
 private:
     void createUnits();
-    void createLongWorks();
+    void followWorks();
     void connectProgress();
     void arrangeForComparison(bool shown);
     void connectUnits();
@@ -108,20 +109,18 @@ private:
     void createActions();
     void restoreSettings();
     void keepSettings();
-    void updateIdle();
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
     /// Whether what is shown was made by the designer that the document asks for.
     [[nodiscard]] bool designIsShown() const;
-    /// As idle(), but for small pictures and reports, which wait for the rest.
-    [[nodiscard]] bool atRest() const;
 
+    Works m_works;
     Settings m_settings;
     StudyNames m_names{m_settings};
     DocumentModel m_document;
     HandGesture m_hand;
     ControlKeys m_controlKeys;
     EscapeOrder m_escapes;
-    std::unique_ptr<OpenStudy> m_openStudy;
+    OpenStudy m_openStudy{m_works};
     MotionPlayer m_motionPlayer;
     OtfCourse m_course;
 
@@ -149,8 +148,7 @@ private:
     std::unique_ptr<ReportSaving> m_report;
     std::unique_ptr<SessionKeeping> m_sessions;
     std::unique_ptr<HistoryControls> m_history;
-    std::unique_ptr<LongWorks> m_works;
-    bool m_idle = true;
+    bool m_idle = true;               ///< as it was told last
     bool m_planesTabWasThere = true;  ///< before the comparison that is shown
     bool m_shown = false;
 };

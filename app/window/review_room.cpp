@@ -15,14 +15,13 @@ namespace echolucent {
 ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
-      m_planes(parts.model, parts.openStudy, parts.planes),
+      m_planes(parts.model, parts.openStudy, parts.works, parts.planes),
       m_controls(parts.model, parts.openStudy, parts.picture, parts.panel),
       m_boxIn3d(parts.model, parts.openStudy, parts.picture),
       m_scalpel({parts.model, parts.picture, m_boxIn3d, parts.panel}),
       m_measuring({parts.model, parts.openStudy, parts.planes, parts.picture, m_boxIn3d, parts.messages}),
       m_measurements({parts.model, parts.openStudy, parts.player, m_measuring, parts.measurements}) {
     connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
-    connect(&m_planes, &DocumentPlanes::busyChanged, this, &ReviewRoom::busyChanged);
     connect(&m_planes, &DocumentPlanes::pointed, this, &ReviewRoom::pointed);
     connect(&m_scalpel, &ScalpelHand::nothingToCut, this, &ReviewRoom::nothingToCut);
     // One tool is in the hand at a time.

@@ -21,6 +21,7 @@ class QMenu;
 namespace echolucent {
 
 class VolumeViewWidget;
+class Works;
 
 /// Hangs the panes together: layouts by key, a pane that takes the whole room, planes and the 3D view.
 class ReviewRoom : public QObject {
@@ -30,6 +31,7 @@ public:
     struct Parts {
         DocumentModel& model;
         OpenStudy& openStudy;
+        Works& works;
         MotionPlayer& player;
         PaneGrid& panes;
         std::array<PlanePane*, 3> planes;
@@ -41,8 +43,6 @@ public:
     };
     explicit ReviewRoom(const Parts& parts, QObject* parent = nullptr);
 
-    /// True while something that is shown in a plane is not there yet.
-    [[nodiscard]] bool busy() const { return m_planes.busy(); }
     /// Adds the menu of the room, with its keys, before the menu of the OTF.
     void createMenu(QMainWindow& window);
     /// What Escape ends in the room: drags in planes, the tool in the hand, a pane that has the whole room.
@@ -51,7 +51,6 @@ public:
     void keep();
 
 signals:
-    void busyChanged(bool busy);
     /// As ScalpelHand::nothingToCut.
     void nothingToCut();
     /// As DocumentPlanes::pointed.

@@ -69,7 +69,7 @@ void SettingsStore::writeSoon() {
 void SettingsStore::writeNext() {
     m_writesSoon = false;
     if (m_changes.isEmpty() || (m_writing && m_writing->busy())) return;
-    if (!m_writing) m_writing.emplace(QStringLiteral("settings"));
+    if (!m_writing) m_writing.emplace(m_works, QStringLiteral("settings"));
     m_beingWritten.insert(std::exchange(m_changes, {}));
     m_writing->submit([this, file = m_file, changes = m_beingWritten](const Progress&) -> NewestWinsThread::Deliver {
         return [this, written = write(file, changes)] { take(written); };

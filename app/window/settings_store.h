@@ -8,7 +8,7 @@
 #include <QVariantMap>
 #include <optional>
 
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -54,6 +54,7 @@ private:
     Changes m_changes;       ///< not given to the thread yet
     Changes m_beingWritten;  ///< by the thread, or not written when it failed
     bool m_writesSoon = false;
+    Works m_works;  ///< nobody waits for the settings
     // Last, so that its thread has ended before anything above is destroyed; made where there is something to write.
     std::optional<NewestWinsThread> m_writing;
 };

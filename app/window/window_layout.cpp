@@ -128,14 +128,14 @@ void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
 
 }  // namespace
 
-WindowLayout layOut(QMainWindow& window, DocumentModel& document, const OtfCourse& course) {
+WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, const OtfCourse& course) {
     auto* centre = new QWidget(&window);
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     WindowLayout layout;
     for (const PlaneName plane : allPlaneNames) layout.planes[indexOf(plane)] = new PlanePane(plane, centre);
-    layout.picture = new VolumeViewWidget(centre);
+    layout.picture = new VolumeViewWidget(works, centre);
     layout.panes = new PaneGrid({layout.planes[0], layout.planes[1], layout.planes[2], layout.picture}, centre);
     layout.compared = new CompareGrid(centre);
     layout.rooms = new QStackedWidget(centre);

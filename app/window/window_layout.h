@@ -31,6 +31,7 @@ class RunStatus;
 class StudyPanel;
 class ViewPanel;
 class VolumeViewWidget;
+class Works;
 
 /// The widgets of the window, which owns them.
 struct WindowLayout {
@@ -62,7 +63,7 @@ struct WindowLayout {
 };
 
 /// Makes the widgets and puts them into the window: planes and picture in the middle, the panels in one column of tabs
-/// beside it, the messages over the picture's lower edge. The document outlives them.
-[[nodiscard]] WindowLayout layOut(QMainWindow& window, DocumentModel& document, const OtfCourse& course);
+/// beside it, the messages over the picture's lower edge. Works and document outlive them.
+[[nodiscard]] WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, const OtfCourse& course);
 
 }  // namespace echolucent

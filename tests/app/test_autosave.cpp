@@ -21,6 +21,8 @@ using namespace echolucent;
 class TestAutosave : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
     SavedSession m_present;
 
     /// What has arrived in a pipe since it was read last.
@@ -42,7 +44,7 @@ class TestAutosave : public QObject {
         autosave.noteChange();
     }
     std::unique_ptr<Autosave> autosaveIn(const QString& folder) {
-        auto autosave = std::make_unique<Autosave>(folder, [this] { return m_present; });
+        auto autosave = std::make_unique<Autosave>(m_works, folder, [this] { return m_present; });
         autosave->setInterval(0);
         autosave->setWrite(&writeIntoPipes);
         return autosave;
@@ -62,7 +64,7 @@ class TestAutosave : public QObject {
 private slots:
     void whatIsLeftBehindIsWrittenWhateverFollows() {
         const QTemporaryDir folder;
-        Autosave autosave(folder.path(), [this] { return m_present; });
+        Autosave autosave(m_works, folder.path(), [this] { return m_present; });
         autosave.setInterval(0);
         autosave.setWrite(&writeIntoPipes);
         const QByteArray first = autosave.file().toUtf8();

@@ -202,9 +202,8 @@ private slots:
             QFile::remove(reportPath());
             lookFrom(window(), {.beamAxis = BeamAxis::plusZ, .azimuthDegrees = writing ? 30.0 : 70.0});
             window().saveReport(reportPath(), false);
-            auto* report = window().findChild<ReportSaving*>();
             if (writing) {
-                QSignalSpy progressed(report, &ReportSaving::progressed);
+                QSignalSpy progressed(&window().works(), &Works::progressed);
                 QVERIFY(progressed.wait(30000));
             }
             emit child<RunStatus>("status")->cancelRequested();

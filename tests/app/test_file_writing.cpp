@@ -14,6 +14,8 @@ using namespace echolucent;
 class TestFileWriting : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
     std::optional<Result<void>> m_told;
 
     /// Begins to write in this way and waits for the end.
@@ -31,7 +33,7 @@ class TestFileWriting : public QObject {
 
 private slots:
     void theEndIsToldHoweverItComes() {
-        FileWriting writing("test");
+        FileWriting writing(m_works, "test", {});
         QVERIFY(endOf(writing, [](const Progress&) { return Result<void>(); }));
         QCOMPARE(endOf(writing, untilCancelled, true).error().kind, FailureKind::cancelled);
         // What was whole before it was cancelled is there, and told of.
@@ -52,7 +54,7 @@ private slots:
     }
 
     void whatIsThrownIsAFailureOfTheFile() {
-        FileWriting writing("test");
+        FileWriting writing(m_works, "test", {});
         const auto broken = endOf(writing, [](const Progress&) -> Result<void> { throw std::runtime_error("no PNG"); });
         QCOMPARE(broken.error().file, std::string("heart.mp4"));
         QVERIFY(broken.error().sentence().find("no PNG") != std::string::npos);
@@ -63,7 +65,7 @@ private slots:
     void itsEndEndsWhatIsWrittenAndTellsNothing() {
         m_told.reset();
         {
-            FileWriting writing("test");
+            FileWriting writing(m_works, "test", {});
             writing.begin("heart.mp4", untilCancelled, [this](const Result<void>& written) { m_told = written; });
         }
         QCoreApplication::processEvents();

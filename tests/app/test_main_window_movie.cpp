@@ -183,7 +183,7 @@ private slots:
         QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
         old.close();
         const QString name = series ? "heart.png" : "heart.mp4";
-        QSignalSpy progressed(&window().movieFiles(), &MovieFiles::progressed);
+        QSignalSpy progressed(&window().works(), &Works::progressed);
         window().movieFiles().begin(series ? FrameOutput::series : FrameOutput::movie,
                                     {.path = out().filePath(name), .size = {256, 256}, .replace = true});
         QVERIFY(!window().idle());
@@ -214,7 +214,7 @@ private slots:
     void closingTheWindowLeavesNoFile() {
         QFETCH(bool, byThePerson);
         open(still());
-        QSignalSpy progressed(&window().movieFiles(), &MovieFiles::progressed);
+        QSignalSpy progressed(&window().works(), &Works::progressed);
         window().movieFiles().begin(FrameOutput::movie, {.path = out().filePath("heart.mp4"), .size = {256, 256}});
         QTRY_VERIFY_WITH_TIMEOUT(progressed.count() > 0, 30000);
         if (byThePerson) {

@@ -74,9 +74,7 @@ private slots:
     }
 
     void aSessionThatReadsAlreadyIsShownWhenItHasRead() {
-        auto openStudy = std::make_unique<OpenStudy>();
-        openStudy->open(m_file);
-        MainWindow early(settingsFile(), std::move(openStudy));
+        MainWindow early(settingsFile(), [this](OpenStudy& openStudy) { openStudy.open(m_file); });
         QVERIFY(!early.idle());
         QVERIFY(early.openStudy().loading());
         early.show();

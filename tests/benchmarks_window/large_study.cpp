@@ -28,12 +28,11 @@ QStringList LargeStudy::underWay() {
     QStringList names;
     if (openStudy.loading()) names << QStringLiteral("loading");
     if (openStudy.takingChecksum()) names << QStringLiteral("checksum");
-    if (window().sessionKeeping().busy()) names << QStringLiteral("saving");
+    if (window().sessionKeeping().saving()) names << QStringLiteral("saving");
     if (openStudy.quietPhases().busy()) names << QStringLiteral("quieting");
     if (window().otfs().busy() || openStudy.cutting()) names << QStringLiteral("OTF or cutting");
-    if (view().busy()) names << QStringLiteral("picture");
-    if (window().reviewRoom().busy()) names << QStringLiteral("planes");
-    if (names.isEmpty() && !window().idle()) names << QStringLiteral("writing");
+    if (!view().pictureIsFine()) names << QStringLiteral("picture");
+    if (names.isEmpty() && !window().idle()) names << QStringLiteral("planes or writing");
     return names;
 }
 

@@ -40,7 +40,8 @@ public:
         if (progress.cancelled()) return {};
         const int width = request.settings.width, height = request.settings.height;
         const auto level = static_cast<float>(opacityAt(request.panes.front().classification, 1.0, 0.0));
-        const Picture picture{width, height, std::vector<float>(static_cast<std::size_t>(4 * width * height), level), {}};
+        const Picture picture{
+            width, height, std::vector<float>(static_cast<std::size_t>(4 * width * height), level), {}};
         CastPane pane{std::make_shared<const Picture>(picture),
                       std::make_shared<const ScreenPicture>(screenPicture(picture))};
         return {{std::move(pane)}, SampleUse::taken};
@@ -99,8 +100,9 @@ struct Setup {
     CommandedCaster commands;
     std::shared_ptr<const Volume> volume = volumeOf(geometryOf(2, 2, 2), [](double, double, double) { return 9; });
     std::vector<std::shared_ptr<const CastPicture>> delivered;
+    Works works;
     ProgressiveCaster caster{
-        PreviewQuality{0.0},  // no budget: always a preview first
+        works, PreviewQuality{0.0},  // no budget: always a preview first
         [this](const PictureRequest& request, const Progress& progress) { return commands(request, progress); }};
 };
 

@@ -24,13 +24,15 @@ std::shared_ptr<const Volume> shapes(std::uint64_t seed) {
 class TestCastPanes : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
 private slots:
     void initTestCase() {
         m_volume = shapes(1);
         m_other = shapes(2);
     }
     void init() {
-        m_caster = std::make_unique<ProgressiveCaster>();
+        m_caster = std::make_unique<ProgressiveCaster>(m_works);
         m_frames.clear();
         connect(m_caster.get(), &ProgressiveCaster::delivered, this,
                 [this](const std::shared_ptr<const CastPicture>& frame) { m_frames.push_back(frame); });
@@ -98,7 +100,8 @@ private:
         Viewpoint view;
         view.azimuthDegrees = degrees;
         PictureRequest request;
-        request.panes = {{m_volume, PowerCurve{2, 1.0}, 0}, {m_volume, LinearCurve{}, 1}, {m_other, PowerCurve{4, 1.0}, 2}};
+        request.panes = {
+            {m_volume, PowerCurve{2, 1.0}, 0}, {m_volume, LinearCurve{}, 1}, {m_other, PowerCurve{4, 1.0}, 2}};
         request.settings.width = 90;
         request.settings.height = 80;
         request.settings.camera = defaultCamera(m_volume->dataBox(), view, 90.0 / 80);

@@ -52,13 +52,13 @@ private slots:
     void aFrameThatIsCastIsKeptAlthoughAnotherVolumeIsWanted() {
         std::atomic<bool> begun = false, go = false;
         Setup s;
-        ProgressiveCaster caster(
-            PreviewQuality{0.0}, [&](const PictureRequest& request, const Progress& progress) -> CastResult {
-                const bool fine = request.settings.step == qualities[highQuality].step;
-                begun = begun || fine;
-                while (fine && !go && !progress.cancelled()) std::this_thread::yield();
-                return s.commands(request, progress);
-            });
+        ProgressiveCaster caster(s.works, PreviewQuality{0.0},
+                                 [&](const PictureRequest& request, const Progress& progress) -> CastResult {
+                                     const bool fine = request.settings.step == qualities[highQuality].step;
+                                     begun = begun || fine;
+                                     while (fine && !go && !progress.cancelled()) std::this_thread::yield();
+                                     return s.commands(request, progress);
+                                 });
         caster.setPlaying(true);
         caster.request(s.turned(0.1));
         QTRY_VERIFY_WITH_TIMEOUT(begun, patience);
@@ -74,8 +74,9 @@ private slots:
     void aConvergedFrameFromMemoryIsRefinedNoFurther() {
         Setup s;
         // Where time is plenty, a frame is converged at once, and kept so.
+        Works works;
         ProgressiveCaster caster{
-            PreviewQuality{1e9},
+            works, PreviewQuality{1e9},
             [&](const PictureRequest& request, const Progress& progress) { return s.commands(request, progress); }};
         std::vector<std::shared_ptr<const CastPicture>> delivered;
         connect(&caster, &ProgressiveCaster::delivered,

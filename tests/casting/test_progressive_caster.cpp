@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "processing/ray_caster.h"
-#include "tests/qt_program/test_classes.h"
 #include "tests/casting/commanded_caster.h"
+#include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
 
@@ -209,7 +209,9 @@ private slots:
     void tooLittleMemoryIsToldAndAnotherRequestIsTried() {
         Setup s;
         std::atomic<bool> enough = false;
-        ProgressiveCaster caster{PreviewQuality{0.0}, [&](const PictureRequest& request, const Progress& progress) {
+        Works works;
+        ProgressiveCaster caster{works, PreviewQuality{0.0},
+                                 [&](const PictureRequest& request, const Progress& progress) {
                                      if (!request.panes.empty() && !enough) throw std::bad_alloc();
                                      return s.commands(request, progress);
                                  }};
@@ -232,7 +234,8 @@ private slots:
     void clearLetsGoOfTheVolume() {
         auto volume = volumeOf(geometryOf(8, 8, 8), [](double x, double, double) { return static_cast<int>(9 * x); });
         const std::weak_ptr<const Volume> watched = volume;
-        ProgressiveCaster caster;
+        Works works;
+        ProgressiveCaster caster(works);
         int delivered = 0;
         QObject::connect(&caster, &ProgressiveCaster::delivered, &caster, [&] { ++delivered; });
         PictureRequest request{{{std::move(volume), PowerCurve{}}}, {}};
@@ -258,9 +261,9 @@ private slots:
         const auto check = [&](SampleUse expected, int line) {
             const CastResult result = cast(request, {});
             const auto alone = castRays(*request.panes[0].volume, request.panes[0].classification, request.settings);
-            QVERIFY2(
-                !result.panes.empty() && largestDifference(*result.panes[0].picture, *alone) <= (expected == SampleUse::kept ? 0.5 : 0),
-                qPrintable(QString::number(line)));
+            QVERIFY2(!result.panes.empty() &&
+                         largestDifference(*result.panes[0].picture, *alone) <= (expected == SampleUse::kept ? 0.5 : 0),
+                     qPrintable(QString::number(line)));
             QVERIFY2(result.samples == expected, qPrintable(QString::number(line)));
         };
         check(SampleUse::taken, __LINE__);

@@ -11,6 +11,7 @@
 
 #include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/test_volumes.h"
+#include "widgets/threads/works.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent::testing {
@@ -32,7 +33,7 @@ struct ShownView {
     ShownView(const ShownView&) = delete;
     ShownView& operator=(const ShownView&) = delete;
     bool awaitIdle() {
-        return QTest::qWaitFor([this] { return !view.busy() && view.pictureIsFine(); }, patience);
+        return QTest::qWaitFor([this] { return works.idle() && view.pictureIsFine(); }, patience);
     }
     QWindow* window() {
         // The only native child window of the view's top level.
@@ -49,7 +50,8 @@ struct ShownView {
         QCoreApplication::sendEvent(window(), &move);
     }
     std::shared_ptr<const Volume> volume;
-    VolumeViewWidget view;
+    Works works;
+    VolumeViewWidget view{works};
     bool ready = false;
 };
 

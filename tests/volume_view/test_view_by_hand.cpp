@@ -178,7 +178,7 @@ private slots:
         s.drag(Qt::LeftButton, Qt::ControlModifier, {150, 120}, {200, 145});
         QCOMPARE(s.view.look(), before);
         QCOMPARE(light.size(), 0);
-        QVERIFY(!s.view.busy());
+        QVERIFY(s.works.idle());
     }
 
     void inAModeWithoutCurveNoOpacityIsPointedAt() {
@@ -280,9 +280,10 @@ private slots:
     }
 
     void shortcutsOfTheWindowWorkOverThePicture() {
+        Works works;
         QWidget window;
         auto* layout = new QVBoxLayout(&window);
-        auto* view = new VolumeViewWidget;
+        auto* view = new VolumeViewWidget(works);
         layout->addWidget(view);
         int fired = 0;
         const QShortcut shortcut(QKeySequence(Qt::Key_R), &window, [&] { ++fired; });

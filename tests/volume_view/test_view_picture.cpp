@@ -67,16 +67,16 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
-        QSignalSpy busyChanges(&s.view, &VolumeViewWidget::busyChanged);
+        QSignalSpy works(&s.works, &Works::changed);
         const QImage before = s.view.screenImage();
         s.view.setClassification(wall);
         s.view.setLook(s.view.look());
         s.view.setNearCut(0);
-        QCOMPARE(busyChanges.size(), 0);
+        QCOMPARE(works.size(), 0);
         s.view.setView(s.view.view());
         s.view.setVolume(s.volume);
         s.view.update();
-        QTRY_VERIFY_WITH_TIMEOUT(!s.view.busy(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(s.works.idle(), patience);
         QCOMPARE(s.view.screenImage(), before);
         QCoreApplication::processEvents();
         QCOMPARE(deliveries.size(), 0);
@@ -123,7 +123,7 @@ private slots:
         s.view.setNearCut(2);
         s.view.setOverlay({.pictureLines = {{{{0.0, 0.0}, {0.2, 0.2}}, {255, 255, 255}, 1.0}}});
         QTRY_COMPARE(drawings, 1);
-        QCOMPARE(s.view.busy(), false);
+        QVERIFY(s.works.idle());
         renderer->RemoveObserver(observer);
     }
 
@@ -137,7 +137,7 @@ private slots:
         Look look;
         look.colourMap = ColourMap::ice;
         s.view.setLook(look);
-        QVERIFY(s.view.busy());
+        QVERIFY(!s.works.idle());
         QVERIFY(s.awaitIdle());
         QVERIFY(deliveries.size() <= 3);  // a preview, where one is needed, high quality and converged
         QVERIFY(s.view.picture()->rgba == castRays(*s.volume, PowerCurve{2, 1.0}, s.view.settings())->rgba);
@@ -193,7 +193,7 @@ private slots:
         s.view.resize(size);
         QTRY_VERIFY_WITH_TIMEOUT(s.view.picture() && s.view.pictureIsFine() &&
                                      s.view.picture()->width == size.width() &&
-                                     s.view.picture()->height == size.height() && !s.view.busy(),
+                                     s.view.picture()->height == size.height() && s.works.idle(),
                                  patience);
         const auto expected = castRays(*s.volume, wall, s.view.settings());
         QTRY_COMPARE_WITH_TIMEOUT(s.view.screenImage().size(), size, patience);
@@ -253,7 +253,7 @@ private slots:
         look.lighting = Lighting::surface;
         look.depthColoured = true;
         s.view.setLook(look);
-        QTRY_VERIFY_WITH_TIMEOUT(!s.view.busy(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(s.works.idle(), patience);
         QCOMPARE(deliveries.size(), 0);
         // Back in direct mode the newest curve counts.
         s.view.setLook(Look{});
@@ -333,7 +333,7 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         s.view.setVolume(nullptr);
-        QTRY_VERIFY_WITH_TIMEOUT(!s.view.busy(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(s.works.idle(), patience);
         QVERIFY(!s.view.picture());
         QVERIFY(!s.view.pictureIsFine());
         const QImage screen = s.view.screenImage();
@@ -345,16 +345,18 @@ private slots:
         QVERIFY(s.awaitIdle());
     }
 
-    void busyIsToldOnceEachWay() {
+    void untilThePictureIsConvergedNothingIsAtRest() {
         ShownView s;
         QVERIFY(s.ready);
-        QSignalSpy changes(&s.view, &VolumeViewWidget::busyChanged);
+        QList<bool> told{true};
+        connect(&s.works, &Works::changed, this, [&] {
+            if (s.works.idle() != told.last()) told << s.works.idle();
+        });
         s.view.setNearCut(2);
-        QVERIFY(s.view.busy());
+        QVERIFY(!s.works.idle());
         QVERIFY(s.awaitIdle());
-        QCOMPARE(changes.size(), 2);
-        QCOMPARE(changes[0][0].toBool(), true);
-        QCOMPARE(changes[1][0].toBool(), false);
+        QCOMPARE(told, (QList<bool>{true, false, true}));
+        s.works.disconnect(this);
     }
 
     void closingWhileCasting() {
@@ -367,12 +369,13 @@ private slots:
     }
 
     void hiddenViewCastsNothing() {
-        VolumeViewWidget view;
+        Works works;
+        VolumeViewWidget view(works);
         QSignalSpy deliveries(&view, &VolumeViewWidget::pictureDelivered);
         view.setVolume(ballInTheCorner());
         view.setClassification(wall);
         QCoreApplication::processEvents();
-        QVERIFY(!view.busy());
+        QVERIFY(works.idle());
         QCOMPARE(deliveries.size(), 0);
         QVERIFY(view.screenImage().isNull());
     }

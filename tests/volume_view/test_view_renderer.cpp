@@ -49,7 +49,7 @@ private slots:
         QVERIFY(s.awaitIdle());
         QCOMPARE(reports.size(), 2);
         s.view.setNearCut(16);
-        QTRY_VERIFY_WITH_TIMEOUT(!s.view.busy(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(s.works.idle(), patience);
         QCOMPARE(reports.size(), 2);
         QVERIFY(s.view.screenImage() != drawn);
         s.view.setNearCut(0);

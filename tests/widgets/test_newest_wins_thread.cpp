@@ -15,11 +15,12 @@
 #endif
 
 #include "tests/qt_program/test_classes.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 using echolucent::NewestWinsThread;
 using echolucent::patience;
 using echolucent::Progress;
+using echolucent::Works;
 using WhenSuperseded = NewestWinsThread::WhenSuperseded;
 
 namespace {
@@ -70,13 +71,15 @@ NewestWinsThread::Job untilCancelled(const std::shared_ptr<Gate>& started, std::
 class NewestWinsThreadTest : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
 private slots:
 #ifdef Q_OS_LINUX
     void jobsAndTheThreadsTheyStartGiveWayToThisThread() {
         int inJob = 0, inItsThread = 0;
         const int here = getpriority(PRIO_PROCESS, 0);
         bool delivered = false;
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         thread.submit([&](const Progress&) -> NewestWinsThread::Deliver {
             inJob = getpriority(PRIO_PROCESS, 0);
             std::thread([&] { inItsThread = getpriority(PRIO_PROCESS, 0); }).join();
@@ -90,7 +93,7 @@ private slots:
 #endif
 
     void deliversInTheThreadItLivesIn() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         QThread* ranIn = nullptr;
         QThread* deliveredIn = nullptr;
         thread.submit([&](const Progress&) -> NewestWinsThread::Deliver {
@@ -105,7 +108,7 @@ private slots:
     }
 
     void deliversBeforeTheEndOfAJobWhatItHasMeanwhile() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         auto gate = std::make_shared<Gate>();
         QStringList delivered;
         thread.submit([&, gate](const Progress&) -> NewestWinsThread::Deliver {
@@ -121,7 +124,7 @@ private slots:
     }
 
     void deliversNothingThatAJobHasAfterItWasCancelled() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         auto gate = std::make_shared<Gate>();
         bool delivered = false;
         thread.submit([&, gate](const Progress&) -> NewestWinsThread::Deliver {
@@ -137,7 +140,7 @@ private slots:
     }
 
     void onlyTheNewestOfManyIsDelivered() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         auto gate = std::make_shared<Gate>();
         std::vector<int> delivered;
         std::atomic<int> ran = 0;
@@ -158,7 +161,7 @@ private slots:
     }
 
     void twoHundredRestartsDeliverTheLast() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         int staleDelivered = 0;
         for (int restart = 0; restart < 200; ++restart) {
             auto started = std::make_shared<Gate>();
@@ -178,7 +181,7 @@ private slots:
     }
 
     void aStaleResultIsNotDeliveredAlthoughItWasFinished() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         Gate finished;
         finished.open();
         int first = 0, second = 0;
@@ -194,7 +197,7 @@ private slots:
     }
 
     void finishJobsAreDeliveredUnderAStreamOfRequests() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         std::vector<int> delivered;
         int next = 0;
         // Every delivery finds a newer request already waiting: a stream that never pauses.
@@ -218,7 +221,7 @@ private slots:
     }
 
     void aFinishJobRunsOnWhenSupersededAndIsDeliveredFirst() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         Gate gate;
         std::vector<QString> delivered;
         bool sawCancel = true;
@@ -240,7 +243,7 @@ private slots:
     }
 
     void cancelDropsWhatRunsAndWhatWaits() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         QSignalSpy busyChanges(&thread, &NewestWinsThread::busyChanged);
         Gate gate;
         int delivered = 0;
@@ -261,7 +264,7 @@ private slots:
     }
 
     void worksAgainAfterCancel() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         auto started = std::make_shared<Gate>();
         thread.submit(untilCancelled(started));
         started->awaitArrivals(1);
@@ -276,7 +279,7 @@ private slots:
             std::atomic<int> cancelled = 0;
             int delivered = 0;
             {
-                NewestWinsThread thread("test");
+                NewestWinsThread thread(m_works, "test");
                 auto started = std::make_shared<Gate>();
                 auto endless = untilCancelled(started, &cancelled);
                 thread.submit([&, endless](const Progress& progress) -> NewestWinsThread::Deliver {
@@ -296,7 +299,7 @@ private slots:
         for (int round = 0; round < 200; ++round) {
             int delivered = 0;
             {
-                NewestWinsThread thread("test");
+                NewestWinsThread thread(m_works, "test");
                 thread.submit([&](const Progress&) -> NewestWinsThread::Deliver { return [&] { ++delivered; }; });
             }
             QCoreApplication::processEvents();
@@ -305,7 +308,7 @@ private slots:
     }
 
     void progressIsToldInThisThread() {
-        NewestWinsThread thread("test");
+        NewestWinsThread thread(m_works, "test");
         QSignalSpy shares(&thread, &NewestWinsThread::progressed);
         thread.submit([](const Progress& progress) -> NewestWinsThread::Deliver {
             progress.at(0.25);

@@ -37,10 +37,12 @@ std::array<std::optional<PlaneRequest>, 3> requestsAt(const std::shared_ptr<cons
 class TestPlaneResampler : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
 private slots:
     void whatAHandWantsInARowIsMadeOnceAndTheLastOfItAlways() {
         const auto volume = someVolume();
-        PlaneResampler resampler;
+        PlaneResampler resampler(m_works);
         std::array<std::vector<PlaneRequest>, 3> made;
         connect(&resampler, &PlaneResampler::resampled, this,
                 [&](PlaneName plane, const std::shared_ptr<const PlaneSamples>&, const PlaneRequest& request) {
@@ -52,7 +54,7 @@ private slots:
             resampler.want(last);
             if (step % 3 == 0) QCoreApplication::processEvents();
         }
-        QTRY_VERIFY(!resampler.busy());
+        QTRY_VERIFY(m_works.idle());
         for (const PlaneName plane : allPlaneNames) {
             const std::vector<PlaneRequest>& ofPlane = made[indexOf(plane)];
             QVERIFY(!ofPlane.empty());
@@ -64,7 +66,7 @@ private slots:
 
     void aPlaneThatGoesBackEndsAsWhatWasWantedLast() {
         const auto volume = someVolume();
-        PlaneResampler resampler;
+        PlaneResampler resampler(m_works);
         std::array<std::optional<PlaneRequest>, 3> shown;
         connect(&resampler, &PlaneResampler::resampled, this,
                 [&](PlaneName plane, const std::shared_ptr<const PlaneSamples>&, const PlaneRequest& request) {
@@ -74,11 +76,11 @@ private slots:
         auto between = here;
         between[indexOf(PlaneName::b)] = there[indexOf(PlaneName::b)];
         resampler.want(here);
-        QTRY_VERIFY(!resampler.busy());
+        QTRY_VERIFY(m_works.idle());
         resampler.want(there);    // begins
         resampler.want(between);  // waits
         resampler.want(here);     // waits in its place
-        QTRY_VERIFY(!resampler.busy());
+        QTRY_VERIFY(m_works.idle());
         QVERIFY(shown == here);
     }
 

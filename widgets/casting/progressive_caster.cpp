@@ -13,11 +13,18 @@ constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts m
 constexpr int passedFrames = 2;            // of a motion, before one is cast in high quality: it goes on meanwhile
 }  // namespace
 
-ProgressiveCaster::ProgressiveCaster(const PreviewQuality& quality, Cast cast)
-    : m_cast(std::move(cast)), m_quality(quality), m_frames(std::make_unique<KeptFrames>()), m_thread("ray caster") {
+ProgressiveCaster::ProgressiveCaster(Works& works, const PreviewQuality& quality, Cast cast)
+    : m_cast(std::move(cast)),
+      m_quality(quality),
+      m_frames(std::make_unique<KeptFrames>()),
+      m_waits(works, {}),
+      m_thread(works, "ray caster") {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &ProgressiveCaster::busyChanged);
     m_rest.setSingleShot(true);
-    connect(&m_rest, &QTimer::timeout, this, &ProgressiveCaster::refine);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        refine();
+        m_waits.end();
+    });
 }
 
 ProgressiveCaster::~ProgressiveCaster() = default;
@@ -38,7 +45,7 @@ bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
     if (!frame) return false;
     m_newest = std::make_shared<const PictureRequest>(request);
     m_startedQuality = frame->quality;
-    if (!frame->converged()) m_rest.start(editRestMilliseconds);
+    if (!frame->converged()) waitForRest(editRestMilliseconds);
     QMetaObject::invokeMethod(
         this,
         [this, frame] {
@@ -61,6 +68,7 @@ void ProgressiveCaster::request(const PictureRequest& request) {
     const std::size_t quality = qualityFor(request, edited);
     m_newest = std::make_shared<const PictureRequest>(request);
     start(quality, NewestWinsThread::WhenSuperseded::finish);
+    m_waits.end();
 }
 
 std::size_t ProgressiveCaster::qualityFor(const PictureRequest& request, bool edited) {
@@ -83,16 +91,24 @@ void ProgressiveCaster::clear() {
     m_newest.reset();
     m_rest.stop();
     m_sinceRequest.invalidate();
-    // Another phase comes next: the frame that is being cast is one to keep, and its caster goes with the next one.
-    if (m_playing) return emit busyChanged();
-    m_thread.cancel();
-    m_thread.submit(
-        [cast = m_cast](const Progress& progress) -> NewestWinsThread::Deliver {
-            cast({}, progress);
-            return {};
-        },
-        NewestWinsThread::WhenSuperseded::finish);
+    // In a motion another phase comes next: the frame that is being cast is one to keep, and its caster goes with the
+    // next one.
+    if (!m_playing) {
+        m_thread.cancel();
+        m_thread.submit(
+            [cast = m_cast](const Progress& progress) -> NewestWinsThread::Deliver {
+                cast({}, progress);
+                return {};
+            },
+            NewestWinsThread::WhenSuperseded::finish);
+    }
+    m_waits.end();
     emit busyChanged();
+}
+
+void ProgressiveCaster::waitForRest(int milliseconds) {
+    m_rest.start(milliseconds);
+    m_waits.begin();
 }
 
 void ProgressiveCaster::refine() {
@@ -158,14 +174,14 @@ void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& pictur
         if (picture->quality > highQuality && ++m_passed > passedFrames) {
             start(highQuality, NewestWinsThread::WhenSuperseded::finish);
         } else if (!picture->converged()) {
-            m_rest.start(editRestMilliseconds);  // a frame that stays becomes as fine as at rest
+            waitForRest(editRestMilliseconds);  // a frame that stays becomes as fine as at rest
         }
         emit delivered(picture);
         return;
     }
     if (newest && !picture->converged()) {
         if (m_inStream) {
-            m_rest.start(m_editing ? editRestMilliseconds : restMilliseconds);
+            waitForRest(m_editing ? editRestMilliseconds : restMilliseconds);
         } else {
             refine();
         }

@@ -1,4 +1,5 @@
-// Pictures of one to four panes, made outside the GUI thread: first quick ones, then, if nothing newer waits, better ones.
+// Pictures of one to four panes, made outside the GUI thread: first quick ones, then, if nothing newer waits, better
+// ones.
 #pragma once
 
 #include <QElapsedTimer>
@@ -7,21 +8,21 @@
 #include <memory>
 #include <optional>
 
-#include "widgets/newest_wins_thread.h"
+#include "processing/picture/picture_request.h"
 #include "widgets/casting/cast_picture.h"
 #include "widgets/casting/preview_quality.h"
-#include "processing/picture/picture_request.h"
 #include "widgets/casting/ray_casters.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
 class KeptFrames;
 
-/// While requests follow each other, each picture has the quality that PreviewQuality chooses. It runs to its end and is
-/// delivered also if a newer request waits, so that a drag always shows something. The next one is cast while this one is
-/// drawn. At rest, better pictures follow up to the converged one; any newer request cancels them within a tile. In a
-/// stream of requests they wait until the hand rests, so that they take no time from the next quick one. A request equal
-/// to the newest one does nothing. The pictures of all panes are delivered together or not at all.
+/// While requests follow each other, each picture has the quality that PreviewQuality chooses. It runs to its end and
+/// is delivered also if a newer request waits, so that a drag always shows something. The next one is cast while this
+/// one is drawn. At rest, better pictures follow up to the converged one; any newer request cancels them within a tile.
+/// In a stream of requests they wait until the hand rests, so that they take no time from the next quick one. A request
+/// equal to the newest one does nothing. The pictures of all panes are delivered together or not at all.
 ///
 /// Edits of curve and colour map keep one quality, for which the ray caster keeps the samples, and wait longer before
 /// the picture is refined.
@@ -34,7 +35,8 @@ class ProgressiveCaster : public QObject {
     Q_OBJECT
 
 public:
-    explicit ProgressiveCaster(const PreviewQuality& quality = PreviewQuality{}, Cast cast = castThroughRayCasters());
+    explicit ProgressiveCaster(Works& works, const PreviewQuality& quality = PreviewQuality{},
+                               Cast cast = castThroughRayCasters());
     ~ProgressiveCaster() override;
 
     /// Asks for the pictures of a request, whose settings are those that settingsAt() takes.
@@ -63,6 +65,7 @@ signals:
 private:
     [[nodiscard]] std::size_t qualityFor(const PictureRequest& request, bool edited);
     void refine();
+    void waitForRest(int milliseconds);
     bool deliverKept(const PictureRequest& request);
     void start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded);
     void fail();
@@ -82,6 +85,7 @@ private:
     int m_passed = 0;  // frames of the motion that were not cast in high quality since one was
     std::unique_ptr<KeptFrames> m_frames;
     QTimer m_rest;
+    Works::UnderWay m_waits;  ///< for the hand to rest
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;
 };

@@ -18,9 +18,8 @@ PlaneGrid gridOf(const PlaneRequest& request) {
     return grid;
 }
 
-PlaneResampler::PlaneResampler(QObject* parent) : QObject(parent), m_thread(QStringLiteral("planes")) {
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &PlaneResampler::busyChanged);
-}
+PlaneResampler::PlaneResampler(Works& works, QObject* parent)
+    : QObject(parent), m_thread(works, QStringLiteral("planes")) {}
 
 void PlaneResampler::want(const std::array<std::optional<PlaneRequest>, 3>& requests) {
     if (requests == m_wanted) return;

@@ -8,7 +8,7 @@
 
 #include "processing/document/planes.h"
 #include "processing/sampling/plane_sampling.h"
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
@@ -29,16 +29,14 @@ class PlaneResampler : public QObject {
     Q_OBJECT
 
 public:
-    explicit PlaneResampler(QObject* parent = nullptr);
+    explicit PlaneResampler(Works& works, QObject* parent = nullptr);
 
     /// The planes that are wanted from now on. A plane without a value is not wanted.
     void want(const std::array<std::optional<PlaneRequest>, 3>& requests);
-    [[nodiscard]] bool busy() const { return m_thread.busy(); }
 
 signals:
     void resampled(echolucent::PlaneName plane, const std::shared_ptr<const echolucent::PlaneSamples>& samples,
                    const echolucent::PlaneRequest& request);
-    void busyChanged(bool busy);
 
 private:
     void start();

@@ -34,7 +34,8 @@ void VolumeViewWidget::prepareApplication() {
     QCoreApplication::setAttribute(Qt::AA_DontCreateNativeWidgetSiblings);
 }
 
-VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>()) {
+VolumeViewWidget::VolumeViewWidget(Works& works, QWidget* parent)
+    : QWidget(parent), m_parts(std::make_unique<Parts>(works)) {
     setObjectName(QStringLiteral("view3d"));
     setAccessibleName(tr("3D view"));
     setAcceptDrops(true);
@@ -68,7 +69,6 @@ VolumeViewWidget::VolumeViewWidget(QWidget* parent) : QWidget(parent), m_parts(s
         emit pictureDrawn();
     });
     connect(&parts.caster, &ProgressiveCaster::delivered, this, &VolumeViewWidget::showPicture);
-    connect(&parts.caster, &ProgressiveCaster::busyChanged, this, &VolumeViewWidget::updateBusy);
     connect(&parts.caster, &ProgressiveCaster::failed, this, [this] {
         redrawWithoutPicture();
         emit pictureFailed();
@@ -271,7 +271,7 @@ void VolumeViewWidget::showEvent(QShowEvent* event) {
 void VolumeViewWidget::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     m_parts->caster.clear();
-    updateBusy();
+    m_parts->asks.end();
 }
 
 void VolumeViewWidget::resizeEvent(QResizeEvent* event) {

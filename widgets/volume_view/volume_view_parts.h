@@ -10,10 +10,11 @@
 #include <optional>
 
 #include "processing/document/pose.h"
+#include "widgets/casting/progressive_caster.h"
+#include "widgets/threads/works.h"
 #include "widgets/volume_view/frame_meter.h"
 #include "widgets/volume_view/grip_pointer.h"
 #include "widgets/volume_view/lasso_pointer.h"
-#include "widgets/casting/progressive_caster.h"
 #include "widgets/volume_view/scene/volume_scene.h"
 #include "widgets/volume_view/view_pointer.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -21,6 +22,8 @@
 namespace echolucent {
 
 struct VolumeViewWidget::Parts {
+    explicit Parts(Works& works) : asks(works, {}), caster(works) {}
+
     std::shared_ptr<const Volume> volume;
     std::shared_ptr<const Volume> measured;  ///< what pointed values are read from; as null as the volume
     Classification classification = PowerCurve{2, 1.0};
@@ -35,6 +38,7 @@ struct VolumeViewWidget::Parts {
     std::shared_ptr<const CastPicture> shown;  ///< without pictures where the graphics card draws
     std::optional<QPointF> cursor;             ///< while it rests over the picture, logical pixels
     bool scheduled = false;                    ///< a request
+    Works::UnderWay asks;                      ///< until it is made
     bool toRedraw = false;                     ///< what lies over the picture has changed since it was drawn
 
     VolumeScene scene;

@@ -155,11 +155,10 @@ QImage VolumeViewWidget::convergedImage() {
 }
 
 void VolumeViewWidget::schedule() {
-    if (m_parts->scheduled) return;
-    m_parts->scheduled = true;
+    if (m_parts->volume && isVisible()) m_parts->asks.begin();
     // Several changes in a row (a new volume, its curve, its view) make one picture.
+    if (std::exchange(m_parts->scheduled, true)) return;
     QMetaObject::invokeMethod(this, &VolumeViewWidget::requestPicture, Qt::QueuedConnection);
-    updateBusy();
 }
 
 void VolumeViewWidget::requestPicture() {
@@ -176,7 +175,7 @@ void VolumeViewWidget::requestPicture() {
         }
     }
     if (!parts.caster.quickPictureComes()) redrawWithoutPicture();  // nothing that is asked for was another
-    updateBusy();
+    if (!parts.scheduled) parts.asks.end();
 }
 
 void VolumeViewWidget::showLive(const PictureRequest& request) {
@@ -282,15 +281,10 @@ std::optional<Vec3> VolumeViewWidget::shownAt(const PicturePlace& place, double 
     if (!parts.shown) return std::nullopt;
     RayCastSettings settings = parts.shown->settings;
     settings.step = step;
-    const auto sample = samplePointedAt(parts.shown->request.panes.front(), settings, settings.width / 2.0 + place[0] * settings.height,
-                                        settings.height / 2.0 + place[1] * settings.height);
+    const auto sample =
+        samplePointedAt(parts.shown->request.panes.front(), settings, settings.width / 2.0 + place[0] * settings.height,
+                        settings.height / 2.0 + place[1] * settings.height);
     return sample ? std::optional(sample->gridMm) : std::nullopt;
-}
-
-void VolumeViewWidget::updateBusy() {
-    const bool busy = m_parts->caster.busy() || (m_parts->scheduled && m_parts->volume && isVisible());
-    if (busy == std::exchange(m_busy, busy)) return;
-    emit busyChanged(busy);
 }
 
 QSize VolumeViewWidget::pixelSize() const { return size() * m_parts->window->devicePixelRatio(); }

@@ -27,6 +27,7 @@ class GripPointer;
 class LassoPointer;
 struct PictureRequest;
 class VolumeScene;
+class Works;
 
 /// How a picture was made and what it cost.
 struct PictureReport {
@@ -56,7 +57,8 @@ class VolumeViewWidget : public QWidget {
     Q_OBJECT
 
 public:
-    explicit VolumeViewWidget(QWidget* parent = nullptr);
+    /// What is made for a picture is a work, from a change until the converged picture is there.
+    explicit VolumeViewWidget(Works& works, QWidget* parent = nullptr);
     ~VolumeViewWidget() override;
     /// Chooses the OpenGL that VTK needs; call before the QApplication is made.
     static void prepareApplication();
@@ -120,8 +122,6 @@ public:
     [[nodiscard]] bool pictureIsCurrent() const;
     /// True where the newest picture has been drawn and the screen shows it, or nobody can see the view.
     [[nodiscard]] bool pictureIsOnScreen() const;
-    /// True from a change until its converged picture is there. Always false while the widget is hidden.
-    [[nodiscard]] bool busy() const { return m_busy; }
     /// What is on the screen, marker and scale bar included, in device pixels; null before the widget was ever drawn.
     [[nodiscard]] QImage screenImage();
     /// The same once the picture is converged, for saving. Where it is not there yet it is cast now, while the person
@@ -181,7 +181,6 @@ signals:
     void pictureDrawn();
     /// The newest picture needs more memory than there is; the one before stays, and every change tries again.
     void pictureFailed();
-    void busyChanged(bool busy);
     /// Normalised intensity and opacity (per reference step) of what is seen under the cursor; empty where nothing is,
     /// and no opacity in a mode in which the curve plays no part.
     void pointed(std::optional<double> intensity, std::optional<double> opacity);
@@ -214,12 +213,10 @@ private:
     void redrawWithoutPicture();
     void report(const CastPicture& picture);
     void pointAt(std::optional<QPointF> position);
-    void updateBusy();
     void showToolCursor();
     [[nodiscard]] QSize pixelSize() const;
 
     std::unique_ptr<Parts> m_parts;
-    bool m_busy = false;
     bool m_toolCursor = false;  ///< as setToolCursor()
 };
 

@@ -33,7 +33,7 @@ protected:
     ComparePanel& panel() { return *child<ComparePanel>("compare"); }
     void waitForFrame() {
         const auto& views = window().compareRoom().views();
-        QTRY_VERIFY_WITH_TIMEOUT(!window().compareRoom().busy() && views.frame() && views.frame()->converged(), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(window().idle() && views.frame() && views.frame()->converged(), 30000);
     }
     void waitUntilRest() { QTRY_VERIFY_WITH_TIMEOUT(window().idle(), 60000); }
     static void choose(QComboBox* box, int index) {

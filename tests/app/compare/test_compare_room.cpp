@@ -47,7 +47,7 @@ private slots:
             for (std::size_t k = 0; k < i; ++k) QVERIFY(images()[i] != images()[k]);
         }
         QVERIFY(frame->request.panes[3].classification.isTwoDimensional());
-        QVERIFY(!window().compareRoom().busy());
+        QVERIFY(window().idle());
     }
 
     void aDragOrbitsAllPanesInOneStep() {
@@ -67,8 +67,7 @@ private slots:
         QVERIFY(document().scene.pose == before);
         waitForFrame();
         QVERIFY(window().compareRoom().views().frame()->settings.camera == frameBefore->settings.camera);
-        for (std::size_t i = 0; i < 4; ++i)
-            QCOMPARE(images()[i].size(), imagesBefore[i].size());
+        for (std::size_t i = 0; i < 4; ++i) QCOMPARE(images()[i].size(), imagesBefore[i].size());
     }
 
     void escapeEndsADragWithoutChange() {

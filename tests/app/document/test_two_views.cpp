@@ -16,6 +16,7 @@
 #include "processing/phantom/phantom.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/hand_gesture.h"
+#include "widgets/threads/works.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 using namespace echolucent;
@@ -40,6 +41,8 @@ Document linear() {
 class TestTwoViews : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
 private slots:
     void initTestCase() {
         m_file = m_folder.filePath("shapes.mha");
@@ -49,7 +52,7 @@ private slots:
         m_window = std::make_unique<QWidget>();
         auto* row = new QHBoxLayout(m_window.get());
         for (VolumeViewWidget*& widget : m_widgets) {
-            widget = new VolumeViewWidget;
+            widget = new VolumeViewWidget(m_works);
             widget->setFixedSize(220, 200);
             row->addWidget(widget);
         }
@@ -57,8 +60,8 @@ private slots:
         m_model->begin(linear());
         m_hand = std::make_unique<HandGesture>(nullptr, 1'000'000);
         m_model->setHand([this] { return m_hand->current(); });
-        m_openStudy = std::make_unique<OpenStudy>();
-        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy);
+        m_openStudy = std::make_unique<OpenStudy>(m_works);
+        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy, m_works);
         m_panes = std::make_unique<ShownPanes>(*m_model, *m_openStudy, *m_otfs, m_course);
         for (int i = 0; i < 2; ++i)
             m_views[static_cast<std::size_t>(i)] =
@@ -222,10 +225,7 @@ private:
     }
     bool awaitIdle() {
         return QTest::qWaitFor(
-            [this] {
-                return !widget(0).busy() && !widget(1).busy() && widget(0).pictureIsFine() && widget(1).pictureIsFine();
-            },
-            patience);
+            [this] { return m_works.idle() && widget(0).pictureIsFine() && widget(1).pictureIsFine(); }, patience);
     }
     void sameCamera() {
         QVERIFY(widget(0).pose() == widget(1).pose());

@@ -24,6 +24,8 @@ std::optional<Design> echo(const DesignerConfig&, const DesignerInput& input, co
 class TestOtfViews : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
 private slots:
     void init() {
         VolumeGeometry geometry;
@@ -35,8 +37,8 @@ private slots:
         m_openStudy.reset();
         QVERIFY(writeMetaImage(path.toStdString(), {phase, phase}));
         m_model = std::make_unique<DocumentModel>();
-        m_openStudy = std::make_unique<OpenStudy>();
-        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy);
+        m_openStudy = std::make_unique<OpenStudy>(m_works);
+        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy, m_works);
         m_otfs->setRun(&echo);
         QSignalSpy opened(m_openStudy.get(), &OpenStudy::studyOpened);
         m_openStudy->open(path);

@@ -31,6 +31,8 @@ OtsuConfig otsuOf(double opacity) { return {.opacity = opacity}; }
 class TestPaneOtfs : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
 private slots:
     void init() {
         VolumeGeometry geometry;
@@ -50,8 +52,8 @@ private slots:
         Document look = m_model->document();
         look.scene.look.reduction = SpeckleReduction::off;
         m_model->begin(look);
-        m_openStudy = std::make_unique<OpenStudy>();
-        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy);
+        m_openStudy = std::make_unique<OpenStudy>(m_works);
+        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy, m_works);
         m_otfs->setRun([this](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
             return run(config, input, progress);
         });
@@ -126,14 +128,14 @@ private slots:
 
     void aDesignIsComputedOnceAndTold() {
         QSignalSpy computed(m_otfs.get(), &PaneOtfs::computed);
-        QSignalSpy busy(m_otfs.get(), &PaneOtfs::busyChanged);
+        QSignalSpy works(&m_works, &Works::changed);
         design(otsuOf(0.7));
         QVERIFY(m_otfs->busy());
         QVERIFY(!m_otfs->isNewest(firstPane));
         wait();
         QCOMPARE(computed.count(), 1);
         QCOMPARE(computed.first().first().toInt(), firstPane);
-        QCOMPARE(busy.count(), 2);
+        QCOMPARE(works.count(), 2);
         QVERIFY(m_otfs->isNewest(firstPane));
         const auto made = m_otfs->of(firstPane);
         QVERIFY(made->milliseconds >= 0.0);

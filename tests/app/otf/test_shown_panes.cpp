@@ -29,6 +29,8 @@ ScalpelStroke someStroke() { return {.places = {{-0.4, -0.4}, {0.4, -0.4}, {0.0,
 class TestShownPanes : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
 private slots:
     void initTestCase() {
         m_first = m_folder.filePath("first.mha");
@@ -44,13 +46,13 @@ private slots:
         Document document;
         document.scene.look.reduction = SpeckleReduction::light;
         m_model->begin(document);
-        m_openStudy = std::make_unique<OpenStudy>();
+        m_openStudy = std::make_unique<OpenStudy>(m_works);
         m_openStudy->quietPhases().setReduce(
             [this](const Volume& volume, SpeckleReduction reduction, const Progress& progress) {
                 while (m_quieteningIsHeld && !progress.cancelled()) std::this_thread::yield();
                 return quietVolume(volume, reduction, progress);
             });
-        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy);
+        m_otfs = std::make_unique<PaneOtfs>(*m_model, *m_openStudy, m_works);
         m_otfs->setRun([this](const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {
             return run(config, input, progress);
         });

@@ -22,7 +22,7 @@ public:
     void openPoints() {
         open(file("points.mha", {markedPoints(obliqueGrid())}));
         key(Qt::Key_F3);
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        QTRY_VERIFY(window().idle());
     }
     /// Turns the planes by odd angles and on until one of them holds the places; returns its pane.
     PlanePane& turnedToHold(const std::vector<Vec3>& places) {
@@ -31,7 +31,7 @@ public:
         planes.direction = {33.3, -21.7, 71.1};
         planes = planesHolding(planes, places, next.beam.axis, dataBox());
         window().document().edit(next, "turn planes");
-        [&] { QTRY_VERIFY(!window().reviewRoom().busy()); }();
+        [&] { QTRY_VERIFY(window().idle()); }();
         for (const char* name : {"planes.a", "planes.b", "planes.c"})
             if (liesInPlane(places, pane(name).mapping().view, 1e-9)) return pane(name);
         qFatal("no plane holds the places");

@@ -36,7 +36,7 @@ private slots:
         useLook(Look{});  // light plays no part here, and takes its time
         open(m_file);
         key(Qt::Key_F3);
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        QTRY_VERIFY(window().idle());
     }
     void cleanup() { close(); }
 

@@ -26,7 +26,7 @@ private slots:
         useLook(Look{});
         open(m_file);
         key(Qt::Key_F3);
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        QTRY_VERIFY(window().idle());
         // Opaque from 40 of 255 on, unlit and without interpolation: a pixel shows the block that lies in front.
         Document next = document();
         next.scene.look.interpolation = Interpolation::nearest;

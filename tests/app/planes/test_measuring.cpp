@@ -227,7 +227,7 @@ private slots:
         unknown.spacingKnown = false;
         open(file("unknown.mha", {markedPoints(unknown)}));
         key(Qt::Key_F3);
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        QTRY_VERIFY(window().idle());
         for (const Qt::KeyboardModifiers modifiers :
              {Qt::KeyboardModifiers{}, Qt::KeyboardModifiers(Qt::ShiftModifier)}) {
             QTest::keyClick(&window(), Qt::Key_M, modifiers);
@@ -300,7 +300,7 @@ private:
     }
     /// The plane shows the marked voxels where they were clicked, in the middle of what is bright there.
     void verifySeenBright(PlanePane& pane, const QList<int>& points) {
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        QTRY_VERIFY(window().idle());
         for (const int point : points) {
             const QPointF seen = pane.mapping().seenAt(at(point));
             double sum = 0.0;

@@ -326,7 +326,7 @@ private:
         open(file("phases.mha",
                   {smallPhantom(PhantomScene::shapes, 5, 0.0), smallPhantom(PhantomScene::shapes, 5, 0.5)}));
         key(Qt::Key_F3);
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        QTRY_VERIFY(window().idle());
     }
 };
 

@@ -254,7 +254,7 @@ private:
                                  static_cast<int>(pixel.y() * image.height() / pane.height())));
     }
     void waitForPlanes() {
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        QTRY_VERIFY(window().idle());
         for (const PlaneName plane : allPlaneNames)
             if (paneOf(plane).isVisible()) QVERIFY(!paneOf(plane).image().isNull());
     }

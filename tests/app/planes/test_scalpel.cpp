@@ -24,7 +24,7 @@ private slots:
         useLook(Look{});  // light plays no part here, and takes its time
         open(m_file);
         key(Qt::Key_F3);
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        QTRY_VERIFY(window().idle());
     }
     void cleanup() { close(); }
 
@@ -123,7 +123,7 @@ private slots:
 
     void aStrokeIsSeenInThePlanesToo() {
         PlanePane& c = pane("planes.c");
-        QTRY_VERIFY(!window().reviewRoom().busy());
+        QTRY_VERIFY(window().idle());
         const QPoint middle = c.image().rect().center();
         const auto darkPixels = [&] {
             int dark = 0;

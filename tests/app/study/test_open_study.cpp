@@ -22,6 +22,8 @@ std::shared_ptr<const Volume> constantVolume(std::uint8_t value) {
 class TestOpenStudy : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
 private slots:
     void initTestCase() {
         QVERIFY(m_folder.isValid());
@@ -32,7 +34,7 @@ private slots:
     }
 
     void opensAStudyWithItsFirstPhase() {
-        OpenStudy openStudy;
+        OpenStudy openStudy(m_works);
         QStringList order;
         connect(&openStudy, &OpenStudy::studyReplaced, this, [&] { order << "replaced"; });
         connect(&openStudy, &OpenStudy::volumeChanged, this, [&] { order << "volume"; });
@@ -48,7 +50,7 @@ private slots:
     }
 
     void aPhaseThatIsWantedBesideTheOneShownIsMadeQuietNext() {
-        OpenStudy openStudy;
+        OpenStudy openStudy(m_works);
         std::vector<int> made;
         connect(&openStudy, &OpenStudy::phaseVoxelsChanged, this, [&](int phase) { made.push_back(phase); });
         QSignalSpy told(&openStudy, &OpenStudy::quietVoxelsMade);
@@ -65,7 +67,7 @@ private slots:
     }
 
     void whatCannotBeReadLeavesWhatIsOpen() {
-        OpenStudy openStudy;
+        OpenStudy openStudy(m_works);
         open(openStudy, m_bright);
         QSignalSpy failed(&openStudy, &OpenStudy::openFailed);
         openStudy.open(m_folder.filePath("not there.mha"));
@@ -78,7 +80,7 @@ private slots:
     }
 
     void theNewestOpenWins() {
-        OpenStudy openStudy;
+        OpenStudy openStudy(m_works);
         QSignalSpy opened(&openStudy, &OpenStudy::studyOpened);
         for (int i = 0; i < 20; ++i) openStudy.open(i % 2 == 0 ? m_dark : m_bright);
         QTRY_VERIFY(!openStudy.loading());
@@ -88,7 +90,7 @@ private slots:
     }
 
     void cancelledLoadingOpensNothing() {
-        OpenStudy openStudy;
+        OpenStudy openStudy(m_works);
         QSignalSpy opened(&openStudy, &OpenStudy::studyOpened);
         openStudy.openSimulatedScan();
         openStudy.cancelLoading();
@@ -98,7 +100,7 @@ private slots:
     }
 
     void anImpossiblePhaseIsABrokenContract() {
-        OpenStudy openStudy;
+        OpenStudy openStudy(m_works);
         open(openStudy, m_dark);
         QVERIFY_THROWS_EXCEPTION(std::out_of_range, openStudy.setPhase(2));
         QVERIFY_THROWS_EXCEPTION(std::out_of_range, openStudy.setPhase(-1));

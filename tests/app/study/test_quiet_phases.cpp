@@ -63,10 +63,12 @@ private:
 class TestQuietPhases : public QObject {
     Q_OBJECT
 
+    Works m_works;
+
 private slots:
     void thePhaseThatIsWantedComesFirstAndTheOthersFollowIt() {
         HeldReduction held;
-        QuietPhases quiet;
+        QuietPhases quiet(m_works);
         quiet.setReduce(held.function());
         QSignalSpy made(&quiet, &QuietPhases::made);
         quiet.begin(phases(4));
@@ -87,7 +89,7 @@ private slots:
     void thePhaseThatIsWantedBesideItComesSecond() {
         HeldReduction held;
         held.release(5);
-        QuietPhases quiet;
+        QuietPhases quiet(m_works);
         quiet.setReduce(held.function());
         QSignalSpy made(&quiet, &QuietPhases::made);
         quiet.begin(phases(5));
@@ -99,7 +101,7 @@ private slots:
     }
 
     void withoutReductionTheRawVoxelsAreThereAtOnce() {
-        QuietPhases quiet;
+        QuietPhases quiet(m_works);
         const auto raw = phases(2);
         quiet.begin(raw);
         quiet.want(1, SpeckleReduction::off);
@@ -110,7 +112,7 @@ private slots:
 
     void anotherReductionForgetsWhatWasMade() {
         HeldReduction held;
-        QuietPhases quiet;
+        QuietPhases quiet(m_works);
         quiet.setReduce(held.function());
         quiet.begin(phases(1));
         quiet.want(0, SpeckleReduction::light);
@@ -128,7 +130,7 @@ private slots:
 
     void aStudyBeforeLeavesNothingBehind() {
         HeldReduction held;
-        QuietPhases quiet;
+        QuietPhases quiet(m_works);
         quiet.setReduce(held.function());
         QSignalSpy made(&quiet, &QuietPhases::made);
         quiet.begin(phases(3));
@@ -143,7 +145,7 @@ private slots:
 
     void aPhaseThatIsBegunRunsToItsEndWhateverIsWantedMeanwhile() {
         HeldReduction held;
-        QuietPhases quiet;
+        QuietPhases quiet(m_works);
         quiet.setReduce(held.function());
         QSignalSpy made(&quiet, &QuietPhases::made);
         quiet.begin(phases(6));
@@ -157,7 +159,7 @@ private slots:
     }
 
     void whereMemoryEndsItIsSaid() {
-        QuietPhases quiet;
+        QuietPhases quiet(m_works);
         quiet.setReduce(
             [](const Volume&, SpeckleReduction, const Progress&) -> std::optional<Volume> { throw std::bad_alloc(); });
         QSignalSpy failed(&quiet, &QuietPhases::failed);
@@ -169,7 +171,7 @@ private slots:
     }
 
     void whatFailedIsTriedAgainWithAnotherReductionOnly() {
-        QuietPhases quiet;
+        QuietPhases quiet(m_works);
         std::atomic<int> tries = 0;
         quiet.setReduce([&](const Volume&, SpeckleReduction, const Progress&) -> std::optional<Volume> {
             ++tries;

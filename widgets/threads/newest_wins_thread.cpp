@@ -1,4 +1,4 @@
-#include "widgets/newest_wins_thread.h"
+#include "widgets/threads/newest_wins_thread.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -29,8 +29,9 @@ void giveWay() {
 
 }  // namespace
 
-NewestWinsThread::NewestWinsThread(const QString& name, QObject* parent)
-    : QObject(parent), m_thread(QThread::create([this] { work(); })) {
+NewestWinsThread::NewestWinsThread(Works& works, const QString& name, Work work)
+    : m_work(works, withCancel(std::move(work), [this] { cancel(); })),
+      m_thread(QThread::create([this] { this->work(); })) {
     m_thread->setObjectName(name);
     m_thread->start();
 }
@@ -52,6 +53,7 @@ void NewestWinsThread::submit(Job job, WhenSuperseded whenSuperseded) {
     Waiting next{std::move(job), whenSuperseded};
     if (!m_running) {
         start(std::move(next));
+        m_work.begin();
         emit busyChanged(true);
         return;
     }
@@ -129,9 +131,10 @@ bool NewestWinsThread::event(QEvent* event) {
         if (told) news.swap(m_news);
     }
     for (const News& each : news) {
-        if (const double* share = std::get_if<double>(&each))
+        if (const double* share = std::get_if<double>(&each)) {
             emit progressed(*share);
-        else if (const auto* meanwhile = std::get_if<Meanwhile>(&each)) {
+            m_work.setProgress(*share);
+        } else if (const auto* meanwhile = std::get_if<Meanwhile>(&each)) {
             if (!meanwhile->cancelFlag->load(std::memory_order_relaxed)) meanwhile->deliver();
         } else
             ended(std::get<Ended>(each));
@@ -146,6 +149,7 @@ void NewestWinsThread::ended(const Ended& job) {
     if (m_waiting) start(*std::exchange(m_waiting, std::nullopt));
     if (wanted && job.deliver) job.deliver();
     if (!busy()) emit busyChanged(false);
+    if (!busy()) m_work.end();
 }
 
 }  // namespace echolucent

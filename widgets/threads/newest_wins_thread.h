@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "processing/progress.h"
+#include "widgets/threads/works.h"
 
 class QThread;
 
@@ -28,6 +29,9 @@ namespace echolucent {
 ///
 /// Values and shared_ptr<const ...> captured by the job are all that crosses the threads. The worker gives way to the
 /// GUI thread where there are fewer cores than threads that want one.
+///
+/// While it is busy, it is a work that is under way. What follows it, begun by busyChanged(false), begins before the
+/// work ends.
 class NewestWinsThread : public QObject {
     Q_OBJECT
 
@@ -43,7 +47,8 @@ public:
         finish,  ///< it runs to its end and is delivered (short jobs that must not starve under a stream of requests)
     };
 
-    explicit NewestWinsThread(const QString& name, QObject* parent = nullptr);
+    /// If the work has no cancel, it is cancel().
+    NewestWinsThread(Works& works, const QString& name, Work work = {});
     /// Cancels what runs and waits for it; nothing is delivered afterwards.
     ~NewestWinsThread() override;
 
@@ -54,6 +59,8 @@ public:
     /// To be called by the running job: what is done with something that it has before its end, in this object's
     /// thread; nothing where the job was cancelled meanwhile.
     void deliverMeanwhile(Deliver deliver);
+    /// Of its work, for the status line.
+    void setWords(const QString& words) { m_work.setWords(words); }
     /// True from submit() until the last job was delivered or dropped.
     [[nodiscard]] bool busy() const { return m_running || m_waiting.has_value(); }
 
@@ -95,6 +102,7 @@ private:
     void work();
     void tell(News news);
 
+    Works::UnderWay m_work;
     bool m_running = false;
     WhenSuperseded m_runningWhenSuperseded = WhenSuperseded::cancel;
     CancelFlag m_cancelFlag;
