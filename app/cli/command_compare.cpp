@@ -4,10 +4,11 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/document_study.h"
+#include "app/cli/options/document_study.h"
+#include "app/cli/options/volume_options.h"
 #include "io/output/atomic_file.h"
-#include "processing/pane_picture/pane_measures.h"
 #include "processing/document/panes.h"
+#include "processing/pane_picture/pane_measures.h"
 
 namespace echolucent::cli {
 

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/options/volume_options.h"
 #include "app/cli/report/file_table.h"
 #include "io/output/atomic_file.h"
 

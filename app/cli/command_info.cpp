@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/command.h"
+#include "app/cli/options/volume_options.h"
 #include "app/cli/report/report_json.h"
 #include "io/files/header_text.h"
 #include "io/output/atomic_file.h"

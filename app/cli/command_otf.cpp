@@ -6,12 +6,15 @@
 #include "app/cli/command.h"
 #include "app/cli/options/designer_options.h"
 #include "app/cli/options/look_options.h"
+#include "app/cli/options/method_options.h"
+#include "app/cli/options/view_options.h"
+#include "app/cli/options/volume_options.h"
 #include "app/cli/report/design_report.h"
 #include "app/cli/report/opening_report.h"
 #include "app/cli/report/otf_report.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/pane_picture/pane_caster.h"
 
 namespace echolucent::cli {

@@ -4,6 +4,9 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/options/method_options.h"
+#include "app/cli/options/view_options.h"
+#include "app/cli/options/volume_options.h"
 #include "app/cli/phantom_output.h"
 #include "app/cli/phantom_polar.h"
 #include "app/cli/report/phantom_report.h"

@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/options/look_options.h"
+#include "app/cli/options/volume_options.h"
 #include "app/cli/output_names.h"
 #include "io/writers/meta_image_writer.h"
 

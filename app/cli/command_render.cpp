@@ -4,9 +4,12 @@
 #include <utility>
 
 #include "app/cli/command.h"
-#include "app/cli/document_study.h"
 #include "app/cli/options/designer_options.h"
+#include "app/cli/options/document_study.h"
 #include "app/cli/options/look_options.h"
+#include "app/cli/options/method_options.h"
+#include "app/cli/options/view_options.h"
+#include "app/cli/options/volume_options.h"
 #include "app/cli/output_names.h"
 #include "app/cli/report/opening_report.h"
 #include "app/cli/report/picture_words.h"

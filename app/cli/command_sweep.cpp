@@ -10,8 +10,11 @@
 #include <utility>
 
 #include "app/cli/command.h"
-#include "app/cli/document_study.h"
+#include "app/cli/options/document_study.h"
 #include "app/cli/options/look_options.h"
+#include "app/cli/options/method_options.h"
+#include "app/cli/options/view_options.h"
+#include "app/cli/options/volume_options.h"
 #include "app/cli/output_names.h"
 #include "app/cli/report/opening_report.h"
 #include "app/cli/report/picture_words.h"
@@ -19,10 +22,10 @@
 #include "io/output/atomic_file.h"
 #include "io/study/import_report.h"
 #include "io/writers/movie_file.h"
-#include "processing/pane_picture/pane_caster.h"
-#include "processing/pane_picture/pane_frames.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/otf_sweep.h"
+#include "processing/pane_picture/pane_caster.h"
+#include "processing/pane_picture/pane_frames.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 
 namespace echolucent::cli {

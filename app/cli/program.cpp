@@ -74,6 +74,16 @@ std::string failureMessage(const CLI::App* /*program*/, const CLI::Error& error)
 
 }  // namespace
 
+int exitStatus(const Failure& failure) {
+    switch (failure.kind) {
+        case FailureKind::wrongUsage: return 2;
+        case FailureKind::unwritable: return 4;
+        case FailureKind::unreadable:
+        case FailureKind::cancelled: break;
+    }
+    return 3;
+}
+
 std::vector<std::string> wordsOf(int count, char** arguments) {
     std::vector<std::string> words;
     for (int i = 1; i < count; ++i) {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "processing/comparison/plain_frames.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/motion_mode.h"
 #include "processing/pane_picture/pane_caster.h"

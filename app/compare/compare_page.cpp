@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/pages/html_page.h"
-#include "app/picture/picture_image.h"
+#include "widgets/casting/picture_image.h"
 
 namespace echolucent {
 

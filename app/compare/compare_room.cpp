@@ -10,12 +10,12 @@
 
 #include "app/compare/compare_page.h"
 #include "app/compare/paper_figures.h"
+#include "app/files/save_dialog.h"
+#include "app/settings/settings.h"
 #include "app/study/study_names.h"
-#include "app/window/save_dialog.h"
-#include "app/window/settings.h"
 #include "io/output/atomic_file.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/key_table.h"
-#include "widgets/panels/message_bar.h"
 
 namespace echolucent {
 

@@ -8,9 +8,9 @@
 #include "app/compare/compare_hand.h"
 #include "app/compare/compare_measures.h"
 #include "app/compare/compared_views.h"
+#include "app/files/file_writing.h"
 #include "app/motion/motion_player.h"
-#include "app/window/escape_order.h"
-#include "app/window/file_writing.h"
+#include "widgets/escape_order.h"
 #include "widgets/threads/works.h"
 
 class QAction;

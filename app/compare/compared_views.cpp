@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/picture/picture_image.h"
 #include "processing/pane_picture/pane_caster.h"
+#include "widgets/casting/picture_image.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/difference_image.h"
-#include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/otf_editor/curve_style.h"
 
 namespace echolucent {
 

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/options/method_options.h"
+#include "app/cli/options/view_options.h"
+#include "app/cli/options/volume_options.h"
 #include "app/measuring/study_output.h"
 #include "app/measuring/study_phantoms.h"
 #include "processing/opacity_curve.h"

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/command.h"
 #include "app/measuring/measures/detection_quality.h"
 #include "app/measuring/measures/phantom_conditions.h"
 #include "processing/adaptive/method_reading.h"

@@ -14,8 +14,8 @@
 #include "io/output/unfinished_file.h"
 #include "io/writers/movie_file.h"
 #include "io/writers/picture_file.h"
-#include "processing/document/shown_measurement.h"
 #include "processing/picture/picture.h"
+#include "processing/scene/shown_measurement.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 #include "widgets/picture_labels/picture_labels.h"
 

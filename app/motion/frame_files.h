@@ -8,7 +8,7 @@
 #include "processing/pane_picture/pane_frames.h"
 #include "processing/progress.h"
 #include "processing/result.h"
-#include "widgets/panels/movie_dialog.h"
+#include "widgets/dialogs/movie_dialog.h"
 
 namespace echolucent {
 

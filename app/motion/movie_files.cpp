@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/files/save_dialog.h"
 #include "app/study/study_names.h"
-#include "app/window/save_dialog.h"
 #include "io/study/import_report.h"
-#include "widgets/panels/message_bar.h"
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 

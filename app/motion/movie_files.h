@@ -5,12 +5,12 @@
 #include <QObject>
 #include <functional>
 
+#include "app/files/file_writing.h"
 #include "app/motion/frame_files.h"
+#include "app/settings/settings.h"
 #include "app/study/open_study.h"
-#include "app/window/file_writing.h"
-#include "app/window/settings.h"
+#include "widgets/dialogs/movie_dialog.h"
 #include "widgets/document/document_model.h"
-#include "widgets/panels/movie_dialog.h"
 
 class QWidget;
 

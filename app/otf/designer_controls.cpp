@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "app/otf/editor_otfs.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/panels/designer_panel.h"
-#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 

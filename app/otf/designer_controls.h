@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/otf/pane_otfs.h"
-#include "processing/designers/designer_config.h"
+#include "processing/designers/choice/designer_config.h"
 #include "widgets/document/document_model.h"
 
 namespace echolucent {

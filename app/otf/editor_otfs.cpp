@@ -1,8 +1,8 @@
 #include "app/otf/editor_otfs.h"
 
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/otf_editor/otf_editor.h"
-#include "widgets/panels/message_bar.h"
-#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 

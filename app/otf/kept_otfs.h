@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/designers/choice/designer_config.h"
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "app/study/open_study.h"
-#include "processing/near_cut.h"
+#include "processing/near_cut/near_cut.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/document/document_model.h"
-#include "widgets/panels/message_bar.h"
 #include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {

@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/pane_picture/pane_caster.h"
 
 namespace echolucent {

@@ -6,7 +6,7 @@
 
 #include "app/otf/editor_otfs.h"
 #include "processing/adaptive/method_reading.h"
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 

@@ -5,7 +5,7 @@
 
 #include "app/otf/editor_otfs.h"
 #include "processing/pane_picture/pane_caster.h"
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 

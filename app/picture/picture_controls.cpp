@@ -4,9 +4,9 @@
 
 #include "app/picture/picture_status.h"
 #include "processing/document/box_editing.h"
+#include "widgets/controls/panel_controls.h"
+#include "widgets/controls/run_status.h"
 #include "widgets/otf_editor/otf_editor.h"
-#include "widgets/panels/panel_controls.h"
-#include "widgets/panels/run_status.h"
 #include "widgets/panels/view_panel.h"
 
 namespace echolucent {

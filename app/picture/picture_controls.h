@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/document/document_view.h"
-#include "app/window/settings.h"
+#include "app/settings/settings.h"
 #include "widgets/paced_words.h"
 #include "widgets/volume_view/volume_view_widget.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/study/open_study.h"
-#include "processing/document/shown_measurement.h"
+#include "processing/scene/shown_measurement.h"
 
 namespace echolucent {
 

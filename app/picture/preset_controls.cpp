@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/files/save_dialog.h"
 #include "app/study/study_names.h"
-#include "app/window/save_dialog.h"
 #include "io/document/preset_file.h"
 #include "io/output/overwriting.h"
-#include "widgets/otf_editor/canvas/curve_style.h"
-#include "widgets/panels/message_bar.h"
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/panel_controls.h"
+#include "widgets/otf_editor/curve_style.h"
 #include "widgets/panels/presets_panel.h"
 
 namespace echolucent {

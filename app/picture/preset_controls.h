@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/picture/preset_pictures.h"
+#include "app/settings/settings.h"
 #include "app/study/open_study.h"
-#include "app/window/settings.h"
 #include "io/output/overwriting.h"
 #include "processing/document/preset.h"
 #include "processing/result.h"

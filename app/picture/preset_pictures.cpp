@@ -4,9 +4,9 @@
 #include <new>
 #include <utility>
 
-#include "app/picture/picture_image.h"
 #include "app/study/freed_elsewhere.h"
 #include "processing/pane_picture/small_picture.h"
+#include "widgets/casting/picture_image.h"
 
 namespace echolucent {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/study/open_study.h"
-#include "processing/box_section.h"
+#include "processing/viewpoint/box_section.h"
 #include "widgets/document/document_model.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 

@@ -4,8 +4,8 @@
 
 #include "app/planes/edge_letters.h"
 #include "processing/document/box_editing.h"
-#include "processing/document/shown_measurement.h"
 #include "processing/sampling/sampler.h"
+#include "processing/scene/shown_measurement.h"
 
 namespace echolucent {
 

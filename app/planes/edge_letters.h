@@ -4,8 +4,8 @@
 #include <QString>
 #include <array>
 
-#include "processing/view_frame.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/view_frame.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "processing/document/planes_holding.h"
-#include "processing/document/shown_measurement.h"
-#include "widgets/panels/panel_controls.h"
+#include "processing/scene/planes_holding.h"
+#include "processing/scene/shown_measurement.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 

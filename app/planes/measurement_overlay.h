@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "processing/document/shown_measurement.h"
+#include "processing/scene/shown_measurement.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
 namespace echolucent {

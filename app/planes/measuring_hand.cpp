@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/planes/measurement_overlay.h"
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {

@@ -9,10 +9,10 @@
 
 #include "app/planes/box_in_3d.h"
 #include "app/study/open_study.h"
-#include "processing/document/shown_measurement.h"
+#include "processing/scene/shown_measurement.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/document/document_model.h"
 #include "widgets/marking_pointer.h"
-#include "widgets/panels/message_bar.h"
 #include "widgets/planes/plane_pane.h"
 
 namespace echolucent {

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "app/pages/html_page.h"
-#include "app/picture/picture_image.h"
 #include "processing/adaptive/method_parameters.h"
-#include "processing/designers/designer.h"
-#include "processing/document/shown_measurement.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/picture/look.h"
+#include "processing/scene/shown_measurement.h"
+#include "widgets/casting/picture_image.h"
 
 namespace echolucent {
 

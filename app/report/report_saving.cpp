@@ -4,18 +4,18 @@
 #include <QDateTime>
 #include <utility>
 
+#include "app/files/save_dialog.h"
 #include "app/otf/editor_otfs.h"
 #include "app/picture/picture_to_keep.h"
+#include "app/settings/settings.h"
 #include "app/study/study_names.h"
-#include "app/window/save_dialog.h"
-#include "app/window/settings.h"
 #include "io/output/atomic_file.h"
 #include "io/output/overwriting.h"
 #include "io/restricted/restricted_reader.h"
 #include "io/study/import_report.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/dialogs/report_dialog.h"
 #include "widgets/otf_editor/otf_editor.h"
-#include "widgets/panels/message_bar.h"
-#include "widgets/panels/report_dialog.h"
 #include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
 

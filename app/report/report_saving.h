@@ -6,11 +6,11 @@
 #include <functional>
 #include <optional>
 
+#include "app/files/file_writing.h"
 #include "app/motion/motion_player.h"
 #include "app/otf/pane_otfs.h"
 #include "app/report/case_report.h"
 #include "app/study/open_study.h"
-#include "app/window/file_writing.h"
 #include "widgets/document/document_model.h"
 #include "widgets/threads/works.h"
 #include "widgets/volume_view/volume_view_widget.h"

@@ -1,7 +1,7 @@
 #include "app/sessions/history_controls.h"
 
+#include "widgets/controls/message_bar.h"
 #include "widgets/panels/history_panel.h"
-#include "widgets/panels/message_bar.h"
 
 namespace echolucent {
 

@@ -10,12 +10,12 @@
 #include <exception>
 #include <utility>
 
+#include "app/files/save_dialog.h"
+#include "app/settings/settings.h"
 #include "app/study/study_names.h"
-#include "app/window/save_dialog.h"
-#include "app/window/settings.h"
 #include "io/document/session_file.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/otf_editor/otf_editor.h"
-#include "widgets/panels/message_bar.h"
 
 namespace echolucent {
 

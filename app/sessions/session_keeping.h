@@ -14,8 +14,8 @@
 
 #include "app/sessions/autosave.h"
 #include "app/sessions/leftovers.h"
+#include "app/sessions/shown_study.h"
 #include "app/sessions/snapshots.h"
-#include "app/study/shown_study.h"
 #include "widgets/document/document_model.h"
 #include "widgets/threads/works.h"
 

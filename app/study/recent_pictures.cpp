@@ -6,9 +6,9 @@
 #include <exception>
 #include <utility>
 
-#include "app/picture/picture_image.h"
-#include "app/window/settings.h"
+#include "app/settings/settings.h"
 #include "io/writers/picture_file.h"
+#include "widgets/casting/picture_image.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {

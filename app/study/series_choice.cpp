@@ -5,7 +5,7 @@
 
 #include "app/study/study_names.h"
 #include "io/restricted/restricted_reader.h"
-#include "widgets/panels/series_dialog.h"
+#include "widgets/dialogs/series_dialog.h"
 
 namespace echolucent {
 

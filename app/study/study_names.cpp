@@ -5,7 +5,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "app/window/settings.h"
+#include "app/settings/settings.h"
 #include "io/document/session_file.h"
 
 namespace echolucent {

@@ -11,8 +11,8 @@
 #include "app/study/study_names.h"
 #include "io/file_formats.h"
 #include "io/voxels/gzip_file.h"
-#include "widgets/panels/message_bar.h"
-#include "widgets/panels/raw_layout_dialog.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/dialogs/raw_layout_dialog.h"
 
 namespace echolucent {
 

@@ -3,9 +3,9 @@
 
 #include <QObject>
 
+#include "app/settings/settings.h"
 #include "app/study/open_study.h"
 #include "app/study/series_choice.h"
-#include "app/window/settings.h"
 
 class QAction;
 class QMenu;

@@ -11,17 +11,17 @@
 #include <utility>
 #include <variant>
 
-#include "app/picture/picture_image.h"
+#include "app/files/save_dialog.h"
 #include "app/picture/picture_to_keep.h"
 #include "app/study/study_names.h"
-#include "app/window/save_dialog.h"
 #include "io/document/curve_file.h"
 #include "io/output/overwriting.h"
 #include "io/study/import_report.h"
 #include "io/writers/picture_file.h"
-#include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/casting/picture_image.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/otf_editor/curve_style.h"
 #include "widgets/otf_editor/otf_editor.h"
-#include "widgets/panels/message_bar.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {

@@ -5,8 +5,8 @@
 #include <QObject>
 #include <vector>
 
+#include "app/settings/settings.h"
 #include "app/study/open_study.h"
-#include "app/window/settings.h"
 #include "io/output/overwriting.h"
 #include "processing/document/curve_set.h"
 #include "processing/result.h"

@@ -5,9 +5,9 @@
 #include "app/window/main_window.h"
 #include "app/window/review_room.h"
 #include "widgets/compare/compare_grid.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/run_status.h"
 #include "widgets/otf_editor/otf_editor.h"
-#include "widgets/panels/message_bar.h"
-#include "widgets/panels/run_status.h"
 
 namespace echolucent {
 

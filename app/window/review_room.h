@@ -10,8 +10,8 @@
 #include "app/planes/measuring_hand.h"
 #include "app/planes/room_controls.h"
 #include "app/planes/scalpel_hand.h"
-#include "app/window/escape_order.h"
-#include "app/window/settings.h"
+#include "app/settings/settings.h"
+#include "widgets/escape_order.h"
 #include "widgets/planes/pane_grid.h"
 
 class QAction;

@@ -12,7 +12,7 @@
 #include "io/json/json_document.h"
 #include "io/json/json_parameters.h"
 #include "io/json/json_values.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 
 namespace echolucent {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "io/json/json_fields.h"
-#include "processing/designers/designer_config.h"
+#include "processing/designers/choice/designer_config.h"
 
 namespace echolucent {
 

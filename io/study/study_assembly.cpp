@@ -12,8 +12,8 @@
 #include "io/voxels/voxel_bytes.h"
 #include "processing/beam/probe_view.h"
 #include "processing/intensity/no_data.h"
-#include "processing/intensity/white_level.h"
 #include "processing/one_line.h"
+#include "processing/volume/white_level.h"
 
 namespace echolucent {
 

@@ -9,10 +9,10 @@
 #include "processing/adaptive/read_tube_cores.h"
 #include "processing/detection/choose_detection.h"
 #include "processing/intensity/no_data.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/tube_core/slabs/tube_samples.h"
 #include "processing/tube_core/stage_runner.h"
 #include "processing/tube_core/surface_reading.h"
-#include "processing/tube_core/tube_grid.h"
 #include "processing/tube_core/tube_weights.h"
 
 namespace echolucent {

@@ -8,7 +8,7 @@
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/adaptive/quiet_reading.h"
 #include "processing/progress.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

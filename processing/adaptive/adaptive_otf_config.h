@@ -7,7 +7,7 @@
 #include "processing/tube_core/rules/detection_rule.h"
 #include "processing/tube_core/rules/surface_rule.h"
 #include "processing/tube_core/rules/weight_rule.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 
 namespace echolucent {
 

@@ -12,7 +12,7 @@
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "processing/tube_core/stage_times.h"
 #include "processing/tube_core/tube_core.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 
 namespace echolucent {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "processing/progress.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

@@ -1,7 +1,7 @@
 // The view from the probe, where a file says where the probe was.
 #pragma once
 
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/stated_probe.h"
 
 namespace echolucent {

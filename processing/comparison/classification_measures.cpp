@@ -1,7 +1,7 @@
 #include "processing/comparison/classification_measures.h"
 
 #include "processing/comparison/line_samples.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 
 namespace echolucent {
 

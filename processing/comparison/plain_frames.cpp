@@ -10,8 +10,8 @@
 
 #include "processing/comparison/line_samples.h"
 #include "processing/parallel.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/tube_core/slabs/tube_samples.h"
-#include "processing/tube_core/tube_grid.h"
 
 namespace echolucent {
 

@@ -10,7 +10,7 @@
 #include "processing/comparison/line_samples.h"
 #include "processing/opacity_curve.h"
 #include "processing/phantom/phantom.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

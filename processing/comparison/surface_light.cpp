@@ -8,8 +8,8 @@
 
 #include "processing/median.h"
 #include "processing/parallel.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/tube_core/slabs/tube_samples.h"
-#include "processing/tube_core/tube_grid.h"
 
 namespace echolucent {
 

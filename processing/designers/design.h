@@ -9,7 +9,7 @@
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/classification.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

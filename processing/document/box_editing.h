@@ -1,8 +1,8 @@
 // What a document becomes when a person sets its render box, and the curved front of that.
 #pragma once
 
-#include "processing/box_section.h"
 #include "processing/document/document.h"
+#include "processing/viewpoint/box_section.h"
 
 namespace echolucent {
 

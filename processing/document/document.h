@@ -7,12 +7,12 @@
 
 #include "processing/document/comparison.h"
 #include "processing/document/curve_set.h"
-#include "processing/document/measurement.h"
 #include "processing/document/method_choice.h"
 #include "processing/document/pane.h"
-#include "processing/document/scene.h"
 #include "processing/document/study_reference.h"
 #include "processing/motion/motion_choice.h"
+#include "processing/scene/measurement.h"
+#include "processing/scene/scene.h"
 #include "processing/shared_list.h"
 
 namespace echolucent {

@@ -6,7 +6,7 @@
 
 #include "processing/beam/beam_guess.h"
 #include "processing/document/document.h"
-#include "processing/near_cut.h"
+#include "processing/near_cut/near_cut.h"
 #include "processing/progress.h"
 #include "processing/volume/volume.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 
 namespace echolucent {
 

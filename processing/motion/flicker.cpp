@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "processing/picture/view_limits.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent {
 

@@ -12,7 +12,7 @@
 #include "processing/motion/otf_smoothing.h"
 #include "processing/opacity_curve.h"
 #include "processing/progress.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

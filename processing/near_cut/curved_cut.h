@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "processing/cut_surface.h"
 #include "processing/near_cut/fluid_stretches.h"
+#include "processing/viewpoint/cut_surface.h"
 
 namespace echolucent {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "processing/near_cut/smooth_echo.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 
 namespace echolucent {
 

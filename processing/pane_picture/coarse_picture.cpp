@@ -7,7 +7,7 @@
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/opening_finds.h"
 #include "processing/pane_picture/pane_caster.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent {
 

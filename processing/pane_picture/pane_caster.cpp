@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/picture/converged.h"
 #include "processing/picture/view_limits.h"
 #include "processing/speckle_reduction/speckle_reduction.h"

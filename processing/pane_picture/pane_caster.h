@@ -8,21 +8,21 @@
 
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/classification.h"
+#include "processing/designers/choice/designer_config.h"
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
 #include "processing/document/document.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/progress.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "processing/scalpel/scalpel_cuts.h"
 #include "processing/shared_list.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
 
-/// How the panes of a document are cast at their look's own step. The camera is that of the shown pose, fitted to a data
-/// box. Front and box limit the picture.
+/// How the panes of a document are cast at their look's own step. The camera is that of the shown pose, fitted to a
+/// data box. Front and box limit the picture.
 [[nodiscard]] RayCastSettings castSettingsOf(const Document& document, const VolumeGeometry& geometry,
                                              const DataBox& box, int width, int height);
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "processing/pane_picture/pane_caster.h"
 #include "processing/motion/motion_choice.h"
 #include "processing/motion/otf_smoothing.h"
+#include "processing/pane_picture/pane_caster.h"
 
 namespace echolucent {
 

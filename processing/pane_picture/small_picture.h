@@ -10,9 +10,9 @@
 
 namespace echolucent {
 
-/// A pane's picture, `width` x `height` pixels, each the mean of four rays in quick quality (PictureQuality::quick). Like
-/// quick pictures it keeps the caster's samples for the next curve. The result is empty only if progress.cancel was
-/// raised.
+/// A pane's picture, `width` x `height` pixels, each the mean of four rays in quick quality (PictureQuality::quick).
+/// Like quick pictures it keeps the caster's samples for the next curve. The result is empty only if progress.cancel
+/// was raised.
 [[nodiscard]] std::optional<Picture> smallPicture(PaneCaster& caster, const Document& document, std::size_t pane,
                                                   int width, int height, const Progress& progress = {});
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 
 namespace echolucent {
 

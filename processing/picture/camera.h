@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

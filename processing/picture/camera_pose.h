@@ -2,7 +2,7 @@
 #pragma once
 
 #include "processing/picture/camera.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 
 namespace echolucent {
 

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "processing/cut_surface.h"
 #include "processing/picture/camera.h"
 #include "processing/picture/colour_map.h"
 #include "processing/picture/render_mode.h"
 #include "processing/picture/shading.h"
 #include "processing/sampling/interpolation.h"
+#include "processing/viewpoint/cut_surface.h"
 #include "processing/volume/geometry.h"
 
 namespace echolucent {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "processing/picture/ray_cast_settings.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 
 namespace echolucent {
 

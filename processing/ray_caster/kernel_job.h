@@ -12,8 +12,8 @@
 #include "processing/ray_caster/packed/border_space.h"
 #include "processing/ray_caster/packed/packed_light.h"
 #include "processing/ray_caster/packed/packed_voxels.h"
+#include "processing/ray_caster/packed/transfer_table.h"
 #include "processing/ray_caster/ray_geometry.h"
-#include "processing/ray_caster/transfer_table.h"
 
 namespace echolucent::ray_casting {
 

@@ -5,7 +5,7 @@
 
 #include "processing/picture/colour_map.h"
 #include "processing/picture/shading.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/geometry.h"
 
 namespace echolucent::ray_casting {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "processing/intensity/white_level.h"
+#include "processing/volume/white_level.h"
 
 namespace echolucent {
 

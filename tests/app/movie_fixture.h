@@ -9,7 +9,7 @@
 
 #include "app/motion/movie_files.h"
 #include "tests/app/window_fixture.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 
 namespace echolucent {
 

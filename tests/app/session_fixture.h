@@ -11,7 +11,7 @@
 #include "app/sessions/session_keeping.h"
 #include "io/document/session_file.h"
 #include "tests/app/window_fixture.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 
 namespace echolucent {
 

@@ -11,7 +11,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/io/written_files/dicom_files.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 
 using namespace echolucent;
 

@@ -6,16 +6,16 @@
 #include <QRegularExpression>
 #include <QTimer>
 
-#include "app/picture/picture_image.h"
 #include "app/report/report_saving.h"
 #include "app/window/review_room.h"
 #include "io/writers/enhanced_us_writer.h"
 #include "processing/picture/look.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/panels/message_bar.h"
-#include "widgets/panels/report_dialog.h"
-#include "widgets/panels/run_status.h"
+#include "widgets/casting/picture_image.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/run_status.h"
+#include "widgets/dialogs/report_dialog.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 #include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"

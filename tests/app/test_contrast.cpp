@@ -19,7 +19,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/contrast.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 
 using namespace echolucent;
 

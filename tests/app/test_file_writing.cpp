@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/window/file_writing.h"
+#include "app/files/file_writing.h"
 #include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;

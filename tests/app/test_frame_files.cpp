@@ -12,10 +12,10 @@
 #include <opencv2/videoio.hpp>
 
 #include "app/motion/frame_files.h"
-#include "app/picture/picture_image.h"
 #include "io/study/study.h"
 #include "processing/pane_picture/pane_picture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/casting/picture_image.h"
 
 using namespace echolucent;
 

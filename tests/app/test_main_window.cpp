@@ -14,14 +14,14 @@
 #include "io/writers/meta_image_writer.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/phantom/phantom.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/otf_editor/canvas/curve_canvas.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/dialogs/raw_layout_dialog.h"
+#include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/otf_editor.h"
-#include "widgets/panels/message_bar.h"
-#include "widgets/panels/raw_layout_dialog.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 using namespace echolucent;

@@ -10,7 +10,7 @@
 
 #include "app/window/theme.h"
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/motion/otf_smoothing.h"
 #include "processing/scalpel/scalpel_cuts.h"
 #include "tests/app/cine_fixture.h"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "app/otf/pane_otfs.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "tests/app/session_fixture.h"
 #include "tests/qt_program/test_classes.h"

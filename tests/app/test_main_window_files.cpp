@@ -9,13 +9,13 @@
 #include <QTimer>
 #include <cmath>
 
-#include "app/window/settings.h"
+#include "app/settings/settings.h"
 #include "app/window/theme.h"
 #include "io/document/curve_file.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/otf_editor/otf_editor.h"
-#include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
 

@@ -9,7 +9,7 @@
 #include "io/document/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 
 using namespace echolucent;
 

@@ -18,7 +18,7 @@
 #include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 
 using namespace echolucent;
 

@@ -5,15 +5,15 @@
 #include <QSlider>
 
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/motion/otf_sweep.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/motion/otf_curves_canvas.h"
 #include "widgets/motion/otf_map_canvas.h"
-#include "widgets/panels/message_bar.h"
 
 using namespace echolucent;
 

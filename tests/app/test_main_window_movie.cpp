@@ -20,12 +20,12 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "app/picture/picture_image.h"
 #include "app/window/theme.h"
 #include "processing/pane_picture/pane_picture.h"
 #include "tests/app/movie_fixture.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/panels/run_status.h"
+#include "widgets/casting/picture_image.h"
+#include "widgets/controls/run_status.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 
 using namespace echolucent;

@@ -4,7 +4,7 @@
 
 #include "processing/document/box_editing.h"
 #include "processing/pane_picture/pane_picture.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "processing/scalpel/scalpel_cuts.h"
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"

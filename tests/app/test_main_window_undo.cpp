@@ -10,7 +10,7 @@
 #include "tests/app/picture_measures.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/otf_editor/canvas/curve_canvas.h"
+#include "widgets/otf_editor/curve_canvas.h"
 
 using namespace echolucent;
 

@@ -12,7 +12,7 @@
 #include "tests/app/telling_names.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 
 using namespace echolucent;
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "processing/picture/picture.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/app/walled_sector.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"

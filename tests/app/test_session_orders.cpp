@@ -3,7 +3,7 @@
 #include <QDateTime>
 #include <QMessageBox>
 
-#include "app/window/settings.h"
+#include "app/settings/settings.h"
 #include "tests/app/session_fixture.h"
 #include "tests/qt_program/test_classes.h"
 

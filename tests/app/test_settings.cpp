@@ -12,7 +12,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/window/settings.h"
+#include "app/settings/settings.h"
 #include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;

@@ -12,16 +12,16 @@
 #include <set>
 
 #include "app/pages/series_style.h"
-#include "app/window/settings.h"
+#include "app/settings/settings.h"
 #include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/contrast.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/motion/otf_map_canvas.h"
-#include "widgets/otf_editor/canvas/curve_canvas.h"
-#include "widgets/otf_editor/canvas/curve_style.h"
-#include "widgets/otf_editor/canvas/plot_colours.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/plot_colours.h"
 #include "widgets/planes/pane_grid.h"
 
 using namespace echolucent;

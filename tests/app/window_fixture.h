@@ -11,8 +11,8 @@
 #include <QWindow>
 #include <memory>
 
+#include "app/settings/settings.h"
 #include "app/window/main_window.h"
-#include "app/window/settings.h"
 #include "io/writers/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "tests/qt_program/test_classes.h"

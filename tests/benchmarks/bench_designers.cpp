@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "io/study/study.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/document/document.h"
 #include "processing/document/opening_finds.h"
 #include "processing/median.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/look.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "widgets/casting/qualities.h"
 
 namespace {

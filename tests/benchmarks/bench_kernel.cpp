@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "processing/phantom/phantom.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace {
 

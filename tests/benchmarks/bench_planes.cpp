@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "processing/sampling/plane_sampling.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 
 using namespace echolucent;
 

@@ -16,7 +16,7 @@
 #include "processing/document/opening_finds.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/look.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "widgets/casting/qualities.h"
 
 namespace {

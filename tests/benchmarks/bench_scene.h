@@ -9,7 +9,7 @@
 #include "processing/opacity_curve.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/ray_cast_settings.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::bench {

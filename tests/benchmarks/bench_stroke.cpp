@@ -19,7 +19,7 @@
 #include "processing/median.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/look.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "processing/scalpel/scalpel_cuts.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "widgets/casting/qualities.h"

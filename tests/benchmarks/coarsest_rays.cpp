@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent::bench {
 

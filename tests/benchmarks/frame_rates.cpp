@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"

@@ -6,7 +6,7 @@
 
 #include "app/measuring/bench/command_bench.h"
 #include "processing/detection/variance_surface.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 
 namespace echolucent::bench {
 

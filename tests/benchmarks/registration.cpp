@@ -2,7 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/benchmarks/plain_reference.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/side_by_side.h"

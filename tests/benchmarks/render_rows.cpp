@@ -8,7 +8,7 @@
 #include <opencv2/core/saturate.hpp>
 
 #include "io/writers/picture_file.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/benchmarks/render_bench.h"
 #include "tests/benchmarks/row_parts.h"
 #include "tests/benchmarks/side_by_side.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/benchmarks/bench_scene.h"
 #include "tests/benchmarks/measured_cost.h"
 #include "tests/benchmarks/plain_reference.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent::bench {
 

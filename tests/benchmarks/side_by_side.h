@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/benchmarks/bench_scene.h"
 #include "tests/benchmarks/coarsest_rays.h"
 #include "tests/benchmarks/measured_cost.h"

@@ -14,8 +14,8 @@
 #include <cmath>
 
 #include "tests/benchmarks/staged_mapper.h"
+#include "widgets/volume_view/scene/graphics_card/vtk_volume_image.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
-#include "widgets/volume_view/scene/vtk_volume_image.h"
 
 namespace echolucent::bench {
 

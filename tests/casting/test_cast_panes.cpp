@@ -4,7 +4,7 @@
 
 #include "processing/phantom/phantom.h"
 #include "processing/picture/converged.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/casting/progressive_caster.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/casting/commanded_caster.h"
 #include "tests/qt_program/test_classes.h"
 

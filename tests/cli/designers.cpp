@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/study/study.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "tests/cli/program.h"
 

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "processing/adaptive/method_parameters.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/picture/look.h"
 #include "tests/cli/program.h"
 

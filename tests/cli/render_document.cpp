@@ -7,9 +7,9 @@
 #include "io/document/session_file.h"
 #include "io/study/study.h"
 #include "io/study/study_checksum.h"
-#include "processing/pane_picture/pane_measures.h"
 #include "processing/document/panes.h"
 #include "processing/pane_picture/pane_frames.h"
+#include "processing/pane_picture/pane_measures.h"
 #include "processing/pane_picture/pane_picture.h"
 #include "program.h"
 

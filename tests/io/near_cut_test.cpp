@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/study/study.h"
-#include "processing/near_cut.h"
+#include "processing/near_cut/near_cut.h"
 #include "shared_data.h"
 
 namespace echolucent {

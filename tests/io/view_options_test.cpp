@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <CLI/CLI.hpp>
 
-#include "app/cli/command.h"
+#include "app/cli/options/view_options.h"
 #include "processing/beam/probe_view.h"
 
 namespace echolucent {

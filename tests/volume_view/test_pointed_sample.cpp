@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "processing/picture/camera_pose.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/test_volumes.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
@@ -25,7 +25,7 @@ std::optional<PointedSample> pointedAt(const ShownPicture& shown, double x, doub
 }
 
 ShownPicture requestFor(std::shared_ptr<const Volume> volume, const OpacityCurve& curve, const Viewpoint& view = {},
-                          Projection projection = Projection::parallel) {
+                        Projection projection = Projection::parallel) {
     ShownPicture request{{std::move(volume), curve}, {}};
     request.settings.width = 300;
     request.settings.height = 200;

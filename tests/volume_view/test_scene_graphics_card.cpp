@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "processing/phantom/phantom.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/drawn_scene.h"
 

@@ -11,7 +11,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/shown_view.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"

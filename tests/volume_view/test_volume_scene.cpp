@@ -12,11 +12,11 @@
 #include <array>
 #include <cmath>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/drawn_scene.h"
+#include "widgets/volume_view/scene/graphics_card/vtk_volume_image.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
-#include "widgets/volume_view/scene/vtk_volume_image.h"
 
 using namespace echolucent;
 using namespace echolucent::testing;

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
 #include "widgets/panels/design_plot.h"

@@ -15,7 +15,7 @@
 
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
-#include "widgets/panels/raw_layout_dialog.h"
+#include "widgets/dialogs/raw_layout_dialog.h"
 
 using namespace echolucent;
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent {
 

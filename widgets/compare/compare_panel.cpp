@@ -13,7 +13,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 namespace {

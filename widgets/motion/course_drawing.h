@@ -5,8 +5,8 @@
 #include <QString>
 
 #include "widgets/motion/otf_course.h"
-#include "widgets/otf_editor/canvas/plot_axes.h"
-#include "widgets/otf_editor/canvas/plot_colours.h"
+#include "widgets/otf_editor/plot_axes.h"
+#include "widgets/otf_editor/plot_colours.h"
 
 namespace echolucent {
 

@@ -7,9 +7,9 @@
 #include <QVBoxLayout>
 #include <cstddef>
 
+#include "widgets/controls/panel_controls.h"
 #include "widgets/motion/otf_curves_canvas.h"
 #include "widgets/motion/otf_map_canvas.h"
-#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 namespace {

@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "widgets/motion/otf_course.h"
-#include "widgets/otf_editor/canvas/plot_axes.h"
+#include "widgets/otf_editor/plot_axes.h"
 
 namespace echolucent {
 

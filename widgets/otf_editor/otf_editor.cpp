@@ -12,16 +12,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/key_table.h"
-#include "widgets/otf_editor/canvas/curve_canvas.h"
-#include "widgets/otf_editor/canvas/curve_legend.h"
-#include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/curve_legend.h"
+#include "widgets/otf_editor/curve_style.h"
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/node_table.h"
 #include "widgets/otf_editor/parameter_panel.h"
 #include "widgets/otf_editor/stored_value_text.h"
-#include "widgets/panels/flow_layout.h"
-#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 

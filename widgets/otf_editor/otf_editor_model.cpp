@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/otf_editor/curve_style.h"
 #include "widgets/otf_editor/node_reduction.h"
 
 namespace echolucent {

@@ -4,8 +4,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
-#include "widgets/otf_editor/canvas/curve_style.h"
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
+#include "widgets/otf_editor/curve_style.h"
 
 namespace echolucent {
 

@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 

@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
+#include "widgets/controls/parameter_controls.h"
 #include "widgets/document/document_model.h"
-#include "widgets/panels/parameter_controls.h"
 
 namespace echolucent {
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/otf_editor/canvas/curve_style.h"
-#include "widgets/otf_editor/canvas/plot_axes.h"
-#include "widgets/otf_editor/canvas/plot_colours.h"
+#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/plot_axes.h"
+#include "widgets/otf_editor/plot_colours.h"
 
 namespace echolucent {
 

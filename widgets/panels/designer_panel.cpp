@@ -12,11 +12,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/panels/design_plot.h"
 #include "widgets/panels/designer_parameters.h"
 #include "widgets/panels/emphasis_canvas.h"
-#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 

@@ -5,8 +5,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "processing/designers/choice/designer_config.h"
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
 
 class QComboBox;
 class QLabel;

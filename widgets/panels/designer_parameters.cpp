@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "processing/designers/designer.h"
-#include "widgets/panels/panel_controls.h"
+#include "processing/designers/choice/designer.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 

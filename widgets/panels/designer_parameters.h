@@ -7,8 +7,8 @@
 #include <optional>
 #include <string_view>
 
-#include "processing/designers/designer_config.h"
-#include "widgets/panels/parameter_controls.h"
+#include "processing/designers/choice/designer_config.h"
+#include "widgets/controls/parameter_controls.h"
 
 namespace echolucent {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/otf_editor/canvas/curve_style.h"
-#include "widgets/otf_editor/canvas/plot_colours.h"
+#include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/plot_colours.h"
 
 namespace echolucent {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "processing/designers/designer_config.h"
+#include "processing/designers/choice/designer_config.h"
 
 namespace echolucent {
 

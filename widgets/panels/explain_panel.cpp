@@ -4,8 +4,8 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "widgets/controls/panel_controls.h"
 #include "widgets/key_table.h"
-#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 

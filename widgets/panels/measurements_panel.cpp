@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "processing/document/measurement.h"
+#include "processing/scene/measurement.h"
 
 class QAbstractButton;
 class QListWidget;

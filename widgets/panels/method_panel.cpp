@@ -15,8 +15,8 @@
 
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/document/document_model.h"
-#include "widgets/panels/panel_controls.h"
 
 namespace echolucent {
 namespace {

@@ -9,7 +9,7 @@
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/document/method_choice.h"
 #include "processing/parameters/parameter.h"
-#include "widgets/panels/parameter_controls.h"
+#include "widgets/controls/parameter_controls.h"
 
 class QComboBox;
 class QLabel;

@@ -17,8 +17,8 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/panels/flow_layout.h"
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/panels/phase_controls.h"
 
 namespace echolucent {

@@ -11,7 +11,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/picture_labels/picture_labels.h"
 
 namespace echolucent {

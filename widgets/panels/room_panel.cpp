@@ -11,8 +11,8 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
-#include "widgets/panels/panel_controls.h"
-#include "widgets/panels/value_slider.h"
+#include "widgets/controls/panel_controls.h"
+#include "widgets/controls/value_slider.h"
 
 namespace echolucent {
 

@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/panels/panel_controls.h"
-#include "widgets/panels/secondary_items.h"
+#include "widgets/controls/panel_controls.h"
+#include "widgets/controls/secondary_items.h"
 
 namespace echolucent {
 

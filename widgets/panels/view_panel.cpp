@@ -11,9 +11,9 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "widgets/panels/panel_controls.h"
-#include "widgets/panels/parameter_controls.h"
-#include "widgets/panels/value_slider.h"
+#include "widgets/controls/panel_controls.h"
+#include "widgets/controls/parameter_controls.h"
+#include "widgets/controls/value_slider.h"
 
 namespace echolucent {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "processing/picture/look.h"
 #include "processing/picture/renderer_choice.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 
 class QComboBox;
 class QGridLayout;

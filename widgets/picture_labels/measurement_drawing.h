@@ -5,7 +5,7 @@
 #include <QSizeF>
 #include <vector>
 
-#include "processing/document/shown_measurement.h"
+#include "processing/scene/shown_measurement.h"
 
 class QPainter;
 

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "processing/picture/annotation_layout.h"
-#include "widgets/panels/panel_controls.h"
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 

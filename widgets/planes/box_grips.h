@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "processing/box_section.h"
-#include "processing/cut_surface.h"
-#include "processing/document/box.h"
+#include "processing/scene/box.h"
+#include "processing/viewpoint/box_section.h"
+#include "processing/viewpoint/cut_surface.h"
 #include "widgets/planes/plane_mapping.h"
 
 namespace echolucent {

@@ -4,7 +4,7 @@
 
 #include <QColor>
 
-#include "processing/document/planes.h"
+#include "processing/scene/planes.h"
 #include "widgets/theme_colours.h"
 
 namespace echolucent {

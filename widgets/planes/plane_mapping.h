@@ -5,7 +5,7 @@
 #include <QSize>
 #include <algorithm>
 
-#include "processing/document/planes.h"
+#include "processing/scene/planes.h"
 
 namespace echolucent {
 

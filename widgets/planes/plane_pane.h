@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "processing/document/box.h"
-#include "processing/document/planes.h"
-#include "processing/document/shown_measurement.h"
+#include "processing/scene/box.h"
+#include "processing/scene/planes.h"
+#include "processing/scene/shown_measurement.h"
 #include "widgets/planes/box_grips.h"
 #include "widgets/planes/grey_image.h"
 #include "widgets/planes/plane_mapping.h"

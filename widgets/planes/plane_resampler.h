@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "processing/document/planes.h"
 #include "processing/sampling/plane_sampling.h"
+#include "processing/scene/planes.h"
 #include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "processing/document/pose.h"
+#include "processing/scene/pose.h"
 #include "widgets/casting/progressive_caster.h"
 #include "widgets/threads/works.h"
 #include "widgets/volume_view/frame_meter.h"

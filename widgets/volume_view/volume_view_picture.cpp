@@ -10,7 +10,7 @@
 
 #include "processing/picture/picture_request.h"
 #include "processing/picture/view_limits.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "widgets/casting/qualities.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
 #include "widgets/volume_view/volume_view_parts.h"

@@ -9,13 +9,13 @@
 #include <optional>
 
 #include "processing/classification.h"
-#include "processing/document/pose.h"
 #include "processing/picture/look.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/picture_place.h"
 #include "processing/picture/ray_cast_settings.h"
 #include "processing/picture/renderer_choice.h"
-#include "processing/viewpoint.h"
+#include "processing/scene/pose.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 #include "widgets/marking_pointer.h"
 

@@ -9,7 +9,7 @@
 #include "app/cli/options/option_text.h"
 #include "app/cli/options/parameter_options.h"
 #include "processing/adaptive/method_parameters.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 
 namespace echolucent::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "processing/designers/designer_config.h"
+#include "processing/designers/choice/designer_config.h"
 #include "processing/result.h"
 
 namespace CLI {

@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
-#include "app/cli/command.h"
-#include "app/cli/report/parameter_page.h"
+#include "app/cli/options/method_options.h"
+#include "app/cli/options/option_text.h"
 #include "io/document/curve_file.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"

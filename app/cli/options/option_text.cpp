@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <variant>
 
 #include "io/files/header_text.h"
 
@@ -52,6 +53,12 @@ std::string listed(const std::vector<std::string_view>& names) {
 
 void sayNote(const std::string& note) {
     if (!note.empty()) std::fprintf(stderr, "%s\n", note.c_str());
+}
+
+std::string wordOf(const ParameterValue& value) {
+    if (const auto number = numberOf(value)) return textOf(*number);
+    if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
+    return std::get<std::string>(value);
 }
 
 }  // namespace echolucent::cli

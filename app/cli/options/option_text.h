@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "processing/parameters/parameter.h"
 #include "processing/result.h"
 
 namespace echolucent::cli {
@@ -35,5 +36,8 @@ inline constexpr const char* mustBeAngles = "must be angles in degrees, -36000 t
 
 /// Prints a note on stderr, unless it is empty.
 void sayNote(const std::string& note);
+
+/// A value as people write it on the command line.
+[[nodiscard]] std::string wordOf(const ParameterValue& value);
 
 }  // namespace echolucent::cli

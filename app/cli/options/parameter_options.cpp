@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "app/cli/report/parameter_page.h"
-
 namespace echolucent::cli {
 
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/cli/command.h"
+#include "app/cli/options/view_options.h"
 #include "processing/beam/beam_guess.h"
 #include "processing/beam/probe_view.h"
-#include "processing/near_cut.h"
+#include "processing/near_cut/near_cut.h"
 
 namespace echolucent::cli {
 

@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "app/cli/command.h"
+#include "app/cli/options/method_options.h"
+#include "app/cli/options/volume_options.h"
 #include "io/file_formats.h"
 #include "io/files/header_text.h"
 #include "io/output/output_place.h"
@@ -59,16 +60,6 @@ Result<std::optional<RawLayout>> layoutFrom(const VolumeOptions& options) {
 }
 
 }  // namespace
-
-int exitStatus(const Failure& failure) {
-    switch (failure.kind) {
-        case FailureKind::wrongUsage: return 2;
-        case FailureKind::unwritable: return 4;
-        case FailureKind::unreadable:
-        case FailureKind::cancelled: break;
-    }
-    return 3;
-}
 
 Result<void> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& curveNames) {
     // The file need not exist. Empty if the path cannot be resolved.

@@ -6,7 +6,7 @@
 
 #include "app/cli/report/report_json.h"
 #include "processing/adaptive/adaptive_otf_result.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 
 namespace echolucent::cli {
 

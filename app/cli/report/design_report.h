@@ -3,10 +3,9 @@
 
 #include <string>
 
-#include "app/cli/command.h"
 #include "app/cli/report/otf_report.h"
+#include "processing/designers/choice/designer_config.h"
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::cli {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/cli/document_study.h"
+#include "app/cli/options/document_study.h"
 #include "app/cli/report/report_json.h"
 
 namespace echolucent::cli {

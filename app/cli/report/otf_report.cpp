@@ -11,7 +11,7 @@
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/adaptive/quiet_reading.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 
 namespace echolucent::cli {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/cli/command.h"
+#include "app/cli/options/view_options.h"
 #include "app/cli/report/report_json.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/volume/volume.h"

@@ -4,8 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/options/option_text.h"
 #include "processing/adaptive/method_parameters.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/document/curve_adjustment.h"
 #include "processing/document/method_choice.h"
 #include "processing/picture/look.h"
@@ -53,12 +54,6 @@ Json tableJson(const ParameterTable<Values>& table) {
 }
 
 }  // namespace
-
-std::string wordOf(const ParameterValue& value) {
-    if (const auto number = numberOf(value)) return textOf(*number);
-    if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
-    return std::get<std::string>(value);
-}
 
 std::string parameterPage(const std::vector<ParameterDefault>& rows) {
     std::string page = "| option | meaning | values | default | with | chosen by |\n|---|---|---|---|---|---|\n";

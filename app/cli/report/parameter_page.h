@@ -9,9 +9,6 @@
 
 namespace echolucent::cli {
 
-/// A value as people write it on the command line.
-[[nodiscard]] std::string wordOf(const ParameterValue& value);
-
 /// A Markdown table: one row a parameter, in the table's order. Ends with a newline.
 [[nodiscard]] std::string parameterPage(const std::vector<ParameterDefault>& rows);
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/report/report_json.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 
 namespace echolucent::cli {
 

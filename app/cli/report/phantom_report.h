@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "processing/phantom/phantom.h"
-#include "processing/tube_core/tube_grid.h"
-#include "processing/viewpoint.h"
+#include "processing/tube_core/slabs/tube_grid.h"
+#include "processing/viewpoint/viewpoint.h"
 
 namespace echolucent::cli {
 

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "app/measuring/bench/command_bench.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 
 namespace echolucent::cli {
 

@@ -7,7 +7,7 @@
 
 #include "app/measuring/study.h"
 #include "io/output/atomic_file.h"
-#include "processing/near_cut.h"
+#include "processing/near_cut/near_cut.h"
 
 namespace echolucent::cli {
 

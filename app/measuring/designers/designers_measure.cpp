@@ -4,10 +4,10 @@
 #include "app/measuring/run_time.h"
 #include "app/measuring/study_phantoms.h"
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/median.h"
-#include "processing/ray_caster.h"
 #include "processing/ray_caster/plain/plain_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent::cli {
 

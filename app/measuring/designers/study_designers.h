@@ -9,8 +9,8 @@
 
 #include "app/measuring/measures/picture_difference.h"
 #include "processing/comparison/classification_measures.h"
+#include "processing/designers/choice/designer_config.h"
 #include "processing/designers/design.h"
-#include "processing/designers/designer_config.h"
 #include "processing/phantom/phantom_config.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/ray_cast_settings.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/measuring/otf/study_otf.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 
 namespace echolucent::cli {
 

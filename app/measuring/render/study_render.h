@@ -10,8 +10,8 @@
 #include "app/measuring/measures/compositing_precision.h"
 #include "app/measuring/measures/picture_difference.h"
 #include "app/measuring/study_output.h"
-#include "processing/ray_caster.h"
 #include "processing/ray_caster/plain/plain_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent::cli {
 

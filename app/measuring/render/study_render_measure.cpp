@@ -7,7 +7,7 @@
 #include "app/measuring/render/study_render.h"
 #include "app/measuring/run_time.h"
 #include "processing/median.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent::cli {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/measuring/render/study_render.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent::cli {
 

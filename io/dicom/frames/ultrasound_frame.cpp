@@ -6,7 +6,7 @@
 
 #include "io/files/header_text.h"
 #include "io/study/study_assembly.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 
 namespace echolucent {
 

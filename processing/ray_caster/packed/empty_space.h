@@ -8,7 +8,7 @@
 #include "processing/ray_caster/packed/brick_grid.h"
 #include "processing/ray_caster/packed/packed_gradients.h"
 #include "processing/ray_caster/packed/packed_presence.h"
-#include "processing/ray_caster/transfer_table.h"
+#include "processing/ray_caster/packed/transfer_table.h"
 #include "processing/volume/filled_volume.h"
 #include "processing/volume/row_marks.h"
 

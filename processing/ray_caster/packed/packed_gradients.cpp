@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "processing/ray_caster/transfer_table.h"
+#include "processing/ray_caster/packed/transfer_table.h"
 
 namespace echolucent::ray_casting {
 

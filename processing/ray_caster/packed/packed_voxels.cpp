@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "processing/parallel.h"
-#include "processing/ray_caster/transfer_table.h"
+#include "processing/ray_caster/packed/transfer_table.h"
 
 namespace echolucent::ray_casting {
 

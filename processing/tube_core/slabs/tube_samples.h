@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "processing/tube_core/rules/cell_rule.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

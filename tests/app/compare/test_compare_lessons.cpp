@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "app/otf/pane_otfs.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/motion/otf_smoothing.h"
 #include "tests/app/compare/compare_fixture.h"
 #include "tests/qt_program/test_classes.h"

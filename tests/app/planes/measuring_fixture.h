@@ -4,11 +4,11 @@
 #include <QListWidget>
 #include <vector>
 
-#include "processing/document/planes_holding.h"
-#include "processing/document/shown_measurement.h"
+#include "processing/scene/planes_holding.h"
+#include "processing/scene/shown_measurement.h"
 #include "tests/app/planes/marked_points.h"
 #include "tests/app/planes/room_fixture.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 
 namespace echolucent {
 

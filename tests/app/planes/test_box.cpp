@@ -15,7 +15,7 @@
 #include "processing/document/box_editing.h"
 #include "tests/app/planes/room_fixture.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/planes/plane_pane.h"
 

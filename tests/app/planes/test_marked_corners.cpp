@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/planes/edge_letters.h"
-#include "processing/box_section.h"
+#include "processing/viewpoint/box_section.h"
 #include "tests/app/planes/marked_corners.h"
 #include "tests/app/planes/room_fixture.h"
 #include "tests/qt_program/test_classes.h"

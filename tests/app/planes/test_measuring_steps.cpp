@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "app/motion/motion_player.h"
-#include "app/picture/picture_image.h"
 #include "tests/app/planes/measuring_fixture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/casting/picture_image.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
 using namespace echolucent;

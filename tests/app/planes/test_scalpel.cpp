@@ -5,7 +5,7 @@
 
 #include "tests/app/planes/room_fixture.h"
 #include "tests/qt_program/test_classes.h"
-#include "widgets/panels/message_bar.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/volume_view/lasso_pointer.h"
 
 using namespace echolucent;

@@ -2,8 +2,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/settings/settings.h"
 #include "app/study/study_names.h"
-#include "app/window/settings.h"
 #include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;

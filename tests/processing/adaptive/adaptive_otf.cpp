@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "processing/adaptive/method_parameters.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 #include "tests/processing/tube_core/plane_detection.h"
 
 namespace echolucent {

@@ -5,7 +5,7 @@
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/intensity/no_data.h"
-#include "processing/near_cut.h"
+#include "processing/near_cut/near_cut.h"
 #include "tests/processing/tube_core/plane_volume.h"
 
 namespace echolucent {

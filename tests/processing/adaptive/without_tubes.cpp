@@ -8,7 +8,7 @@
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/tube_core/tube_weights.h"
 #include "tests/processing/tube_core/plane_detection.h"
 

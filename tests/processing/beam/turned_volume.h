@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

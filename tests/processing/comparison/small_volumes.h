@@ -7,7 +7,7 @@
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/classification.h"
 #include "processing/phantom/phantom.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

@@ -1,5 +1,5 @@
 // The list of designers: each has its own name and config, and says whether it reads tube cores.
-#include "processing/designers/designer_config.h"
+#include "processing/designers/choice/designer_config.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/processing/document/places.h"
+#include "tests/processing/scene/places.h"
 
 namespace echolucent {
 namespace {

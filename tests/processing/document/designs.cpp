@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <memory>
 
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/document/document.h"
 #include "processing/document/preset.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "processing/pane_picture/pane_picture.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/converged.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent {
 namespace {

@@ -6,8 +6,8 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "processing/pane_picture/pane_picture.h"
 #include "processing/motion/otf_sweep.h"
+#include "processing/pane_picture/pane_picture.h"
 #include "processing/phantom/phantom.h"
 #include "processing/scalpel/scalpel_stroke.h"
 

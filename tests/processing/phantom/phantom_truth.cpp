@@ -5,7 +5,7 @@
 #include <set>
 
 #include "processing/phantom/phantom.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "tests/processing/phantom/bare_phantom.h"
 
 namespace echolucent {

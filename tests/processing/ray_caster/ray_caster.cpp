@@ -1,5 +1,5 @@
 // Compositing: closed forms, and an independent reference on random volumes.
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

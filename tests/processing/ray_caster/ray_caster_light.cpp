@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "ray_caster_scenes.h"
 
 namespace echolucent {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "processing/light/light_sweep.h"
-#include "processing/ray_caster.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "processing/volume/filled_volume.h"
 
 namespace echolucent {

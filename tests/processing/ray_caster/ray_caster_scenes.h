@@ -12,7 +12,7 @@
 
 #include "processing/opacity_curve.h"
 #include "processing/picture/picture.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 #include "ray_caster_reference.h"
 

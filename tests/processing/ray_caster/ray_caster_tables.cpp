@@ -1,7 +1,7 @@
 // What the kernel looks up instead of computing it: opacities of bytes, and colours as sums.
 #include <gtest/gtest.h>
 
-#include "processing/ray_caster/transfer_table.h"
+#include "processing/ray_caster/packed/transfer_table.h"
 #include "ray_caster_scenes.h"
 
 namespace echolucent {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "processing/sampling/sampler.h"
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 
 namespace echolucent {
 namespace {

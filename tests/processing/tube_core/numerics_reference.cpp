@@ -16,9 +16,9 @@
 #include "processing/adaptive/method_reading.h"
 #include "processing/tube_core/basis_function.h"
 #include "processing/tube_core/cell_statistics.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/tube_core/slabs/tube_samples.h"
 #include "processing/tube_core/slabs/tube_slabs.h"
-#include "processing/tube_core/tube_grid.h"
 #include "processing/tube_core/tube_weights.h"
 
 namespace echolucent {

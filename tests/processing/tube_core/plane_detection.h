@@ -6,7 +6,7 @@
 
 #include "plane_volume.h"
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 
 namespace echolucent {
 

@@ -1,4 +1,4 @@
-#include "processing/tube_core/tube_grid.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 
 #include <gtest/gtest.h>
 

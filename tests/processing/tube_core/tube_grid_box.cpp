@@ -5,10 +5,10 @@
 #include <cstdio>
 
 #include "processing/adaptive/adaptive_otf.h"
-#include "processing/document/box.h"
 #include "processing/phantom/phantom.h"
+#include "processing/scene/box.h"
+#include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/tube_core/slabs/tube_samples.h"
-#include "processing/tube_core/tube_grid.h"
 #include "tests/processing/grids.h"
 
 namespace echolucent {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "processing/document/pose.h"
+#include "processing/scene/pose.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {

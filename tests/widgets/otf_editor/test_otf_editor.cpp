@@ -11,7 +11,7 @@
 
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/otf_editor/editor_fixture.h"
-#include "widgets/otf_editor/canvas/curve_canvas.h"
+#include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/node_reduction.h"
 
 using namespace echolucent;

@@ -12,8 +12,8 @@
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/contrast.h"
 #include "tests/widgets/otf_editor/edited_document.h"
-#include "widgets/otf_editor/canvas/curve_canvas.h"
-#include "widgets/otf_editor/canvas/curve_style.h"
+#include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/otf_editor/curve_style.h"
 
 using namespace echolucent;
 

@@ -6,9 +6,9 @@
 
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/otf_editor/edited_document.h"
-#include "widgets/otf_editor/canvas/histogram_backdrop.h"
-#include "widgets/otf_editor/canvas/plot_axes.h"
+#include "widgets/otf_editor/histogram_backdrop.h"
 #include "widgets/otf_editor/node_reduction.h"
+#include "widgets/otf_editor/plot_axes.h"
 
 using namespace echolucent;
 

@@ -15,11 +15,11 @@ struct PointedSample {
 };
 
 /// Follows the ray of the pixel at a point of the picture (pixels from the top left corner; pixel centres at halves)
-/// with the steps that castRays() takes there. Returns the sample at which the accumulated opacity reaches one half, or,
-/// on a ray that never does, the one that contributes most. In modes without a curve it is the largest or the smallest
-/// sample; in the mean it is the mean, at the place of the first sample. The result is empty beside the picture, and if
-/// the ray meets nothing visible. It takes one ray's time, well below a millisecond. The settings must be those with
-/// which the picture on the screen was made.
+/// with the steps that castRays() takes there. Returns the sample at which the accumulated opacity reaches one half,
+/// or, on a ray that never does, the one that contributes most. In modes without a curve it is the largest or the
+/// smallest sample; in the mean it is the mean, at the place of the first sample. The result is empty beside the
+/// picture, and if the ray meets nothing visible. It takes one ray's time, well below a millisecond. The settings must
+/// be those with which the picture on the screen was made.
 [[nodiscard]] std::optional<PointedSample> samplePointedAt(const PaneRequest& pane, const RayCastSettings& settings,
                                                            double x, double y);
 

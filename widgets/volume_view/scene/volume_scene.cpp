@@ -11,9 +11,9 @@
 
 #include <array>
 
+#include "widgets/volume_view/scene/graphics_card/vtk_volume_image.h"
 #include "widgets/volume_view/scene/ray_cast_mapper.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
-#include "widgets/volume_view/scene/vtk_volume_image.h"
 
 namespace echolucent {
 

@@ -7,13 +7,13 @@
 #include <string>
 
 #include "processing/picture/renderer_choice.h"
+#include "processing/picture/screen_picture.h"
 #include "widgets/volume_view/scene/annotation/caption.h"
 #include "widgets/volume_view/scene/annotation/orientation_marker.h"
 #include "widgets/volume_view/scene/annotation/overlay_lines.h"
 #include "widgets/volume_view/scene/annotation/scale_bar.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
-#include "processing/picture/screen_picture.h"
 
 class vtkRenderer;
 class vtkVolume;

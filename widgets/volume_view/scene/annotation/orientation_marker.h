@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "processing/viewpoint.h"
+#include "processing/viewpoint/viewpoint.h"
 #include "widgets/volume_view/scene/annotation/smooth_lines.h"
 
 class vtkRenderer;

@@ -33,7 +33,7 @@ struct SpaceDisc {
     friend bool operator==(const SpaceDisc&, const SpaceDisc&) = default;
 };
 
-/// Words beside places of the grid, mm, where labelsOf() (processing/document/shown_measurement.h) puts them.
+/// Words beside places of the grid, mm, where labelsOf() (processing/scene/shown_measurement.h) puts them.
 struct SpaceText {
     std::vector<Vec3> beside;  ///< at least one
     std::string text;          ///< UTF-8

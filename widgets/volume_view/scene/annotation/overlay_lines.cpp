@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "processing/document/shown_measurement.h"
+#include "processing/scene/shown_measurement.h"
 #include "widgets/volume_view/scene/annotation/annotation_style.h"
 
 namespace echolucent {

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/volume_view/scene/vtk_volume_image.h"
+#include "widgets/volume_view/scene/graphics_card/vtk_volume_image.h"
 
 namespace echolucent {
 

@@ -1,0 +1,193 @@
+#include "app/cli/options/document_study.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include "io/document/session_file.h"
+#include "io/output/overwriting.h"
+#include "io/restricted/restricted_reader.h"
+#include "io/study/simulated_study.h"
+#include "io/study/study_checksum.h"
+#include "processing/near_cut/near_cut.h"
+
+namespace echolucent::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> besideDocument{"VOLUME",   "--document", "--view",  "--size", "--background",
+                                                         "--output", "--quality",  "--words", "--help"};
+
+/// Whether an option says how VOLUME is read. --phase does not: the document says which phase is shown.
+bool saysHowToRead(const CLI::Option& option) {
+    CLI::App reading;
+    VolumeOptions volume;
+    volume.addTo(reading);
+    return option.get_name() != "--phase" && reading.get_option_no_throw(option.get_name()) != nullptr;
+}
+
+/// Where the study lies; if it is nowhere, the place that the document names.
+std::string placeOf(const StudyFile& file, const std::string& document) {
+    const std::string stated = studyPathFrom(document, file.path);
+    const std::string place = placeOfStudy(file, document).value_or(stated);
+    if (place != stated)
+        std::fprintf(stderr, "%s is not there; its bytes were found in %s.\n", file.path.c_str(), place.c_str());
+    return place;
+}
+
+Result<Study> readReferenced(const StudyFile& file, const std::string& document, const std::string& output) {
+    const std::string path = placeOf(file, document);
+    keepFromOverwriting({path});
+    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
+    auto study = restricted::readStudy(path, file.options);
+    if (!study) return study;
+    keepFromOverwriting(study->files);
+    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
+    if (file.checksum.empty()) return study;
+    const auto checksum = checksumOf(study->files);
+    if (!checksum) return tl::unexpected<Failure>(checksum.error());
+    if (const std::string change = changeOf(file, *checksum); !change.empty())
+        std::fprintf(stderr, "%s %s: the picture may not be the one that was saved.\n", path.c_str(), change.c_str());
+    return study;
+}
+
+Result<Study> studyOf(const Document& document, const std::string& path, const VolumeOptions& volume,
+                      const std::string& output) {
+    if (!volume.path.empty()) return volume.readAll({output});
+    if (const auto* file = std::get_if<StudyFile>(&document.study)) return readReferenced(*file, path, output);
+    if (const auto* scan = std::get_if<SimulatedScan>(&document.study)) return simulatedStudy(*scan);
+    return fail(FailureKind::wrongUsage, path, "study", "is null: the document names no study",
+                "Give the volume on the command line.");
+}
+
+}  // namespace
+
+void DocumentOptions::addTo(CLI::App& command) {
+    command
+        .add_option("--document", path,
+                    "A document of the workstation: renders a pane of it as it is at rest. Without VOLUME the document "
+                    "names the study")
+        ->type_name("FILE.json");
+    command
+        .add_option("--view", view,
+                    "Number of the document's pane, or id of a view of version 1; the first where not given")
+        ->type_name("NUMBER")
+        ->needs("--document");
+}
+
+Result<void> DocumentOptions::checkAlone(const CLI::App& command) const {
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0) continue;
+        if (std::ranges::find(besideDocument, option->get_name()) != besideDocument.end()) continue;
+        if (!saysHowToRead(*option))
+            return wrongUsage(option->get_name(), "plays no part beside --document",
+                              "Leave it out, or change the document.");
+        if (command.get_option("VOLUME")->count() == 0)
+            return wrongUsage(option->get_name(), "plays no part beside --document without VOLUME",
+                              "Leave it out, or name the volume.");
+    }
+    return {};
+}
+
+Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOptions& volume, const std::string& output,
+                                        std::optional<int> number) {
+    keepFromOverwriting({path});
+    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
+    auto read = readDocumentPane(path, number);
+    if (!read) return tl::unexpected<Failure>(read.error());
+    Document& document = read->document;
+    auto study = studyOf(document, path, volume, output);
+    if (!study) return tl::unexpected<Failure>(study.error());
+    document.scene =
+        withFrontAcrossPose(std::move(document.scene), document.beam.axis, study->phases.front()->geometry());
+    const int phase = phaseOf(document, read->pane);
+    if (phase < 0 || phase >= static_cast<int>(study->phases.size()))
+        return fail(FailureKind::wrongUsage, path, "phases",
+                    fmt::format("shows phase {}, but the volume has {} phase(s)", phase, study->phases.size()));
+    return DocumentStudy{std::move(document), std::move(*study), read->pane};
+}
+
+Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& view, const Look& look,
+                                const std::vector<std::string>& outputs, double aspect) {
+    const auto asked = view.get();
+    if (!asked) return tl::unexpected<Failure>(asked.error());
+    auto read = volume.readNamed(outputs);
+    if (!read) return tl::unexpected<Failure>(read.error());
+    const Volume& first = *read->study.phases.front();
+
+    const auto begin = std::chrono::steady_clock::now();
+    OpeningFinds finds = *findOnOpening(first, {}, view.said());
+    if (view.nearCutSuggested() && !finds.cut)
+        finds.cut = findNearCut(first, viewpointOf(finds.beam.axis, finds.side.value_or(finds.lean), 0.0));
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+
+    Document fresh;
+    fresh.scene.look = look;
+    const OpenedStudy opened{.reference = read->reference,
+                             .box = first.dataBox(),
+                             .phases = static_cast<int>(read->study.phases.size()),
+                             .finds = finds};
+    Document document = openedDocuments(fresh, opened, aspect).found;
+    Scene& scene = document.scene;
+    if (view.nearCutSuggested())
+        scene.front = {.depthMm = finds.cut->nearCutMm, .source = FrontSource::found};
+    else if (view.said().front)
+        scene.front = {.depthMm = asked->nearCutMm};
+    if (const auto kept = leavesSomething(first, viewpointOf(document)); !kept)
+        return tl::unexpected<Failure>(kept.error());
+    scene.phase = document.motion.otfPhase = volume.phase;
+    return DocumentStudy{std::move(document), std::move(read->study), firstPane, std::move(finds), took.count()};
+}
+
+ChosenBeam beamOf(const DocumentStudy& opened) {
+    const Beam& beam = opened.document.beam;
+    if (beam.source == BeamSource::person || !opened.finds) return {beam.axis, "option", std::nullopt, ""};
+    const BeamGuess& guess = opened.finds->beam;
+    return {beam.axis, guess.sure ? std::string(nameOf(guess.evidence)) : "assumed", guess.confidence, guess.sentence};
+}
+
+namespace {
+
+/// The curve in its place in the document, and which one it is.
+CurveKind putCurve(CurveSet& curves, const OpacityCurve& curve) {
+    if (const auto* power = std::get_if<PowerCurve>(&curve)) {
+        const bool parabolic = power->exponent == curves.parabolic.exponent;
+        (parabolic ? curves.parabolic : curves.quartic) = *power;
+        return parabolic ? CurveKind::parabolic : CurveKind::quartic;
+    }
+    if (const auto* linear = std::get_if<LinearCurve>(&curve)) {
+        curves.linear = *linear;
+        return CurveKind::linear;
+    }
+    curves.manual = std::get<ManualCurve>(curve);
+    return CurveKind::manual;
+}
+
+}  // namespace
+
+Document withMethod(Document document, const AdaptiveOtfConfig& config) {
+    MethodChoice& method = document.method;
+    method.config = config;
+    method.config.initial = AdaptiveOtfConfig{}.initial;
+    if (const auto* power = std::get_if<PowerCurve>(&config.initial)) {
+        method.initial = power->exponent == 2 ? InitialKind::parabolic : InitialKind::quartic;
+        method.initialScale = power->scale;
+    } else {
+        const CurveKind kind = putCurve(document.curves, config.initial);
+        method.initial = kind == CurveKind::linear ? InitialKind::linear : InitialKind::manual;
+    }
+    return document;
+}
+
+Document withCurve(Document document, const OpacityCurve& curve) {
+    const CurveKind kind = putCurve(document.curves, curve);
+    return echolucent::withCurve(std::move(document), firstPane, kind);
+}
+
+}  // namespace echolucent::cli

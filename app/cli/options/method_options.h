@@ -1,0 +1,56 @@
+// The options of the method, and curves by name.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/options/parameter_options.h"
+#include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/opacity_curve.h"
+#include "processing/result.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace echolucent::cli {
+
+/// The method's options: --reading, --initial, --tube-grid, --without-tube, and one for each row of methodParameters().
+/// The reading sets everything; an option overrides it where it stands on the command line.
+struct MethodOptions {
+    std::string reading = "default";
+    std::string initial = "parabolic";
+    std::string tubeGrid;
+    std::vector<std::int64_t> withoutTubes;  ///< in any order, also twice
+    std::optional<double> opacityScale;
+    /// Adds the options to a command. They must stay where they are from here to get().
+    void addTo(CLI::App& command);
+    /// The default reading for a command without these options. Fails (wrong usage) where a value is out of range, or
+    /// where an option belongs to a detection or a form that is not chosen.
+    [[nodiscard]] Result<AdaptiveOtfConfig> get() const;
+
+private:
+    GivenParameters m_given;
+    const CLI::Option* m_initialOption = nullptr;
+};
+
+/// "NxM" as columns and rows, within the ranges of the table; fails (wrong usage) where it is something else.
+[[nodiscard]] Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid);
+
+/// The grid in which tube cores of these indices are never placed; fails (wrong usage) where it has no such tube core.
+[[nodiscard]] Result<TubeGrid> gridWithout(const std::vector<std::int64_t>& tubes, TubeGrid grid);
+
+/// The FILE of the curve name manual:FILE; empty for every other name.
+[[nodiscard]] std::string curveFileOf(const std::string& name);
+
+/// The curve called linear, parabolic, quartic or manual:FILE. Its opacities are multiplied by `opacityScale`; where
+/// that is not given, a manual curve stays as it is and the others have the scale that docs/cli.md names.
+[[nodiscard]] Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale);
+/// The curve of --otf: as curveFromName(), and no curve for "adaptive", which is computed for the rendered view.
+[[nodiscard]] Result<std::optional<OpacityCurve>> namedCurve(const std::string& name,
+                                                             std::optional<double> opacityScale);
+
+}  // namespace echolucent::cli

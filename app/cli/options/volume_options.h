@@ -1,0 +1,61 @@
+// The options of commands that read a volume, and the check of what a command writes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/options/polar_options.h"
+#include "io/study/series_list.h"
+#include "io/study/study.h"
+#include "processing/document/study_reference.h"
+#include "processing/result.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace echolucent::cli {
+
+/// Options of commands that read a volume: VOLUME, --series, --phase, raw layout, --conversion-memory,
+/// --frames-as-slices, --all-voxels.
+struct VolumeOptions {
+    std::string path;
+    int phase = 0;
+    ReadOptions read;
+    std::string series;  ///< UID or number in the list of a folder's series, from 1; empty where it is not given
+    std::string rawSize, rawSpacing, rawType, rawByteOrder;
+    std::int64_t rawHeaderBytes = 0;
+    PolarOptions rawPolar;
+
+    void addTo(CLI::App& command);
+    /// Reads the study. Fails (wrong usage) where --phase is out of range, or where one of the `outputs` of the command
+    /// is a file of the study: an input is never overwritten.
+    [[nodiscard]] Result<Study> readAll(const std::vector<std::string>& outputs) const;
+    /// The series of a folder or DICOMDIR; no value for other files, of which --series is wrong usage.
+    [[nodiscard]] Result<std::optional<SeriesList>> listedSeries() const;
+    /// The series that --series names, else the first. Fails (wrong usage) where there is no such series.
+    [[nodiscard]] Result<const SeriesEntry*> chosenSeries(const SeriesList& list) const;
+    /// Reads the study as readAll() does, from what listedSeries() has found.
+    [[nodiscard]] Result<Study> readListed(const std::optional<SeriesList>& list,
+                                           const std::vector<std::string>& outputs) const;
+    /// Reads the study as readAll() does, and says what a document names it by.
+    struct Named {
+        Study study;
+        StudyFile reference;
+    };
+    [[nodiscard]] Result<Named> readNamed(const std::vector<std::string>& outputs) const;
+    /// Reads the study as readAll() does, and gives the volume of the phase that --phase names.
+    [[nodiscard]] Result<std::shared_ptr<const Volume>> readPhase(const std::vector<std::string>& outputs) const;
+};
+
+/// Checks the outputs of a command before it begins: fails (wrong usage) where two of the `outputs` name the same file,
+/// and as placeOfOutput() does. The files of manual curves among `curveNames` (names as curveFromName() takes them) are
+/// inputs from here on, which no output may be. The files of the volume are checked where it is read
+/// (VolumeOptions::readAll()). Empty outputs are left out.
+[[nodiscard]] Result<void> checkOutputs(const std::vector<std::string>& outputs,
+                                        const std::vector<std::string>& curveNames = {});
+
+}  // namespace echolucent::cli

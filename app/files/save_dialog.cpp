@@ -1,0 +1,67 @@
+#include "app/files/save_dialog.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QStandardPaths>
+
+#include "app/settings/settings.h"
+#include "app/study/open_study.h"
+#include "widgets/controls/panel_controls.h"
+
+namespace echolucent {
+
+namespace {
+
+/// The first folder that a file can be written to.
+QString writableFolder(const QString& proposed, const Settings& settings) {
+    for (const QString& folder :
+         {proposed, settings.lastSaveFolder(), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
+        if (!folder.isEmpty() && QFileInfo(folder).isWritable()) return folder;
+    return QDir::homePath();
+}
+
+/// The path with the suffix, where it has none of the endings that the filter names. QFileDialog takes what follows any
+/// point for an ending, as in "Visit 1.2".
+QString withEnding(const QString& path, const QString& filter, const QString& suffix) {
+    static const QRegularExpression ending(QStringLiteral(R"(\*(\.[^\s)]+))"));
+    bool named = false;
+    for (auto endings = ending.globalMatch(filter); endings.hasNext(); named = true)
+        if (path.endsWith(endings.next().captured(1), Qt::CaseInsensitive)) return path;
+    return named ? path + '.' + suffix : path;
+}
+
+/// Shows the note below the fields, in a dialog of Qt's own: those of desktops take no words.
+void showNote(QFileDialog& dialog, const QString& note) {
+    dialog.setOption(QFileDialog::DontUseNativeDialog);
+    auto* fields = qobject_cast<QGridLayout*>(dialog.layout());
+    if (fields != nullptr) fields->addWidget(noteLabel(note, "saveFile.note"), fields->rowCount(), 0, 1, -1);
+}
+
+}  // namespace
+
+QString chooseFileToSave(QWidget& window, Settings& settings, const OpenStudy& openStudy, const FileToSave& file) {
+    QFileDialog dialog(&window, file.title, writableFolder(file.folder, settings), file.filter);
+    dialog.setObjectName("saveFile");
+    if (!file.note.isEmpty()) showNote(dialog, file.note);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setOption(QFileDialog::DontConfirmOverwrite, !file.asksBeforeReplacing);
+    dialog.setDefaultSuffix(file.suffix);
+    dialog.selectFile(file.name + '.' + file.suffix);
+    QObject::connect(&openStudy, &OpenStudy::studyOpened, &dialog, &QDialog::reject);
+    while (dialog.exec() == QDialog::Accepted) {
+        const QString chosen = dialog.selectedFiles().first();
+        const QString path = withEnding(chosen, dialog.selectedNameFilter(), file.suffix);
+        if (path == chosen || !file.asksBeforeReplacing || !QFileInfo::exists(path)) {
+            settings.setLastSaveFolder(QFileInfo(path).absolutePath());
+            return path;
+        }
+        dialog.selectFile(path);  // under its whole name the dialog asks whether it is to be replaced
+    }
+    return {};
+}
+
+}  // namespace echolucent

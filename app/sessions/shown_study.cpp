@@ -1,0 +1,207 @@
+#include "app/sessions/shown_study.h"
+
+#include <QMainWindow>
+#include <utility>
+
+#include "app/otf/editor_otfs.h"
+#include "app/study/study_names.h"
+#include "io/study/import_report.h"
+#include "processing/pane_picture/pane_caster.h"
+#include "processing/picture/empty_picture.h"
+#include "processing/viewpoint/box_section.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/run_status.h"
+#include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/method_panel.h"
+#include "widgets/panels/study_panel.h"
+#include "widgets/panels/view_panel.h"
+#include "widgets/volume_view/volume_view_widget.h"
+
+namespace echolucent {
+
+ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
+    connect(&m_parts.openStudy, &OpenStudy::aboutToReplace, this, [this] {
+        m_parts.player.pause();
+        m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
+    });
+    connect(&m_parts.openStudy, &OpenStudy::studyReplaced, this, &ShownStudy::beginDocument);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ShownStudy::tellFacts);
+    connect(&m_parts.names, &StudyNames::changed, this, &ShownStudy::nameStudy);
+    connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &ShownStudy::takeVolume);
+    connect(&m_parts.openStudy, &OpenStudy::cuttingFailed, this,
+            [this](const QString& sentence) { m_parts.messages.showMessage(MessageKind::error, sentence); });
+    connect(&m_parts.otfs, &PaneOtfs::computed, this, &ShownStudy::takeOtf);
+    connect(&m_parts.otfs, &PaneOtfs::failed, this, [this](std::size_t place) {
+        if (place == PaneOtfs::adaptiveOfScene) m_parts.player.pause();
+    });
+    connect(&m_parts.player, &MotionPlayer::playingChanged, this, [this](bool playing) {
+        m_parts.editor.setPlaying(playing);
+        if (playing) return;
+        m_numbers.tellNow();
+        showRemark();
+    });
+    connect(&m_parts.model, &DocumentModel::phaseChanged, this,
+            [this] { m_parts.controls.setPhase(phaseOf(m_parts.model.document(), firstPane)); });
+    connect(&m_parts.model, &DocumentModel::curvesChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showNumbers);
+    connect(&m_parts.model, &DocumentModel::lookChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::boxChanged, this, &ShownStudy::showRemarkAtRest);
+    connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
+    connect(&m_parts.model, &DocumentModel::sideChanged, this, &ShownStudy::showNearCutRange);
+}
+
+/// All that calls the study by its name, in the title and in the facts.
+void ShownStudy::nameStudy() {
+    const Study* study = m_parts.openStudy.study();
+    if (study == nullptr) return;
+    StudyNames& names = m_parts.names;
+    const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
+    const QString name = m_parts.openStudy.isSimulatedScan() ? QString::fromStdString(study->name)
+                                                             : names.nameOf(m_parts.openStudy.path());
+    QStringList title{tr("Echolucent"), name,
+                      QStringLiteral("%1×%2×%3").arg(geometry.size[0]).arg(geometry.size[1]).arg(geometry.size[2])};
+    title << (geometry.spacingKnown ? tr("%1 mm").arg(geometry.unit(), 0, 'g', 3) : tr("spacing unknown"));
+    m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")) + QStringLiteral("[*]"));
+
+    QList<StudyFactRow> facts;
+    const auto& finds = m_parts.openStudy.finds();
+    for (const ImportFact& fact : finds ? importReport(*study, finds->beam) : study->facts)
+        facts << StudyFactRow{QString::fromStdString(fact.name), names.shown(QString::fromStdString(fact.value)),
+                              names.shown(QString::fromStdString(fact.source))};
+    m_parts.facts.setStudy(facts, warnings());
+}
+
+QStringList ShownStudy::warnings() const {
+    QStringList warnings;
+    for (const std::string& warning : m_parts.openStudy.study()->warnings)
+        warnings << m_parts.names.shownOfFile(QString::fromStdString(warning));
+    return warnings;
+}
+
+void ShownStudy::tellFacts() {
+    const Study& study = *m_parts.openStudy.study();
+    const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
+    if (!m_parts.openStudy.isSimulatedScan()) {
+        QStringList files;
+        for (const std::string& file : study.files) files << QString::fromStdString(file);
+        m_parts.names.know(m_parts.openStudy.path(), files);
+    }
+    nameStudy();
+
+    QStringList notes;
+    if (study.lossyCompression != LossyCompression::unknown)
+        notes << (study.lossyCompression == LossyCompression::yes ? tr("lossy compression")
+                                                                  : tr("no lossy compression"));
+    if (!geometry.spacingKnown) notes << tr("spacing unknown");
+    m_parts.status.setNotes(notes);
+
+    if (m_parts.openStudy.isSimulatedScan())
+        m_parts.messages.showMessage(MessageKind::info,
+                                     tr("Open a volume, or drop it here. This is a simulated scan."));
+    else if (const QStringList words = warnings(); !words.isEmpty())
+        m_parts.messages.showMessage(MessageKind::warning, words.join(QStringLiteral(" ")));
+    else
+        m_parts.messages.dismiss();
+}
+
+void ShownStudy::takeVolume() {
+    OpenStudy& openStudy = m_parts.openStudy;
+    m_parts.editor.setHistogram(openStudy.histogram());
+    m_parts.editor.setWhiteLevel(openStudy.volume()->whiteLevel());
+    // While it plays numbers would come and go. Those of an OTF that is there already stay.
+    if (m_parts.player.isPlaying() || m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return;
+    m_parts.method.clearResult();
+    m_parts.status.clearOtf();
+}
+
+void ShownStudy::beginDocument() {
+    OpenStudy& openStudy = m_parts.openStudy;
+    const Study& study = *openStudy.study();
+    const int before = std::exchange(m_phases, static_cast<int>(study.phases.size()));
+    m_parts.messages.setRemark({});
+    m_parts.method.clearResult();
+    m_parts.status.clearOtf();
+    if (const OtfEditorState& state = m_parts.editor.state(); state.designed)  // a design of the study before
+        m_parts.editor.setDesign(QString::fromStdString(state.designer), std::nullopt);
+    m_parts.controls.setPhaseCount(m_phases);
+    m_parts.motion.setStudy(study);
+    emit aboutToBegin();
+    OpenedDocuments opened =
+        openedDocuments(m_parts.model.document(),
+                        {openStudy.reference(), openStudy.volume()->dataBox(), m_phases, before, openStudy.finds()},
+                        m_parts.picture.aspect());
+    m_opened = std::move(opened.found);
+    if (openStudy.saved()) {
+        m_parts.model.begin(openStudy.saved()->session.document);
+    } else {
+        m_parts.model.begin(opened.plain);
+        m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be taken back
+    }
+    m_parts.motion.beginAtRest();
+    showNearCutRange();
+}
+
+void ShownStudy::takeOtf(std::size_t place) {
+    const bool designed = designerConfigOf(m_parts.model.document(), firstPane) != nullptr;
+    if (place != PaneOtfs::adaptiveOfScene && !(place == firstPane && designed)) return;
+    // A drag of a box or a cut, as a motion, brings one OTF after another.
+    m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
+    showRemarkAtRest();
+}
+
+void ShownStudy::showNumbers() {
+    const auto otf = m_parts.otfs.adaptive();
+    if (otf) m_parts.method.showResult(*otf);
+    if (designerConfigOf(m_parts.model.document(), firstPane) != nullptr) {
+        const auto made = m_parts.otfs.designOf(firstPane);
+        made ? m_parts.status.setDesign(labelOf(made->asked.config), made->milliseconds) : m_parts.status.clearOtf();
+    } else if (otf) {
+        m_parts.status.setOtf(otf->times.total, otf->tubesWithWeight, otf->tubesMeetingVolume);
+    }
+}
+
+/// While it plays the bar would come and go over the picture.
+void ShownStudy::showRemarkAtRest() {
+    if (!m_parts.player.isPlaying()) showRemark();
+}
+
+void ShownStudy::showRemark() {
+    if (!m_parts.otfs.adaptive() || !m_parts.openStudy.volume() || m_parts.openStudy.beginning()) return;
+    const Document& document = m_parts.model.document();
+    const std::optional<OrientedBox> box = viewpointOf(document).box;
+    if (box && !meets(*box, m_parts.openStudy.volume()->dataBox()))
+        return m_parts.messages.setRemark(
+            tr("Nothing is shown: the render box lies beside the data. Drag its centre, or switch it off (B)."));
+    m_parts.messages.setRemark(remarks().join(QLatin1Char(' ')));
+}
+
+/// What the OTF that is rendered has to say. A picture that is black because of its curve says so.
+QStringList ShownStudy::remarks() const {
+    const Document& document = m_parts.model.document();
+    const bool designed = designerConfigOf(document, firstPane) != nullptr;
+    const auto made = designed ? m_parts.otfs.designOf(firstPane) : m_parts.otfs.of(PaneOtfs::adaptiveOfScene);
+    if (!made || (!designed && !made->design.tubeCores)) return {};
+    QString message = QString::fromStdString(made->design.message);
+    if (designed && !message.isEmpty()) message = tr("%1: %2").arg(labelOf(made->asked.config), message);
+    const ShownPane& shown = m_parts.panes.at(firstPane);
+    const OpacityCurve curve =
+        designed ? upperCurveOf(classificationOf(document, firstPane, {.designed = made->design.classification}))
+                 : curveOf(document, firstPane, made->design.tubeCores->curve);
+    QStringList remarks{message};
+    if (document.scene.look.mode == RenderMode::direct)
+        remarks << QString::fromStdString(whyNothingShows(curve, m_parts.openStudy.histogramOf(*shown.voxels)));
+    remarks.removeAll(QString());
+    return remarks;
+}
+
+void ShownStudy::showNearCutRange() {
+    if (!m_parts.openStudy.volume()) return;
+    const Document& document = m_parts.model.document();
+    const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
+    m_parts.controls.setNearCutRange(depthAlongViewMm(otfViewpointOf(document, firstPane), geometry),
+                                     geometry.spacingKnown);
+    m_parts.controls.setNearCutMm(document.scene.front.depthMm);
+}
+
+}  // namespace echolucent

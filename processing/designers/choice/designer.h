@@ -1,0 +1,51 @@
+// The OTF designers by name: a config of any of them in, a classification and its explanation out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "processing/designers/adaptive_design.h"
+#include "processing/designers/choice/designer_config.h"
+#include "processing/designers/design.h"
+#include "processing/designers/fixed_presets.h"
+#include "processing/designers/gradients/contour_spectrum.h"
+#include "processing/designers/gradients/kindlmann.h"
+#include "processing/designers/gradients/levoy.h"
+#include "processing/designers/otsu.h"
+#include "processing/designers/percentile.h"
+#include "processing/designers/template/template_curve.h"
+#include "processing/progress.h"
+
+namespace echolucent {
+
+/// Runs a designer. The result is empty only where progress.cancel was raised, and has the same bits for any number of
+/// threads. Throws std::invalid_argument where problemOf(config) is not empty, or where the volumes of the input have
+/// different grids.
+[[nodiscard]] std::optional<Design> design(const DesignerConfig& config, const DesignerInput& input,
+                                           const Progress& progress = {});
+
+/// What is out of range, lower case, no full stop; an empty text where nothing is.
+[[nodiscard]] std::string problemOf(const DesignerConfig& config);
+
+/// Calls visit(row, values) for each row of the table of the designer's parameters; `values` is the config as its own
+/// type.
+template <typename Visit>
+void forEachParameter(const DesignerConfig& config, const Visit& visit) {
+    std::visit(
+        [&](const auto& values) {
+            for (const auto& row : parametersOf(values)) visit(row, values);
+        },
+        config);
+}
+/// The same for a config that `visit` may change.
+template <typename Visit>
+void forEachParameter(DesignerConfig& config, const Visit& visit) {
+    std::visit(
+        [&](auto& values) {
+            for (const auto& row : parametersOf(values)) visit(row, values);
+        },
+        config);
+}
+
+}  // namespace echolucent

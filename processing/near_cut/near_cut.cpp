@@ -1,0 +1,192 @@
+#include "processing/near_cut/near_cut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "processing/choice_names.h"
+#include "processing/near_cut/curved_cut.h"
+#include "processing/near_cut/flat_cut.h"
+#include "processing/near_cut/fluid_stretches.h"
+#include "processing/near_cut/smooth_echo.h"
+#include "processing/near_cut/tissue_level.h"
+#include "processing/near_cut/tube_echo.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr ChoiceNames<3> answerNames{"fluid at the front", "wall before fluid", "no fluid"};
+
+/// Shares of the tissue's intensity below which a sample may be fluid. Blood full of echo needs the highest, and at
+/// the lowest a chamber is not yet joined with what is only dim.
+constexpr std::array fluidLevels{0.35, 0.45, 0.55};
+constexpr double leastCavityEdge = 6.4;  // samples, a tenth of the data's extent
+constexpr double leastFluid = 0.004;     // of the data
+constexpr double mostlyAtFront = 0.5;    // of the tube cores that meet data
+constexpr double someAtFront = 0.1;  // of the tube cores that meet data, and far more than are in fluid behind a wall:
+constexpr double farMoreAtFront = 12.0;  // dim tissue may begin at the front too,
+constexpr double moreAtFront = 3.0;      // clear fluid is no dim tissue
+constexpr double clearFrontContrast = 1.3;
+constexpr double mostlySurrounded = 0.5;  // of the tube cores that a cut would open: they begin in fluid
+constexpr double clearFluid = 0.03;       // of the data: so much is beyond doubt
+constexpr double faintContrast = 0.47, clearContrast = 0.77;  // ln 1.6, which every wall has, and ln 2.16
+constexpr double sureFrom = 0.5;
+constexpr double asManyAsFlat = 0.95;  // tube cores in fluid: then the curved cut fits
+
+using Levels = std::vector<std::vector<FluidStretch>>;
+
+/// What the tube cores of a view saw.
+struct Seen {
+    TubeEcho tubes;
+    Levels levels;
+    int meetData = 0;
+    int front = 0;                    ///< the sample at which the first of them does
+    std::vector<bool> beginsInFluid;  ///< of each tube core
+    int beginInFluid = 0, meetFluid = 0;
+    double frontContrast = 0.0;  ///< of the stretches at the front, as FluidStretch::contrast
+};
+
+void countTubes(Seen& seen) {
+    seen.front = seen.tubes.samples;
+    for (std::size_t tube = 0; tube < seen.tubes.tubes(); ++tube) {
+        const float* echo = seen.tubes.tube(tube);
+        const float* end = echo + seen.tubes.samples;
+        const float* first = std::find_if(echo, end, [](float value) { return value >= 0.0F; });
+        if (first == end) continue;
+        ++seen.meetData;
+        seen.front = std::min(seen.front, static_cast<int>(first - echo));
+    }
+    seen.beginsInFluid.resize(seen.tubes.tubes());
+    std::vector<bool> any(seen.tubes.tubes());
+    double samples = 0.0;
+    for (const auto& stretches : seen.levels)
+        for (const FluidStretch& stretch : stretches) {
+            any[static_cast<std::size_t>(stretch.tube)] = true;
+            if (!stretch.atFront) continue;
+            seen.beginsInFluid[static_cast<std::size_t>(stretch.tube)] = true;
+            samples += stretch.length();
+            seen.frontContrast += stretch.length() * stretch.contrast;
+        }
+    if (samples > 0.0) seen.frontContrast /= samples;
+    seen.beginInFluid = static_cast<int>(std::count(seen.beginsInFluid.begin(), seen.beginsInFluid.end(), true));
+    seen.meetFluid = static_cast<int>(std::count(any.begin(), any.end(), true));
+}
+
+std::optional<Seen> look(const Volume& volume, const Viewpoint& view, const Progress& progress) {
+    const auto coarse = view.box ? SmoothEcho::of(volume.withDataMask(dataMaskWithin(*view.box, volume)), progress)
+                                 : SmoothEcho::of(volume, progress);
+    if (!coarse) return std::nullopt;
+    Seen seen;
+    const auto tissue = tissueLevel(coarse->intensities());
+    if (!tissue) return seen;
+    progress.at(0.6);
+    seen.tubes = readTubeEcho(*coarse, volume.geometry(), view);
+    for (const double share : fluidLevels) {
+        if (progress.cancelled()) return std::nullopt;
+        seen.levels.push_back(fluidStretches(seen.tubes, static_cast<float>(share * *tissue), leastCavityEdge));
+    }
+    progress.at(0.8);
+    countTubes(seen);
+    return seen;
+}
+
+/// The stretches of the highest level that stand behind a wall.
+std::vector<FluidStretch> behindWalls(const Seen& seen) {
+    std::vector<FluidStretch> walled;
+    std::copy_if(seen.levels.back().begin(), seen.levels.back().end(), std::back_inserter(walled),
+                 [](const FluidStretch& stretch) { return !stretch.atFront; });
+    return walled;
+}
+
+void addSurface(const Seen& seen, int flatSample, NearCutFinding& finding) {
+    const TubeEcho& tubes = seen.tubes;
+    finding.surface = fitCurvedCut(tubes, behindWalls(seen), flatSample);
+    if (!finding.surface) return;
+    const auto depthOf = [&](int tube) {
+        const int column = tube % tubes.columns, row = tube / tubes.columns;
+        const Vec3 place = tubes.frame.right * (tubes.firstRightMm + column * tubes.stepMm) +
+                           tubes.frame.down * (tubes.firstDownMm + row * tubes.stepMm);
+        return (finding.surface->depthAt(place) - tubes.firstDepthMm) / tubes.stepMm;
+    };
+    finding.tubesInFluidBehindSurface = tubesInFluid(seen.levels, tubes.tubes(), depthOf);
+    if (finding.tubesInFluidBehindSurface < asManyAsFlat * finding.tubesThatSaySo) finding.surface.reset();
+}
+
+double clampedShare(double value, double from, double to) { return std::clamp((value - from) / (to - from), 0.0, 1.0); }
+
+NearCutFinding judged(const Seen& seen) {
+    NearCutFinding finding;
+    finding.tubes = seen.meetData;
+    const FlatCut flat = findFlatCut(seen.tubes, seen.levels);
+    const int opened = tubesInFluid(seen.levels, seen.tubes.tubes(), [&](int) { return flat.sample; });
+    constexpr int nowhere = -1;
+    const int openedBehindFluid = tubesInFluid(seen.levels, seen.tubes.tubes(), [&](int tube) {
+        return seen.beginsInFluid[static_cast<std::size_t>(tube)] ? flat.sample : nowhere;
+    });
+    const double frontShare = static_cast<double>(seen.beginInFluid) / std::max(1, seen.meetData);
+    const bool clearFront = seen.frontContrast >= clearFrontContrast;
+    const double timesOpened = clearFront ? moreAtFront : farMoreAtFront;
+    // In a wide sector few tube cores meet the fluid at the front, and behind what it surrounds there is more of it.
+    const bool surrounds = clearFront && openedBehindFluid >= mostlySurrounded * opened;
+    if (frontShare >= mostlyAtFront ||
+        (frontShare >= someAtFront && (seen.beginInFluid >= timesOpened * opened || surrounds))) {
+        finding.answer = NearCutAnswer::fluidAtFront;
+        finding.tubesThatSaySo = seen.beginInFluid;
+        finding.confidence = frontShare;
+    } else if (flat.fluid < leastFluid) {
+        finding.tubesThatSaySo = seen.meetData - seen.meetFluid;
+        finding.confidence = seen.meetData > 0 ? 1.0 - flat.fluid / leastFluid : 0.0;
+    } else {
+        finding.answer = NearCutAnswer::wallBeforeFluid;
+        finding.tubesThatSaySo = opened;
+        finding.confidence = clampedShare(flat.fluid, 0.0, clearFluid) *
+                             clampedShare(flat.contrast, faintContrast, clearContrast) * (1.0 - frontShare);
+        finding.behindDataMm = (flat.sample - seen.front) * seen.tubes.stepMm;
+        finding.nearCutMm = seen.tubes.depthMm(flat.sample);  // from the grid's origin until the box is known
+        addSurface(seen, flat.sample, finding);
+    }
+    finding.sure = finding.confidence >= sureFrom;
+    return finding;
+}
+
+std::string oneDecimal(double value) {
+    const auto tenths = static_cast<long>(std::lround(10.0 * value));
+    return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10);
+}
+
+std::string sentenceOf(const NearCutFinding& finding, bool spacingKnown) {
+    const std::string of =
+        std::to_string(finding.tubesThatSaySo) + " of " + std::to_string(finding.tubes) + " tube cores ";
+    const std::string doubt = finding.sure ? "" : " The search is not sure.";
+    switch (finding.answer) {
+        case NearCutAnswer::fluidAtFront:
+            return "The fluid begins at the front (" + of + "begin in it): no near cut is needed." + doubt;
+        case NearCutAnswer::wallBeforeFluid:
+            return "A wall stands before the fluid: behind a cut at " + oneDecimal(finding.nearCutMm) + " mm " +
+                   (spacingKnown ? "" : "(by a guessed spacing) ") + of + "are in fluid." + doubt;
+        case NearCutAnswer::noFluid:
+            if (finding.tubes == 0) return "No tube core meets data here, so no near cut can be suggested.";
+            return "No fluid was found (" + of + "meet none), so no near cut can be suggested." + doubt;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string_view nameOf(NearCutAnswer answer) { return nameIn(answerNames, answer); }
+
+std::optional<NearCutFinding> findNearCut(const Volume& volume, const Viewpoint& view, const Progress& progress) {
+    const auto seen = look(volume, view, progress);
+    if (!seen || progress.cancelled()) return std::nullopt;
+    NearCutFinding finding = judged(*seen);
+    if (finding.answer == NearCutAnswer::wallBeforeFluid)
+        finding.nearCutMm =
+            std::max(0.0, finding.nearCutMm - volume.geometry().depthsAlong(frameOf(view).forward).nearest);
+    finding.message = sentenceOf(finding, volume.geometry().spacingKnown);
+    progress.at(1.0);
+    return finding;
+}
+
+}  // namespace echolucent

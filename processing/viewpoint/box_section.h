@@ -1,0 +1,42 @@
+// What a plane shows of a box, and boxes with a face moved or turned.
+#pragma once
+
+#include <vector>
+
+#include "processing/viewpoint/oriented_box.h"
+
+namespace echolucent {
+
+/// A face of a box: on the side of larger (+1) or smaller (-1) places along one of its axes.
+struct BoxFace {
+    int axis = 0;  ///< 0 right, 1 down, 2 forward
+    int sign = 1;
+    friend bool operator==(const BoxFace&, const BoxFace&) = default;
+};
+
+/// The unit normal of a face that points out of the box, grid mm.
+[[nodiscard]] Vec3 outwardNormal(const OrientedBox& box, const BoxFace& face);
+/// The middle of a face, grid mm.
+[[nodiscard]] Vec3 middleOf(const OrientedBox& box, const BoxFace& face);
+
+/// The convex polygon in which a plane cuts a box: edge i goes from corner i to the next one (the last to the first)
+/// and lies on faces[i]. Both lists are empty where the plane misses the box.
+struct BoxSection {
+    std::vector<Vec3> corners;  ///< grid mm
+    std::vector<BoxFace> faces;
+};
+/// `normal` has length 1.
+[[nodiscard]] BoxSection sectionOf(const OrientedBox& box, const Vec3& pointMm, const Vec3& normal);
+
+/// Whether a box and that of the data have a place in common.
+[[nodiscard]] bool meets(const OrientedBox& box, const DataBox& data);
+
+/// The box with a face moved outwards by so many mm (inwards where below 0), the opposite one in place; it stays at
+/// least leastMm (above 0) thick.
+[[nodiscard]] OrientedBox withFaceMoved(const OrientedBox& box, const BoxFace& face, double mm, double leastMm);
+/// A vector rotated about an axis of length 1, right-handed (Rodrigues' formula).
+[[nodiscard]] Vec3 rotatedAbout(const Vec3& axis, double degrees, const Vec3& vector);
+/// The box turned about its centre and an axis of length 1, right-handed.
+[[nodiscard]] OrientedBox turnedAbout(const OrientedBox& box, const Vec3& axis, double degrees);
+
+}  // namespace echolucent

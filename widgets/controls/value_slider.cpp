@@ -1,0 +1,95 @@
+#include "widgets/controls/value_slider.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <cmath>
+
+#include "widgets/controls/panel_controls.h"
+
+namespace echolucent {
+
+ValueSlider::ValueSlider(const QString& name, const QString& accessibleName, double step, int decimals, QWidget* parent)
+    : QWidget(parent),
+      m_step(step),
+      m_slider(named(new QSlider(Qt::Horizontal), name, accessibleName)),
+      m_spinBox(named(new QDoubleSpinBox, name + ".value", accessibleName)) {
+    m_spinBox->setDecimals(decimals);
+    m_spinBox->setSingleStep(step);
+    m_spinBox->setKeyboardTracking(false);  // "25" is one value, not first 2
+    m_spinBox->setAlignment(Qt::AlignRight);
+    m_slider->setMinimumWidth(60);
+    wheelNeedsFocus(m_slider);
+    wheelNeedsFocus(m_spinBox);
+    setFocusProxy(m_slider);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_slider, 1);
+    layout->addWidget(m_spinBox);
+
+    connect(m_slider, &QSlider::valueChanged, this, &ValueSlider::takeFromSlider);
+    connect(m_spinBox, &QDoubleSpinBox::valueChanged, this, &ValueSlider::takeFromSpinBox);
+}
+
+double ValueSlider::value() const { return m_spinBox->value(); }
+double ValueSlider::minimum() const { return m_spinBox->minimum(); }
+double ValueSlider::maximum() const { return m_spinBox->maximum(); }
+
+void ValueSlider::setValue(double value) {
+    const QSignalBlocker blocker(m_spinBox);
+    m_spinBox->setValue(value);
+    showOnSlider();
+}
+
+void ValueSlider::setRange(double minimum, double maximum) {
+    Q_ASSERT(minimum <= maximum);
+    const QSignalBlocker spinBoxBlocker(m_spinBox);
+    m_spinBox->setRange(minimum, maximum);
+    const QSignalBlocker sliderBlocker(m_slider);
+    m_slider->setRange(0, static_cast<int>(std::ceil((this->maximum() - this->minimum()) / m_step - 1e-9)));
+    m_slider->setPageStep(std::max(1, m_slider->maximum() / 10));
+    showOnSlider();
+}
+
+void ValueSlider::setSuffix(const QString& suffix) { m_spinBox->setSuffix(suffix); }
+
+void ValueSlider::setStandard(double standard) {
+    m_standard = standard;
+    if (m_reset == nullptr) {
+        m_reset = resetButton(m_slider->objectName() + ".reset", tr("Reset: %1").arg(m_slider->accessibleName()));
+        layout()->addWidget(m_reset);
+        connect(m_reset, &QToolButton::clicked, m_spinBox, [this] { m_spinBox->setValue(m_standard); });
+    }
+    showReset();
+}
+
+/// The reset compares the numbers as the spin box shows them: rounding is no change.
+void ValueSlider::showReset() {
+    if (m_reset != nullptr)
+        m_reset->setEnabled(m_spinBox->textFromValue(m_standard) != m_spinBox->textFromValue(value()));
+}
+
+void ValueSlider::showOnSlider() {
+    const QSignalBlocker blocker(m_slider);
+    m_slider->setValue(static_cast<int>(std::lround((value() - minimum()) / m_step)));
+    showReset();
+}
+
+void ValueSlider::takeFromSlider(int step) {
+    {
+        const QSignalBlocker blocker(m_spinBox);
+        m_spinBox->setValue(minimum() + step * m_step);
+    }
+    showReset();
+    emit valueChanged(value());
+}
+
+void ValueSlider::takeFromSpinBox(double value) {
+    showOnSlider();
+    emit valueChanged(value);
+}
+
+}  // namespace echolucent
