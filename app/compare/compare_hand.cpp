@@ -1,7 +1,5 @@
 #include "app/compare/compare_hand.h"
 
-#include "app/document/camera_step.h"
-
 namespace echolucent {
 
 CompareHand::CompareHand(DocumentModel& model, OpenStudy& openStudy, CompareGrid& grid, QObject* parent)
@@ -24,7 +22,7 @@ CompareHand::CompareHand(DocumentModel& model, OpenStudy& openStudy, CompareGrid
     connect(&m_grid, &CompareGrid::wipeMoved, this, [this](double share) {
         Document next = m_model.document();
         next.comparison.wipe = share;
-        take(next, tr("move the wipe"));
+        m_model.take(next, tr("move the wipe"), m_grid.dragging());
     });
     connect(&m_grid, &CompareGrid::dragEnded, &m_model, &DocumentModel::commitPreview);
     connect(&m_grid, &CompareGrid::dragCancelled, &m_model, &DocumentModel::cancelPreview);
@@ -43,8 +41,7 @@ void CompareHand::moveCamera(
     const CameraPose after = move(before, zoomLimits(volume->geometry()));
     const Pose moved = movedPose(shown, before, after, volume->dataBox(), aspect);
     if (moved == shown) return;
-    const CameraStep step = cameraStep(document, moved);
-    take(step.next, step.what);
+    m_model.moveCamera(moved, m_grid.dragging());
     emit cameraMoved();
 }
 
@@ -53,14 +50,7 @@ void CompareHand::moveLight(double right, double down) {
     Look& look = next.scene.look;
     if (look.lighting == Lighting::flat || look.mode != RenderMode::direct) return;
     look.light = moved(look.light, right, down);
-    take(next, tr("move light"));
-}
-
-void CompareHand::take(const Document& next, const QString& what) {
-    if (m_grid.dragging())
-        m_model.preview(next, what);
-    else
-        m_model.edit(next, what);
+    m_model.take(next, tr("move light"), m_grid.dragging());
 }
 
 }  // namespace echolucent

@@ -26,7 +26,6 @@ signals:
 private:
     void moveCamera(const std::function<CameraPose(const CameraPose& camera, const ZoomLimits& limits)>& move);
     void moveLight(double right, double down);
-    void take(const Document& next, const QString& what);
 
     DocumentModel& m_model;
     OpenStudy& m_openStudy;

@@ -4,9 +4,9 @@
 #include <QElapsedTimer>
 #include <QObject>
 
-#include "app/document/document_view.h"
 #include "app/motion/motion_player.h"
 #include "app/otf/shown_panes.h"
+#include "app/picture/document_view.h"
 #include "widgets/paced_words.h"
 #include "widgets/threads/works.h"
 

@@ -4,7 +4,7 @@
 #include <QImage>
 #include <QObject>
 
-#include "app/document/document_view.h"
+#include "app/picture/document_view.h"
 #include "app/study/open_study.h"
 #include "widgets/document/document_model.h"
 #include "widgets/threads/newest_wins_thread.h"

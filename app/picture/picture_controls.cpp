@@ -25,22 +25,21 @@ QString nameOfChange(const Look& before, const Look& after) {
 PictureControls::PictureControls(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
     connectPanel();
     connectPicture();
-    connect(&m_parts.model, &DocumentModel::lookChanged, this, &PictureControls::showDocument);
-    connect(&m_parts.model, &DocumentModel::frontChanged, this, &PictureControls::showDocument);
-    connect(&m_parts.model, &DocumentModel::beamChanged, this, &PictureControls::showDocument);
+    for (const auto part : {&DocumentModel::lookChanged, &DocumentModel::frontChanged, &DocumentModel::beamChanged})
+        connect(&m_parts.model, part, this, &PictureControls::showDocument);
 }
 
 void PictureControls::connectPanel() {
     const ViewPanel* panel = &m_parts.panel;
     connect(panel, &ViewPanel::nearCutChanged, this, [this](double mm) {
         if (!hasStudy()) return showDocument();
-        edit(tr("near cut"), [mm](Document& next) { next.scene.front = Front{.depthMm = mm}; });
+        m_parts.model.change(tr("near cut"), [mm](Document& next) { next.scene.front = Front{.depthMm = mm}; });
     });
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
     connect(panel, &ViewPanel::phaseChanged, this, [this](int phase) { m_parts.model.showPhase(phase); });
     connect(panel, &ViewPanel::lookChanged, this, &PictureControls::setLook);
     connect(panel, &ViewPanel::lookReset, this, [this](const Look& look, const QString& group) {
-        edit(tr("reset %1").arg(group.toLower()), [&look](Document& next) { next.scene.look = look; });
+        m_parts.model.change(tr("reset %1").arg(group.toLower()), [&look](Document& next) { next.scene.look = look; });
         keep();
     });
     connect(panel, &ViewPanel::rendererChanged, this, [this] {
@@ -62,14 +61,9 @@ bool PictureControls::hasStudy() const {
     return !std::holds_alternative<std::monostate>(m_parts.model.document().study);
 }
 
-void PictureControls::edit(const QString& what, const std::function<void(Document&)>& change) {
-    Document next = m_parts.model.document();
-    change(next);
-    m_parts.model.edit(next, what);
-}
-
 void PictureControls::setLook(const Look& look) {
-    edit(nameOfChange(m_parts.model.document().scene.look, look), [&look](Document& next) { next.scene.look = look; });
+    m_parts.model.change(nameOfChange(m_parts.model.document().scene.look, look),
+                         [&look](Document& next) { next.scene.look = look; });
     keep();
 }
 
@@ -89,7 +83,7 @@ void PictureControls::nextLighting() {
 
 void PictureControls::setBeamAxis(BeamAxis axis) {
     if (!hasStudy()) return showDocument();
-    edit(tr("beam axis"), [this, axis](Document& next) {
+    m_parts.model.change(tr("beam axis"), [this, axis](Document& next) {
         next = withBeam(std::move(next), {axis, BeamSource::person});
         next.scene.front = Front{};
         next.scene.pose = m_parts.picture.wholeVolume(Viewpoint{.beamAxis = axis});
@@ -99,12 +93,13 @@ void PictureControls::setBeamAxis(BeamAxis axis) {
 }
 
 void PictureControls::resetView() {
-    edit(tr("reset view"),
-         [this](Document& next) { next.scene.pose = m_parts.picture.wholeVolume(viewAlongBeam(next.beam)); });
+    m_parts.model.change(tr("reset view"), [this](Document& next) {
+        next.scene.pose = m_parts.picture.wholeVolume(viewAlongBeam(next.beam));
+    });
 }
 
 void PictureControls::resetAll(const Document& opened) {
-    edit(tr("reset all"), [this, &opened](Document& next) {
+    m_parts.model.change(tr("reset all"), [this, &opened](Document& next) {
         next.beam = opened.beam;
         next.curves = opened.curves;
         next.scene.side = opened.scene.side;
@@ -124,7 +119,7 @@ void PictureControls::resetAll(const Document& opened) {
 }
 
 void PictureControls::resetCut(const Document& opened) {
-    edit(tr("reset cut"), [&opened](Document& next) { next.scene.front = opened.scene.front; });
+    m_parts.model.change(tr("reset cut"), [&opened](Document& next) { next.scene.front = opened.scene.front; });
 }
 
 void PictureControls::showDocument() {

@@ -4,8 +4,8 @@
 #include <QObject>
 #include <optional>
 
-#include "app/document/document_view.h"
 #include "app/settings/settings.h"
+#include "widgets/document/document_model.h"
 #include "widgets/paced_words.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
@@ -23,7 +23,6 @@ class PictureControls : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
-        DocumentView& view;
         VolumeViewWidget& picture;
         ViewPanel& panel;
         OtfEditor& editor;
@@ -50,7 +49,6 @@ private:
     void connectPanel();
     void connectPicture();
     [[nodiscard]] bool hasStudy() const;
-    void edit(const QString& what, const std::function<void(Document&)>& change);
     void setLook(const Look& look);
     void setBeamAxis(BeamAxis axis);
     void showDocument();

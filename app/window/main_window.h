@@ -5,8 +5,8 @@
 #include <functional>
 #include <memory>
 
-#include "app/document/document_view.h"
 #include "app/motion/motion_frames.h"
+#include "app/picture/document_view.h"
 #include "app/picture/picture_caption.h"
 #include "app/sessions/shown_study.h"
 #include "app/settings/settings.h"

@@ -41,6 +41,22 @@ void DocumentModel::cancelPreview() {
     set(keepingChecksum(before));
 }
 
+void DocumentModel::take(const Document& wanted, const QString& what, bool dragging) {
+    dragging ? preview(wanted, what) : edit(wanted, what);
+}
+
+void DocumentModel::moveCamera(const Pose& moved, bool dragging) {
+    const Pose shown = shownPose(m_document);
+    Document next = m_document;
+    next.scene.pose = moved;
+    next.scene.motionAngle = 0.0;
+    take(next,
+         moved.direction != shown.direction           ? tr("turn view")
+         : moved.magnification != shown.magnification ? tr("zoom")
+                                                      : tr("move view"),
+         dragging);
+}
+
 void DocumentModel::showPhase(int phase) {
     Document next = m_document;
     next.scene.phase = phase;

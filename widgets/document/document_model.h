@@ -61,6 +61,11 @@ public:
     void preview(const Document& wanted, const QString& what);
     void commitPreview();
     void cancelPreview();
+    /// preview() while a drag goes on, else edit().
+    void take(const Document& wanted, const QString& what, bool dragging);
+    /// The same for a camera that the hand has moved: the view looks from there. A motion starts anew from where the
+    /// person left it.
+    void moveCamera(const Pose& moved, bool dragging);
     [[nodiscard]] bool previewing() const { return m_beforePreview.has_value(); }
 
     /// Shows a phase (counted from 0) of the study. No step.

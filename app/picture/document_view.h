@@ -35,7 +35,6 @@ private:
     void showPose();
     void takePose();
     void takeLight();
-    void take(const Document& next, const QString& what);
 
     DocumentModel& m_model;
     OpenStudy& m_openStudy;

@@ -10,7 +10,7 @@
 #include <atomic>
 #include <thread>
 
-#include "app/document/document_view.h"
+#include "app/picture/document_view.h"
 #include "io/document/document_file.h"
 #include "io/writers/meta_image_writer.h"
 #include "processing/phantom/phantom.h"

@@ -1,8 +1,5 @@
-#include "app/document/document_view.h"
+#include "app/picture/document_view.h"
 
-#include <utility>
-
-#include "app/document/camera_step.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -48,8 +45,7 @@ void DocumentView::showPose() {
 
 void DocumentView::takePose() {
     if (held()) return;  // what the hand moves is the picture of the study before
-    const CameraStep step = cameraStep(m_model.document(), m_widget.pose());
-    take(step.next, step.what);
+    m_model.moveCamera(m_widget.pose(), m_widget.dragging());
     emit cameraMoved();
 }
 
@@ -57,14 +53,7 @@ void DocumentView::takeLight() {
     if (held()) return;
     Document next = m_model.document();
     next.scene.look.light = m_widget.look().light;
-    take(next, tr("move light"));
-}
-
-void DocumentView::take(const Document& next, const QString& what) {
-    if (m_widget.dragging())
-        m_model.preview(next, what);
-    else
-        m_model.edit(next, what);
+    m_model.take(next, tr("move light"), m_widget.dragging());
 }
 
 }  // namespace echolucent
