@@ -3,6 +3,7 @@
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/designer_panel.h"
 
 namespace echolucent {
 
@@ -15,6 +16,10 @@ EditorOtfs::EditorOtfs(const Parts& parts, QObject* parent) : QObject(parent), m
     });
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &EditorOtfs::showDesign);
     connect(&m_parts.otfs, &PaneOtfs::failed, this, &EditorOtfs::tellFailure);
+    connect(&m_parts.otfs, &PaneOtfs::followed, this, &EditorOtfs::showInPanel);
+    connect(&m_parts.otfs, &PaneOtfs::progressed, &m_parts.designers, &DesignerPanel::setProgress);
+    connect(&m_parts.designers, &DesignerPanel::cancelRequested, &m_parts.otfs, &PaneOtfs::cancel);
+    connect(&m_parts.designers, &DesignerPanel::computeRequested, &m_parts.otfs, &PaneOtfs::computeAgain);
 }
 
 /// The curve before stays until the next one is there, or none will come.
@@ -30,6 +35,16 @@ void EditorOtfs::showDesign() {
     const auto made = m_parts.otfs.designOf(firstPane);
     m_parts.editor.setDesign(labelOf(made ? made->asked.config : *config),
                              made ? std::optional(upperCurveOf(made->design.classification)) : std::nullopt);
+}
+
+void EditorOtfs::showInPanel() {
+    const DesignerConfig* config = designerConfigOf(m_parts.model.document(), firstPane);
+    auto made = m_parts.otfs.designOf(firstPane);
+    // What another designer made before is shown still, and is nothing of this one's.
+    if (made && (config == nullptr || config->index() != made->asked.config.index())) made.reset();
+    if (made != m_inPanel) m_parts.designers.setDesign(made ? &made->design : nullptr, made ? made->milliseconds : 0.0);
+    m_inPanel = made;
+    m_parts.designers.setComputing(m_parts.otfs.designing(), m_parts.otfs.isAnyRefused());
 }
 
 /// The scene's OTF is told once, at its own place.

@@ -1,4 +1,4 @@
-// The OTFs that are computed, in the curve editor.
+// The OTFs that are computed, in the curve editor and in the panel of designers.
 #pragma once
 
 #include <QObject>
@@ -8,10 +8,12 @@
 
 namespace echolucent {
 
+class DesignerPanel;
 class MessageBar;
 class OtfEditor;
 
-/// Brings the adaptive curve and what the designer of the first pane made to the editor, and says what failed.
+/// Brings the adaptive curve and what the designer of the first pane made to editor and panel, says what failed, and
+/// cancels and computes again if the panel asks for it.
 class EditorOtfs : public QObject {
     Q_OBJECT
 
@@ -21,6 +23,7 @@ public:
         PaneOtfs& otfs;
         ShownPanes& panes;
         OtfEditor& editor;
+        DesignerPanel& designers;
         MessageBar& messages;
     };
     /// All of them must outlive this.
@@ -29,9 +32,11 @@ public:
 private:
     void showAdaptive();
     void showDesign();
+    void showInPanel();
     void tellFailure(std::size_t place, const QString& sentence);
 
     Parts m_parts;
+    std::shared_ptr<const ComputedOtf> m_inPanel;
 };
 
 /// "Levoy", ...

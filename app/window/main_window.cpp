@@ -11,7 +11,6 @@
 
 #include "app/compare/compare_room.h"
 #include "app/motion/movie_files.h"
-#include "app/otf/designer_controls.h"
 #include "app/otf/editor_otfs.h"
 #include "app/otf/near_cut_finder.h"
 #include "app/picture/explanation.h"
@@ -88,9 +87,7 @@ void MainWindow::createUnits() {
     m_panes = std::make_unique<ShownPanes>(m_document, m_openStudy, *m_otfs, m_course);
     m_view = std::make_unique<DocumentView>(m_document, m_openStudy, *m_panes, *m_widgets.picture);
     m_editorOtfs = std::make_unique<EditorOtfs>(
-        EditorOtfs::Parts{m_document, *m_otfs, *m_panes, *m_widgets.editor, *m_widgets.messages});
-    m_designerControls =
-        std::make_unique<DesignerControls>(DesignerControls::Parts{m_document, *m_otfs, *m_widgets.designers});
+        EditorOtfs::Parts{m_document, *m_otfs, *m_panes, *m_widgets.editor, *m_widgets.designers, *m_widgets.messages});
     m_widgets.method->showDocument(m_document);
     m_pictureControls = std::make_unique<PictureControls>(PictureControls::Parts{
         m_document, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor, *m_widgets.status, m_settings});

@@ -23,7 +23,6 @@ namespace echolucent {
 
 class CompareRoom;
 class CurveAndPictureFiles;
-class DesignerControls;
 class EditorOtfs;
 class FullScreen;
 class HistoryControls;
@@ -132,7 +131,6 @@ private:
     std::unique_ptr<ShownPanes> m_panes;
     std::unique_ptr<DocumentView> m_view;
     std::unique_ptr<EditorOtfs> m_editorOtfs;
-    std::unique_ptr<DesignerControls> m_designerControls;
     std::unique_ptr<PictureControls> m_pictureControls;
     std::unique_ptr<PresetControls> m_presets;
     std::unique_ptr<MotionFrames> m_motion;

@@ -150,7 +150,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
 
     layout.editor = new OtfEditor(document, &window);
     layout.method = new MethodPanel(&window);
-    layout.designers = new DesignerPanel(&window);
+    layout.designers = new DesignerPanel(document, &window);
     layout.controls = new ViewPanel(&window);
     layout.presets = new PresetsPanel(&window);
     layout.sliders = new CurveSliders(document, &window);

@@ -33,6 +33,22 @@ DesignPlot plotOf(const std::vector<double>& values) {
     return plot;
 }
 
+/// The panel on a document whose first pane is rendered with a designer, or with a curve.
+struct Shown {
+    explicit Shown(const std::optional<DesignerConfig>& config = std::nullopt) { show(config); }
+    void show(const std::optional<DesignerConfig>& config) {
+        const Document& now = document.document();
+        document.begin(config ? withDesigner(now, firstPane, *config) : withCurve(now, firstPane, CurveKind::adaptive));
+    }
+    [[nodiscard]] const DesignerConfig& config() const {
+        const DesignerConfig* config = designerConfigOf(document.document(), firstPane);
+        if (config == nullptr) qFatal("no designer");
+        return *config;
+    }
+    DocumentModel document;
+    DesignerPanel panel{document};
+};
+
 }  // namespace
 
 class TestPanelsDesigner : public QObject {
@@ -42,18 +58,18 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
     void offersACurveAndAllDesigners() {
-        DesignerPanel panel;
-        auto* choice = child<QComboBox>(panel, "designer.choice");
+        Shown s;
+        auto* choice = child<QComboBox>(s.panel, "designer.choice");
         QCOMPARE(choice->count(), 1 + static_cast<int>(allDesigners.size()));
         QCOMPARE(choice->itemText(0), QString("Curve"));
         QCOMPARE(choice->currentIndex(), 0);
-        QSignalSpy chosen(&panel, &DesignerPanel::chosen);
         QTest::keyClick(choice, Qt::Key_Down);
-        QCOMPARE(chosen.count(), 1);
-        QVERIFY(chosen.first().first().value<std::optional<Designer>>() == Designer::adaptive);
+        QCOMPARE(s.document.steps().undoText(), "choose designer Adaptive");
+        QVERIFY(designerOf(s.config()) == Designer::adaptive);
         QTest::keyClick(choice, Qt::Key_Up);
-        QCOMPARE(chosen.count(), 2);
-        QVERIFY(chosen.last().first().value<std::optional<Designer>>() == std::nullopt);
+        QCOMPARE(s.document.steps().undoText(), "choose curve");
+        QCOMPARE(s.document.steps().count(), 2);
+        QVERIFY(designerConfigOf(s.document.document(), firstPane) == nullptr);
     }
 
     void everyParameterHasAControlWithItsMeaning_data() {
@@ -63,116 +79,108 @@ private slots:
     }
     void everyParameterHasAControlWithItsMeaning() {
         QFETCH(int, designer);
-        DesignerPanel panel;
-        AllSignals noise(panel);
         const DesignerConfig config = defaultConfigOf(static_cast<Designer>(designer));
-        panel.setConfig(config);
-        panel.show();
+        Shown s(config);
+        AllSignals noise(s.panel);
+        s.panel.show();
         forEachParameter(config, [&](const auto& row, const auto& values) {
             const QString name = "designer." + QString::fromStdString(camelCase(row.name));
-            auto* control = child<QWidget>(panel, name.toLatin1().constData());
+            auto* control = child<QWidget>(s.panel, name.toLatin1().constData());
             QCOMPARE(control->isVisible(), row.get(values).has_value());
             QVERIFY(control->toolTip().startsWith(QString::fromUtf8(row.meaning.data(), row.meaning.size())));
             QVERIFY(!control->accessibleName().isEmpty());
         });
-        QVERIFY2(panel.minimumSizeHint().width() <= 329, qPrintable(QString::number(panel.minimumSizeHint().width())));
+        QVERIFY2(s.panel.minimumSizeHint().width() <= 329,
+                 qPrintable(QString::number(s.panel.minimumSizeHint().width())));
         QCOMPARE(noise.count(), 0);
+        QCOMPARE(s.document.steps().count(), 0);
     }
 
     void aTypedNumberComesOutOnce() {
-        DesignerPanel panel;
-        panel.setConfig(OtsuConfig{});
-        QSignalSpy changed(&panel, &DesignerPanel::configChanged);
-        auto* opacity = child<QDoubleSpinBox>(panel, "designer.opacity");
+        Shown s(OtsuConfig{});
+        auto* opacity = child<QDoubleSpinBox>(s.panel, "designer.opacity");
         opacity->selectAll();
         QTest::keyClicks(opacity, "0.25");
         QTest::keyClick(opacity, Qt::Key_Return);
-        QCOMPARE(changed.count(), 1);
-        QVERIFY(changed.first().at(0).value<DesignerConfig>() == DesignerConfig(OtsuConfig{.opacity = 0.25}));
-        QCOMPARE(changed.first().at(1).toString(), QString("Otsu ramp: opacity"));
+        QCOMPARE(s.document.steps().count(), 1);
+        QVERIFY(s.config() == DesignerConfig(OtsuConfig{.opacity = 0.25}));
+        QCOMPARE(s.document.steps().undoText(), "Otsu ramp: opacity");
     }
 
     void aNumberThatNobodyMovedKeepsItsDigits() {
-        DesignerPanel panel;
         const OtsuConfig exact{.spreads = 1.23456789, .opacity = 0.5};
-        panel.setConfig(exact);
-        QSignalSpy changed(&panel, &DesignerPanel::configChanged);
-        QTest::keyClick(child<QDoubleSpinBox>(panel, "designer.opacity"), Qt::Key_Up);
-        QCOMPARE(changed.count(), 1);
-        QCOMPARE(std::get<OtsuConfig>(changed.first().at(0).value<DesignerConfig>()).spreads, 1.23456789);
+        Shown s(exact);
+        QTest::keyClick(child<QDoubleSpinBox>(s.panel, "designer.opacity"), Qt::Key_Up);
+        QCOMPARE(s.document.steps().count(), 1);
+        QCOMPARE(std::get<OtsuConfig>(s.config()).spreads, 1.23456789);
     }
 
     void whatPlaysNoPartIsHidden() {
-        DesignerPanel panel;
-        panel.setConfig(LevoyConfig{});
-        panel.show();
-        auto* given = child<QWidget>(panel, "designer.fluidLevel");
+        Shown s(LevoyConfig{});
+        s.panel.show();
+        auto* given = child<QWidget>(s.panel, "designer.fluidLevel");
         QVERIFY(!given->isVisible());
-        panel.setConfig(LevoyConfig{.levels = LevoyLevels::given});
+        s.show(LevoyConfig{.levels = LevoyLevels::given});
         QVERIFY(given->isVisible());
-        QVERIFY(child<QWidget>(panel, "designer.transitionWidth")->isVisible());
-        panel.setConfig(LevoyConfig{.form = LevoyForm::boundaries});
-        QVERIFY(!child<QWidget>(panel, "designer.transitionWidth")->isVisible());
-        panel.setConfig(std::nullopt);
+        QVERIFY(child<QWidget>(s.panel, "designer.transitionWidth")->isVisible());
+        s.show(LevoyConfig{.form = LevoyForm::boundaries});
+        QVERIFY(!child<QWidget>(s.panel, "designer.transitionWidth")->isVisible());
+        s.show(std::nullopt);
         QVERIFY(!given->isVisible());
     }
 
     void resetGivesTheDefaults() {
-        DesignerPanel panel;
-        panel.setConfig(OtsuConfig{.opacity = 0.5});
-        QSignalSpy changed(&panel, &DesignerPanel::configChanged);
-        QTest::mouseClick(child<QAbstractButton>(panel, "designer.reset"), Qt::LeftButton);
-        QCOMPARE(changed.count(), 1);
+        Shown s(OtsuConfig{.opacity = 0.5});
+        QTest::mouseClick(child<QAbstractButton>(s.panel, "designer.reset"), Qt::LeftButton);
+        QCOMPARE(s.document.steps().count(), 1);
         const DesignerConfig standard = OtsuConfig{};
-        QVERIFY(changed.first().at(0).value<DesignerConfig>() == standard);
+        QVERIFY(s.config() == standard);
     }
 
     void whatWasMadeIsToldAndPlotted() {
-        DesignerPanel panel;
-        panel.setConfig(OtsuConfig{});
-        panel.show();
+        Shown s(OtsuConfig{});
+        s.panel.show();
         const Design design{.classification = PowerCurve{2, 1.0},
                             .explanation = {"The first sentence.", "The second."},
                             .facts = {{"threshold", "Threshold", 0.25}, {"share", "Dark voxels", 0.5, "share"}},
                             .plots = {plotOf({0, 2, 1}), DesignPlot{"other", "Other", "", {0, 1}, {0, 1}}},
                             .message = "All are alike."};
-        panel.setDesign(&design, 12.3);
-        QVERIFY(child<QLabel>(panel, "designer.explanation")->text().contains("The second."));
-        QVERIFY(child<QLabel>(panel, "designer.message")->text().endsWith("All are alike."));
-        const QString facts = child<QLabel>(panel, "designer.facts")->text();
+        s.panel.setDesign(&design, 12.3);
+        QVERIFY(child<QLabel>(s.panel, "designer.explanation")->text().contains("The second."));
+        QVERIFY(child<QLabel>(s.panel, "designer.message")->text().endsWith("All are alike."));
+        const QString facts = child<QLabel>(s.panel, "designer.facts")->text();
         QVERIFY(facts.contains("Threshold") && facts.contains("0.25") && facts.contains("0.5 share") &&
                 facts.contains("12 ms"));
-        auto* plot = child<QComboBox>(panel, "designer.plot");
+        auto* plot = child<QComboBox>(s.panel, "designer.plot");
         QCOMPARE(plot->count(), 2);
         QCOMPARE(plot->itemText(0), QString("Area (square units)"));
         QTest::keyClick(plot, Qt::Key_Down);
-        QCOMPARE(child<QWidget>(panel, "designer.plot.canvas")->accessibleDescription(), QString("Other"));
-        panel.setDesign(nullptr, 0);
+        QCOMPARE(child<QWidget>(s.panel, "designer.plot.canvas")->accessibleDescription(), QString("Other"));
+        s.panel.setDesign(nullptr, 0);
         QVERIFY(!plot->isVisible());
-        QVERIFY(!child<QLabel>(panel, "designer.message")->isVisible());
+        QVERIFY(!child<QLabel>(s.panel, "designer.message")->isVisible());
     }
 
     void progressAndCancelAreSeenWhileItComputes() {
-        DesignerPanel panel;
-        panel.setConfig(OtsuConfig{});
-        panel.show();
-        auto* cancel = child<QAbstractButton>(panel, "designer.cancel");
-        auto* compute = child<QAbstractButton>(panel, "designer.compute");
+        Shown s(OtsuConfig{});
+        s.panel.show();
+        auto* cancel = child<QAbstractButton>(s.panel, "designer.cancel");
+        auto* compute = child<QAbstractButton>(s.panel, "designer.compute");
         QVERIFY(!cancel->isVisible());
-        panel.setComputing(true, false);
-        panel.setProgress(0.5);
+        s.panel.setComputing(true, false);
+        s.panel.setProgress(0.5);
         QVERIFY(cancel->isVisible() && !compute->isVisible());
-        auto* progress = child<QProgressBar>(panel, "designer.progress");
+        auto* progress = child<QProgressBar>(s.panel, "designer.progress");
         QCOMPARE(2 * progress->value(), progress->maximum());
-        QSignalSpy cancelled(&panel, &DesignerPanel::cancelRequested);
+        QSignalSpy cancelled(&s.panel, &DesignerPanel::cancelRequested);
         QTest::mouseClick(cancel, Qt::LeftButton);
         QCOMPARE(cancelled.count(), 1);
-        panel.setComputing(false, true);
+        s.panel.setComputing(false, true);
         QVERIFY(!cancel->isVisible() && compute->isVisible());
-        QSignalSpy asked(&panel, &DesignerPanel::computeRequested);
+        QSignalSpy asked(&s.panel, &DesignerPanel::computeRequested);
         QTest::mouseClick(compute, Qt::LeftButton);
         QCOMPARE(asked.count(), 1);
-        panel.setComputing(false, false);
+        s.panel.setComputing(false, false);
         QVERIFY(!compute->isVisible());
     }
 
@@ -205,17 +213,15 @@ private slots:
     }
 
     void aMaximumOfTheContourSpectrumPutsItsRampThere() {
-        DesignerPanel panel;
-        panel.setConfig(ContourSpectrumConfig{});
+        Shown s(ContourSpectrumConfig{});
         const Design design{.classification = PowerCurve{2, 1.0}, .plots = {plotOf({0, 1, 4, 1, 0, 0, 1, 2, 1, 0, 0})}};
-        panel.setDesign(&design, 1.0);
-        panel.show();
-        auto* canvas = child<DesignPlotCanvas>(panel, "designer.plot.canvas");
-        QSignalSpy changed(&panel, &DesignerPanel::configChanged);
+        s.panel.setDesign(&design, 1.0);
+        s.panel.show();
+        auto* canvas = child<DesignPlotCanvas>(s.panel, "designer.plot.canvas");
         QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->positionOf(7).toPoint());
-        QCOMPARE(changed.count(), 1);
-        QVERIFY(changed.first().at(0).value<DesignerConfig>() == withThreshold(ContourSpectrumConfig{}, 0.7).value());
-        QVERIFY(thresholdOf(changed.first().at(0).value<DesignerConfig>()) == 0.7);
+        QCOMPARE(s.document.steps().count(), 1);
+        QVERIFY(s.config() == withThreshold(ContourSpectrumConfig{}, 0.7).value());
+        QVERIFY(thresholdOf(s.config()) == 0.7);
     }
 
     void theEmphasisKeepsItsOrderAndItsFewestNodes() {

@@ -41,7 +41,7 @@ QString withUnit(const QString& text, const std::string& unit) {
 
 }  // namespace
 
-DesignerPanel::DesignerPanel(QWidget* parent) : QWidget(parent) {
+DesignerPanel::DesignerPanel(DocumentModel& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setObjectName("designer");
     setAccessibleName(tr("OTF designers"));
     makeChoice();
@@ -55,7 +55,7 @@ DesignerPanel::DesignerPanel(QWidget* parent) : QWidget(parent) {
                 // If a person chooses another designer while typing a number, the hidden field still reports it. Ignore
                 // it.
                 if (!m_config || m_config->index() != config.index()) return;
-                emit configChanged(config, tr("%1: %2").arg(nameOfDesigner(), label.toLower()));
+                take(config, tr("%1: %2").arg(nameOfDesigner(), label.toLower()));
             });
 
     auto* layout = new QVBoxLayout(this);
@@ -75,9 +75,10 @@ DesignerPanel::DesignerPanel(QWidget* parent) : QWidget(parent) {
     layout->addWidget(m_plotHint);
     layout->addWidget(m_facts);
     layout->addStretch(1);
-    setConfig(std::nullopt);
     setDesign(nullptr, 0);
     setComputing(false, false);
+    m_document.bind(&DocumentModel::panesChanged, this,
+                    [this](const Document& shown) { showConfig(designerConfigOf(shown, firstPane)); });
 }
 
 void DesignerPanel::makeChoice() {
@@ -87,12 +88,22 @@ void DesignerPanel::makeChoice() {
     for (const Designer designer : allDesigners)
         m_choice->addItem(textOf(labelOf(designer)), static_cast<int>(designer));
     wheelNeedsFocus(m_choice);
-    connect(m_choice, &QComboBox::currentIndexChanged, this, [this] {
-        const int entry = m_choice->currentData().toInt();
-        emit chosen(entry == curveEntry ? std::nullopt : std::optional(static_cast<Designer>(entry)));
-    });
+    connect(m_choice, &QComboBox::currentIndexChanged, this, &DesignerPanel::choose);
     m_reset = resetButton("designer.reset", tr("Set the designer's parameters back"));
     connect(m_reset, &QToolButton::clicked, this, &DesignerPanel::resetParameters);
+}
+
+void DesignerPanel::choose() {
+    const Document& document = m_document.document();
+    const int entry = m_choice->currentData().toInt();
+    if (entry == curveEntry)
+        return m_document.edit(withCurve(document, firstPane, document.panes.at(firstPane).curve), tr("choose curve"));
+    const auto designer = static_cast<Designer>(entry);
+    take(defaultConfigOf(designer), tr("choose designer %1").arg(textOf(labelOf(designer))));
+}
+
+void DesignerPanel::take(const DesignerConfig& config, const QString& what, bool dragging) {
+    m_document.take(withDesigner(m_document.document(), firstPane, config), what, dragging);
 }
 
 void DesignerPanel::makeProgress() {
@@ -148,17 +159,17 @@ void DesignerPanel::makeEmphasis() {
     connect(m_emphasis, &EmphasisCanvas::previewed, this, [this](const std::vector<EmphasisNode>& nodes) {
         changeEmphasis(nodes, tr("move node of emphasis"), true);
     });
-    connect(m_emphasis, &EmphasisCanvas::dragEnded, this, &DesignerPanel::dragEnded);
-    connect(m_emphasis, &EmphasisCanvas::dragCancelled, this, &DesignerPanel::dragCancelled);
+    connect(m_emphasis, &EmphasisCanvas::dragEnded, &m_document, &DocumentModel::commitPreview);
+    connect(m_emphasis, &EmphasisCanvas::dragCancelled, &m_document, &DocumentModel::cancelPreview);
 }
 
 QString DesignerPanel::nameOfDesigner() const { return m_config ? textOf(labelOf(designerOf(*m_config))) : QString(); }
 
-void DesignerPanel::setConfig(const std::optional<DesignerConfig>& config) {
-    const bool another = m_config.has_value() != config.has_value() || (config && config->index() != m_config->index());
-    m_config = config;
-    selectData(m_choice, config ? static_cast<int>(designerOf(*config)) : curveEntry);
-    if (config) m_parameters->setConfig(*config);
+void DesignerPanel::showConfig(const DesignerConfig* config) {
+    const auto before = std::exchange(m_config, config != nullptr ? std::optional(*config) : std::nullopt);
+    const bool another = before.has_value() != m_config.has_value() || (before && before->index() != m_config->index());
+    selectData(m_choice, m_config ? static_cast<int>(designerOf(*m_config)) : curveEntry);
+    if (m_config) m_parameters->setConfig(*m_config);
     if (another) setDesign(nullptr, 0);
     showParts();
     showPlot();
@@ -241,20 +252,20 @@ void DesignerPanel::setProgress(double share) { showShare(m_progress, share); }
 
 void DesignerPanel::resetParameters() {
     if (!m_config) return;
-    emit configChanged(defaultConfigOf(designerOf(*m_config)), tr("%1: defaults").arg(nameOfDesigner()));
+    take(defaultConfigOf(designerOf(*m_config)), tr("%1: defaults").arg(nameOfDesigner()));
 }
 
 void DesignerPanel::pick(double intensity) {
     if (!m_config) return;
     const auto next = withThreshold(*m_config, intensity);
-    if (next && *next != *m_config) emit configChanged(*next, tr("%1: threshold").arg(nameOfDesigner()));
+    if (next && *next != *m_config) take(*next, tr("%1: threshold").arg(nameOfDesigner()));
 }
 
 void DesignerPanel::changeEmphasis(const std::vector<EmphasisNode>& nodes, const QString& what, bool preview) {
     if (!m_config || !std::holds_alternative<KindlmannConfig>(*m_config)) return;
     DesignerConfig next = *m_config;
     std::get<KindlmannConfig>(next).drawn = nodes;
-    preview ? emit configPreviewed(next, what) : emit configChanged(next, what);
+    take(next, what, preview);
 }
 
 }  // namespace echolucent

@@ -7,6 +7,7 @@
 
 #include "processing/designers/choice/designer_config.h"
 #include "processing/designers/design.h"
+#include "widgets/document/document_model.h"
 
 class QComboBox;
 class QLabel;
@@ -22,15 +23,15 @@ class EmphasisCanvas;
 
 /// Objects: designer.choice, designer.reset, the parameters (DesignerParameters), designer.emphasis.canvas,
 /// designer.progress, designer.cancel, designer.compute, designer.message,
-/// designer.explanation, designer.facts, designer.plot (which one) and designer.plot.canvas.
+/// designer.explanation, designer.facts, designer.plot (which one) and designer.plot.canvas. It shows the designer of
+/// the document's first pane and makes steps of what is chosen; what was made is told to it.
 class DesignerPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit DesignerPanel(QWidget* parent = nullptr);
+    /// The document outlives the panel.
+    explicit DesignerPanel(DocumentModel& document, QWidget* parent = nullptr);
 
-    /// Shows a designer's config; without a value a curve is rendered. Emits nothing.
-    void setConfig(const std::optional<DesignerConfig>& config);
     /// Shows a finished OTF and the time it took. `design` is null if there is none yet.
     void setDesign(const Design* design, double milliseconds);
     /// `computing`: an OTF is being computed. `refused`: one was cancelled or has failed, for this view or for a pane
@@ -40,14 +41,7 @@ public:
     void setProgress(double share);
 
 signals:
-    /// A person chose a designer, or a curve (no value).
-    void chosen(std::optional<echolucent::Designer> designer);
-    /// A person changed something; `what` names the step.
-    void configChanged(const echolucent::DesignerConfig& config, const QString& what);
-    /// A drag changed something. More may follow, until dragEnded() or dragCancelled().
-    void configPreviewed(const echolucent::DesignerConfig& config, const QString& what);
-    void dragEnded();
-    void dragCancelled();
+    /// Shows a finished OTF and the time it took. `design` is null if there is none yet.
     void cancelRequested();
     /// A person asks for the OTF that was cancelled.
     void computeRequested();
@@ -58,6 +52,9 @@ private:
     void makeWords();
     void makePlots();
     void makeEmphasis();
+    void choose();
+    void showConfig(const DesignerConfig* config);
+    void take(const DesignerConfig& config, const QString& what, bool dragging = false);
     void showParts();
     void showPlot();
     void showFacts(const Design& design, double milliseconds);
@@ -66,7 +63,8 @@ private:
     void changeEmphasis(const std::vector<EmphasisNode>& nodes, const QString& what, bool preview);
     [[nodiscard]] QString nameOfDesigner() const;
 
-    std::optional<DesignerConfig> m_config;
+    DocumentModel& m_document;
+    std::optional<DesignerConfig> m_config;  ///< that is shown; no value: the view is rendered with a curve
     std::vector<DesignPlot> m_plots;
     QComboBox* m_choice = nullptr;
     QToolButton* m_reset = nullptr;
