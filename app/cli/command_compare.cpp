@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/options/document_study.h"
+#include "app/cli/options/option_text.h"
 #include "app/cli/options/volume_options.h"
 #include "io/output/atomic_file.h"
 #include "processing/document/panes.h"

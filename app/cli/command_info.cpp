@@ -12,12 +12,14 @@
 #include <fmt/format.h>
 
 #include "app/cli/command.h"
+#include "app/cli/options/option_text.h"
 #include "app/cli/options/volume_options.h"
 #include "app/cli/report/report_json.h"
 #include "io/files/header_text.h"
 #include "io/output/atomic_file.h"
 #include "io/output/overwriting.h"
 #include "io/study/import_report.h"
+#include "io/study/series_list.h"
 #include "processing/beam/beam_guess.h"
 #include "processing/one_line.h"
 

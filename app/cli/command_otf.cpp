@@ -7,6 +7,7 @@
 #include "app/cli/options/designer_options.h"
 #include "app/cli/options/look_options.h"
 #include "app/cli/options/method_options.h"
+#include "app/cli/options/option_text.h"
 #include "app/cli/options/view_options.h"
 #include "app/cli/options/volume_options.h"
 #include "app/cli/report/design_report.h"

@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/options/method_options.h"
+#include "app/cli/options/option_text.h"
 #include "app/cli/options/view_options.h"
 #include "app/cli/options/volume_options.h"
 #include "app/cli/phantom_output.h"

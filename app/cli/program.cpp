@@ -10,6 +10,7 @@
 #include <string_view>
 #include <thread>
 
+#include "app/cli/options/option_text.h"
 #include "io/output/interruption.h"
 
 namespace echolucent::cli {

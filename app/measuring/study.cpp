@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "app/cli/options/option_text.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf.h"
 

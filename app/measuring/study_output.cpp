@@ -1,4 +1,5 @@
 #include "app/measuring/study_output.h"
+#include "app/cli/options/option_text.h"
 
 #include <fmt/format.h>
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/cli/options/option_text.h"
 #include "io/document/session_file.h"
 #include "io/output/overwriting.h"
 #include "io/restricted/restricted_reader.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/cli/options/option_text.h"
 #include "app/cli/options/view_options.h"
 #include "processing/beam/beam_guess.h"
 #include "processing/beam/probe_view.h"

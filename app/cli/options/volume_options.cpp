@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/options/method_options.h"
+#include "app/cli/options/option_text.h"
 #include "app/cli/options/volume_options.h"
 #include "io/file_formats.h"
 #include "io/files/header_text.h"

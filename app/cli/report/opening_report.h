@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/options/document_study.h"
+#include "app/cli/options/invocation.h"
 #include "app/cli/report/report_json.h"
 
 namespace echolucent::cli {

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "app/cli/options/option_text.h"
 #include "app/measuring/study.h"
 #include "processing/phantom/phantom.h"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/cli/options/option_text.h"
 #include "app/cli/report/sweep_report.h"
 #include "app/measuring/motion/motion_page.h"
 #include "app/measuring/study.h"

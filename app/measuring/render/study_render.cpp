@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/cli/options/option_text.h"
 #include "app/measuring/render/study_render.h"
 #include "app/measuring/study.h"
 #include "processing/phantom/phantom.h"
