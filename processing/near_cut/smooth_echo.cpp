@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <opencv2/core.hpp>
+#include <span>
 
 #include "processing/parallel.h"
 
@@ -36,45 +39,90 @@ std::vector<std::vector<Overlap>> overlapsAlong(std::int64_t voxels, double spac
     return all;
 }
 
-struct Sums {
-    std::vector<float> echo, share;
+/// The voxels of a row that reach into a cell, and with how much of its edge.
+struct Reach {
+    std::int64_t first = 0;
+    std::vector<float> shares{};
 };
 
-/// Sums one slice of voxels into a slice of cells.
-template <typename Stored>
-void sumSlice(const Volume& volume, const Stored* voxels, std::int64_t slice,
-              const std::array<std::vector<std::vector<Overlap>>, 3>& overlaps, int columns, Sums& sums) {
-    const VolumeGeometry& geometry = volume.geometry();
-    const std::uint8_t* mask = volume.dataMaskOrNull();
-    const auto white = static_cast<float>(volume.whiteLevel());
-    std::vector<float> echo(static_cast<std::size_t>(columns)), share(static_cast<std::size_t>(columns));
-    for (std::int64_t y = 0; y < geometry.size[1]; ++y) {
-        std::fill(echo.begin(), echo.end(), 0.0F);
-        std::fill(share.begin(), share.end(), 0.0F);
-        const std::int64_t row = geometry.offset(0, y, slice);
-        for (std::int64_t x = 0; x < geometry.size[0]; ++x) {
-            if (mask != nullptr && mask[row + x] == 0) continue;
-            const float stored = static_cast<float>(voxels[row + x]) / white;
-            const float intensity = stored > 0.0F ? std::min(stored, 1.0F) : 0.0F;  // NaN too
-            for (const Overlap& across : overlaps[0][static_cast<std::size_t>(x)]) {
-                echo[static_cast<std::size_t>(across.cell)] += across.share * intensity;
-                share[static_cast<std::size_t>(across.cell)] += across.share;
-            }
+std::vector<Reach> reachesOf(const std::vector<std::vector<Overlap>>& overlaps, int cells) {
+    std::vector<Reach> reaches(static_cast<std::size_t>(cells));
+    for (std::size_t voxel = 0; voxel < overlaps.size(); ++voxel)
+        for (const Overlap& overlap : overlaps[voxel]) {
+            Reach& reach = reaches[static_cast<std::size_t>(overlap.cell)];
+            if (reach.shares.empty()) reach.first = static_cast<std::int64_t>(voxel);
+            reach.shares.push_back(overlap.share);
         }
-        for (const Overlap& down : overlaps[1][static_cast<std::size_t>(y)])
-            for (std::size_t cell = 0; cell < echo.size(); ++cell) {
-                const std::size_t place = static_cast<std::size_t>(down.cell) * echo.size() + cell;
-                sums.echo[place] += down.share * echo[cell];
-                sums.share[place] += down.share * share[cell];
-            }
-    }
+    return reaches;
 }
 
+/// Adds numbers times a share to others.
+void add(const float* numbers, float share, std::ptrdiff_t count, float* sums) {
+    for (std::ptrdiff_t i = 0; i < count; ++i) sums[i] += share * numbers[i];
+}
+
+/// Reads rows of voxels into rows of cells.
+template <typename Stored>
+class RowReader {
+public:
+    RowReader(const Volume& volume, const Stored* voxels, std::span<const Reach> cells)
+        : m_voxels(voxels),
+          m_mask(volume.dataMaskOrNull()),
+          m_white(static_cast<float>(volume.whiteLevel())),
+          m_cells(cells),
+          m_intensity(static_cast<std::size_t>(volume.geometry().size[0])),
+          m_isData(m_intensity.size(), 1.0F),
+          m_sums(2 * cells.size()) {}
+
+    /// Of each cell the sum of intensity times share, and that of shares, over the row that begins with voxel `first`.
+    [[nodiscard]] const float* sumsOf(std::int64_t first) {
+        const Stored* voxels = m_voxels + first;
+        for (std::size_t x = 0; x < m_intensity.size(); ++x) {
+            const float stored = static_cast<float>(voxels[x]) / m_white;
+            m_intensity[x] = stored > 0.0F ? std::min(stored, 1.0F) : 0.0F;  // NaN too
+        }
+        if (m_mask != nullptr) {
+            const std::uint8_t* mask = m_mask + first;
+            for (std::size_t x = 0; x < m_intensity.size(); ++x) {
+                m_isData[x] = mask[x] != 0 ? 1.0F : 0.0F;
+                m_intensity[x] *= m_isData[x];
+            }
+        }
+        for (std::size_t cell = 0; cell < m_cells.size(); ++cell) {
+            const Reach& reach = m_cells[cell];
+            const float* intensity = m_intensity.data() + reach.first;
+            const float* isData = m_isData.data() + reach.first;
+            float echo = 0.0F, share = 0.0F;
+            for (std::size_t i = 0; i < reach.shares.size(); ++i) {
+                echo += reach.shares[i] * intensity[i];
+                share += reach.shares[i] * isData[i];
+            }
+            m_sums[2 * cell] = echo;
+            m_sums[2 * cell + 1] = share;
+        }
+        return m_sums.data();
+    }
+
+private:
+    const Stored* m_voxels;
+    const std::uint8_t* m_mask;
+    float m_white;
+    std::span<const Reach> m_cells;
+    std::vector<float> m_intensity, m_isData;  ///< of each voxel of the row
+    std::vector<float> m_sums;
+};
+
 double countData(const Volume& volume) {
-    const auto& mask = volume.dataMask();
-    return mask.empty() ? static_cast<double>(volume.geometry().voxelCount())
-                        : static_cast<double>(mask.size()) -
-                              static_cast<double>(std::count(mask.begin(), mask.end(), std::uint8_t{0}));
+    const VolumeGeometry& geometry = volume.geometry();
+    const std::uint8_t* mask = volume.dataMaskOrNull();
+    if (mask == nullptr) return static_cast<double>(geometry.voxelCount());
+    std::vector<int> inSlices(static_cast<std::size_t>(geometry.size[2]));
+    parallelFor(std::size_t{0}, inSlices.size(), [&](std::size_t z) {
+        const std::uint8_t* slice = mask + geometry.offset(0, 0, static_cast<std::int64_t>(z));
+        inSlices[z] = cv::countNonZero(cv::Mat1b(static_cast<int>(geometry.size[1]), static_cast<int>(geometry.size[0]),
+                                                 const_cast<std::uint8_t*>(slice)));
+    });
+    return static_cast<double>(std::accumulate(inSlices.begin(), inSlices.end(), std::int64_t{0}));
 }
 
 std::vector<float> gaussian(double deviation) {
@@ -121,75 +169,90 @@ void SmoothEcho::placeCells(const Volume& volume, double dataVoxels) {
 
 bool SmoothEcho::gather(const Volume& volume, const Progress& progress) {
     const VolumeGeometry& geometry = volume.geometry();
-    std::array<std::vector<std::vector<Overlap>>, 3> overlaps;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        overlaps[axis] = overlapsAlong(geometry.size[axis], geometry.spacing[static_cast<int>(axis)],
-                                       m_firstMm[static_cast<int>(axis)] - m_cellMm / 2.0, m_cellMm, m_size[axis]);
-    const std::size_t inSlice = static_cast<std::size_t>(m_size[0]) * static_cast<std::size_t>(m_size[1]);
-    m_cells.assign(inSlice * static_cast<std::size_t>(m_size[2]), {});
-    std::vector<std::vector<std::pair<std::int64_t, float>>> slices(static_cast<std::size_t>(m_size[2]));
-    for (std::int64_t z = 0; z < geometry.size[2]; ++z)
-        for (const Overlap& deep : overlaps[2][static_cast<std::size_t>(z)])
-            slices[static_cast<std::size_t>(deep.cell)].emplace_back(z, deep.share);
-    // A thread sums whole slices of cells: a slice of voxels that reaches into two of them is read twice.
+    const auto overlaps = [&](std::size_t axis) {
+        const auto i = static_cast<int>(axis);
+        return overlapsAlong(geometry.size[axis], geometry.spacing[i], m_firstMm[i] - m_cellMm / 2.0, m_cellMm,
+                             m_size[axis]);
+    };
+    const std::vector<Reach> across = reachesOf(overlaps(0), m_size[0]);
+    const auto down = overlaps(1), deep = overlaps(2);
+    const std::ptrdiff_t inRow = 2 * std::ptrdiff_t{m_size[0]}, inSlice = inRow * m_size[1];
+    m_echo.assign(static_cast<std::size_t>(inSlice * m_size[2]), 0.0F);
+    // A thread sums whole slices of cells. Only slices of voxels that reach into those of two threads are read twice.
+    constexpr int slicesTogether = 4;
     std::visit(
         [&](const auto& voxels) {
-            parallelFor(std::size_t{0}, slices.size(), [&](std::size_t z) {
-                for (const auto& [slice, share] : slices[z]) {
+            parallelFor(LoopRange(0, m_size[2], slicesTogether), [&](const auto& part) {
+                const auto isInPart = [&](const Overlap& overlap) {
+                    return part.begin() <= overlap.cell && overlap.cell < part.end();
+                };
+                RowReader row(volume, voxels.data(), across);
+                std::vector<float> slice(static_cast<std::size_t>(inSlice));
+                for (std::int64_t z = 0; z < geometry.size[2]; ++z) {
+                    const auto& cells = deep[static_cast<std::size_t>(z)];
+                    if (std::ranges::none_of(cells, isInPart)) continue;
                     if (progress.cancelled()) return;
-                    Sums sums{std::vector<float>(inSlice), std::vector<float>(inSlice)};
-                    sumSlice(volume, voxels.data(), slice, overlaps, m_size[0], sums);
-                    for (std::size_t cell = 0; cell < inSlice; ++cell) {
-                        m_cells[z * inSlice + cell].echo += share * sums.echo[cell];
-                        m_cells[z * inSlice + cell].weight += share * sums.share[cell];
+                    std::ranges::fill(slice, 0.0F);
+                    for (std::int64_t y = 0; y < geometry.size[1]; ++y) {
+                        const float* sums = row.sumsOf(geometry.offset(0, y, z));
+                        for (const Overlap& of : down[static_cast<std::size_t>(y)])
+                            add(sums, of.share, inRow, slice.data() + of.cell * inRow);
                     }
+                    for (const Overlap& of : cells)
+                        if (isInPart(of)) add(slice.data(), of.share, inSlice, m_echo.data() + of.cell * inSlice);
                 }
             });
         },
         volume.voxels());
-    for (Cell& cell : m_cells) cell.share = cell.weight;
+    m_share.reserve(m_echo.size() / 2);
+    for (std::size_t i = 1; i < m_echo.size(); i += 2) m_share.push_back(m_echo[i]);
     return !progress.cancelled();
 }
 
 void SmoothEcho::smooth() {
     const std::vector<float> kernel = gaussian(smoothingCells);
-    for (int axis = 0; axis < 3; ++axis) smoothAlong(axis, kernel);
-}
-
-void SmoothEcho::smoothAlong(int axis, const std::vector<float>& kernel) {
-    const int reach = static_cast<int>(kernel.size() / 2), length = m_size[static_cast<std::size_t>(axis)];
-    const std::size_t step = axis == 0 ? offset(1, 0, 0) : axis == 1 ? offset(0, 1, 0) : offset(0, 0, 1);
-    const std::size_t lines = m_cells.size() / static_cast<std::size_t>(length);
-    parallelFor(std::size_t{0}, lines, [&](std::size_t line) {
-        // Lines are counted over the cells whose index along the axis is 0.
-        const std::size_t first = line / step * step * static_cast<std::size_t>(length) + line % step;
-        std::vector<Cell> before(static_cast<std::size_t>(length));
-        for (std::size_t i = 0; i < before.size(); ++i) before[i] = m_cells[first + i * step];
-        for (int i = 0; i < length; ++i) {
-            float echo = 0.0F, weight = 0.0F;
-            for (int j = std::max(0, i - reach); j <= std::min(length - 1, i + reach); ++j) {
-                const float share = kernel[static_cast<std::size_t>(j - i + reach)];
-                echo += share * before[static_cast<std::size_t>(j)].echo;
-                weight += share * before[static_cast<std::size_t>(j)].weight;
-            }
-            Cell& cell = m_cells[first + static_cast<std::size_t>(i) * step];
-            cell.echo = echo;
-            cell.weight = weight;
-        }
+    const int reach = static_cast<int>(kernel.size() / 2);
+    const std::ptrdiff_t inRow = 2 * std::ptrdiff_t{m_size[0]};
+    const auto shareOf = [&](int move) { return kernel[static_cast<std::size_t>(move + reach)]; };
+    parallelFor(0, m_size[1] * m_size[2], [&](int row) {
+        float* smooth = m_echo.data() + row * inRow;
+        const std::vector<float> before(smooth, smooth + inRow);
+        std::fill_n(smooth, inRow, 0.0F);
+        for (int move = -reach; move <= reach; ++move)
+            add(before.data() + 2 * std::max(0, move), shareOf(move), inRow - 2 * std::abs(move),
+                smooth + 2 * std::max(0, -move));
     });
+    // Along y and z whole rows are added.
+    const auto alongLines = [&](int lines, std::ptrdiff_t betweenLines, int length, std::ptrdiff_t step) {
+        parallelFor(0, lines, [&](int line) {
+            float* first = m_echo.data() + line * betweenLines;
+            std::vector<float> before;
+            for (int i = 0; i < length; ++i) before.insert(before.end(), first + i * step, first + i * step + inRow);
+            for (int i = 0; i < length; ++i) {
+                std::fill_n(first + i * step, inRow, 0.0F);
+                for (int j = std::max(0, i - reach); j <= std::min(length - 1, i + reach); ++j)
+                    add(before.data() + j * inRow, shareOf(j - i), inRow, first + i * step);
+            }
+        });
+    };
+    alongLines(m_size[2], inRow * m_size[1], m_size[1], inRow);
+    alongLines(m_size[1], inRow, m_size[2], inRow * m_size[1]);
 }
 
 void SmoothEcho::findCentre() {
-    Vec3 sum{0, 0, 0};
+    std::array<double, 3> sum{};
     double count = 0.0;
+    const float* of = m_share.data();
     for (int z = 0; z < m_size[2]; ++z)
         for (int y = 0; y < m_size[1]; ++y)
-            for (int x = 0; x < m_size[0]; ++x) {
-                const double share = static_cast<double>(m_cells[offset(x, y, z)].share);
-                sum += Vec3(x, y, z) * share;
+            for (int x = 0; x < m_size[0]; ++x, ++of) {
+                const auto share = static_cast<double>(*of);
+                sum[0] += x * share;
+                sum[1] += y * share;
+                sum[2] += z * share;
                 count += share;
             }
-    m_centreMm = m_firstMm + sum * (m_cellMm / count);
+    m_centreMm = m_firstMm + Vec3(sum[0], sum[1], sum[2]) * (m_cellMm / count);
 }
 
 std::optional<float> SmoothEcho::at(const Vec3& gridMm) const {
@@ -206,7 +269,7 @@ std::optional<float> SmoothEcho::at(const Vec3& gridMm) const {
     }
     const std::array<float, 2> alongX{1.0F - part[0], part[0]}, alongY{1.0F - part[1], part[1]},
         alongZ{1.0F - part[2], part[2]};
-    const Cell* lowest = &m_cells[offset(low[0], low[1], low[2])];
+    const std::size_t lowest = offset(low[0], low[1], low[2]);
     const auto stepX = static_cast<std::size_t>(high[0] - low[0]);
     const std::size_t stepY = offset(0, high[1] - low[1], 0), stepZ = offset(0, 0, high[2] - low[2]);
     float echo = 0.0F, weight = 0.0F, share = 0.0F;
@@ -214,10 +277,10 @@ std::optional<float> SmoothEcho::at(const Vec3& gridMm) const {
         for (std::size_t y = 0; y < 2; ++y)
             for (std::size_t x = 0; x < 2; ++x) {
                 const float of = alongX[x] * alongY[y] * alongZ[z];
-                const Cell& cell = lowest[x * stepX + y * stepY + z * stepZ];
-                echo += of * cell.echo;
-                weight += of * cell.weight;
-                share += of * cell.share;
+                const std::size_t cell = lowest + x * stepX + y * stepY + z * stepZ;
+                echo += of * m_echo[2 * cell];
+                weight += of * m_echo[2 * cell + 1];
+                share += of * m_share[cell];
             }
     if (share < 0.5F || !(weight > 0.0F)) return std::nullopt;
     return echo / weight;
@@ -225,8 +288,9 @@ std::optional<float> SmoothEcho::at(const Vec3& gridMm) const {
 
 std::vector<float> SmoothEcho::intensities() const {
     std::vector<float> found;
-    for (const Cell& cell : m_cells)
-        if (cell.share >= 0.5F) found.push_back(cell.echo / cell.weight);
+    found.reserve(m_share.size());
+    for (std::size_t cell = 0; cell < m_share.size(); ++cell)
+        if (m_share[cell] >= 0.5F) found.push_back(m_echo[2 * cell] / m_echo[2 * cell + 1]);
     return found;
 }
 

@@ -31,22 +31,17 @@ public:
 
 private:
     SmoothEcho() = default;
-    struct Cell {
-        float echo = 0.0F;    ///< smoothed sum of intensity times share
-        float weight = 0.0F;  ///< smoothed share of data
-        float share = 0.0F;   ///< share of data in the cell itself
-    };
     [[nodiscard]] std::size_t offset(int x, int y, int z) const;
     void placeCells(const Volume& volume, double dataVoxels);
     [[nodiscard]] bool gather(const Volume& volume, const Progress& progress);
     void smooth();
-    void smoothAlong(int axis, const std::vector<float>& kernel);
     void findCentre();
 
     double m_extentMm = 0.0, m_cellMm = 1.0;
     Vec3 m_firstMm{0, 0, 0}, m_centreMm{0, 0, 0};  ///< of cell (0,0,0), its centre
     std::array<int, 3> m_size{0, 0, 0};
-    std::vector<Cell> m_cells;
+    std::vector<float> m_echo;   ///< of each cell: smoothed sum of intensity times share, smoothed share of data
+    std::vector<float> m_share;  ///< of each cell: share of data in the cell itself
 };
 
 }  // namespace echolucent
