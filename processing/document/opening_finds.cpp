@@ -30,7 +30,8 @@ Document shownWhole(Document document, const DataBox& box, double aspect) {
 
 }  // namespace
 
-std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& progress, const SaidOnOpening& said) {
+std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& progress, const SaidOnOpening& said,
+                                          NearCutSearch search) {
     OpeningFinds finds;
     finds.side = said.side;
     if (said.beam) {
@@ -42,7 +43,7 @@ std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& 
         if (const auto& probe = volume.geometry().probe) finds.lean = directionOf(viewFromProbe(*probe));
     }
     if (said.front || (!finds.beam.sure && !said.side)) return finds;
-    finds.cut = findNearCut(volume, viewpointOf(finds.beam.axis, sideOf(finds), 0.0), progress);
+    finds.cut = search(volume, viewpointOf(finds.beam.axis, sideOf(finds), 0.0), progress);
     if (!finds.cut) return std::nullopt;
     return finds;
 }

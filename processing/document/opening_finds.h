@@ -28,10 +28,11 @@ struct OpeningFinds {
     std::optional<NearCutFinding> cut{};
 };
 
-/// Looks at a volume that was read from a file, the first phase of a study. The result is empty only where it was
-/// cancelled.
+/// Looks at a volume that was read from a file, the first phase of a study; `search` looks for the cut. The result is
+/// empty only where it was cancelled.
 [[nodiscard]] std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& progress = {},
-                                                        const SaidOnOpening& said = {});
+                                                        const SaidOnOpening& said = {},
+                                                        NearCutSearch search = &findNearCut);
 
 /// Whether a program may make a front of what was found without asking.
 [[nodiscard]] bool makesFront(const OpeningFinds& finds);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "processing/choice_names.h"
@@ -12,6 +13,7 @@
 #include "processing/near_cut/smooth_echo.h"
 #include "processing/near_cut/tissue_level.h"
 #include "processing/near_cut/tube_echo.h"
+#include "processing/parallel.h"
 
 namespace echolucent {
 
@@ -83,10 +85,11 @@ std::optional<Seen> look(const Volume& volume, const Viewpoint& view, const Prog
     if (!tissue) return seen;
     progress.at(0.6);
     seen.tubes = readTubeEcho(*coarse, volume.geometry(), view);
-    for (const double share : fluidLevels) {
-        if (progress.cancelled()) return std::nullopt;
-        seen.levels.push_back(fluidStretches(seen.tubes, static_cast<float>(share * *tissue), leastCavityEdge));
-    }
+    if (progress.cancelled()) return std::nullopt;
+    seen.levels.resize(fluidLevels.size());
+    parallelFor(std::size_t{0}, fluidLevels.size(), [&](std::size_t i) {
+        seen.levels[i] = fluidStretches(seen.tubes, static_cast<float>(fluidLevels[i] * *tissue), leastCavityEdge);
+    });
     progress.at(0.8);
     countTubes(seen);
     return seen;
@@ -116,7 +119,13 @@ void addSurface(const Seen& seen, int flatSample, NearCutFinding& finding) {
 
 double clampedShare(double value, double from, double to) { return std::clamp((value - from) / (to - from), 0.0, 1.0); }
 
-NearCutFinding judged(const Seen& seen) {
+/// `flatSample` is the sample at which the flat cut lies.
+struct Judged {
+    NearCutFinding finding;
+    int flatSample = 0;
+};
+
+Judged judged(const Seen& seen) {
     NearCutFinding finding;
     finding.tubes = seen.meetData;
     const FlatCut flat = findFlatCut(seen.tubes, seen.levels);
@@ -145,10 +154,9 @@ NearCutFinding judged(const Seen& seen) {
                              clampedShare(flat.contrast, faintContrast, clearContrast) * (1.0 - frontShare);
         finding.behindDataMm = (flat.sample - seen.front) * seen.tubes.stepMm;
         finding.nearCutMm = seen.tubes.depthMm(flat.sample);  // from the grid's origin until the box is known
-        addSurface(seen, flat.sample, finding);
     }
     finding.sure = finding.confidence >= sureFrom;
-    return finding;
+    return {std::move(finding), flat.sample};
 }
 
 std::string oneDecimal(double value) {
@@ -173,20 +181,33 @@ std::string sentenceOf(const NearCutFinding& finding, bool spacingKnown) {
     return {};
 }
 
+enum class Shapes { flat, flatAndCurved };
+
+std::optional<NearCutFinding> found(const Volume& volume, const Viewpoint& view, const Progress& progress,
+                                    Shapes shapes) {
+    const auto seen = look(volume, view, progress);
+    if (!seen || progress.cancelled()) return std::nullopt;
+    auto [finding, flatSample] = judged(*seen);
+    if (finding.answer == NearCutAnswer::wallBeforeFluid) {
+        if (shapes == Shapes::flatAndCurved) addSurface(*seen, flatSample, finding);
+        finding.nearCutMm =
+            std::max(0.0, finding.nearCutMm - volume.geometry().depthsAlong(frameOf(view).forward).nearest);
+    }
+    finding.message = sentenceOf(finding, volume.geometry().spacingKnown);
+    progress.at(1.0);
+    return finding;
+}
+
 }  // namespace
 
 std::string_view nameOf(NearCutAnswer answer) { return nameIn(answerNames, answer); }
 
 std::optional<NearCutFinding> findNearCut(const Volume& volume, const Viewpoint& view, const Progress& progress) {
-    const auto seen = look(volume, view, progress);
-    if (!seen || progress.cancelled()) return std::nullopt;
-    NearCutFinding finding = judged(*seen);
-    if (finding.answer == NearCutAnswer::wallBeforeFluid)
-        finding.nearCutMm =
-            std::max(0.0, finding.nearCutMm - volume.geometry().depthsAlong(frameOf(view).forward).nearest);
-    finding.message = sentenceOf(finding, volume.geometry().spacingKnown);
-    progress.at(1.0);
-    return finding;
+    return found(volume, view, progress, Shapes::flatAndCurved);
+}
+
+std::optional<NearCutFinding> findFlatNearCut(const Volume& volume, const Viewpoint& view, const Progress& progress) {
+    return found(volume, view, progress, Shapes::flat);
 }
 
 }  // namespace echolucent

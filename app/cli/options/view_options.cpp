@@ -119,7 +119,7 @@ Result<Viewpoint> ViewOptions::get(const Volume& volume, const ChosenBeam& beam)
     }
     if (beam.source != "assumed" && !beam.sentence.empty()) std::fprintf(stderr, "%s\n", beam.sentence.c_str());
     if (!nearCutSuggested()) return leavesSomething(volume, *chosen);
-    const auto found = findNearCut(volume, *chosen);
+    const auto found = findFlatNearCut(volume, *chosen);
     chosen->nearCutMm = found->nearCutMm;
     std::fprintf(stderr, "%s\n", found->message.c_str());
     return chosen;
