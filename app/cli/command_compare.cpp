@@ -31,7 +31,7 @@ std::string paneCells(const Document& document, std::size_t place) {
 }
 
 Result<void> compare(const CompareOptions& options) {
-    const auto read = readDocumentStudy(options.document, VolumeOptions{}, options.csv, 1);
+    const auto read = readDocumentStudy(options.document, VolumeOptions{}, {options.csv}, 1);
     if (!read) return tl::unexpected<Failure>(read.error());
     const Document& document = read->document;
     const std::size_t panes = document.panes.size();

@@ -1,9 +1,13 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <utility>
 
 #include "app/cli/command.h"
+#include "app/cli/options/document_study.h"
 #include "app/cli/options/designer_options.h"
 #include "app/cli/options/look_options.h"
 #include "app/cli/options/method_options.h"
@@ -14,7 +18,7 @@
 #include "app/cli/report/opening_report.h"
 #include "app/cli/report/otf_report.h"
 #include "io/output/atomic_file.h"
-#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/designers/choice/designer.h"
 #include "processing/pane_picture/pane_caster.h"
 
@@ -24,6 +28,7 @@ namespace {
 
 struct OtfOptions {
     VolumeOptions volume;
+    DocumentOptions document;
     ViewOptions view;
     MethodOptions method;
     LookOptions look;
@@ -36,10 +41,7 @@ Result<void> writeOtf(const OtfOptions& options, const Volume& volume, const Ada
     if (options.json.empty() && options.csv.empty() && options.tubesCsv.empty())
         return writeFileAtomically("-", summary(volume, otf));
     if (!options.json.empty())
-        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, context, options.method.initial,
-                                                                     options.method.opacityScale.value_or(1.0)));
-            !done)
-            return done;
+        if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, context)); !done) return done;
     if (!options.csv.empty())
         if (auto done = writeFileAtomically(options.csv, curveTable(otf)); !done) return done;
     if (!options.tubesCsv.empty())
@@ -77,39 +79,87 @@ Result<void> checkOtfOutputs(const OtfOptions& options, const std::vector<std::s
     return checkOutputs(outputs, {options.method.initial});
 }
 
-/// The OTF that the first pane of the document is rendered with.
-Result<void> computeOtf(const OtfOptions& options, const Invocation& invocation) {
-    const std::vector<std::string> outputs{options.json, options.csv, options.tubesCsv};
-    if (auto checked = checkOtfOutputs(options, outputs); !checked) return checked;
+/// Fails (wrong usage) if tube cores are asked for, and a designer does not make its OTF of them alone.
+/// `says` is who names the designer.
+Result<void> checkTubes(const OtfOptions& options, const DesignerConfig* designer, const std::string& says) {
+    if (options.tubesCsv.empty() || designer == nullptr || designerOf(*designer) == Designer::adaptive) return {};
+    return wrongUsage("--tubes-csv", "plays no part beside " + says + " " + std::string(nameOf(designerOf(*designer))),
+                      "Leave it out: only the adaptive OTF comes from tube cores alone.");
+}
+
+/// The study of VOLUME, opened, and its document as the options edit it.
+Result<DocumentStudy> openedForOtf(const OtfOptions& options, const std::vector<std::string>& outputs) {
     const auto config = options.method.get();
     if (!config) return tl::unexpected<Failure>(config.error());
     const auto designer = options.designer.get();
     if (!designer) return tl::unexpected<Failure>(designer.error());
-    const bool adaptive = !*designer || designerOf(**designer) == Designer::adaptive;
-    if (!adaptive && !options.tubesCsv.empty())
-        return wrongUsage("--tubes-csv", "plays no part beside --designer " + options.designer.name,
-                          "Leave it out: only the adaptive OTF comes from tube cores alone.");
+    if (auto checked = checkTubes(options, *designer ? &**designer : nullptr, "--designer"); !checked)
+        return tl::unexpected<Failure>(checked.error());
     const auto look = options.look.get();
     if (!look) return tl::unexpected<Failure>(look.error());
-    const auto opened = openStudy(options.volume, options.view, *look, outputs, 1.0);
-    if (!opened) return tl::unexpected<Failure>(opened.error());
+    auto opened = openStudy(options.volume, options.view, *look, outputs, 1.0);
+    if (!opened) return opened;
     sayNote(findsText(*opened));
+    opened->document = withMethod(std::move(opened->document), *config);
+    if (*designer) opened->document = withDesigner(std::move(opened->document), firstPane, **designer);
+    return opened;
+}
 
-    const Document document = withMethod(opened->document, *config);
-    const Volume& volume = *opened->study.phases[static_cast<std::size_t>(document.scene.phase)];
-    OtfContext context{.madeOf = {}, .beam = beamOf(*opened), .findingMilliseconds = opened->findingMilliseconds};
+/// The study of --document, a pane of which is rendered with an OTF that is computed.
+Result<DocumentStudy> documentForOtf(const OtfOptions& options, const std::vector<std::string>& outputs) {
+    auto read = readDocumentStudy(options.document.path, options.volume, outputs, options.document.view);
+    if (!read) return read;
+    const DesignerConfig* designer = designerConfigOf(read->document, read->pane);
+    if (designer == nullptr && !isAdaptive(read->document, read->pane))
+        return fail(FailureKind::wrongUsage, options.document.path, "panes",
+                    fmt::format("renders pane {} with the curve {}, which is not computed", read->pane + 1,
+                                otfNameOf(read->document, read->pane)),
+                    "Name another pane with --view.");
+    if (auto checked = checkTubes(options, designer, "a document that renders with"); !checked)
+        return tl::unexpected<Failure>(checked.error());
+    return read;
+}
+
+/// The name of the initial function, as the report gives it: a document names a manual one without its file.
+std::string initialNameOf(const OtfOptions& options, const Document& document) {
+    return options.document.path.empty() ? options.method.initial : std::string(nameOf(document.method.initial));
+}
+
+/// The OTF that a pane of the document is rendered with.
+Result<void> computeOtf(const OtfOptions& options, const CLI::App& command, const Invocation& invocation) {
+    const std::vector<std::string> outputs{options.json, options.csv, options.tubesCsv};
+    if (auto checked = checkOtfOutputs(options, outputs); !checked) return checked;
+    if (auto checked = options.document.check(command, {"--json", "--csv", "--tubes-csv"}); !checked) return checked;
+    const auto made = options.document.path.empty() ? openedForOtf(options, outputs) : documentForOtf(options, outputs);
+    if (!made) return tl::unexpected<Failure>(made.error());
+
+    const Document& document = made->document;
+    const std::size_t pane = made->pane;
+    OtfContext context{.madeOf = {},
+                       .beam = beamOf(*made),
+                       .initialName = initialNameOf(options, document),
+                       .manualFactor = options.method.opacityScale.value_or(1.0),
+                       .adjustment = document.curves.adjustment,
+                       .findingMilliseconds = made->findingMilliseconds};
     if (!options.json.empty()) {
-        auto made = madeOf(invocation, *opened);
-        if (!made) return tl::unexpected<Failure>(made.error());
-        context.madeOf = *std::move(made);
+        auto of = madeOf(invocation, *made);
+        if (!of) return tl::unexpected<Failure>(of.error());
+        context.madeOf = *std::move(of);
     }
+    PaneCaster caster({.scans = made->study.phases});
     const auto begin = std::chrono::steady_clock::now();
-    const Volume quiet = *quietVolume(volume, look->reduction);
+    const auto voxels = *caster.otfVoxels(document, pane);
     context.quieteningMilliseconds = millisecondsSince(begin);
-    const DesignerInput input = designerInputOf(document, firstPane, volume, quiet, look->reduction);
-    if (!adaptive) return writeDesign(options, volume, runOf(**designer, input), context);
-    const auto otf = adaptOpacity(volume, input.view, input.method, {}, {&quiet, look->reduction});
-    return writeOtf(options, volume, *otf, context);
+    if (isAdaptive(document, pane)) {
+        AdaptiveOtf otf = caster.readTubeCores(document, pane)->otf;
+        if (context.adjustment != CurveAdjustment{})
+            otf.curve.opacities = sampledOpacities(adjusted(otf.curve, context.adjustment), AdaptiveOtf::sampleCount);
+        return writeOtf(options, *voxels.raw, otf, context);
+    }
+    DesignRun run = runOf(*designerConfigOf(document, pane),
+                          designerInputOf(document, pane, *voxels.raw, *voxels.shown, document.scene.look.reduction));
+    run.design.classification = adjustedClassification(run.design.classification, context.adjustment);
+    return writeDesign(options, *voxels.raw, run, context);
 }
 
 }  // namespace
@@ -119,6 +169,7 @@ void addOtfCommand(CLI::App& program, Action& action, const Invocation& invocati
     CLI::App& command = *program.add_subcommand(
         "otf", "Computes an opacity transfer function of a volume: the adaptive one, or that of another designer");
     options->volume.addTo(command);
+    options->document.addTo(command, "computes the OTF that a pane of it is rendered with");
     options->view.addTo(command, ViewOf::openedStudy);
     options->method.addTo(command);
     options->look.addTo(command, {"reduction"});
@@ -131,8 +182,8 @@ void addOtfCommand(CLI::App& program, Action& action, const Invocation& invocati
         ->type_name("FILE");
     command.add_option("--tubes-csv", options->tubesCsv, "The tube cores, one a row")->type_name("FILE");
     command.footer("Example: echolucent-cli otf chest.mha --json chest-otf.json");
-    command.callback([options, &action, invocation] {
-        action = [options, invocation] { return computeOtf(*options, invocation); };
+    command.callback([options, &command, &action, invocation] {
+        action = [options, &command, invocation] { return computeOtf(*options, command, invocation); };
     });
 }
 

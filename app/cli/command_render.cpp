@@ -65,16 +65,8 @@ void explainEmptiness(const Picture& picture, const Classification& classificati
     if (!why.empty()) std::fprintf(stderr, "%s\n", why.c_str());
 }
 
-/// The study of --document and the document itself.
-Result<DocumentStudy> namedByDocument(const RenderOptions& options, const CLI::App& command) {
-    if (auto checked = options.document.checkAlone(command); !checked) return tl::unexpected<Failure>(checked.error());
-    return readDocumentStudy(options.document.path, options.volume, options.output, options.document.view);
-}
-
 /// The study of VOLUME, opened, and its document as the options edit it.
 Result<DocumentStudy> opened(const RenderOptions& options, double aspect) {
-    if (options.volume.path.empty())
-        return wrongUsage("VOLUME", "is required", "Name a volume, or a document with --document.");
     if (auto checked = checkOutputs({options.output}, {options.otf, options.method.initial}); !checked)
         return tl::unexpected<Failure>(checked.error());
     const auto config = options.method.get();
@@ -104,8 +96,13 @@ Result<void> render(const RenderOptions& options, const CLI::App& command) {
     const auto [width, height] = *size;
     const auto background = backgroundFrom(options.background);
     if (!background) return tl::unexpected<Failure>(background.error());
-    const auto made = options.document.path.empty() ? opened(options, static_cast<double>(width) / height)
-                                                    : namedByDocument(options, command);
+    const std::string& document = options.document.path;
+    if (auto checked = options.document.check(command, {"--size", "--background", "--output", "--quality", "--words"});
+        !checked)
+        return checked;
+    const auto made = document.empty()
+                          ? opened(options, static_cast<double>(width) / height)
+                          : readDocumentStudy(document, options.volume, {options.output}, options.document.view);
     if (!made) return tl::unexpected<Failure>(made.error());
     sayNote(burnedInTextNote(made->study));
     const VolumeGeometry& geometry = made->study.phases.front()->geometry();
@@ -125,8 +122,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App& command = *program.add_subcommand("render", "Renders a picture of a volume");
     options->volume.addTo(command);
-    command.get_option("VOLUME")->required(false);
-    options->document.addTo(command);
+    options->document.addTo(command, "renders a pane of it as it is at rest");
     command
         .add_option("--otf", options->otf, "linear, parabolic, quartic, manual:FILE or adaptive (for the given view)")
         ->type_name("NAME")

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/options/document_study.h"
@@ -20,14 +21,12 @@
 #include "app/cli/report/opening_report.h"
 #include "app/cli/report/picture_words.h"
 #include "app/cli/report/sweep_report.h"
+#include "app/cli/sweep_frames.h"
 #include "io/output/atomic_file.h"
 #include "io/study/import_report.h"
 #include "io/writers/movie_file.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/otf_sweep.h"
-#include "processing/pane_picture/pane_caster.h"
-#include "processing/pane_picture/pane_frames.h"
-#include "processing/speckle_reduction/speckle_reduction.h"
 
 namespace echolucent::cli {
 
@@ -35,6 +34,7 @@ namespace {
 
 struct SweepOptions {
     VolumeOptions volume;
+    DocumentOptions document;
     ViewOptions view;
     MethodOptions method;
     LookOptions look;
@@ -87,108 +87,24 @@ Result<MotionChoice> motionFrom(const SweepOptions& options, const Document& ope
     return motion;
 }
 
-/// The frames, and how many of the last ones count as having been shown before the first.
-struct Frames {
-    std::vector<SweepFrame> frames;
-    std::size_t before = 0;
-};
-
-/// The frames of a range of angles. Without a range: one turn of the document's motion, which repeats.
-Frames framesFrom(const SweepOptions& options, Motion range, const Document& document, std::size_t phases,
-                  std::size_t framesUsed) {
-    const Viewpoint start = viewpointOf(document);
-    if (options.angles()) {
-        range.axis = document.motion.axis;
-        range.probeMoves = movesProbe(document.motion.scenario);
-        range.objectMoves = movesObject(document.motion.scenario);
-        range.firstPhase = document.scene.phase;
-        return {motionFrames(start, range, static_cast<int>(phases))};
-    }
-    Frames turn;
-    for (const MotionPosition& at : turnOf(document, firstPane, static_cast<int>(phases)))
-        turn.frames.push_back({static_cast<double>(turn.frames.size()), static_cast<double>(at.angle), at.phase,
-                               turned(start, document.motion.axis, at.angle)});
-    turn.before = framesUsed - 1;
-    return turn;
+/// The frames of a range of angles. Without a range: one turn of the document's motion.
+Frames framesFrom(const SweepOptions& options, Motion range, const DocumentStudy& made, std::size_t before) {
+    if (!options.angles()) return turnFrames(made, before);
+    const Document& document = made.document;
+    range.axis = document.motion.axis;
+    range.probeMoves = movesProbe(document.motion.scenario);
+    range.objectMoves = movesObject(document.motion.scenario);
+    range.firstPhase = phaseOf(document, made.pane);
+    return {motionFrames(startOf(document), range, static_cast<int>(made.study.phases.size()))};
 }
 
-/// The frames with those that were shown before the first of them.
-std::vector<SweepFrame> withBefore(const Frames& turn) {
-    std::vector<SweepFrame> all;
-    const auto count = static_cast<std::ptrdiff_t>(turn.frames.size());
-    for (auto i = -static_cast<std::ptrdiff_t>(turn.before); i < count; ++i) {
-        all.push_back(turn.frames[static_cast<std::size_t>((i % count + count) % count)]);
-        all.back().time = static_cast<double>(i);
-    }
-    return all;
-}
-
-/// The phases, with quiet voxels of those that the frames show.
-StudyPhases withQuiet(StudyPhases phases, const std::vector<SweepFrame>& frames) {
-    if (phases.reduction == SpeckleReduction::off) return phases;
-    phases.quiet.resize(phases.scans.size());
-    for (const SweepFrame& frame : frames) {
-        const auto place = static_cast<std::size_t>(frame.phase);
-        const Volume& scan = *phases.scans[place];
-        if (!phases.quiet[place])
-            phases.quiet[place] =
-                std::make_shared<const Volume>(quietVolume(scan, phases.reduction)->withDataBox(scan.dataBox()));
-    }
-    return phases;
-}
-
-std::vector<QuietVoxels> shownVoxels(const StudyPhases& phases) {
-    std::vector<QuietVoxels> shown;
-    for (const auto& quiet : phases.quiet) shown.push_back({quiet.get(), phases.reduction});
-    return shown;
-}
-
-/// The OTF of the view from which the motion begins, for all frames.
-std::vector<SweptOtf> withOneOtf(const Document& document, const StudyPhases& phases,
-                                 const std::vector<SweepFrame>& frames) {
-    const AdaptiveOtf otf = PaneCaster(phases).readTubeCores(document, firstPane)->otf;
-    double sumOfD = 0.0;
-    for (const TubeCore& tube : otf.tubes) sumOfD += tube.d;
-    std::vector<SweptOtf> swept;
-    swept.reserve(frames.size());
-    for (const SweepFrame& frame : frames) swept.push_back({frame, otf.curve, otf.curve, sumOfD, otf.tubesWithWeight});
-    return swept;
-}
-
-/// The OTF of each frame's own view and phase, smoothed over the frames before it.
-std::vector<SweptOtf> withOwnOtfs(const Document& document, const StudyPhases& phases, const Frames& frames,
-                                  OtfSmoothing smoothing) {
-    auto swept =
-        *sweepOtfs(phases.scans, withBefore(frames), configOf(document, firstPane), smoothing, {}, shownVoxels(phases));
-    swept.erase(swept.begin(), swept.begin() + static_cast<std::ptrdiff_t>(frames.before));
-    return swept;
-}
-
-/// Casts the frames of a document's motion as the window shows them at rest.
-class FramePictures {
-public:
-    FramePictures(Document document, const StudyPhases& phases, const std::array<int, 2>& size)
-        : m_document(std::move(document)), m_caster(phases), m_size(size) {}
-
-    Picture of(const SweepFrame& frame, const SampledCurve& curve) {
-        m_document.scene.motionAngle = frame.degrees;
-        m_document.scene.phase = frame.phase;
-        return std::move(m_caster.pictureWith({.curve = curve}, m_document, firstPane, m_size[0], m_size[1])->picture);
-    }
-
-private:
-    Document m_document;
-    PaneCaster m_caster;
-    std::array<int, 2> m_size;
-};
-
-Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& opened, const std::vector<SweptOtf>& swept,
+Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& made, const std::vector<SweptOtf>& swept,
                         FramePictures& pictures, const std::array<int, 2>& size) {
-    const double asShown = 1.0 / frameSeconds(opened.document.motion, opened.study.phaseSeconds);
+    const double asShown = 1.0 / frameSeconds(made.document.motion, made.study.phaseSeconds);
     const double rate = options.frameRate.value_or(std::clamp(asShown, leastFrameRate, largestFrameRate));
     auto movie = MovieFile::begin(options.movie, size[0], size[1], rate);
     if (!movie) return tl::unexpected<Failure>(movie.error());
-    const std::string words = options.words ? pictureWordsOf(opened.study.phases.front()->geometry()) : "";
+    const std::string words = options.words ? pictureWordsOf(made.study.phases.front()->geometry()) : "";
     for (const SweptOtf& frame : swept) {
         std::vector<std::uint8_t> rgb = overBackground(pictures.of(frame.frame, frame.shown), Vec3(0, 0, 0));
         writeWords(rgb, size[0], size[1], words);
@@ -236,47 +152,77 @@ Result<void> checkSweepOutputs(const SweepOptions& options, const std::array<int
     return options.movie.empty() ? Result<void>() : MovieFile::check(options.movie, size[0], size[1]);
 }
 
-Result<void> sweep(const SweepOptions& options, const Invocation& invocation) {
+/// The study of VOLUME, opened, and its document as the options edit it.
+Result<DocumentStudy> openedForSweep(const SweepOptions& options, double aspect) {
+    const auto config = options.method.get();
+    if (!config) return tl::unexpected<Failure>(config.error());
+    const auto look = options.look.get();
+    if (!look) return tl::unexpected<Failure>(look.error());
+    auto opened = openStudy(options.volume, options.view, *look, outputsOf(options), aspect);
+    if (!opened) return opened;
+    const auto motion = motionFrom(options, opened->document, opened->study.phases.size());
+    if (!motion) return tl::unexpected<Failure>(motion.error());
+    sayNote(findsText(*opened));
+    opened->document = withMethod(std::move(opened->document), *config);
+    opened->document.motion = *motion;
+    return opened;
+}
+
+/// The study of --document, a pane of which is rendered with the adaptive OTF.
+Result<DocumentStudy> documentForSweep(const SweepOptions& options) {
+    auto read = readDocumentStudy(options.document.path, options.volume, outputsOf(options), options.document.view);
+    if (!read || isAdaptive(read->document, read->pane)) return read;
+    return fail(FailureKind::wrongUsage, options.document.path, "panes",
+                fmt::format("renders pane {} with {}, and a sweep is of the adaptive OTF", read->pane + 1,
+                            otfNameOf(read->document, read->pane)),
+                "Name another pane with --view.");
+}
+
+/// How the OTFs of the frames are smoothed; no value if one OTF is shown in all of them.
+std::optional<OtfSmoothing> smoothingFrom(const SweepOptions& options, const DocumentStudy& made) {
+    if (made.file.empty()) return otfSmoothingFromName(options.smoothing);
+    const Pane& pane = made.document.panes.at(made.pane);
+    const auto smoothing = smoothingOf(pane.motionOtf.value_or(made.document.motion.otf));
+    // What a designer makes is not smoothed, and the adaptive OTF may be one's.
+    return smoothing && pane.designer ? OtfSmoothing::none : smoothing;
+}
+
+Result<void> sweep(const SweepOptions& options, const CLI::App& command, const Invocation& invocation) {
     const auto range = rangeFrom(options);
     if (!range) return tl::unexpected<Failure>(range.error());
     const auto size = frameSizeFrom(options);
     if (!size) return tl::unexpected<Failure>(size.error());
     if (auto possible = checkSweepOutputs(options, *size); !possible) return possible;
-    const auto config = options.method.get();
-    if (!config) return tl::unexpected<Failure>(config.error());
-    const auto look = options.look.get();
-    if (!look) return tl::unexpected<Failure>(look.error());
-    auto opened = openStudy(options.volume, options.view, *look, outputsOf(options),
-                            static_cast<double>((*size)[0]) / (*size)[1]);
-    if (!opened) return tl::unexpected<Failure>(opened.error());
-    const auto motion = motionFrom(options, opened->document, opened->study.phases.size());
-    if (!motion) return tl::unexpected<Failure>(motion.error());
-    sayNote(findsText(*opened));
+    if (auto checked = options.document.check(command, {"--from", "--to", "--step", "--csv", "--json", "--movie",
+                                                        "--picture-flicker", "--size", "--frame-rate", "--words"});
+        !checked)
+        return checked;
+    const auto made = options.document.path.empty()
+                          ? openedForSweep(options, static_cast<double>((*size)[0]) / (*size)[1])
+                          : documentForSweep(options);
+    if (!made) return tl::unexpected<Failure>(made.error());
 
-    Document& document = opened->document;
-    document = withMethod(std::move(document), *config);
-    document.motion = *motion;
-    SweepReport report{.motion = *motion};
-    report.start = viewpointOf(document);
-    report.smoothing = otfSmoothingFromName(options.smoothing);
-    const Frames frames = framesFrom(options, *range, document, opened->study.phases.size(),
-                                     framesUsed(report.smoothing.value_or(OtfSmoothing::none)));
+    const Document& document = made->document;
+    SweepReport report{.start = startOf(document), .motion = document.motion};
+    report.smoothing = smoothingFrom(options, *made);
+    const Frames frames =
+        framesFrom(options, *range, *made, framesUsed(report.smoothing.value_or(OtfSmoothing::none)) - 1);
     if (!options.json.empty()) {
-        auto made = madeOf(invocation, *opened);
-        if (!made) return tl::unexpected<Failure>(made.error());
-        report.madeOf = *std::move(made);
+        auto of = madeOf(invocation, *made);
+        if (!of) return tl::unexpected<Failure>(of.error());
+        report.madeOf = *std::move(of);
     }
-    StudyPhases phases{.scans = opened->study.phases, .reduction = document.scene.look.reduction};
+    StudyPhases phases{.scans = made->study.phases, .reduction = document.scene.look.reduction};
     // One OTF alone is computed of one phase.
     if (report.smoothing || options.pictureFlicker || !options.movie.empty())
         phases = withQuiet(std::move(phases), frames.frames);
-    const std::vector<SweptOtf> swept = report.smoothing ? withOwnOtfs(document, phases, frames, *report.smoothing)
-                                                         : withOneOtf(document, phases, frames.frames);
+    const std::vector<SweptOtf> swept = report.smoothing ? withOwnOtfs(*made, phases, frames, *report.smoothing)
+                                                         : withOneOtf(*made, phases, frames.frames);
     report.frames = swept;
-    sayWhatIsMissing(opened->study, swept, !options.movie.empty());
-    FramePictures pictures(document, phases, *size);
+    sayWhatIsMissing(made->study, swept, !options.movie.empty());
+    FramePictures pictures(*made, phases, *size);
     if (auto done = writeReport(options, report, pictures); !done) return done;
-    return options.movie.empty() ? Result<void>() : writeMovie(options, *opened, swept, pictures, *size);
+    return options.movie.empty() ? Result<void>() : writeMovie(options, *made, swept, pictures, *size);
 }
 
 void addMotion(CLI::App& command, SweepOptions& options) {
@@ -333,13 +279,15 @@ void addSweepCommand(CLI::App& program, Action& action, const Invocation& invoca
     auto options = std::make_shared<SweepOptions>();
     CLI::App& command = *program.add_subcommand("sweep", "The OTFs of a moving probe, a moving object, or both");
     options->volume.addTo(command);
+    options->document.addTo(command, "plays the motion of a pane of it");
     addMotion(command, *options);
     addOutputs(command, *options);
     options->view.addTo(command, ViewOf::openedStudy);
     options->method.addTo(command);
     command.footer("Example: echolucent-cli sweep heart.nrrd --movie heart.mp4");
-    command.callback(
-        [options, &action, invocation] { action = [options, invocation] { return sweep(*options, invocation); }; });
+    command.callback([options, &command, &action, invocation] {
+        action = [options, &command, invocation] { return sweep(*options, command, invocation); };
+    });
 }
 
 }  // namespace echolucent::cli

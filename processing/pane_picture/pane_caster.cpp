@@ -87,6 +87,12 @@ const PaneCaster::Voxels* PaneCaster::voxels(const AskedVoxels& asked, const Pro
     return &*m_voxels;
 }
 
+std::optional<PaneCaster::OtfVoxels> PaneCaster::otfVoxels(const Document& document, std::size_t pane,
+                                                           const Progress& progress) {
+    const Voxels* of = voxels(askedVoxels(document, otfPhaseOf(document, pane, phaseCount())), {{}, progress.cancel});
+    return of ? std::optional(OtfVoxels{of->raw, of->shown}) : std::nullopt;
+}
+
 std::optional<PaneOtf> PaneCaster::otf(const Document& document, std::size_t pane, const Progress& progress) {
     if (!needsComputedOtf(document, pane)) return PaneOtf{};
     const DesignerConfig* designer = designerConfigOf(document, pane);

@@ -84,6 +84,14 @@ public:
     /// it is the adaptive one, computed from raw voxels along otfViewpointOf() for the voxels that are shown. Unless
     /// needsComputedOtf(), nothing is computed. The result is empty only if progress.cancel was raised.
     [[nodiscard]] std::optional<PaneOtf> otf(const Document& document, std::size_t pane, const Progress& progress = {});
+    /// Voxels of the phase otfPhaseOf(), cut by the strokes.
+    struct OtfVoxels {
+        std::shared_ptr<const Volume> raw;    ///< for tube cores
+        std::shared_ptr<const Volume> shown;  ///< for the picture
+    };
+    /// The voxels from which the OTF of a pane is computed. The result is empty only if progress.cancel was raised.
+    [[nodiscard]] std::optional<OtfVoxels> otfVoxels(const Document& document, std::size_t pane,
+                                                     const Progress& progress = {});
     /// What tube cores read for the adaptive OTF of a pane, and the voxels that the OTF is for.
     struct TubeCoreReading {
         AdaptiveOtf otf;

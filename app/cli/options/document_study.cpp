@@ -22,8 +22,7 @@ namespace echolucent::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> besideDocument{"VOLUME",   "--document", "--view",  "--size", "--background",
-                                                         "--output", "--quality",  "--words", "--help"};
+constexpr std::array<std::string_view, 4> alwaysBeside{"VOLUME", "--document", "--view", "--help"};
 
 /// Whether an option says how VOLUME is read. --phase does not: the document says which phase is shown.
 bool saysHowToRead(const CLI::Option& option) {
@@ -42,26 +41,34 @@ std::string placeOf(const StudyFile& file, const std::string& document) {
     return place;
 }
 
-Result<Study> readReferenced(const StudyFile& file, const std::string& document, const std::string& output) {
-    const std::string path = placeOf(file, document);
+Result<Study> readReferenced(const StudyFile& file, const std::string& path, const std::vector<std::string>& outputs) {
     keepFromOverwriting({path});
-    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
+    if (auto possible = checkOutputs(outputs); !possible) return tl::unexpected<Failure>(possible.error());
     auto study = restricted::readStudy(path, file.options);
     if (!study) return study;
     keepFromOverwriting(study->files);
-    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
+    if (auto possible = checkOutputs(outputs); !possible) return tl::unexpected<Failure>(possible.error());
     if (file.checksum.empty()) return study;
     const auto checksum = checksumOf(study->files);
     if (!checksum) return tl::unexpected<Failure>(checksum.error());
     if (const std::string change = changeOf(file, *checksum); !change.empty())
-        std::fprintf(stderr, "%s %s: the picture may not be the one that was saved.\n", path.c_str(), change.c_str());
+        std::fprintf(stderr, "%s %s: the result may not be the saved one.\n", path.c_str(), change.c_str());
     return study;
 }
 
-Result<Study> studyOf(const Document& document, const std::string& path, const VolumeOptions& volume,
-                      const std::string& output) {
-    if (!volume.path.empty()) return volume.readAll({output});
-    if (const auto* file = std::get_if<StudyFile>(&document.study)) return readReferenced(*file, path, output);
+/// The study of a document at `path`, which names it then as it was found.
+Result<Study> studyOf(Document& document, const std::string& path, const VolumeOptions& volume,
+                      const std::vector<std::string>& outputs) {
+    if (!volume.path.empty()) {
+        auto named = volume.readNamed(outputs);
+        if (!named) return tl::unexpected<Failure>(named.error());
+        document.study = std::move(named->reference);
+        return std::move(named->study);
+    }
+    if (auto* file = std::get_if<StudyFile>(&document.study)) {
+        file->path = placeOf(*file, path);
+        return readReferenced(*file, file->path, outputs);
+    }
     if (const auto* scan = std::get_if<SimulatedScan>(&document.study)) return simulatedStudy(*scan);
     return fail(FailureKind::wrongUsage, path, "study", "is null: the document names no study",
                 "Give the volume on the command line.");
@@ -69,11 +76,11 @@ Result<Study> studyOf(const Document& document, const std::string& path, const V
 
 }  // namespace
 
-void DocumentOptions::addTo(CLI::App& command) {
+void DocumentOptions::addTo(CLI::App& command, const std::string& makes) {
+    command.get_option("VOLUME")->required(false);
     command
         .add_option("--document", path,
-                    "A document of the workstation: renders a pane of it as it is at rest. Without VOLUME the document "
-                    "names the study")
+                    "A document of the workstation: " + makes + ". Without VOLUME the document names the study")
         ->type_name("FILE.json");
     command
         .add_option("--view", view,
@@ -82,10 +89,17 @@ void DocumentOptions::addTo(CLI::App& command) {
         ->needs("--document");
 }
 
-Result<void> DocumentOptions::checkAlone(const CLI::App& command) const {
+Result<void> DocumentOptions::check(const CLI::App& command, const std::vector<std::string_view>& beside) const {
+    if (path.empty()) {
+        if (command.get_option("VOLUME")->count() > 0) return {};
+        return wrongUsage("VOLUME", "is required", "Name a volume, or a document with --document.");
+    }
+    const auto isOneOf = [](const auto& names, const std::string& name) {
+        return std::ranges::find(names, name) != names.end();
+    };
     for (const CLI::Option* option : command.get_options()) {
         if (option->count() == 0) continue;
-        if (std::ranges::find(besideDocument, option->get_name()) != besideDocument.end()) continue;
+        if (isOneOf(alwaysBeside, option->get_name()) || isOneOf(beside, option->get_name())) continue;
         if (!saysHowToRead(*option))
             return wrongUsage(option->get_name(), "plays no part beside --document",
                               "Leave it out, or change the document.");
@@ -96,14 +110,14 @@ Result<void> DocumentOptions::checkAlone(const CLI::App& command) const {
     return {};
 }
 
-Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOptions& volume, const std::string& output,
-                                        std::optional<int> number) {
+Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOptions& volume,
+                                        const std::vector<std::string>& outputs, std::optional<int> number) {
     keepFromOverwriting({path});
-    if (auto possible = checkOutputs({output}); !possible) return tl::unexpected<Failure>(possible.error());
+    if (auto possible = checkOutputs(outputs); !possible) return tl::unexpected<Failure>(possible.error());
     auto read = readDocumentPane(path, number);
     if (!read) return tl::unexpected<Failure>(read.error());
     Document& document = read->document;
-    auto study = studyOf(document, path, volume, output);
+    auto study = studyOf(document, path, volume, outputs);
     if (!study) return tl::unexpected<Failure>(study.error());
     document.scene =
         withFrontAcrossPose(std::move(document.scene), document.beam.axis, study->phases.front()->geometry());
@@ -111,7 +125,7 @@ Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOpt
     if (phase < 0 || phase >= static_cast<int>(study->phases.size()))
         return fail(FailureKind::wrongUsage, path, "phases",
                     fmt::format("shows phase {}, but the volume has {} phase(s)", phase, study->phases.size()));
-    return DocumentStudy{std::move(document), std::move(*study), read->pane};
+    return DocumentStudy{std::move(document), std::move(*study), read->pane, path};
 }
 
 Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& view, const Look& look,
@@ -123,9 +137,9 @@ Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& 
     const Volume& first = *read->study.phases.front();
 
     const auto begin = std::chrono::steady_clock::now();
-    OpeningFinds finds = *findOnOpening(first, {}, view.said());
+    OpeningFinds finds = *findOnOpening(first, {}, view.said(), &findFlatNearCut);
     if (view.nearCutSuggested() && !finds.cut)
-        finds.cut = findNearCut(first, viewpointOf(finds.beam.axis, finds.side.value_or(finds.lean), 0.0));
+        finds.cut = findFlatNearCut(first, viewpointOf(finds.beam.axis, finds.side.value_or(finds.lean), 0.0), {});
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
 
     Document fresh;
@@ -143,14 +157,26 @@ Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& 
     if (const auto kept = leavesSomething(first, viewpointOf(document)); !kept)
         return tl::unexpected<Failure>(kept.error());
     scene.phase = document.motion.otfPhase = volume.phase;
-    return DocumentStudy{std::move(document), std::move(read->study), firstPane, std::move(finds), took.count()};
+    return DocumentStudy{std::move(document), std::move(read->study), firstPane, {}, std::move(finds), took.count()};
 }
 
 ChosenBeam beamOf(const DocumentStudy& opened) {
     const Beam& beam = opened.document.beam;
-    if (beam.source == BeamSource::person || !opened.finds) return {beam.axis, "option", std::nullopt, ""};
+    if (!opened.finds) return {beam.axis, std::string(nameOf(beam.source)), std::nullopt, ""};
+    if (beam.source == BeamSource::person) return {beam.axis, "option", std::nullopt, ""};
     const BeamGuess& guess = opened.finds->beam;
     return {beam.axis, guess.sure ? std::string(nameOf(guess.evidence)) : "assumed", guess.confidence, guess.sentence};
+}
+
+bool isAdaptive(const Document& document, std::size_t pane) {
+    const DesignerConfig* designer = designerConfigOf(document, pane);
+    if (designer != nullptr) return designerOf(*designer) == Designer::adaptive;
+    return document.panes.at(pane).curve == CurveKind::adaptive;
+}
+
+std::string otfNameOf(const Document& document, std::size_t pane) {
+    const DesignerConfig* designer = designerConfigOf(document, pane);
+    return std::string(designer != nullptr ? nameOf(designerOf(*designer)) : nameOf(document.panes.at(pane).curve));
 }
 
 namespace {

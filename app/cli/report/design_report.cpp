@@ -76,6 +76,7 @@ std::string jsonReport(const Volume& volume, const DesignRun& run, const OtfCont
                       {"confidence", beam.confidence ? Json(*beam.confidence) : Json()}};
     report["reduction"] = echolucent::nameOf(run.reduction);
     report["parameters"] = designerParametersJson(run.config);
+    addAdjustment(report["parameters"], context.adjustment);
     report["time_ms"] = run.milliseconds;
     report["finding_ms"] = context.findingMilliseconds;
     report["quietening_ms"] = context.quieteningMilliseconds;

@@ -45,7 +45,9 @@ Json directionJson(const ViewDirection& direction) {
     return {{"azimuth", direction.azimuth}, {"elevation", direction.elevation}, {"roll", direction.roll}};
 }
 
+/// What was found on opening; null of a document that was read.
 Json findsJson(const DocumentStudy& opened) {
+    if (!opened.finds) return nullptr;
     const Scene& scene = opened.document.scene;
     const ChosenBeam beam = beamOf(opened);
     Json found;
@@ -68,6 +70,40 @@ Json findsJson(const DocumentStudy& opened) {
     return found;
 }
 
+/// The path of a study that is a folder; else it is empty.
+std::string folderOf(const StudyReference& study) {
+    const auto* file = std::get_if<StudyFile>(&study);
+    std::error_code unreadable;
+    return file != nullptr && std::filesystem::is_directory(file->path, unreadable) ? file->path : "";
+}
+
+/// The document that was read; null if options made it.
+Result<Json> documentJson(const DocumentStudy& opened) {
+    if (opened.file.empty()) return Json();
+    const auto checksum = checksumOf({opened.file});
+    if (!checksum) return tl::unexpected<Failure>(checksum.error());
+    return Json{{"file", withoutFolders(opened.file)},
+                {"checksum", checksum->text},
+                {"bytes", checksum->bytes},
+                {"pane", opened.pane + 1}};
+}
+
+Result<Json> studyJson(const DocumentStudy& opened) {
+    const int phase = phaseOf(opened.document, opened.pane);
+    if (const auto* scan = std::get_if<SimulatedScan>(&opened.document.study))
+        return Json{{"scene", nameOf(scan->scene)}, {"size", scan->size}, {"seed", scan->seed}, {"phase", phase}};
+    const auto& file = std::get<StudyFile>(opened.document.study);
+    const auto checksum = checksumOf(opened.study.files);
+    if (!checksum) return tl::unexpected<Failure>(checksum.error());
+    // Checksum and UID tell a folder's study; its name may be a patient's.
+    return Json{{"file", folderOf(opened.document.study).empty() ? withoutFolders(file.path) : ""},
+                {"checksum", checksum->text},
+                {"bytes", checksum->bytes},
+                {"files", checksum->files},
+                {"series", file.options.series},
+                {"phase", phase}};
+}
+
 }  // namespace
 
 std::string findsText(const DocumentStudy& opened) {
@@ -82,24 +118,18 @@ std::string findsText(const DocumentStudy& opened) {
 }
 
 Result<Json> madeOf(const Invocation& invocation, const DocumentStudy& opened) {
-    const auto& file = std::get<StudyFile>(opened.document.study);
-    const auto checksum = checksumOf(opened.study.files);
-    if (!checksum) return tl::unexpected<Failure>(checksum.error());
-    // Checksum and UID identify a folder's study. Its name may be a patient's.
-    std::error_code unreadable;
-    const bool isFolder = std::filesystem::is_directory(file.path, unreadable);
     Json arguments = Json::array();
+    const std::string folder = folderOf(opened.document.study);
     for (const std::string& argument : invocation.arguments)
-        arguments.push_back(isFolder && argument == file.path ? "" : withoutFolders(argument));
+        arguments.push_back(!folder.empty() && argument == folder ? "" : withoutFolders(argument));
+    auto document = documentJson(opened);
+    if (!document) return document;
+    auto study = studyJson(opened);
+    if (!study) return study;
     return Json{{"program", invocation.program},
                 {"command", arguments},
-                {"study",
-                 {{"file", isFolder ? "" : withoutFolders(file.path)},
-                  {"checksum", checksum->text},
-                  {"bytes", checksum->bytes},
-                  {"files", checksum->files},
-                  {"series", file.options.series},
-                  {"phase", opened.document.scene.phase}}},
+                {"document", *std::move(document)},
+                {"study", *std::move(study)},
                 {"found", findsJson(opened)}};
 }
 

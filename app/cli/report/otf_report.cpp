@@ -65,12 +65,12 @@ Json valueOf(const ParameterValue& value) {
 }
 
 /// Named like the command line's options. Parameters that do not apply are left out.
-Json methodParametersJson(const AdaptiveOtf& otf, const std::string& initialName, double manualFactor) {
+Json methodParametersJson(const AdaptiveOtf& otf, const OtfContext& context) {
     const AdaptiveOtfConfig& config = otf.config;
     Json all{{"reading", readingName(config)},
-             {"initial", withoutFolders(initialName)},
+             {"initial", withoutFolders(context.initialName)},
              {"initial_function", initialFunction(config.initial)},
-             {"opacity_scale", opacityScaleOf(config.initial, manualFactor)},
+             {"opacity_scale", opacityScaleOf(config.initial, context.manualFactor)},
              {"tube_grid", Json::array({config.grid.columns, config.grid.rows})},
              {"without_tubes", config.grid.withoutTubes},
              {"tube_spacing_units", Json::array({otf.tubeSpacingUnits[0], otf.tubeSpacingUnits[1]})},
@@ -88,6 +88,7 @@ Json methodParametersJson(const AdaptiveOtf& otf, const std::string& initialName
         all["quiet_ramp_begin"] = ramp->begin;
         all["quiet_ramp_end"] = ramp->end;
     }
+    addAdjustment(all, context.adjustment);
     return all;
 }
 
@@ -141,8 +142,12 @@ std::string vectorCells(const std::optional<Vec3>& value) {
 
 }  // namespace
 
-std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfContext& context,
-                       const std::string& initialName, double manualFactor) {
+void addAdjustment(Json& parameters, const CurveAdjustment& adjustment) {
+    for (const Parameter<CurveAdjustment>& row : adjustmentParameters())
+        parameters[std::string(row.name)] = valueOf(*row.get(adjustment));
+}
+
+std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfContext& context) {
     const VolumeGeometry& geometry = volume.geometry();
     const StageTimes& times = otf.times;
     const ChosenBeam& beam = context.beam;
@@ -163,7 +168,7 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfCo
         {"axis", echolucent::nameOf(beam.axis)}, {"source", beam.source}, {"confidence", maybe(beam.confidence)}};
     report["reduction"] = echolucent::nameOf(otf.reduction);
     report["speckle_left"] = otf.speckleLeft;
-    report["parameters"] = methodParametersJson(otf, initialName, manualFactor);
+    report["parameters"] = methodParametersJson(otf, context);
     report["times_ms"] = {{"sampling", times.sampling},
                           {"cells", times.cells},
                           {"detection", times.detection},

@@ -7,6 +7,7 @@
 #include "app/cli/options/view_options.h"
 #include "app/cli/report/report_json.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/document/curve_adjustment.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent::cli {
@@ -15,13 +16,17 @@ namespace echolucent::cli {
 struct OtfContext {
     Json madeOf;
     ChosenBeam beam;
+    std::string initialName;              ///< of the initial function, as curveFromName() takes it
+    double manualFactor = 1.0;            ///< on the opacities of a manual initial function's file
+    CurveAdjustment adjustment{};         ///< of the curve
     double findingMilliseconds = 0.0;     ///< wall time of the search for beam and front
     double quieteningMilliseconds = 0.0;  ///< wall time of making the quiet voxels
 };
 
 /// One JSON object that ends with a newline. Its numbers are read back without loss.
-[[nodiscard]] std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfContext& context,
-                                     const std::string& initialName, double manualFactor);
+[[nodiscard]] std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfContext& context);
+/// Adds the parameters of an adjustment by name.
+void addAdjustment(Json& parameters, const CurveAdjustment& adjustment);
 /// intensity, opacity, log_opacity, initial_opacity: 256 rows and a header.
 [[nodiscard]] std::string curveTable(const AdaptiveOtf& otf);
 /// A header, and a row for each tube core; columns as in the JSON.
