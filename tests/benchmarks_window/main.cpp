@@ -27,7 +27,7 @@ struct Options {
     Amount amount;
     int edge = 0;  // voxels of every phantom; with 0 those of the frames are 199 x 197 x 199, as the paper's scan
     bool shaded = false;
-    int openings = 0;
+    int openings = 0, edits = 0;
     QString volume, large;  // files in the place of phantoms
     QString json, pictures;
 };
@@ -41,7 +41,9 @@ Options parse(const QApplication& application) {
         "Measures the real window: frames a second, updates in the review room, memory, stalls.");
     parser.addHelpOption();
     parser.addOptions(
-        {{"parts", "What is measured; \"opening\" is how soon a volume is seen, \"cine\" needs --volume of a 4D study.",
+        {{"parts",
+          "What is measured; \"edits\" is how soon an edit of the document is seen, \"opening\" how soon a volume is, "
+          "\"cine\" needs --volume of a 4D study.",
           "NAME,NAME", "room,frames,stalls,movie"},
          {"sizes", "Edges of the picture in device pixels; panes of the room have the first.", "N,N", "512,1024"},
          {"seconds", "How long each action is measured.", "S", "4"},
@@ -57,6 +59,7 @@ Options parse(const QApplication& application) {
           "FILE"},
          {"large", "A volume's file in the place of the phantom of 512.", "FILE"},
          {"openings", "How often a volume is opened.", "N", "9"},
+         {"edits", "How often the document is edited, and undone.", "N", "40"},
          {"json", "Where the figures go.", "FILE", ECHOLUCENT_BENCH_FILE},
          {"pictures", "Saves what is seen in motion and at rest.", "FOLDER"}});
     parser.process(application);
@@ -70,6 +73,7 @@ Options parse(const QApplication& application) {
     options.volume = parser.value("volume");
     options.large = parser.value("large");
     options.openings = parser.value("openings").toInt();
+    options.edits = parser.value("edits").toInt();
     options.json = parser.value("json");
     options.pictures = parser.value("pictures");
     return options;
@@ -103,6 +107,17 @@ void measureCine(const QString& volume, int edge, const Options& options, Findin
         tell(row);
     }
     findings.kept << window.kept();
+}
+
+/// Edits of the document in a window of one size.
+void measureEdits(const Options& options, const QString& volume, int edge, const std::function<void(Row)>& tell) {
+    WindowUnderTest window(volume, edge, options.shaded);
+    for (Row row : window.editDocument(std::max(1, options.edits))) {
+        row.curve = "manual";
+        row.edge = edge;
+        row.shaded = options.shaded;
+        tell(row);
+    }
 }
 
 /// All actions in a window of one size; `tell` gets each row as soon as it is there.
@@ -182,9 +197,9 @@ int main(int count, char** arguments) {
         out << tableLine(row) << '\n' << Qt::flush;
     };
     const bool room = options.parts.contains("room"), frames = options.parts.contains("frames");
-    const bool cine = options.parts.contains("cine");
+    const bool cine = options.parts.contains("cine"), edits = options.parts.contains("edits");
     if (cine && options.volume.isEmpty()) qFatal("the part \"cine\" needs --volume FILE of a 4D study");
-    if (room || frames || cine) out << tableHeader() << '\n' << Qt::flush;
+    if (room || frames || edits || cine) out << tableHeader() << '\n' << Qt::flush;
     if (room) {
         const QString volume = phantom(roomVoxels, 8);
         forgetPeak();  // what making the phantom took
@@ -194,6 +209,10 @@ int main(int count, char** arguments) {
     if (frames) {
         const QString volume = options.volume.isEmpty() ? phantom(0, 8) : options.volume;
         for (const int edge : options.sizes) measure(options, volume, edge, tell);
+    }
+    if (edits) {
+        const QString volume = options.volume.isEmpty() ? phantom(0, 8) : options.volume;
+        for (const int edge : options.sizes) measureEdits(options, volume, edge, tell);
     }
     if (cine) {
         for (const int edge : options.sizes) {

@@ -19,16 +19,17 @@ struct Amount {
 
 /// One line of the table: what was done in a window, and what it took.
 struct Row {
-    /// "orbit", "edit", "light", "high quality", "first turn", "later turns" or "from memory"; with all four panes
-    /// "reference", "box" or "orbit in quad".
+    /// "orbit", "edit", "light", "high quality", "edit in document", "undo in document", "first turn", "later turns" or
+    /// "from memory"; with all four panes "reference", "box" or "orbit in quad".
     QString action;
     QString curve;
     int edge = 0;  ///< edge of the picture, device pixels
     bool shaded = false;
-    double framesPerSecond = 0.0;  ///< pictures drawn a second; for "high quality" 1 / median time from change to
-                                   ///< picture, with all four panes updates (RoomUnderTest)
+    double framesPerSecond = 0.0;  ///< pictures drawn a second; for "high quality" and "in document" 1 / median time
+                                   ///< from change to picture, with all four panes updates (RoomUnderTest)
     double deliveredPerSecond = 0.0;
-    double medianInterval = 0.0, interval95 = 0.0;  ///< ms between pictures on the screen; for "high quality" the times
+    double medianInterval = 0.0, interval95 = 0.0;  ///< ms between pictures on the screen; for "high quality" and "in
+                                                    ///< document" the times
     double castMilliseconds = 0.0, drawMilliseconds = 0.0;  ///< medians
     QString quality;                                        ///< the most frequent one
     QSize rays;

@@ -67,13 +67,13 @@ QJsonObject json(const OpeningTimes& times) {
 
 QString tableHeader() {
     return QString("%1 %2 %3  frames/s  delivered/s  median ms  95 % ms  cast ms  draw ms   CPU  quality")
-        .arg("action", -12)
+        .arg("action", -16)
         .arg("curve", -14)
         .arg("size", -5);
 }
 
 QString tableLine(const Row& row) {
-    QStringList cells{QString("%1 %2 %3").arg(row.action, -12).arg(row.curve, -14).arg(row.edge, -5)};
+    QStringList cells{QString("%1 %2 %3").arg(row.action, -16).arg(row.curve, -14).arg(row.edge, -5)};
     cells << number(row.framesPerSecond, 1, 9) << number(row.deliveredPerSecond, 1, 12)
           << number(row.medianInterval, 1, 10) << number(row.interval95, 1, 8) << number(row.castMilliseconds, 1, 8)
           << number(row.drawMilliseconds, 1, 8) << number(100 * row.processorShare, 0, 4) + " %";

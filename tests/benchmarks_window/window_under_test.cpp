@@ -7,6 +7,8 @@
 #include <QWindow>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "app/motion/motion_player.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -224,6 +226,48 @@ Row WindowUnderTest::highQuality(const Amount& amount) {
     row.interval95 = quantile(times, 0.95);
     row.framesPerSecond = row.deliveredPerSecond = 1000.0 / row.medianInterval;
     return row;
+}
+
+template <typename Change>
+double WindowUnderTest::timeToPicture(const Change& change) {
+    const auto before = view().picture();
+    std::optional<double> drawn;
+    Stopwatch clock;
+    QObject context;
+    QObject::connect(&view(), &VolumeViewWidget::pictureDrawn, &context, [&] {
+        if (!drawn && view().picture() != before && view().pictureIsCurrent()) drawn = clock.milliseconds();
+    });
+    clock.start();
+    change();
+    await("a picture of the change", [&] { return drawn.has_value(); });
+    waitUntilConverged();
+    QTest::qWait(movementMilliseconds);  // what follows sooner would be taken for part of a movement
+    return *drawn;
+}
+
+QList<Row> WindowUnderTest::editDocument(int edits) {
+    trigger("otfEditor.action.active.manual");
+    waitUntilConverged();
+    std::vector<double> editing, undoing;
+    for (int i = 0; i < edits; ++i) {
+        editing.push_back(timeToPicture([&] {
+            Document next = window().document().document();
+            for (CurveNode& node : next.curves.manual.nodes) node.opacity *= 0.8 + 0.1 * std::sin(i);
+            window().document().edit(next, "curve");
+        }));
+        undoing.push_back(timeToPicture([&] { window().document().steps().undo(); }));
+    }
+    QList<Row> rows;
+    for (const auto& [name, times] : {std::pair("edit in document", editing), std::pair("undo in document", undoing)}) {
+        Row row;
+        row.action = QString::fromLatin1(name);
+        row.frames = static_cast<int>(times.size());
+        row.medianInterval = quantile(times, 0.5);
+        row.interval95 = quantile(times, 0.95);
+        row.framesPerSecond = row.deliveredPerSecond = 1000.0 / row.medianInterval;
+        rows << row;
+    }
+    return rows;
 }
 
 void WindowUnderTest::takePictures(const QString& folder, const QString& name) {

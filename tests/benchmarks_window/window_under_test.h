@@ -28,6 +28,10 @@ public:
     [[nodiscard]] Row turnLight(const Amount& amount);
     /// Measures from a jump to another view to the high-quality picture on the screen.
     [[nodiscard]] Row highQuality(const Amount& amount);
+    /// Edits the manual curve of the document, which the 3D view shows, and undoes it, so many times: each from the
+    /// edit, or the undo, of a picture at rest to the first drawn picture that has it. "edit in document", "undo in
+    /// document".
+    [[nodiscard]] QList<Row> editDocument(int edits);
     [[nodiscard]] int phases() const;
     /// Plays a 4D study, each phase with its own OTF, as fast as it goes: "first turn" is the first time round, from
     /// the first phase on; "later turns" are those until every picture is kept and fine; "from memory" is measured from
@@ -48,6 +52,9 @@ private:
     /// Drags on and on, as from a hand that does not wait for the picture.
     Row drag(Qt::KeyboardModifiers keys, const Amount& amount);
     void moveHand(Qt::KeyboardModifiers keys);
+    /// Milliseconds from the beginning of a change to the first drawn picture that has it; rests then.
+    template <typename Change>
+    double timeToPicture(const Change& change);
 
     QPointF m_hand;
     KeptMotion m_kept;
