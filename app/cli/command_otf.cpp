@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/cli/command.h"
-#include "app/cli/options/document_study.h"
 #include "app/cli/options/designer_options.h"
+#include "app/cli/options/document_study.h"
 #include "app/cli/options/look_options.h"
 #include "app/cli/options/method_options.h"
 #include "app/cli/options/option_text.h"

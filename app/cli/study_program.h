@@ -1,6 +1,12 @@
 // What measures is a program of its own, echolucent-study, which the command line starts for `study` and `bench`.
 #pragma once
 
+#include "processing/result.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
 namespace echolucent::cli {
 
 /// Adds `study` and `bench` by name and meaning: help and sentences list all commands. echolucent-study runs them.

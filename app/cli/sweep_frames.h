@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "app/cli/options/document_study.h"
-#include "processing/pane_picture/pane_caster.h"
 #include "processing/motion/otf_smoothing.h"
 #include "processing/motion/otf_sweep.h"
 #include "processing/opacity_curve.h"
+#include "processing/pane_picture/pane_caster.h"
 #include "processing/picture/picture.h"
 
 namespace echolucent::cli {

@@ -13,6 +13,11 @@
 #include "processing/adaptive/quiet_reading.h"
 #include "processing/comparison/surface_contrast.h"
 #include "processing/phantom/phantom.h"
+#include "processing/result.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace echolucent::cli {
 

@@ -16,10 +16,13 @@ namespace {
 
 constexpr const char* remedyOfDocument = "Correct the file, or save the document again from the program.";
 
-Front frontIn(JsonFields fields) {
+/// A plane across the pose turns with it, unless the file says that it is fixed all the same.
+Front frontIn(JsonFields fields, const Pose& pose) {
     Front front{.depthMm = fields.number("depth_mm", 0), .direction = directionIn(fields.object("direction"))};
     front.source = fields.choice("source", &frontSourceFromName);
     if (!fields.isNull("surface")) front.surface = surfaceIn(fields.object("surface"));
+    const bool isFixed = fields.has("fixed") && fields.flag("fixed");
+    if (!isFixed && front.direction == pose.direction) front.direction.reset();
     return front;
 }
 
@@ -28,8 +31,7 @@ Scene sceneIn(JsonFields fields) {
     JsonFields pose = fields.object("pose");
     scene.pose = poseIn(pose);
     scene.side = directionIn(fields.object("side"));
-    scene.front = frontIn(fields.object("front"));
-    if (scene.front.direction == scene.pose.direction) scene.front.direction.reset();
+    scene.front = frontIn(fields.object("front"), scene.pose);
     JsonFields look = fields.object("look");
     scene.look = lookIn(look);
     JsonFields box = fields.object("box");

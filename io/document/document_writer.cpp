@@ -62,10 +62,12 @@ ordered_json surfaceJson(const CutSurface& surface) {
 }
 
 ordered_json frontJson(const Front& front, const Pose& pose) {
-    return {{"depth_mm", front.depthMm},
-            {"direction", directionJson(front.direction.value_or(pose.direction))},
-            {"source", nameOf(front.source)},
-            {"surface", front.surface ? surfaceJson(*front.surface) : ordered_json()}};
+    ordered_json json{{"depth_mm", front.depthMm},
+                      {"direction", directionJson(front.direction.value_or(pose.direction))},
+                      {"source", nameOf(front.source)},
+                      {"surface", front.surface ? surfaceJson(*front.surface) : ordered_json()}};
+    if (front.direction == pose.direction) json["fixed"] = true;
+    return json;
 }
 
 ordered_json boxJson(const Box& box) {

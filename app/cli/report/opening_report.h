@@ -13,8 +13,8 @@ namespace echolucent::cli {
 /// without data. It does not repeat options.
 [[nodiscard]] std::string findsText(const DocumentStudy& opened);
 
-/// What a result was made of: program, command, document and study with their checksums, and what opening found. It names
-/// no folder, not even the study's own. Fails if the document or a file of the study cannot be read again.
+/// What a result was made of: program, command, document and study with their checksums, and what opening found. It
+/// names no folder, not even the study's own. Fails if the document or a file of the study cannot be read again.
 [[nodiscard]] Result<Json> madeOf(const Invocation& invocation, const DocumentStudy& opened);
 
 /// An argument with files by their names alone: "manual:/home/jane/curve.json" becomes "manual:curve.json". An argument

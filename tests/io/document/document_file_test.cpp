@@ -193,6 +193,18 @@ TEST(DocumentFile, APlaneAcrossThePoseIsReadAsOneThatTurnsWithIt) {
     EXPECT_TRUE(documentFromJson(jsonOf(document)).value() == document);
 }
 
+TEST(DocumentFile, APlaneThatIsFixedAcrossThePoseStaysFixed) {
+    Document document;
+    document.scene.pose.direction = {.azimuth = 20, .elevation = 5, .roll = 0};
+    document.scene.front = {.depthMm = 3, .direction = document.scene.pose.direction};
+    const auto read = documentFromJson(jsonOf(document));
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->scene.front.direction, document.scene.pose.direction);
+    const auto no = documentFromJson(changed(jsonOf(document), "/scene/front/fixed", false));
+    ASSERT_TRUE(no) << no.error().sentence();
+    EXPECT_FALSE(no->scene.front.direction);
+}
+
 TEST(DocumentFile, GivesThePaneOfANumber) {
     const std::string text = jsonOf(unusualDocument());
     EXPECT_EQ(documentPaneFromJson(text, std::nullopt).value().pane, firstPane);
