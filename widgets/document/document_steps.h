@@ -45,6 +45,8 @@ public:
     /// The bytes of all states (bytesBeside()), and their limit. Only a single step may exceed it.
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
     [[nodiscard]] std::size_t mostBytes() const { return m_mostBytes; }
+    /// From the next step on; tests of a whole window set it.
+    void setMostBytes(std::size_t bytes) { m_mostBytes = bytes; }
 
     /// Forgets all steps. The shown state becomes the first.
     void clear();
