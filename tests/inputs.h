@@ -3,7 +3,7 @@
 
 namespace echolucent {
 
-/// A sanitizer makes tests ten times as long. If there is one, long lists of inputs are shortened.
+/// A sanitizer makes tests ten times as slow, so long lists of inputs are shortened.
 #ifdef ECHOLUCENT_SANITIZED
 inline constexpr bool takesSomeInputs = true;
 #else

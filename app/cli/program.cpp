@@ -17,8 +17,8 @@ namespace echolucent::cli {
 
 namespace {
 
-/// "--beam-axis -y" as "--beam-axis=-y": else the axis would be taken for an option of its own. Reversed, as CLI11
-/// wants it.
+/// Joins "--beam-axis -y" to "--beam-axis=-y": else CLI11 would take the axis for an option. The order is reversed, as
+/// CLI11 wants it.
 std::vector<std::string> joinedArguments(int count, char** arguments) {
     std::vector<std::string> joined;
     for (int i = 1; i < count; ++i) {
@@ -34,10 +34,10 @@ std::vector<std::string> joinedArguments(int count, char** arguments) {
 /// A command, or the program itself, that needs another command after it.
 struct NeedsCommand {
     const CLI::App* command;
-    std::string word;  ///< that stands where the command should; empty where the line ends there
+    std::string word;  ///< in the place of the command; empty if the line ends there
 };
 
-/// What is wrong with the commands of a command line; no value where each is one that exists.
+/// The first command of a command line that is wrong or missing. No value if all are right.
 std::optional<NeedsCommand> wrongCommand(const CLI::App& program, int count, char** arguments) {
     const CLI::App* command = &program;
     for (const std::string& word : wordsOf(count, arguments)) {
@@ -50,7 +50,7 @@ std::optional<NeedsCommand> wrongCommand(const CLI::App& program, int count, cha
     return NeedsCommand{command, ""};
 }
 
-/// The commands of a program, or of a command: "info, otf or render".
+/// The commands of a program or of a command, in words: "info, otf or render".
 std::string commandsOf(const CLI::App& program) {
     std::vector<std::string_view> names;
     for (const CLI::App* command : program.get_subcommands({})) names.emplace_back(command->get_name());
@@ -66,7 +66,7 @@ std::string sentenceOn(const NeedsCommand& wrong, const CLI::App& program) {
     return "\"" + wrong.command->get_name() + "\" is only the beginning of a command" + use;
 }
 
-/// One sentence and no more: CLI11 would add a line about --help.
+/// One sentence only: CLI11 would add a line about --help.
 std::string failureMessage(const CLI::App* /*program*/, const CLI::Error& error) {
     std::string sentence = error.what();
     if (!sentence.empty() && sentence.back() != '.') sentence += '.';

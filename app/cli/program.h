@@ -1,4 +1,4 @@
-// What the programs of the command line share from their first to their last word: options, sentences, exit status.
+// What the command line's programs share: options, sentences and exit status.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace echolucent::cli {
 
-/// The words of a command line that are no options: a command, the commands below it and what these read.
+/// The words of a command line that are no options: a command, the commands below it and their arguments.
 [[nodiscard]] std::vector<std::string> wordsOf(int count, char** arguments);
 
-/// Adds what a program has to offer.
+/// Adds a program's commands.
 using AddCommands = std::function<void(CLI::App& program, Action& action)>;
 
-/// Parses a command line, --threads among it, and does what it asks for. Returns the exit status. `version` is what
-/// --version prints.
+/// Parses a command line, --threads included, and does what it asks for. Returns the exit status. --version prints
+/// `version`.
 [[nodiscard]] int runProgram(CLI::App& program, const std::string& version, const AddCommands& addCommands, int count,
                              char** arguments);
 

@@ -7,7 +7,6 @@ namespace echolucent {
 
 namespace {
 
-/// A box that nobody has set yet.
 bool neverSet(const Box& box) { return box.sizeMm == Box{}.sizeMm; }
 
 }  // namespace
@@ -39,7 +38,7 @@ Document withBox(Document document, const Box& box) {
     document.scene.box = box;
     const bool looksInAnew = box.side != before.side || box.direction != before.direction;
     if (box.on && (!before.on || looksInAnew)) document.scene.side = directionFrom(box.side, box, beam);
-    // Without a box the tube cores look along the beam again, unless a person has chosen another way since.
+    // Without a box the tube cores look along the beam again, unless a person has since chosen another way.
     if (!box.on && before.on && document.scene.side == directionFrom(before.side, before, beam))
         document.scene.side = document.beam.lean;
     return document;
@@ -99,7 +98,7 @@ CutSurface startSurface(const Document& document, const Volume& volume) {
     const BeamAxis beam = document.beam.axis;
     const Box& set = document.scene.box;
     const Viewpoint looksIn = otfViewpointOf(document, firstPane);
-    // What the surface is to reach over.
+    // The surface must cover this box.
     const OrientedBox place = orientedBoxOf(set.on ? set : wholeBox({}, beam, volume.dataBox()), beam);
     CutSurface surface;
     surface.frame = frameOf(looksIn);

@@ -10,7 +10,7 @@ namespace echolucent {
 namespace {
 
 constexpr int tableIntensities = 2041;               // the nodes of the ray caster's table
-constexpr double leastRise = 0.02, mostRise = 0.98;  // so that neither side of the rise vanishes
+constexpr double leastRise = 0.02, mostRise = 0.98;  // keep both sides of the rise from vanishing
 
 /// Where the curve first reaches half of its largest opacity.
 double riseOf(const std::vector<double>& opacities) {
@@ -19,7 +19,8 @@ double riseOf(const std::vector<double>& opacities) {
     return static_cast<double>(at - opacities.begin()) / static_cast<double>(opacities.size() - 1);
 }
 
-/// Of which intensity before the adjustment an intensity shows the opacity, where the curve had these opacities.
+/// Finds the intensity whose opacity an adjusted curve shows at an intensity. `opacities` are those of the curve before
+/// the adjustment.
 class StretchedIntensities {
 public:
     StretchedIntensities(const std::vector<double>& opacities, double threshold)

@@ -1,4 +1,4 @@
-// The opacity curves that a person edits, and the names of all that can be rendered.
+// The opacity curves that a person edits, and the names of all curves that can be rendered.
 #pragma once
 
 #include <array>
@@ -19,27 +19,26 @@ enum class CurveKind { adaptive, manual, linear, parabolic, quartic };
 inline constexpr std::array<CurveKind, 5> allCurveKinds{CurveKind::adaptive, CurveKind::manual, CurveKind::linear,
                                                         CurveKind::parabolic, CurveKind::quartic};
 
-/// Position of a kind in allCurveKinds.
 [[nodiscard]] constexpr std::size_t indexOf(CurveKind kind) { return static_cast<std::size_t>(kind); }
 
 /// "adaptive", "manual", "linear", "parabolic", "quartic".
 [[nodiscard]] std::string_view nameOf(CurveKind kind);
 [[nodiscard]] std::optional<CurveKind> curveKindFromName(std::string_view name);
 
-/// The curves that a person edits. The adaptive curve is computed from the volume and is none of them.
+/// The curves that a person edits. The adaptive curve is not one of them: it is computed from the volume.
 struct CurveSet {
     ManualCurve manual{{fetalPresetNodes.begin(), fetalPresetNodes.end()}};  ///< users of 3D Slicer know it
     LinearCurve linear;
     PowerCurve parabolic{2, 1.0};  ///< the exponent stays 2
     PowerCurve quartic{4, 1.0};    ///< the exponent stays 4
-    CurveAdjustment adjustment{};  ///< of whichever curve is rendered, the adaptive one too
+    CurveAdjustment adjustment{};  ///< for every curve that is rendered, the adaptive one too
     friend bool operator==(const CurveSet&, const CurveSet&) = default;
 };
 
-/// The curve of one kind; `adaptive` is what the method computed for the volume shown, empty before that.
+/// The curve of one kind. `adaptive`: what the method computed for the volume shown, empty before that.
 [[nodiscard]] OpacityCurve curveOf(const CurveSet& curves, CurveKind kind, const SampledCurve& adaptive);
 
-/// The same as it is rendered: adjusted.
+/// The same, adjusted, as it is rendered.
 [[nodiscard]] OpacityCurve renderedCurve(const CurveSet& curves, CurveKind kind, const SampledCurve& adaptive);
 
 }  // namespace echolucent

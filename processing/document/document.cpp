@@ -21,7 +21,7 @@ Pose shownPose(const Document& document) {
 
 namespace {
 
-/// A direction, relative to the beam, behind the front and within the box.
+/// The view along a direction (relative to the beam), behind the front and within the box.
 Viewpoint limitedView(const Document& document, const ViewDirection& direction) {
     const Scene& scene = document.scene;
     Viewpoint viewpoint = viewpointOf(document.beam.axis, direction, scene.front.depthMm);
@@ -87,7 +87,7 @@ Document openedDocument(const Document& before, const StudyReference& study) {
     opened.study = study;
     opened.beam = Beam{};
     const Planes& planes = before.scene.planes;
-    // How grey values are shown, and which voxels, is no matter of the study.
+    // How grey values are shown does not depend on the study, nor does whether voxels are quiet.
     Scene scene;
     scene.look = before.scene.look;
     scene.planes.window = planes.window;
@@ -102,7 +102,7 @@ Document openedDocument(const Document& before, const StudyReference& study) {
     opened.measurements.clear();
     opened.motion.phaseRange.reset();
     opened.motion.otfPhase = 0;
-    opened.curves.adjustment = CurveAdjustment{};  // a first picture is right without it
+    opened.curves.adjustment = CurveAdjustment{};  // a first picture is good without it
     opened.method.config.grid.withoutTubes.clear();
     return opened;
 }

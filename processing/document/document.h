@@ -1,4 +1,4 @@
-// Everything that a person can set of what the program shows, as one flat value. What is computed from it (adaptive
+// Everything that a person can set about what the program shows, as one flat value. What is computed from it (adaptive
 // curves, pictures) is no part of it.
 #pragma once
 
@@ -17,10 +17,10 @@
 
 namespace echolucent {
 
-/// The pane of the 3D view: its phase is the scene's.
+/// The pane of the 3D view. It shows the scene's phase.
 inline constexpr std::size_t firstPane = 0;
 
-/// The default is what the program shows of a study that was opened and not touched.
+/// The default is what the program shows of a study that was just opened.
 struct Document {
     StudyReference study;
     Beam beam;
@@ -34,42 +34,40 @@ struct Document {
     friend bool operator==(const Document&, const Document&) = default;
 };
 
-// ---- What follows from the parts. A pane that is not there is a broken contract (std::out_of_range).
+// ---- What follows from the parts. They throw std::out_of_range if there is no such pane.
 
 /// The phase that a pane shows: its own, or that of the scene.
 [[nodiscard]] int phaseOf(const Document& document, std::size_t pane);
-/// The pose, turned by the motion where it is not at angle 0.
+/// The pose, turned by the motion if the motion's angle is not 0.
 [[nodiscard]] Pose shownPose(const Document& document);
 /// From where the panes look now: the shown pose behind the front, within the box.
 [[nodiscard]] Viewpoint viewpointOf(const Document& document);
-/// From where the adaptive OTF of a pane is computed: from the scene's side behind the front, within the box; where the
-/// pane itself asks for an OTF of each frame (Pane::motionOtf), viewpointOf().
+/// From where the adaptive OTF of a pane is computed: from the scene's side behind the front, within the box. If the
+/// pane itself asks for an OTF of each frame (Pane::motionOtf), it is viewpointOf().
 [[nodiscard]] Viewpoint otfViewpointOf(const Document& document, std::size_t pane);
-/// The curve that a pane is rendered with where it has no designer, adjusted; `adaptive` as in curveOf(CurveSet, ...).
+/// The adjusted curve that a pane is rendered with if it has no designer. `adaptive` is as in curveOf(CurveSet, ...).
 [[nodiscard]] OpacityCurve curveOf(const Document& document, std::size_t pane, const SampledCurve& adaptive);
-/// The designer that a pane is rendered with, as it is configured; null where it is rendered with a curve.
+/// The designer, with its parameters, that a pane is rendered with; null if it is rendered with a curve.
 [[nodiscard]] const DesignerConfig* designerConfigOf(const Document& document, std::size_t pane);
-/// What adaptOpacity() is run with.
+/// The config for adaptOpacity().
 [[nodiscard]] AdaptiveOtfConfig configOf(const Document& document);
-/// The same for a pane, without the tube cores that are never placed for it. Those that its grid does not hold are left
-/// out.
+/// The same for a pane. The tube cores that are never placed for it are left out. Numbers of tube cores that its grid
+/// does not hold are dropped.
 [[nodiscard]] AdaptiveOtfConfig configOf(const Document& document, std::size_t pane);
 
 // ---- Changes
 
-/// The document in which a pane is rendered with a designer.
 [[nodiscard]] Document withDesigner(Document document, std::size_t pane, const DesignerConfig& config);
 /// The document in which a pane is rendered with a curve and no designer.
 [[nodiscard]] Document withCurve(Document document, std::size_t pane, CurveKind curve);
 /// The document with the phase and the frame of the motion that another document shows.
 [[nodiscard]] Document withShown(Document document, const Document& shown);
-/// A document of another study: the look, curves, panes, method parameters and motion choices of `before`, those that
-/// count phases and the tube cores that are never placed aside, seen along the assumed beam, whole, without a front, a
-/// box, strokes and measurements, from its first phase on.
+/// A document of another study. It keeps the look, curves, panes, method parameters and motion choices of `before`, but
+/// neither choices that count phases nor the tube cores that are never placed. It is seen along the assumed beam,
+/// whole, from its first phase on, without front, box, strokes and measurements.
 [[nodiscard]] Document openedDocument(const Document& before, const StudyReference& study);
 
-/// What breaks a rule, with its key ("scene.box size_mm must be ..."), lower case, no full stop; an empty text where
-/// nothing does.
+/// What breaks a rule, with its key ("scene.box size_mm must be ..."): lower case, no full stop. Empty if nothing does.
 [[nodiscard]] std::string problemOf(const Document& document);
 
 }  // namespace echolucent

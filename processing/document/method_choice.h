@@ -21,20 +21,19 @@ enum class InitialKind {
 [[nodiscard]] std::string_view nameOf(InitialKind kind);
 [[nodiscard]] std::optional<InitialKind> initialKindFromName(std::string_view name);
 
-/// A config whose initial function is named, so that a curve of the document stands in one place only.
+/// A config whose initial function is a name, so that a curve of the document stands in one place only.
 struct MethodChoice {
-    AdaptiveOtfConfig config;  ///< all but `initial`, which plays no part and stays as by default
+    AdaptiveOtfConfig config;  ///< without `initial`, which is not used and keeps its default
     InitialKind initial = InitialKind::parabolic;
     double initialScale = defaultOpacityScale;  ///< a of the parabolic and quartic initial function, >= 0
     friend bool operator==(const MethodChoice&, const MethodChoice&) = default;
 };
 
-/// The rows of the initial function and of its scale; those of the config are methodParameters().
+/// The rows of the initial function and its scale. Those of the config are methodParameters().
 [[nodiscard]] const ParameterTable<MethodChoice>& initialFunctionParameters();
 
-/// The initial function that a choice names.
 [[nodiscard]] OpacityCurve initialCurve(const MethodChoice& method, const CurveSet& curves);
-/// What adaptOpacity() is to be run with.
+/// The config for adaptOpacity().
 [[nodiscard]] AdaptiveOtfConfig configOf(const MethodChoice& method, const CurveSet& curves);
 
 }  // namespace echolucent

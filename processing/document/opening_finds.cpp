@@ -65,7 +65,7 @@ OpenedDocuments openedDocuments(const Document& before, const OpenedStudy& study
     Document plain = shownWhole(openedDocument(before, study.reference), study.box, aspect);
     if (study.phases < 2)
         plain.motion.scenario = MotionScenario::probe;
-    else if (study.phasesBefore < 2)  // from one 4D study to the next, what was chosen to move stays
+    else if (study.phasesBefore < 2)  // from one 4D study to the next, the chosen motion stays
         plain.motion.scenario = MotionScenario::object;
     Document found = study.finds ? shownWhole(withFinds(plain, *study.finds), study.box, aspect) : plain;
     return {std::move(plain), std::move(found)};

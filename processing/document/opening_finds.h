@@ -1,4 +1,4 @@
-// What is found of a volume when it is opened, which way round it is and where to cut, and the document that begins
+// What is found in a volume when it is opened: which way round it is and where to cut. Also the document that begins
 // with it.
 #pragma once
 
@@ -12,53 +12,54 @@
 
 namespace echolucent {
 
-/// What a person has said of a study that is opened. It is taken, and not looked for.
+/// What a person has said about a study that is opened. It is taken and not searched for.
 struct SaidOnOpening {
     std::optional<BeamAxis> beam{};
     std::optional<ViewDirection> side{};  ///< from which the scan is looked into, relative to the beam
-    bool front = false;                   ///< whether a front, or none, was chosen
+    bool front = false;                   ///< whether a person chose a front, or chose none
 };
 
 /// Each with its own confidence.
 struct OpeningFinds {
     BeamGuess beam;                       ///< sure and without evidence if a person said it
-    ViewDirection lean{};                 ///< of the beam against its axis, where the file says so
-    std::optional<ViewDirection> side{};  ///< that a person said; none: the scan is looked into from the probe
-    /// Looked for along the side. Nobody cuts along a beam that is not sure, unless a person said the side.
+    ViewDirection lean{};                 ///< of the beam against its axis, if the file says so
+    std::optional<ViewDirection> side{};  ///< that a person said; if nobody did, the scan is looked into from the probe
+    /// Searched for along the side. Empty if a person chose the front. Also empty if the beam is not sure and nobody
+    /// said the side: nobody cuts along such a beam.
     std::optional<NearCutFinding> cut{};
 };
 
-/// Looks at a volume that was read from a file, the first phase of a study; `search` looks for the cut. The result is
-/// empty only where it was cancelled.
+/// Searches a volume that was read from a file, the first phase of a study; `search` finds the cut. The result is empty
+/// only if the search was cancelled.
 [[nodiscard]] std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& progress = {},
                                                         const SaidOnOpening& said = {},
                                                         NearCutSearch search = &findNearCut);
 
-/// Whether a program may make a front of what was found without asking.
+/// Whether the program may make a front from the finds without asking.
 [[nodiscard]] bool makesFront(const OpeningFinds& finds);
 
-/// The document with the finds that are sure: the beam, the side, and the flat cut as its front (rounded to 0.1 mm, as
-/// people set it). Tube cores look from the side; the pose stays as it is. What is not sure stays as it is.
+/// The document with the finds that are sure: the beam, the side, and the flat cut as its front, rounded to 0.1 mm as
+/// people set it. Tube cores look from the side. The pose and everything that is not sure stay.
 [[nodiscard]] Document withFinds(Document document, const OpeningFinds& finds);
 
-/// A study that was just opened, as far as its document depends on it.
+/// A study that was just opened: all that its document depends on.
 struct OpenedStudy {
     StudyReference reference{};
     DataBox box{};                        ///< of the phase that is shown first
     int phases = 1;                       ///< at least 1
     int phasesBefore = 1;                 ///< of the study that was open before; 1 if there was none
-    std::optional<OpeningFinds> finds{};  ///< none of a simulated scan, whose beam is known
+    std::optional<OpeningFinds> finds{};  ///< none for a simulated scan, whose beam is known
 };
 
 /// The documents that a study begins with.
 struct OpenedDocuments {
     Document plain;  ///< as if nothing had been found
-    Document found;  ///< with the finds: what is shown
+    Document found;  ///< with the finds: the one that is shown
 };
 
-/// The documents of a study that was opened after `before` was shown: openedDocument(), with all data in a picture of
-/// width / height `aspect` (> 0), seen from the scene's side. The object of a 4D study moves, unless another motion was
-/// chosen in a 4D study before it.
+/// The documents of a study that is opened after `before` was shown: openedDocument() with all data in a picture of
+/// width / height `aspect` (> 0), seen from the scene's side. In a 4D study the object moves. If the study before was
+/// 4D too, its chosen motion stays.
 [[nodiscard]] OpenedDocuments openedDocuments(const Document& before, const OpenedStudy& study, double aspect);
 
 }  // namespace echolucent

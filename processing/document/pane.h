@@ -13,18 +13,18 @@ namespace echolucent {
 
 /// What the voxels of a pane are classified with.
 struct Pane {
-    CurveKind curve = CurveKind::adaptive;     ///< rendered where there is no designer
-    std::optional<DesignerConfig> designer{};  ///< whose OTF is rendered in the curve's place
-    /// Row-major numbers of tube cores that are never placed for this pane's adaptive OTF, beside those of the method
-    /// (TubeGrid::withoutTubes).
+    CurveKind curve = CurveKind::adaptive;     ///< rendered if there is no designer
+    std::optional<DesignerConfig> designer{};  ///< its OTF is rendered in place of the curve
+    /// Row-major numbers of the tube cores that are never placed for this pane's adaptive OTF, in addition to the
+    /// method's (TubeGrid::withoutTubes).
     std::vector<int> withoutTubes{};
-    std::optional<int> phase{};  ///< of its own, counted from 0; none: that of the scene. The first pane has none.
-    /// Which OTF the frames of a motion show in this pane; none: that of the document's motion.
+    std::optional<int> phase{};  ///< its own, counted from 0; none: the scene's. The first pane has none.
+    /// Which OTF the frames of a motion show in this pane; none: the one chosen in the document's motion.
     std::optional<MotionOtf> motionOtf{};
     friend bool operator==(const Pane&, const Pane&) = default;
 };
 
-/// What is wrong with a pane, as problemOf(Scene).
+/// What is wrong with a pane, in words as problemOf(Scene) gives them.
 [[nodiscard]] std::string problemOf(const Pane& pane);
 
 }  // namespace echolucent

@@ -7,17 +7,17 @@
 
 namespace echolucent {
 
-/// The adaptive curve, the parabolic and the linear one, and Levoy's OTF.
+/// Panes with the adaptive curve, the parabolic curve, the linear curve, and Levoy's OTF.
 [[nodiscard]] std::vector<Pane> standardPanes();
 
-/// Whether panes are compared: whether there are several.
+/// Whether there are several panes.
 [[nodiscard]] inline bool isCompared(const Document& document) { return document.panes.size() >= fewestPanes; }
-/// The document with so many panes, one to mostPanes (else std::invalid_argument). How they are compared stays, as far
-/// as the panes are there. The first pane shows the scene's phase and the motion's OTF.
+/// The document with these panes, one to mostPanes (else std::invalid_argument). How they are compared stays, as far as
+/// the panes exist. The first pane shows the scene's phase and the motion's OTF.
 [[nodiscard]] Document withPanes(Document document, std::vector<Pane> panes);
 /// The document with another pane at a place.
 [[nodiscard]] Document withPane(Document document, std::size_t place, Pane pane);
-/// The document of so many panes: the last ones go, or standardPanes() are added that are not there yet.
+/// The document with `count` panes. The last ones go, or those of standardPanes() are added that are not there yet.
 [[nodiscard]] Document withPaneCount(Document document, std::size_t count);
 
 }  // namespace echolucent

@@ -17,14 +17,14 @@ void takeCurve(CurveSet& curves, const CurveSet& from, CurveKind kind) {
     }
 }
 
-/// The curve of the document that the method begins with; the adaptive one, which takeCurve() leaves, where it begins
-/// with a power of its own.
+/// The curve of the document that the method begins with. If the method begins with a power of its own, this is the
+/// adaptive curve, which takeCurve() leaves alone.
 CurveKind initialCurveOf(const MethodChoice& method) {
     if (method.initial == InitialKind::linear) return CurveKind::linear;
     return method.initial == InitialKind::manual ? CurveKind::manual : CurveKind::adaptive;
 }
 
-/// As many characters of a UTF-8 text as fit.
+/// As many whole characters of a UTF-8 text as fit into `bytes`.
 std::string shortened(std::string text, std::size_t bytes) {
     if (text.size() <= bytes) return text;
     const auto continues = [&text](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };
@@ -76,7 +76,7 @@ Document withPreset(Document document, std::size_t pane, const Preset& preset) {
 }
 
 bool isMadeBy(const Document& document, std::size_t pane, const Preset& preset) {
-    // The parts that a preset touches, without what may be large.
+    // Compares only the parts that a preset touches, so that nothing large is copied.
     Document parts;
     parts.scene.look = document.scene.look;
     parts.panes.front().curve = document.panes.at(pane).curve;

@@ -1,4 +1,4 @@
-// What a session file keeps: the document, and the snapshots of it that a person named.
+// The contents of a session file: the document, and its snapshots that a person named.
 #pragma once
 
 #include <string>
@@ -10,26 +10,25 @@ namespace echolucent {
 
 /// The longest name of a snapshot, bytes of UTF-8.
 inline constexpr std::size_t longestSnapshotName = 60;
-/// So many snapshots a session may hold.
+/// The most snapshots of a session.
 inline constexpr std::size_t mostSnapshots = 100;
 
-/// A document under a name.
 struct Snapshot {
     std::string name;
     Document document;  ///< of the session's study
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
 
-/// A document with its snapshots.
 struct SavedSession {
     Document document;
     std::vector<Snapshot> snapshots{};  ///< oldest first
-    std::string file{};  ///< of what was kept without being asked for: path of the person's own session file, if any
+    std::string file{};  ///< path of the person's own session file, if any; only in a session that was kept without
+                         ///< being asked for
     friend bool operator==(const SavedSession&, const SavedSession&) = default;
 };
 
-/// What is wrong with a snapshot's name, lower case, no full stop; an empty text where nothing is: it has 1 to
-/// longestSnapshotName bytes and no control characters.
+/// What is wrong with a snapshot's name: lower case, no full stop. It must have 1 to longestSnapshotName bytes and no
+/// control characters. Empty if nothing is wrong.
 [[nodiscard]] std::string problemOfSnapshotName(const std::string& name);
 
 }  // namespace echolucent

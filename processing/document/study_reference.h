@@ -1,4 +1,4 @@
-// Which study a document is about: named, not held.
+// Names the study of a document, without holding it.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ namespace echolucent {
 struct StudyFile {
     std::string path;
     ReadOptions options;
-    std::string checksum;    ///< of the bytes that were read, with its algorithm in front; empty where it is not known
-    std::int64_t bytes = 0;  ///< of all files that were read; 0 where the checksum is not known
-    std::int64_t files = 0;  ///< how many files were read; 0 where the checksum is not known
+    std::string checksum;    ///< of the bytes that were read, with its algorithm in front; empty if unknown
+    std::int64_t bytes = 0;  ///< of all files that were read; 0 if the checksum is unknown
+    std::int64_t files = 0;  ///< how many files were read; 0 if the checksum is unknown
     friend bool operator==(const StudyFile&, const StudyFile&) = default;
 };
 
@@ -32,7 +32,7 @@ struct SimulatedScan {
 /// std::monostate: nothing is open.
 using StudyReference = std::variant<std::monostate, StudyFile, SimulatedScan>;
 
-/// Whether both name one study, whatever is known of its bytes.
+/// Whether both name one study. What is known about its bytes does not count.
 [[nodiscard]] bool nameTheSame(const StudyReference& one, const StudyReference& other);
 
 }  // namespace echolucent

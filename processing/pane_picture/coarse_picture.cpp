@@ -14,7 +14,7 @@ namespace echolucent {
 
 namespace {
 
-// Along the picture's shorter edge: three for two voxels of the largest grid.
+// Along the picture's shorter edge: three rays for two voxels of the largest grid.
 constexpr double mostRays = 1.5 * static_cast<double>(mostCoarseVoxels);
 constexpr int curveSamples = 2041;  // as the ray caster's own table
 
@@ -22,7 +22,7 @@ int raysFor(int pixels, double reduction) {
     return std::max(1, static_cast<int>(std::lround(static_cast<double>(pixels) / reduction)));
 }
 
-/// The curve per unit of the grid that shows what the volume's shows per its own unit.
+/// The curve per unit of the coarse grid. It shows what the given curve shows per unit of the volume.
 SampledCurve overUnits(const OpacityCurve& curve, double units) {
     SampledCurve longer{sampledOpacities(curve, curveSamples)};
     for (double& opacity : longer.opacities) opacity = opacityForStep(opacity, units);

@@ -1,4 +1,4 @@
-// What a study will look like that is being opened, from a few of its voxels.
+// A preview of a study that is being opened, from a few of its voxels.
 #pragma once
 
 #include <optional>

@@ -156,7 +156,7 @@ std::optional<PanePicture> PaneCaster::pictureWith(const PaneOtf& otf, const Doc
     const bool isConverged = quality == PictureQuality::converged;
     const RayCastSettings settings = isConverged ? converged(asked) : asked;
     const Classification classification = classificationOf(document, pane, otf);
-    // From kept samples a picture follows to half a level only.
+    // A picture that RayCaster makes from kept samples is exact to half a level only.
     RayCaster& rays = raysThrough(of->shown, isConverged && m_cast == settings);
     m_cast = settings;
     auto picture = rays.cast(classification, settings, progress);

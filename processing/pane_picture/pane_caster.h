@@ -41,10 +41,9 @@ struct PanePicture {
     std::string message;                   ///< from the computed OTF; empty if there is none
 };
 
-/// The phases of a study.
 struct StudyPhases {
     std::vector<std::shared_ptr<const Volume>> scans;  ///< as they were read, at least one, all on one grid
-    /// Their quiet voxels by phase, uncut, if somebody has them. Null, or beyond the end: they are not made.
+    /// The quiet voxels by phase, uncut, if somebody has them. If a phase is null or missing, PaneCaster makes them.
     std::vector<std::shared_ptr<const Volume>> quiet{};
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of `quiet`; for another reduction quiet voxels are made
     friend bool operator==(const StudyPhases&, const StudyPhases&) = default;
@@ -68,8 +67,8 @@ struct PaneOtf {
 [[nodiscard]] DesignerInput designerInputOf(const Document& document, std::size_t pane, const Volume& raw,
                                             const Volume& shown, SpeckleReduction reduction);
 
-/// The phase whose computed OTF a pane shows. If one OTF is chosen for all frames of several phases, it is
-/// MotionChoice::otfPhase, or the last phase if there are fewer; else the phase that the pane shows.
+/// The phase whose computed OTF a pane shows. With one OTF for all frames of several phases it is
+/// MotionChoice::otfPhase, or the last phase if there are fewer. Else it is the phase that the pane shows.
 [[nodiscard]] int otfPhaseOf(const Document& document, std::size_t pane, int phases);
 
 /// Keeps what pictures have in common: what the scalpel cut, the voxels of the newest phase, their ray caster, and the
@@ -92,7 +91,7 @@ public:
     /// The voxels from which the OTF of a pane is computed. The result is empty only if progress.cancel was raised.
     [[nodiscard]] std::optional<OtfVoxels> otfVoxels(const Document& document, std::size_t pane,
                                                      const Progress& progress = {});
-    /// What tube cores read for the adaptive OTF of a pane, and the voxels that the OTF is for.
+    /// What tube cores read for the adaptive OTF of a pane, and the voxels for which the OTF is made.
     struct TubeCoreReading {
         AdaptiveOtf otf;
         std::shared_ptr<const Volume> shown;  ///< of the phase otfPhaseOf()

@@ -38,7 +38,7 @@ std::optional<PaneOtf> PaneFrames::unsmoothed(int frame, const Progress& progres
 }
 
 std::optional<PaneOtf> PaneFrames::otf(int frame, const Progress& progress) {
-    // What designers make may be two-dimensional, and is not smoothed.
+    // A designer's OTF may be two-dimensional, so it is not smoothed.
     if (designerConfigOf(m_document, m_pane) != nullptr) return unsmoothed(frame, progress);
     const OtfSmoothing smoothing = smoothingOf(m_document.motion.otf).value_or(OtfSmoothing::none);
     OtfHistory history(smoothing);

@@ -45,7 +45,7 @@ ViewFrame frameFrom(BoxSide side, const ViewFrame& boxAxes) {
 }
 
 ViewDirection directionFrom(BoxSide side, const Box& box, BeamAxis beam) {
-    if (side == BoxSide::top) return box.direction;  // to the bit, which the way through a frame is not
+    if (side == BoxSide::top) return box.direction;  // to the bit; the way through a frame is not exact
     const ViewFrame frame = frameFrom(side, frameOf(viewpointOf(beam, box.direction, 0.0)));
     return directionOf(viewAlong(frame.forward, frame.down, beam, 0.0));
 }

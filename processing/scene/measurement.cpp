@@ -35,7 +35,7 @@ Result<double> measuredValue(const Measurement& measurement, const VolumeGeometr
                     "the spacing of this volume is not known, so that nothing can be measured in it",
                     "Open a file that states its spacing, or say it where raw data are opened.");
     const std::vector<Vec3>& places = measurement.placesMm;
-    // Origin and voxel counts play no part in what lies between two places.
+    // Only the difference of two places counts, so origin and voxel counts drop out.
     const auto way = [&](const Vec3& from, const Vec3& to) { return geometry.direction * (to - from); };
     if (measurement.kind == MeasurementKind::distance) {
         const double distance = cv::norm(way(places[0], places[1]));
@@ -48,7 +48,7 @@ Result<double> measuredValue(const Measurement& measurement, const VolumeGeometr
     if (cv::norm(first) == 0.0 || cv::norm(second) == 0.0)
         return fail(FailureKind::wrongUsage, {}, {}, "an angle needs a vertex that lies apart from its other places",
                     "Mark three places that lie apart.");
-    // Unlike the arc cosine of the scalar product, this keeps its digits near 0 and 180 degrees.
+    // Unlike the arc cosine of the scalar product, this is accurate near 0 and 180 degrees too.
     return std::atan2(cv::norm(first.cross(second)), first.dot(second)) * 180.0 / std::numbers::pi;
 }
 

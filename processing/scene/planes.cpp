@@ -27,7 +27,7 @@ ViewFrame frameOf(PlaneName plane, const ViewFrame& axes) {
     return axes;
 }
 
-/// Height of a picture in which the data box fits whichever of the three unturned planes it shows.
+/// Height (mm) of a picture in which the data box fits into each of the three unturned planes.
 double threePlanesHeightMm(BeamAxis beam, const DataBox& data, double aspect) {
     const ViewFrame axes = frameOf(Viewpoint{.beamAxis = beam});
     const OrientedBox whole = orientedBoxOf(data);
@@ -67,7 +67,7 @@ Planes stepped(const Planes& planes, PlaneName plane, double mm, BeamAxis beam, 
 
 Planes turned(const Planes& planes, PlaneName plane, double degrees, BeamAxis beam) {
     const Vec3 axis = frameOf(plane, planes, beam).forward;
-    // Where the picture turns clockwise, its axes turn the other way within the volume.
+    // If the picture turns clockwise, the plane's axes turn the other way within the volume.
     const double turn = -degrees;
     const ViewFrame before = axesOf(planes, beam);
     Planes next = planes;

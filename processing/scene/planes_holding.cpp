@@ -9,24 +9,24 @@ namespace echolucent {
 
 namespace {
 
-/// How a plane turns to hold places.
 struct PlaneTurn {
     Vec3 axis{1, 0, 0};
     double degrees = 0.0;
 };
 
-/// The least turn of a normal after which a plane across it can hold all places.
+/// The least turn of a normal that lets a plane across it hold all places.
 PlaneTurn turnToHold(const std::vector<Vec3>& places, const Vec3& normal) {
     const Vec3 first = places[1] - places[0], second = places.back() - places[0];
     const Vec3 longest = length(first) > length(second) ? first : second, across = first.cross(second);
     if (length(longest) == 0.0) return {};
-    constexpr double leastSine = 1e-9;  // of sides that do not lie on one straight line
+    constexpr double leastSine = 1e-9;  // of the angle between sides that do not lie on one straight line
     Vec3 next;
     if (length(across) > leastSine * length(first) * length(second)) {
         next = normalized(across) * (across.dot(normal) < 0.0 ? -1.0 : 1.0);
     } else {
         const Vec3 along = normalized(longest), left = normal - along * along.dot(normal);
-        // Of a line along the normal every direction across it is as near: another plane turns less in any case.
+        // If the line lies along the normal, every direction across it is as near. Another plane turns less in any
+        // case.
         if (length(left) < leastSine) return {.degrees = 90.0};
         next = normalized(left);
     }
@@ -40,7 +40,7 @@ PlaneTurn turnToHold(const std::vector<Vec3>& places, const Vec3& normal) {
 Planes planesHolding(const Planes& planes, const std::vector<Vec3>& placesMm, BeamAxis beam, const DataBox& data) {
     Vec3 middle{0, 0, 0};
     for (const Vec3& place : placesMm) middle += place * (1.0 / static_cast<double>(placesMm.size()));
-    // What is nearer than a rounding is there already, so that going there again changes nothing.
+    // Nearer than a rounding counts as there, so that going there again changes nothing.
     constexpr double sameDegrees = 1e-9, sameMm = 1e-9;
     PlaneName plane = PlaneName::a;
     PlaneTurn least;
@@ -64,7 +64,7 @@ Planes planesHolding(const Planes& planes, const std::vector<Vec3>& placesMm, Be
     const ViewFrame frame = frameOf(plane, next, beam);
     const auto missing = [&](const Planes& at) { return frame.forward.dot(middle - referencePointOf(at, data)); };
     if (std::abs(missing(next)) > sameMm) next = stepped(next, plane, missing(next), beam, data);
-    // Where the straight way there leaves the data, the planes meet amid the places.
+    // If the straight way there leaves the data, the planes meet amid the places.
     if (std::abs(missing(next)) > sameMm) next = withReferencePoint(next, middle, data);
     if (PlaneCrop& crop = next.crops[indexOf(plane)]; crop.magnification > 1.0) {
         crop.panRightMm = frame.right.dot(middle - data.centreMm());

@@ -11,9 +11,9 @@ namespace echolucent {
 namespace {
 
 constexpr ChoiceNames<2> frontSourceNames{"person", "found"};
-/// Farther than any volume, and finite as a float.
+/// Farther than any volume; still finite as a float.
 constexpr double farthestMm = 1e30;
-/// A plane that lies flatter over the surface's way than this has no depth over the surface's nodes.
+/// The least cosine between a plane's and a surface's forward. Below it the plane has no depth over the nodes.
 constexpr double leastAcross = 0.1;
 
 /// The node (column, row) of a surface, grid mm, at depth 0.

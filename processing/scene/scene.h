@@ -24,12 +24,13 @@ enum class FrontSource {
 [[nodiscard]] std::string_view nameOf(FrontSource source);
 [[nodiscard]] std::optional<FrontSource> frontSourceFromName(std::string_view name);
 
-/// What lies before it, seen from the side it was made for, is cut away. It is a plane, a bowed surface that is fixed
-/// in the volume, or both; the default cuts nothing.
+/// Cuts away what lies before it, seen from the side it was made for. It is a plane, a bowed surface that is fixed in
+/// the volume, or both. The default cuts nothing.
 struct Front {
-    /// Of the plane: mm behind the volume's foremost point along `direction`; >= 0, and 0 is no plane.
+    /// Depth of the plane: mm behind the volume's foremost point along `direction`, >= 0. 0: no plane.
     double depthMm = 0.0;
-    /// The plane lies across it and is fixed in the volume. No value: it lies across the pose and turns with it.
+    /// The plane lies across this direction and is fixed in the volume. No value: it lies across the pose and turns
+    /// with it.
     std::optional<ViewDirection> direction{};
     std::optional<CutSurface> surface{};  ///< the bowed surface
     FrontSource source = FrontSource::person;
@@ -39,25 +40,24 @@ struct Front {
 /// The default shows all of the study along the beam, with the look that the program starts with.
 struct Scene {
     Pose pose;
-    ViewDirection side;  ///< from which the scan is looked into: the way that tube cores run
+    ViewDirection side;  ///< from which the scan is looked into: tube cores run this way
     Front front;
     Look look = lookAtStart();
     Box box;
     Planes planes;
-    SharedList<ScalpelStroke> strokes{};  ///< what the scalpel cut, in the order in which it was drawn
-    // What plays. Showing another phase or frame is no step that is undone (withShown()).
+    SharedList<ScalpelStroke> strokes{};  ///< the scalpel's cuts, in the order in which they were drawn
+    // What plays. Undo does not count another phase or frame as a step (withShown()).
     int phase = 0;             ///< of a 4D study, counted from 0
     double motionAngle = 0.0;  ///< degrees by which the motion has turned the pose
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// The scene whose front has no plane but one across its pose. A plane that is fixed in the volume becomes a surface
-/// that cuts away the same of the volume. If there is a bowed surface already, it is moved at each node to the deeper
-/// of both.
+/// The scene whose only plane, if any, lies across its pose. A plane that is fixed in another direction becomes a
+/// surface that cuts away the same. If there is a bowed surface already, each node moves to the deeper of both.
 [[nodiscard]] Scene withFrontAcrossPose(Scene scene, BeamAxis beam, const VolumeGeometry& geometry);
 
-/// What is wrong with a scene, with its key ("box has a size that is not above 0"), lower case, no full stop; an empty
-/// text if nothing is.
+/// What is wrong with a scene, with its key ("box has a size that is not above 0"): lower case, no full stop. Empty if
+/// nothing is wrong.
 [[nodiscard]] std::string problemOf(const Scene& scene, BeamAxis beam);
 
 }  // namespace echolucent

@@ -12,7 +12,7 @@ namespace echolucent {
 
 namespace {
 
-/// Whatever the locale, with a point.
+/// With a decimal point in every locale.
 std::string fixedNumber(double value, int decimals) {
     std::array<char, 400> digits{};
     const auto end =
@@ -20,7 +20,7 @@ std::string fixedNumber(double value, int decimals) {
     return {digits.data(), end.ptr};
 }
 
-/// Part of a circle about the vertex of an angle, from one side to the other, as long as a share of the shorter side.
+/// An arc about the vertex of an angle, from one side to the other. Its radius is a share of the shorter side.
 std::vector<Vec3> arcOf(const std::vector<Vec3>& places) {
     constexpr double shareOfSide = 0.3;
     constexpr int pieces = 16;
@@ -56,19 +56,19 @@ std::vector<PlacedMeasurement> placed(const std::vector<ShownMeasurement>& shown
     return all;
 }
 
-/// Where words stand, in heights of the picture from its centre, to the right and down.
+/// The place of words, in heights of the picture from its centre, to the right and down.
 struct TextBox {
     double left, right, top, bottom;
 };
 
-/// Boxes that touch do not overlap, nor where rounding alone says so.
+/// Boxes that touch do not overlap. Rounding does not count.
 bool overlap(const TextBox& one, const TextBox& other) {
     constexpr double least = 1e-9;
     return one.left < other.right - least && other.left < one.right - least && one.top < other.bottom - least &&
            other.top < one.bottom - least;
 }
 
-/// Within the picture, if that is where its place is: a text across an edge would be cut.
+/// If its place lies in the picture, the label stays within it: the edge would cut the text.
 MeasurementLabel besideItsPlaces(const MeasurementWords& words, double aspect) {
     const auto [left, right] =
         std::ranges::minmax_element(words.places, {}, [](const PicturePlace& place) { return place[0]; });
@@ -143,7 +143,7 @@ std::vector<MeasurementLabel> labelsOf(const std::vector<MeasurementWords>& word
             const double left = label.toTheRight ? label.at[0] : label.at[0] - each.width;
             return TextBox{left, left + each.width, down - each.height / 2.0, down + each.height / 2.0};
         };
-        // Where it need not move it does not; else it touches one of those that are in its way.
+        // The text keeps its place if that is free. Else it touches one of those in its way.
         std::vector<double> free{wanted};
         for (const TextBox& box : taken)
             for (const double down : {box.bottom + each.height / 2.0, box.top - each.height / 2.0})

@@ -26,9 +26,9 @@ public:
         show();
         useLook(Look{});
     }
-    /// Phases of which nobody knows how long each lasts.
+    /// A study whose phases have no known length.
     [[nodiscard]] const QString& moving() const { return m_moving; }
-    /// The same, 30.5 ms each.
+    /// The same phases, 30.5 ms each.
     [[nodiscard]] const QString& timed() const { return m_timed; }
     /// The first phase alone.
     [[nodiscard]] const QString& still() const { return m_still; }

@@ -1,4 +1,4 @@
-// DICOM files with a text of its own in each attribute that leads to a patient, and the search for these texts.
+// Puts a text of its own into each DICOM attribute that leads to a patient, and searches for these texts.
 #pragma once
 
 #include <dcmtk/config/osconfig.h>
@@ -13,7 +13,7 @@
 
 namespace echolucent {
 
-/// Every attribute whose text is to be searched for: the patient's own and what leads to the patient.
+/// The attributes whose texts are searched for: the patient's own, and others that lead to the patient.
 inline const std::vector<DcmTagKey> identifyingTags{DCM_PatientName,
                                                     DCM_PatientID,
                                                     DCM_IssuerOfPatientID,
@@ -75,7 +75,7 @@ struct Marker {
     QByteArray text;
 };
 
-/// Puts a text of its own into every identifying attribute, and dates that nothing else has.
+/// Puts a text of its own into every identifying attribute, and dates that stand nowhere else.
 inline QList<Marker> mark(const QString& path) {
     DcmFileFormat file;
     if (file.loadFile(path.toStdString().c_str()).bad()) qFatal("the study cannot be marked");
@@ -87,7 +87,7 @@ inline QList<Marker> mark(const QString& path) {
         markers.append({QString::fromLatin1(DcmTag(key).getTagName()), text});
     };
     int number = 0;
-    // Short enough for every kind of text, and like no word or number of the program.
+    // Short enough for every kind of text, and unlike any word or number of the program.
     for (const DcmTagKey& tag : identifyingTags) put(tag, "QZX" + QByteArray::number(100 + number++) + "VKJ");
     put(DCM_PatientBirthDate, "19130227");
     put(DCM_StudyDate, "19470411");
@@ -99,12 +99,12 @@ inline QList<Marker> mark(const QString& path) {
     return markers;
 }
 
-/// UIDs that lead to the patient, and the two by which a folder's series are told apart.
+/// UIDs that lead to the patient, and the two that tell a folder's series apart.
 constexpr auto studyUid = "1.2.826.0.1.3680043.9.7133.1", frameUid = "1.2.826.0.1.3680043.9.7133.2",
                imageUid = "1.2.826.0.1.3680043.9.7133.3", firstSeriesUid = "1.2.826.0.1.3680043.9.7133.4",
                secondSeriesUid = "1.2.826.0.1.3680043.9.7133.5";
 
-/// One slice of a series, as small as it can be.
+/// The smallest possible slice of a series.
 inline void writeSlice(const QString& path, const char* series, int number) {
     DcmFileFormat file;
     DcmDataset& data = *file.getDataset();
@@ -146,8 +146,8 @@ inline QList<QByteArray> formsOf(const QByteArray& text) {
         big.append('\0').append(letter);
     }
     QList<QByteArray> forms{text, little, big};
-    // In base 64 a text looks different for each of the places where a group of three bytes may begin; the letters that
-    // depend on its neighbours are left out.
+    // In base 64 a text looks different at each of the three places in a group of bytes. The letters that depend on its
+    // neighbours are left out.
     for (int before = 0; before < 3; ++before) {
         const QByteArray coded = (QByteArray(before, 'x') + text + "xx").toBase64();
         const int first = (before * 8 + 5) / 6, last = static_cast<int>((before + text.size()) * 8 / 6);
@@ -158,7 +158,7 @@ inline QList<QByteArray> formsOf(const QByteArray& text) {
     return forms;
 }
 
-/// The markers that bytes hold, as "where: attribute".
+/// The markers in the bytes, as "where: attribute".
 inline QStringList foundIn(const QByteArray& bytes, const QList<Marker>& markers, const QString& where) {
     QStringList found;
     for (const Marker& marker : markers)

@@ -23,7 +23,7 @@ public:
         m_moving = file("moving.mha", m_phases);
         m_still = file("still.mha", {m_phases.front()});
     }
-    /// The window, and an empty folder beside it.
+    /// Shows the window, and makes an empty folder beside it.
     void showWindow() {
         m_out = std::make_unique<QTemporaryDir>();
         QVERIFY(m_out->isValid());
@@ -46,7 +46,8 @@ public:
     QDialog* theDialog() {
         auto* dialog = window().findChild<QDialog*>("movieDialog");
         if (dialog == nullptr || !QTest::qWaitForWindowExposed(dialog)) qFatal("no dialog");
-        // A virtual display has no window manager that would make it the active window, in which fields have a focus.
+        // A virtual display has no window manager to activate the dialog, but fields have a focus only in the active
+        // window.
         QApplication::setActiveWindow(dialog);
         return dialog;
     }
@@ -76,7 +77,7 @@ public:
         QTest::mouseClick(in<QPushButton>(dialog, "save"), Qt::LeftButton);
         return (told.count() > 0 || told.wait(60000)) && told.first().first().toBool();
     }
-    /// Waits until what was begun has ended, and gives whether it was written.
+    /// Waits until writing has ended, and returns whether the files were written.
     bool ended() {
         QSignalSpy told(&window().movieFiles(), &MovieFiles::ended);
         return told.wait(60000) && told.first().first().toBool();

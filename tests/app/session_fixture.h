@@ -37,7 +37,7 @@ public:
         QFile in(path);
         return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
     }
-    /// The document without what its study is called.
+    /// The document without its study's name.
     [[nodiscard]] static Document nameless(Document document) {
         document.study = {};
         return document;
@@ -45,7 +45,7 @@ public:
     [[nodiscard]] QStringList autosaves() {
         return QDir(temporaryFolder().filePath("settings-data/autosaves")).entryList({"*.autosave.json"}, QDir::Files);
     }
-    /// Something of most kinds that a person sets.
+    /// Changes most kinds of things that a person sets.
     void work() {
         Document next = document();
         next.scene.pose.direction = {.azimuth = 20, .elevation = -8, .roll = 3};
@@ -71,13 +71,13 @@ public:
         waitUntilIdle();
         return session;
     }
-    /// The session in the window of another start, with settings of its own.
+    /// Opens the session in the window of another start, with settings of its own.
     void again(const QString& session) {
         close();
         show();
         open(session);
     }
-    /// The study inFolder(name) is opened, whose checksum is there once release() was called.
+    /// Opens the study inFolder(name). Its checksum waits for release().
     void openHeld(const QString& name) {
         m_held = true;
         window().openStudy().setChecksum([this](const auto& files, const Progress& progress) {
@@ -92,8 +92,8 @@ public:
     }
     void release() { m_held = false; }
 
-    /// What is done to the file dialog that the next event opens, which is then accepted or rejected as a program
-    /// would.
+    /// Does something to the file dialog that the next event opens. The dialog is then accepted or rejected as by a
+    /// program.
     void answerDialog(const std::function<void(QFileDialog&)>& act, bool accept) {
         QTimer::singleShot(0, &window(), [act, accept] {
             QFileDialog& dialog = fileDialog();
@@ -101,7 +101,7 @@ public:
             static_cast<QDialog&>(dialog).done(accept ? QDialog::Accepted : QDialog::Rejected);
         });
     }
-    /// Chooses a file in the dialog that the first action of the message opens; gives the one that it proposed.
+    /// Chooses a file in the dialog that the message's first action opens. Returns the file that the dialog proposed.
     QString chooseInMessage(const QString& path) {
         QString proposed;
         answerDialog(
@@ -113,7 +113,7 @@ public:
         click("message.action.0");
         return proposed;
     }
-    /// A name that a person types into the file dialog that the next event opens, with Return after it.
+    /// Types a name and Return into the file dialog that the next event opens.
     void typeIntoDialog(const QString& name) {
         QTimer::singleShot(0, &window(), [name] {
             auto* line = fileDialog().findChild<QLineEdit*>("fileNameEdit");

@@ -1,4 +1,4 @@
-// Everything that a window shows as text, to be searched for a name.
+// Collects all text that a window shows, so that tests can search it for a name.
 #pragma once
 
 #include <QAbstractButton>
@@ -18,7 +18,7 @@
 
 namespace echolucent {
 
-/// All words of all windows of the program: titles, texts, tool tips, what screen readers say, menus that were filled,
+/// All words of all windows of the program: titles, texts, tool tips, screen readers' words, menus that were filled,
 /// rows of tables and lists.
 inline QStringList allWords() {
     QStringList words;

@@ -1,4 +1,4 @@
-// A simulated scan of which opening finds beam and front.
+// A simulated scan in which opening finds beam and front.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline std::shared_ptr<const Volume> walledSector() {
     config.frontWall = true;
     const Volume volume = *makePhantom(config);
     const Volume turned = turnedTo(volume, sectorMask(Sector::pyramid, config.size), BeamAxis::plusY);
-    // A file has no mask: what no sector reaches is 0.
+    // A file has no mask, so voxels that no sector reaches are 0.
     auto voxels = std::get<VoxelArray<std::uint8_t>>(turned.voxels()).toVector();
     for (std::size_t i = 0; i < voxels.size(); ++i)
         voxels[i] = turned.dataMask()[i] == 0 ? std::uint8_t{0} : std::max<std::uint8_t>(voxels[i], 1);

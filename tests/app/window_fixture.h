@@ -30,7 +30,7 @@ inline std::shared_ptr<const Volume> smallPhantom(PhantomScene scene, std::uint6
     return std::make_shared<const Volume>(*makePhantom(config));
 }
 
-/// The window's document looks from another direction, as if the hand had turned it.
+/// Turns the window's document to another direction, as if by hand.
 inline void lookFrom(MainWindow& window, const Viewpoint& view) {
     Document next = window.document().document();
     next.scene.pose.direction = directionOf(view);
@@ -45,25 +45,25 @@ public:
         if (!writeMetaImage(path.toStdString(), phases)) qFatal("%s", qPrintable(path));
         return path;
     }
-    /// The window of a first start, whose look is given: a plain one takes neither speckle away nor light along, so
-    /// that what is opened comes to rest sooner. lookAtStart() is what a person gets.
+    /// Shows the window of a first start with the given look. A plain look neither reduces speckle nor adds light, so
+    /// that pictures come to rest sooner. A person gets lookAtStart().
     void show(const Look& look = {}) {
         QFile::remove(settingsFile());
         QDir(temporaryFolder().filePath("settings-data")).removeRecursively();
         if (look != lookAtStart()) Settings(settingsFile()).setLook(look);
         showAgain();
     }
-    /// The window of another start, with the settings that are there and what the one before it left.
+    /// Shows the window of another start, with the present settings and what the start before left.
     void showAgain() { showWithSettings(settingsFile()); }
     void showWithSettings(const QString& settings) {
         m_window = std::make_unique<MainWindow>(settings);
         m_window->resize(m_looksAtNoPicture ? QSize(800, 560) : QSize(1000, 700));
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        // A virtual display has no window manager that would make the window the active one.
+        // A virtual display has no window manager to activate the window.
         QApplication::setActiveWindow(m_window.get());
     }
-    /// Another look than the window starts with: Look{} takes neither speckle away nor light along.
+    /// Replaces the look that the window starts with. Look{} neither reduces speckle nor adds light.
     void useLook(const Look& look) {
         Document next = window().document().document();
         next.scene.look = look;
@@ -85,8 +85,8 @@ public:
                                  30000);
         if (m_looksAtNoPicture) m_waitsForFinePictures = false;
     }
-    /// For a class that looks at no picture: its windows have a small one, and from now on only the next
-    /// waitUntilIdle() waits until it is fine.
+    /// For a class that looks at no picture: its windows have a small one. From now on only the next waitUntilIdle()
+    /// waits until the picture is fine.
     void lookAtNoPicture() { m_looksAtNoPicture = true; }
     [[nodiscard]] MainWindow& window() { return *m_window; }
     [[nodiscard]] const QTemporaryDir& temporaryFolder() const { return m_folder; }
@@ -97,7 +97,7 @@ public:
         if (found == nullptr) qFatal("no %s", qPrintable(name));
         return found;
     }
-    /// The OpenGL window of the 3D view, which gets its mouse.
+    /// The OpenGL window of the 3D view, which receives the mouse.
     QWindow* pictureWindow() { return window().windowHandle()->findChild<QWindow*>("view3d.surface"); }
     void click(const QString& name) { QTest::mouseClick(child<QAbstractButton>(name), Qt::LeftButton); }
 

@@ -1,4 +1,4 @@
-// What is rendered: volumes, curves and the rays that every renderer gets.
+// The scenes that are rendered: volumes, curves and the rays that every renderer gets.
 #pragma once
 
 #include <memory>
@@ -18,21 +18,20 @@ struct BenchVolume {
     std::string name;
     std::shared_ptr<const Volume> volume;  ///< every voxel counts as data, because VTK knows no mask
     std::shared_ptr<const Volume>
-        masked;      ///< with the no-data mask that the program uses; null where the mask marks nothing
+        masked;      ///< with the no-data mask that the program uses; null if the mask marks nothing
     Viewpoint view;  ///< an oblique view, along no axis of the grid
 };
 
-/// A volume that could not be had, and why.
+/// A volume that could not be loaded or made, and why.
 struct Skipped {
     std::string volume, reason;
 };
 
-/// The phantoms of 199x197x199 voxels and the real volumes of `folder` that are there.
+/// The phantoms of 199x197x199 voxels, and those real volumes that are in `folder`.
 [[nodiscard]] std::vector<BenchVolume> benchVolumes(const std::string& folder, std::vector<Skipped>& skipped);
-/// A phantom of the default conditions with this many voxels an edge.
+/// A phantom of `size` voxels under default conditions.
 [[nodiscard]] BenchVolume benchPhantom(PhantomScene scene, const std::array<std::int64_t, 3>& size);
-/// The volume with twice the voxels along each axis over the same extent between the outermost voxel centres
-/// (trilinear).
+/// The volume with twice the voxels along each axis (trilinear). The outermost voxel centres stay.
 [[nodiscard]] BenchVolume doubled(const BenchVolume& volume);
 
 struct NamedCurve {
@@ -43,13 +42,13 @@ struct NamedCurve {
 [[nodiscard]] std::vector<NamedCurve> benchCurves(const BenchVolume& volume);
 [[nodiscard]] NamedCurve parabolicCurve();
 
-/// Ours and the reference's settings for a picture of size x size pixels: parallel, the volume two thirds of the
-/// picture's width or height, rays only between the outermost voxel centres, where VTK has its volume, and sample
-/// planes counted from that box's foremost corner. turnDegrees turns the view about `down` without moving the volume.
+/// Ours and the reference's settings for a picture of size x size pixels. The projection is parallel. The volume fills
+/// two thirds of the picture's width or height. Rays are cast only between the outermost voxel centres, where VTK has
+/// its volume. Sample planes are counted from that box's foremost corner. turnDegrees turns the view about `down`
+/// without moving the volume.
 [[nodiscard]] RayCastSettings benchSettings(const BenchVolume& volume, int size, double turnDegrees = 0.0);
 
-/// Degrees by which the camera is turned between frames that are timed, so that nothing of a picture may be had from
-/// the one before.
+/// Degrees of the camera's turn between timed frames, so that nothing of the picture before can be used again.
 inline constexpr double turnBetweenFrames = 0.01;
 
 }  // namespace echolucent::bench

@@ -1,4 +1,4 @@
-// The stages of the adaptive OTF as one would write them with OpenCV: a contender to measure beside it.
+// The stages of the adaptive OTF written with OpenCV: a contender for the program's own.
 #pragma once
 
 #include <memory>
@@ -7,9 +7,9 @@
 
 namespace echolucent::bench {
 
-/// The stages written with OpenCV as one would without knowing this program: cv::boxFilter and cv::sqrBoxFilter over
-/// slices where the tubes lie on voxels of slices, else trilinear interpolation sample by sample and cv::reduce; then
-/// one row of a matrix a tube core and cv::boxFilter, cv::log, cv::filter2D, cv::sort and cv::exp on those.
+/// The stages as one would write them without knowing this program. If the tubes lie on voxels of slices, cv::boxFilter
+/// and cv::sqrBoxFilter run over slices. Else samples are interpolated one by one (trilinear), and cv::reduce follows.
+/// Then each tube core is a row of a matrix, for cv::boxFilter, cv::log, cv::filter2D, cv::sort and cv::exp.
 class OpenCvOtf {
 public:
     OpenCvOtf(const Volume& volume, const Viewpoint& view, const AdaptiveOtfConfig& config);

@@ -1,4 +1,4 @@
-// The converged picture by an obvious, slow route in double precision, and how far a picture is from it.
+// Makes the converged picture by an obvious, slow route in double precision, and measures pictures against it.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace echolucent::bench {
 
-/// Red, green, blue over black of some of a picture's pixels: every stride-th of every stride-th row, from the first
-/// on.
+/// Red, green, blue over black of some of a picture's pixels: every stride-th pixel of every stride-th row, from the
+/// first on.
 struct ReferencePicture {
     int size = 0;  ///< pixels along each edge of the whole picture
     int stride = 1;
-    std::vector<float> rgb;  ///< row-major, what the stride takes only
+    std::vector<float> rgb;  ///< row-major, only the pixels that the stride takes
 };
 
 /// Step of the reference, units.
@@ -27,29 +27,29 @@ inline constexpr double referenceStep = 0.1;
 [[nodiscard]] ReferencePicture referencePicture(const Volume& volume, const OpacityCurve& curve,
                                                 const RayCastSettings& settings, int stride);
 
-/// The same, kept as a file in `folder` under a hash of everything that goes in, so that it is made once.
+/// The same, kept as a file in `folder` under a hash of all inputs, so that it is made only once.
 [[nodiscard]] ReferencePicture cachedReference(const std::string& folder, const Volume& volume,
                                                const OpacityCurve& curve, const RayCastSettings& settings, int stride);
 
 /// Differences in 8-bit levels (1/255), over red, green and blue.
 struct PictureError {
-    double rmse = 0.0, largest = 0.0;            ///< over the rays that meet the box, but for a rim along its outline
-    double rmseWhole = 0.0, largestWhole = 0.0;  ///< over all pixels: the background counts, and so does the outline
+    double rmse = 0.0, largest = 0.0;            ///< over the rays that meet the box, without a rim along its outline
+    double rmseWhole = 0.0, largestWhole = 0.0;  ///< over all pixels, background and outline included
 };
 
-/// rgb: the whole picture, three floats a pixel, rows from the top. The rim is 2 pixels (of 512 where there are
-/// more) to each side of the outline of the settings' box: VTK does not cast all rays there, and the box's edge is no
+/// rgb: the whole picture, three floats a pixel, rows from the top. The rim is 2 pixels to each side of the box's
+/// outline (of 512 pixels; more in larger pictures). VTK does not cast all rays there, and the box's edge is no
 /// property of a method.
 [[nodiscard]] PictureError errorOf(const std::vector<float>& rgb, const ReferencePicture& reference,
                                    const RayCastSettings& settings);
-/// The same against a picture of the same size.
+/// The same for two pictures of the same size.
 [[nodiscard]] PictureError differenceOf(const std::vector<float>& rgb, const std::vector<float>& other, int stride,
                                         const RayCastSettings& settings);
 
 /// Red, green, blue of a picture over black.
 [[nodiscard]] std::vector<float> rgbOf(const Picture& picture);
-/// A picture of fewer pixels as a screen of size x size pixels shows it: linear between pixel centres, its outermost
-/// pixels beyond.
+/// A picture of fewer pixels as a screen of size x size pixels shows it: linear between pixel centres. Beyond them the
+/// outermost pixels go on.
 [[nodiscard]] std::vector<float> enlarged(const Picture& picture, int size);
 
 }  // namespace echolucent::bench

@@ -1,4 +1,4 @@
-// The memory of a program and of the processes that it started, watched from outside.
+// Watches the memory of a program and of the processes that it started, from outside.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace echolucent::bench {
 
-/// What became of a program that was watched.
+/// The result of a watched run.
 struct WatchedRun {
     double peakMebibytes =
         0.0;                 ///< most memory at any one time, all its processes together, shared memory counted once
@@ -14,8 +14,8 @@ struct WatchedRun {
     bool succeeded = false;  ///< it ended by itself with status 0
 };
 
-/// Runs a program (its path, and its arguments), whose output goes where this program's goes, and looks every few
-/// milliseconds at its memory: the proportional set size (Pss) that Linux tells. The program is ended (SIGTERM) after
+/// Runs a program (its path, and its arguments). Its output goes where this program's goes. Every few milliseconds its
+/// memory is read: the proportional set size (Pss) that Linux gives. The program is ended (SIGTERM) after
 /// `mostSeconds`.
 [[nodiscard]] WatchedRun watch(const std::vector<std::string>& command, double mostSeconds = 1e9);
 

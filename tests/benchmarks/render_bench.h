@@ -11,21 +11,21 @@ namespace echolucent::bench {
 
 struct BenchPlan {
     int threads = 2;            ///< threads of oneTBB and of VTK's mapper
-    int repeats = 9;            ///< of which medians are taken; VTK's slow frames get three
-    bool quick = false;         ///< whether a small phantom, small pictures and few rows only show that it works
+    int repeats = 9;            ///< for medians; VTK's slow frames get three
+    bool quick = false;         ///< only shows that it works, with a small phantom, small pictures and few rows
     std::string cacheFolder;    ///< where references are kept
-    std::string pictureFolder;  ///< ours and VTK's are kept here side by side as PNG; empty where none are kept
+    std::string pictureFolder;  ///< for PNGs of ours and VTK's side by side; empty: none are kept
     std::vector<int> sizes{512, 1024};
     int errorSize = 512;  ///< pixels of the pictures whose error is measured
 };
 
-/// Each function returns the rows of one part, as objects; docs/performance.md lists their keys.
+/// Each function returns the rows of one part, as objects. docs/performance.md lists their keys.
 
-/// Whether both cast the same rays through the same places: see docs/performance.md, "The same rays".
+/// Whether both cast the same rays through the same places; see docs/performance.md, "The same rays".
 [[nodiscard]] nlohmann::ordered_json registrationOf(const BenchPlan& plan);
 /// Every volume, curve, size, unshaded and shaded: ours beside VTK's CPU mapper.
 [[nodiscard]] nlohmann::ordered_json renderRows(const BenchPlan& plan, const std::vector<BenchVolume>& volumes);
-/// A few of them with VTK's GPU mapper on whatever OpenGL is there; `openGl` becomes its name.
+/// A few of them with VTK's GPU mapper on any OpenGL that is there. `openGl` is set to its name.
 [[nodiscard]] nlohmann::ordered_json gpuRows(const BenchPlan& plan, const std::vector<BenchVolume>& volumes,
                                              std::string& openGl);
 /// The same picture of volumes from 64^3 to 512^3 voxels.

@@ -1,4 +1,4 @@
-// The figures as tables for people: on the terminal, and in a page between its marks.
+// The figures as tables for people, on the terminal and in a page between its marks.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,18 +16,18 @@ struct Table {
     std::vector<std::vector<std::string>> rows;
 };
 
-/// What the figures say at once: "unshaded" and "shaded", each with the median ratios over all rows and the least
-/// ratio; unshaded also in how many rows our RMSE is not larger than VTK's.
+/// A summary of the figures: "unshaded" and "shaded", each with the median ratios over all rows and the least ratio.
+/// "unshaded" also counts the rows in which our RMSE is not larger than VTK's.
 [[nodiscard]] nlohmann::ordered_json summaryOf(const nlohmann::ordered_json& rows);
 
-/// The tables of whatever parts a report has.
+/// The tables of the parts that a report has.
 [[nodiscard]] std::vector<Table> tablesOf(const nlohmann::ordered_json& report);
 
 [[nodiscard]] std::string asText(const Table& table);
 [[nodiscard]] std::string asMarkdown(const Table& table);
 
-/// Puts each table between "<!-- NAME -->" and "<!-- /NAME -->" of a page; what stands around them stays. Fails where
-/// the page lacks a mark.
+/// Puts each table between "<!-- NAME -->" and "<!-- /NAME -->" of a page. The rest of the page stays. Fails if the
+/// page lacks a mark.
 [[nodiscard]] Result<void> writeIntoPage(const std::string& path, const std::vector<Table>& tables);
 
 }  // namespace echolucent::bench

@@ -1,4 +1,4 @@
-// What the rows of a report are made of.
+// The parts of a report's rows.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ inline void addCost(nlohmann::ordered_json& row, const std::string& who, const C
     row[who + "_wall_ms"] = cost.wallMs;
 }
 
-/// Adds cpu_ratio and wall_ratio: how many times ours theirs is.
+/// Adds cpu_ratio and wall_ratio: theirs divided by ours.
 inline void addRatios(nlohmann::ordered_json& row, const Cost& ours, const Cost& theirs) {
     row["cpu_ratio"] = theirs.cpuMs / ours.cpuMs;
     row["wall_ratio"] = theirs.wallMs / ours.wallMs;
@@ -33,7 +33,7 @@ inline void addError(nlohmann::ordered_json& row, const std::string& who, const 
     row[who + "_max_picture"] = error.largestWhole;
 }
 
-/// A caster, and what it took to make: all that depends on the volume only.
+/// A caster, and the cost of making it: all that depends on the volume only.
 struct PreparedCaster {
     std::optional<RayCaster> caster;
     Cost cost;
@@ -42,11 +42,11 @@ struct PreparedCaster {
     }
 };
 
-/// VTK's CPU mapper ends a ray where less of the light is left than 0xff of 0x7fff.
+/// VTK's CPU mapper ends a ray if less of the light is left than 0xff of 0x7fff.
 inline constexpr double vtkEndTransmittance = 255.0 / 32767.0;
 
-/// The look has step 1, trilinear interpolation and sepia; rays end where VTK's do, and where it is shaded it is as the
-/// program shades.
+/// The look has step 1, trilinear interpolation and sepia. Rays end where VTK's do. If it is shaded, it is shaded as in
+/// the program.
 inline RayCastSettings lookOf(bool shaded) {
     RayCastSettings look;
     look.terminationTransmittance = vtkEndTransmittance;

@@ -9,7 +9,7 @@
 
 namespace echolucent::bench {
 
-/// Renders as its base class does, by the same public stages in the same order, and keeps what each cost.
+/// Renders as its base class does, by the same public stages in the same order, and times each.
 class StagedFixedPointMapper : public vtkFixedPointVolumeRayCastMapper {
 public:
     static StagedFixedPointMapper* New();

@@ -23,9 +23,9 @@ namespace echolucent::bench {
 
 class StagedFixedPointMapper;
 
-/// What one frame of VTK's CPU mapper cost, by its stages.
+/// The cost of one frame of VTK's CPU mapper, by its stages.
 struct VtkFrameCost {
-    Cost setUp;  ///< matrices, and where something changed: tables, gradients, shading table, min-max bricks
+    Cost setUp;  ///< matrices, and after a change: tables, gradients, shading table, min-max bricks
     Cost rays;   ///< the ray casting alone
     Cost frame;  ///< vtkRenderWindow::Render() as a whole: both, and the way through OpenGL
 };
@@ -39,18 +39,18 @@ public:
     VtkScene(const VtkScene&) = delete;
     VtkScene& operator=(const VtkScene&) = delete;
 
-    /// Colours, opacities and light of the frames to come. With `lit` VTK's own Blinn-Phong shading is on, with our
+    /// Colours, opacities and light of the next frames. With `lit` VTK's own Blinn-Phong shading is on, with our
     /// material's numbers and a light from the same side.
     void setLook(const OpacityCurve& curve, const RayCastSettings& settings, bool lit);
     /// Draws through the camera of the settings, at their step. VTK's mapper counts whole steps from the near clipping
-    /// plane: it is put where VTK's sample planes are ours (parallel projection). shiftSteps moves VTK's planes by that
-    /// share of a step.
+    /// plane. That plane is set so that VTK's sample planes are ours (parallel projection). shiftSteps moves VTK's
+    /// planes by that share of a step.
     VtkFrameCost draw(const RayCastSettings& settings, double shiftSteps = 0.0);
 
-    /// Red, green, blue over black, rows from the top: the CPU mapper's own picture of 15 bits a channel, before OpenGL
-    /// makes 8 of them; the GPU mapper's from the window, 8 bits.
+    /// Red, green, blue over black, rows from the top. The CPU mapper's picture has 15 bits a channel, taken before
+    /// OpenGL makes 8 of them. The GPU mapper's comes from the window, 8 bits.
     [[nodiscard]] std::vector<float> rgb() const;
-    /// The name of the OpenGL renderer, as "llvmpipe (LLVM 15.0.6, 256 bits)"; it is known after the first frame.
+    /// The name of the OpenGL renderer: "llvmpipe (LLVM 15.0.6, 256 bits)". Known after the first frame.
     [[nodiscard]] std::string openGlRenderer() const;
 
 private:
@@ -64,7 +64,7 @@ private:
     vtkNew<vtkVolume> m_volumeProp;
     vtkNew<vtkVolumeProperty> m_property;
     vtkSmartPointer<vtkVolumeMapper> m_mapper;
-    vtkSmartPointer<StagedFixedPointMapper> m_fixedPoint;  ///< null where the GPU's mapper is measured
+    vtkSmartPointer<StagedFixedPointMapper> m_fixedPoint;  ///< null if the GPU's mapper is measured
 };
 
 }  // namespace echolucent::bench

@@ -1,4 +1,4 @@
-// How long the GUI thread does not answer, and what is under way meanwhile.
+// Measures how long the GUI thread does not answer, and what is under way meanwhile.
 #pragma once
 
 #include <QList>
@@ -14,24 +14,24 @@ namespace echolucent::bench {
 /// The longest time between two beats within an action, while something was under way.
 struct Stall {
     QString action;    ///< what the person did: "open"
-    QString underWay;  ///< what was under way at its first or at its last beat: "loading"
+    QString underWay;  ///< at the first or the last beat: "loading"
     double milliseconds = 0.0;
-    double processorMilliseconds = 0.0;  ///< of the GUI thread within it; what is left was spent waiting
-    int overLimit = 0;                   ///< how many such times were longer than stallLimit
+    double processorMilliseconds = 0.0;  ///< of the GUI thread within it; the rest was spent waiting
+    int overLimit = 0;                   ///< how many such times exceeded stallLimit
 };
 inline constexpr double stallLimit = 50.0;  ///< ms
 
-/// A timer of a millisecond in the event loop of the thread it lives in. As everything in the event loop takes its turn
-/// with it, paints too, the time between two beats is what a click would have had to wait at most.
+/// A timer of a millisecond in the event loop of its thread. Everything in the event loop takes its turn with it,
+/// paints too. So the time between two beats is the longest that a click would have had to wait.
 class Heartbeat : public QObject {
 public:
     /// `underWay` names what is under way now.
     explicit Heartbeat(std::function<QStringList()> underWay);
 
-    /// From here on beats belong to this action.
+    /// From here on beats count for this action.
     void begin(const QString& action);
     void end();
-    /// By action and by what was under way, in the order in which they first were.
+    /// By action and by what was under way, in the order of their first stalls.
     [[nodiscard]] const QList<Stall>& stalls() const { return m_stalls; }
 
 private:

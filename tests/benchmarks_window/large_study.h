@@ -1,4 +1,4 @@
-// A person opens a large volume in the real window and cuts it, while a heartbeat listens.
+// Opens a large volume in the real window and cuts it, as a person would, while a heartbeat listens.
 #pragma once
 
 #include "tests/benchmarks_window/heartbeat.h"
@@ -6,17 +6,17 @@
 
 namespace echolucent::bench {
 
-/// The window as it starts, with the simulated scan, all four panes visible and a picture of which OpenGL's start is a
-/// part that counts nowhere.
+/// The window as it starts, with the simulated scan, all four panes visible and a first picture. That picture includes
+/// OpenGL's start and counts nowhere.
 class LargeStudy : private OpenWindow {
 public:
     LargeStudy();
 
-    /// The window is shown and rests; a volume is opened, its case report is made, it is cut flat and by the scalpel,
-    /// its session is saved with twenty snapshots, the stroke is undone, and the simulated scan takes its place. Each
-    /// action lasts until its picture is converged.
+    /// Shows the window and lets it rest. Opens a volume, makes its case report, cuts it flat and by the scalpel, saves
+    /// its session with twenty snapshots, undoes the stroke, and goes back to the simulated scan. Each action lasts
+    /// until its picture is converged.
     [[nodiscard]] QList<Stall> stalls(const QString& volume);
-    /// From opening the volume to its checksum, beside all else that opening begins.
+    /// From opening the volume to its checksum, beside everything else that opening begins.
     [[nodiscard]] double checksumMilliseconds() const { return m_checksumMilliseconds; }
 
 private:

@@ -1,4 +1,4 @@
-// What is counted while pictures follow each other.
+// Counts pictures that follow each other.
 #pragma once
 
 #include <QElapsedTimer>
@@ -10,14 +10,14 @@
 
 namespace echolucent::bench {
 
-/// How much is measured of each action.
+/// How much of each action is measured.
 struct Amount {
     double seconds = 4.0;
-    int frames = 0;  ///< where above 0, this many frames are measured, however long they take
+    int frames = 0;  ///< if above 0, this many frames are measured, however long they take
     int views = 20;  ///< number of jumps to a high-quality picture
 };
 
-/// One line of the table: what was done in a window, and what it took.
+/// One line of the table: an action in a window, and its measures.
 struct Row {
     /// "orbit", "edit", "light", "high quality", "edit in document", "undo in document", "first turn", "later turns" or
     /// "from memory"; with all four panes "reference", "box" or "orbit in quad".
@@ -25,8 +25,8 @@ struct Row {
     QString curve;
     int edge = 0;  ///< edge of the picture, device pixels
     bool shaded = false;
-    double framesPerSecond = 0.0;  ///< pictures drawn a second; for "high quality" and "in document" 1 / median time
-                                   ///< from change to picture, with all four panes updates (RoomUnderTest)
+    double framesPerSecond = 0.0;  ///< pictures drawn a second; "high quality" and "in document": 1 / median time from
+                                   ///< change to picture; with all four panes: updates (RoomUnderTest)
     double deliveredPerSecond = 0.0;
     double medianInterval = 0.0, interval95 = 0.0;  ///< ms between pictures on the screen; for "high quality" and "in
                                                     ///< document" the times
@@ -39,10 +39,10 @@ struct Row {
     int frames = 0;
 };
 
-/// Median, or another share, of values; 0 where there are none.
+/// Median or another quantile of values; 0 if there are none.
 [[nodiscard]] double quantile(std::vector<double> values, double share);
 
-/// Wall and processor time since a moment.
+/// Wall and processor time since its start.
 class Stopwatch {
 public:
     void start();
@@ -57,13 +57,13 @@ private:
 /// The pictures of one measurement, in the order in which they came.
 class FrameRecord {
 public:
-    /// Forgets what came so far: from here on it counts.
+    /// Forgets the pictures so far.
     void begin();
     void delivered(const PictureReport& report) { m_reports.push_back(report); }
     void drawn() { m_drawn.push_back(m_clock.milliseconds()); }
     [[nodiscard]] int drawnFrames() const { return static_cast<int>(m_drawn.size()); }
     [[nodiscard]] double milliseconds() const { return m_clock.milliseconds(); }
-    /// Fills in all that follows from the pictures.
+    /// Fills in what follows from the pictures.
     void summarise(Row& row) const;
 
 private:

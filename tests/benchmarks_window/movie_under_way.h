@@ -1,4 +1,4 @@
-// A person has a movie written while a heartbeat listens.
+// Writes a movie in the real window while a heartbeat listens.
 #pragma once
 
 #include <QSize>
@@ -8,23 +8,22 @@
 
 namespace echolucent::bench {
 
-/// What writing one movie took.
 struct MovieCost {
-    QString ending;  ///< of its name
+    QString ending;  ///< of its file's name
     int frames = 0;
     double seconds = 0.0;
 };
 
-/// The window with a 4D study whose phases move, each with its own OTF, quiet and lit as a study is opened.
+/// The window with a 4D study. Its phases move, each with its own OTF, quiet and lit as a study is opened.
 class MovieUnderWay : private OpenWindow {
 public:
     explicit MovieUnderWay(const QString& volume);
 
-    /// Lets the window rest: what stalls it then is the machine.
+    /// Lets the window rest. Stalls after that come from the machine.
     void rest();
-    /// Writes a movie of all phases, of that many pixels, into a file of its own. The first movie loads the encoder.
+    /// Writes a movie of all phases, of `size` pixels, into a file of its own. The first movie loads the encoder.
     [[nodiscard]] MovieCost write(const QString& ending, const QSize& size);
-    /// Of all so far.
+    /// The stalls so far.
     [[nodiscard]] const QList<Stall>& stalls() const { return m_heartbeat.stalls(); }
 
 private:

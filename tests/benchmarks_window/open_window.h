@@ -1,4 +1,4 @@
-// The workstation's real window with a study, as the measurements hold it.
+// The workstation's real window with a study, for measurements.
 #pragma once
 
 #include <QAction>
@@ -11,7 +11,7 @@
 
 namespace echolucent::bench {
 
-/// Runs the event loop until something is so; ends the program where it does not come.
+/// Runs the event loop until `done`. Ends the program if that does not happen.
 void await(const char* what, const std::function<bool()>& done);
 
 /// A main window with settings of its own, not shown yet. Measurements inherit it.
@@ -21,7 +21,7 @@ protected:
 
     [[nodiscard]] MainWindow& window() const { return *m_window; }
     [[nodiscard]] VolumeViewWidget& view() const { return m_window->volumeView(); }
-    /// The OpenGL window of the 3D view, which gets its mouse.
+    /// The OpenGL window of the 3D view, which receives the mouse.
     [[nodiscard]] QWindow* pictureWindow() const;
     template <typename Widget>
     [[nodiscard]] Widget* child(const QString& name) const {

@@ -1,4 +1,4 @@
-// How soon a large volume is seen in the real window.
+// Measures how soon a large volume is seen in the real window.
 #pragma once
 
 #include <QList>
@@ -10,20 +10,20 @@ namespace echolucent::bench {
 
 /// Milliseconds from asking for a volume, medians of several openings.
 struct OpeningTimes {
-    double plainRead = 0;                 ///< what reading all bytes of the file takes in this process
-    std::optional<double> coarsePainted;  ///< the coarse picture is painted; no value where there was none
-    double opened = 0;                    ///< the study is read and looked through
+    double plainRead = 0;                 ///< reading all bytes of the file in this process
+    std::optional<double> coarsePainted;  ///< the coarse picture is painted; no value if there was none
+    double opened = 0;                    ///< the study is read and its finds are made
     double firstPicture = 0;              ///< a picture of all voxels is on the screen
-    double allRays = 0;                   ///< one with a ray for each pixel is on the screen
+    double allRays = 0;                   ///< a picture with a ray for each pixel is on the screen
     double converged = 0;
 };
 
-/// The window at 1280 x 720, as it starts, with the simulated scan. A reader process waits, as it does in the program.
+/// The window at 1280 x 720, as it starts, with the simulated scan. A reader process waits, as in the program.
 class OpeningTime : private OpenWindow {
 public:
     OpeningTime();
 
-    /// Opens the volume `runs` times, each time after the simulated scan; the file is in the page cache.
+    /// Opens the volume `runs` times, each time after the simulated scan. The file is in the page cache.
     [[nodiscard]] OpeningTimes measure(const QString& volume, int runs);
 
 private:

@@ -1,4 +1,4 @@
-// The tables and the JSON file of what the window's benchmark found.
+// The tables and the JSON file of the window's benchmark.
 #pragma once
 
 #include <QList>
@@ -29,7 +29,7 @@ struct Findings {
 /// A table with a line for each stall, and a sentence that names the longest.
 [[nodiscard]] QString stallTable(const QList<Stall>& stalls);
 
-/// {"processors": n, "rows": [...], "memory": {...}, "kept": [...], "stalls": [...], "opening": {...}}; false where it
+/// {"processors": n, "rows": [...], "memory": {...}, "kept": [...], "stalls": [...], "opening": {...}}. False if it
 /// cannot be written.
 [[nodiscard]] bool writeJson(const QString& path, const Findings& findings);
 

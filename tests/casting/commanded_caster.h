@@ -18,7 +18,7 @@ namespace echolucent {
 using testing::geometryOf;
 using testing::volumeOf;
 
-/// Stands in for a ray caster: pictures of one grey, the curve's opacity at full intensity. Can be held up.
+/// Stands in for a ray caster. Its pictures have one grey: the curve's opacity at full intensity. Tests can hold it up.
 class CommandedCaster {
 public:
     CastResult operator()(const PictureRequest& request, const Progress& progress) {
@@ -52,7 +52,7 @@ public:
     void letGo() {
         set([this] { m_held = false; });
     }
-    /// Converged pictures of that width end only when they are cancelled.
+    /// From now on converged pictures of that width end only when they are cancelled.
     void convergedOnlyEndsCancelled(int width) {
         set([&] { m_endlessWidth = width; });
     }
@@ -91,7 +91,7 @@ struct Setup {
         made.settings.height = 90;
         return made;
     }
-    /// Of another camera for each level.
+    /// A request with another camera for each level.
     PictureRequest turned(double level) const {
         PictureRequest made = request(level);
         made.settings.camera.frame = frameOf({BeamAxis::plusZ, 90 * level, 0, 0, 0});
@@ -102,7 +102,7 @@ struct Setup {
     std::vector<std::shared_ptr<const CastPicture>> delivered;
     Works works;
     ProgressiveCaster caster{
-        works, PreviewQuality{0.0},  // no budget: always a preview first
+        works, PreviewQuality{0.0},  // no budget: a preview always comes first
         [this](const PictureRequest& request, const Progress& progress) { return commands(request, progress); }};
 };
 

@@ -1,4 +1,4 @@
-// What the real echolucent-cli says of the OTF of a volume.
+// What the real echolucent-cli reports about the OTF of a volume.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,8 @@
 
 namespace echolucent {
 
-/// The OTF, where no option says otherwise for the voxels as they are: that is what follows from the tubes it reports.
+/// The OTF. Unless an option says otherwise, the voxels are used as they are, so that the OTF follows from the reported
+/// tubes.
 inline nlohmann::json otfOf(const std::string& volume, const std::string& options = {}) {
     const std::string reduction = options.find("--reduction") == std::string::npos ? "--reduction off " : "";
     const Outcome outcome = runProgram("otf \"" + volume + "\" --json - " + reduction + options);

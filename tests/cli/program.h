@@ -16,12 +16,12 @@
 namespace echolucent {
 
 struct Outcome {
-    int status = -1;  ///< exit status; -1 where a signal ended the program
+    int status = -1;  ///< exit status; -1 if a signal ended the program
     std::string output;
     std::string errors;
 };
 
-/// A folder of its own for one test, removed with it; a slash and a name give the path of a file in it.
+/// A folder for one test, removed with it. A slash and a name give the path of a file in it.
 class Folder : public TemporaryFolder {
 public:
     [[nodiscard]] std::string operator/(const std::string& name) const { return file(name); }
@@ -40,7 +40,7 @@ inline Outcome runProgram(const std::string& arguments) {
     return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, contentsOf(folder / "out"), contentsOf(folder / "err")};
 }
 
-/// A phantom file that is made once for all tests of a program run. It has 72 voxels an edge, anisotropic on request.
+/// A phantom file, made once for all tests of a run. It has 72 voxels an edge, and is anisotropic on request.
 inline std::string phantomFile(const std::string& name, const std::string& options) {
     static const Folder folder;
     const std::string path = folder / name;

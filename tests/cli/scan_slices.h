@@ -7,7 +7,7 @@
 
 namespace echolucent {
 
-/// The slice of this number, from 0 on: 20 x 20 pixels of one value, 1 mm from the slice before.
+/// The slice of this number (from 0): 20 x 20 pixels of one value, 1 mm from the slice before.
 inline TestImage scanSlice(int number) {
     TestImage image;
     image.columns = image.rows = 20;

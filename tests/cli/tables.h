@@ -1,4 +1,4 @@
-// The tables that the program writes, as their cells.
+// Splits the program's tables into cells.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-/// The cells of a table with commas, row by row; a cell in quotes may hold commas and ends of lines.
+/// The cells of a table with commas, row by row. A cell in quotes may hold commas and ends of lines.
 inline std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
     std::vector<std::vector<std::string>> rows(1, {""});
     bool quoted = false;
@@ -31,7 +31,7 @@ inline std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
 /// One row by the names of its columns.
 using NamedRow = std::map<std::string, std::string>;
 
-/// The rows below the names of the columns; a failure where one of them has another number of cells.
+/// The rows below the names of the columns. Fails the test if a row has another number of cells.
 inline std::vector<NamedRow> namedRowsOf(const std::string& csv) {
     const auto rows = rowsOf(csv);
     std::vector<NamedRow> named;

@@ -1,4 +1,4 @@
-// The targets that are fuzzed: one for each reader, with its samples and its mutation.
+// The fuzz targets: one for each reader, with its samples and its mutation.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-/// Thrown where a reader did what none may do: it is a finding, as a crash is.
+/// A reader did what none may do. This is a finding, as a crash is.
 class BrokenPromise : public std::logic_error {
     using std::logic_error::logic_error;
 };
@@ -21,18 +21,17 @@ struct FuzzSample {
     std::string bytes;
 };
 
-/// What is fuzzed under one name.
 struct FuzzTarget {
     std::string_view name;  ///< as in scripts/fuzz: "meta-image"
-    /// Has the reader read these bytes. Throws BrokenPromise where what it gives is none that it may give; whatever
-    /// else it throws is a finding too.
+    /// Lets the reader read these bytes. Throws BrokenPromise if the reader breaks its promises. Anything else that it
+    /// throws is a finding too.
     void (*read)(std::string_view bytes);
-    /// Other bytes that the seed decides, mostly of the same form.
+    /// Other bytes, chosen by the seed, mostly of the same form.
     std::string (*mutated)(std::string bytes, std::uint64_t seed);
     /// Files to begin from, written by the project's own writers and by those of its tests.
     std::vector<FuzzSample> (*samples)();
-    std::size_t longest;          ///< bytes; longer inputs are not made
-    std::string_view dictionary;  ///< name of a file in tests/fuzz/dictionaries without its ending; it may be empty
+    std::size_t longest;          ///< bytes; no longer inputs are made
+    std::string_view dictionary;  ///< name of a file in tests/fuzz/dictionaries without its ending; may be empty
 };
 
 // Each stands in a source file of its own name in tests/fuzz/targets.
@@ -51,9 +50,8 @@ extern const FuzzTarget presetsTarget;         ///< presets
 extern const FuzzTarget documentTarget;        ///< a document
 extern const FuzzTarget sessionTarget;         ///< a session
 
-/// All targets.
 [[nodiscard]] std::span<const FuzzTarget* const> fuzzTargets();
-/// The target of that name. Throws std::invalid_argument where there is none.
+/// The target of that name. Throws std::invalid_argument if there is none.
 [[nodiscard]] const FuzzTarget& fuzzTargetNamed(std::string_view name);
 
 }  // namespace echolucent

@@ -7,8 +7,8 @@
 
 namespace echolucent {
 
-/// A folder in memory that goes with the process; each target has one of its own. It lies in the folder that
-/// ECHOLUCENT_FUZZ_FOLDER in the environment names, else in /dev/shm where that is there.
+/// A folder in memory that goes with the process; each target has its own. It lies in the folder that the environment's
+/// ECHOLUCENT_FUZZ_FOLDER names, else in /dev/shm if that exists.
 class FuzzedFolder {
 public:
     FuzzedFolder();
@@ -17,7 +17,7 @@ public:
     FuzzedFolder& operator=(const FuzzedFolder&) = delete;
 
     [[nodiscard]] std::string path() const { return m_path.string(); }
-    /// Writes a file in the place of the one before, and names it. Throws where that fails.
+    /// Writes a file in place of the one before and returns its path. Throws if that fails.
     [[nodiscard]] std::string write(const std::string& name, std::string_view bytes) const;
 
 private:

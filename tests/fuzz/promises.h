@@ -1,17 +1,17 @@
-// What every reader promises of what it gives, whatever the file holds.
+// The promises of every reader, whatever the file holds.
 #pragma once
 
 #include "io/study/study.h"
 
 namespace echolucent {
 
-/// Throws BrokenPromise unless the study has phases of one size and type, with as many voxels as their size says, a
-/// geometry and a white level of finite numbers, and a report of one line each without an empty source.
+/// Throws BrokenPromise unless the study is sound. Its phases have one size and type, and as many voxels as their size
+/// says. Geometry and white level are finite. Each entry of the report is one line and has a source.
 void requireSoundStudy(const Study& study);
-/// Throws BrokenPromise unless the failure says in one line of at most 1,500 bytes what is wrong and what to do.
+/// Throws BrokenPromise unless the failure says in one line, at most 1,500 bytes, what is wrong and what to do.
 void requireSoundRefusal(const Failure& failure);
 
-/// How the targets read: voxels along beams become grids of 4 MiB at most, since larger ones would take most of the
+/// Options of all targets. Voxels along beams become grids of 4 MiB at most, because larger ones would take most of the
 /// time.
 [[nodiscard]] inline ReadOptions optionsOfTargets() {
     ReadOptions options;
@@ -19,7 +19,8 @@ void requireSoundRefusal(const Failure& failure);
     return options;
 }
 
-/// Reads the file or folder and requires one or the other. What could be opened with frames as slices is opened so too.
+/// Reads the file or folder and requires a sound study or a sound refusal. A file that can be opened with frames as
+/// slices is also opened so.
 void requireSoundReading(const std::string& path, const ReadOptions& options = optionsOfTargets());
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// Small good files of every format and coding that is read: what random changes are made to.
+// Small good files of every format and coding that is read. Random changes are made to them.
 #pragma once
 
 #include <string>
@@ -9,28 +9,28 @@
 
 namespace echolucent {
 
-/// How what is read of a file's voxels can be told from the file, without a reader of this program.
+/// How to know a file's voxels without a reader of this program.
 enum class VoxelCoding {
     plain,        ///< they stand in the file as bytes
-    checked,      ///< compressed with a checksum: what is read of them has to be what was written
+    checked,      ///< compressed with a checksum: what is read must be what was written
     hexadecimal,  ///< as two digits a byte
     decimal,      ///< as numbers in text
     deflated,     ///< the DICOM data set is deflated as a whole, without a checksum
-    coded,        ///< in a picture codec without a checksum: as written where the codestreams are untouched
-    converted,    ///< samples along beams, which are interpolated: never as bytes
+    coded,        ///< in a picture codec without a checksum: as written if the codestreams are untouched
+    converted,    ///< samples along beams, which are interpolated; never as bytes
 };
 
 struct GoodFile {
     std::string name;                                        ///< format and coding: "nrrd-gzip"
-    std::string opened;                                      ///< the file that is opened; "." is the folder
+    std::string opened;                                      ///< the file to open; "." is the folder
     std::vector<std::pair<std::string, std::string>> files;  ///< name and bytes of each, the header first
     VoxelCoding coding = VoxelCoding::plain;
-    /// The bytes of all phases as they were written; empty where the coding loses some of them.
+    /// The bytes of all phases as they were written; empty if the coding loses some of them.
     std::string voxels;
     ReadOptions options{};
 };
 
-/// One of each. The same bytes on every machine.
+/// One of each, with the same bytes on every machine.
 [[nodiscard]] std::vector<GoodFile> goodFiles();
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// Files that are damaged or made to hurt, each with what the program has to say of it: one table for all ways of
+// Files that are damaged or made to do harm, each with the program's required answer. One table for all ways of
 // opening.
 #pragma once
 
@@ -13,38 +13,38 @@
 
 namespace echolucent {
 
-/// How opening a hostile file has to end.
+/// How opening a hostile file must end.
 enum class HostileOutcome {
     refused,        ///< in one sentence, which holds the row's words
     opensWithNote,  ///< as a study whose warnings hold the row's words
-    opens,          ///< as a study without any of the row's words in its warnings: what looks wrong is not
+    opens,          ///< as a study without any of the row's words in its warnings: it only looks wrong
 };
 
 /// One row of the table.
 struct HostileFile {
     std::string name;    ///< unique, a topic and what is wrong: "dicom-structure/pixel-spacing-of-200000-values"
-    std::string opened;  ///< what is opened, below the folder that write() wrote into; "." is that folder itself
+    std::string opened;  ///< what to open, below the folder that write() fills; "." is that folder itself
     /// Writes the row's files into an empty folder.
     std::function<void(const std::filesystem::path& folder)> write;
     HostileOutcome outcome = HostileOutcome::refused;
-    /// Each of them stands in the sentence or, of a study that opens, in one of its warnings.
+    /// Each word stands in the sentence or, if a study opens, in one of its warnings.
     std::vector<std::string> words;
     ReadOptions options{};
-    std::size_t phases = 0;  ///< how many a study that opens has; 0 where the row does not say it
-    std::size_t mostBytesAtOnce = std::size_t{1} << 30;  ///< that may be asked for
+    std::size_t phases = 0;                              ///< of a study that opens; 0 if the row does not say
+    std::size_t mostBytesAtOnce = std::size_t{1} << 30;  ///< the most that may be requested in one piece
 };
 
-/// A row with one file of these bytes, which is opened.
+/// A row with one file of these bytes. It is opened.
 [[nodiscard]] HostileFile hostileFile(std::string name, std::string file, std::string bytes,
                                       std::vector<std::string> words, HostileOutcome outcome = HostileOutcome::refused);
 
-/// Writes bytes into a new file, and the folders above it. Throws where that fails.
+/// Writes bytes into a new file, and makes the folders above it. Throws if that fails.
 void writeBytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// What the names of rows about DICOM elements, values and lengths begin with.
+/// Names of rows about DICOM elements, values and lengths begin with this.
 inline const std::string dicomStructureTopic = "dicom-structure/";
 
-// The rows by topic; each stands in a source file of its own name.
+// The rows by topic, each in a source file of its own name.
 [[nodiscard]] std::vector<HostileFile> hostileTextHeaders();     ///< MetaImage, NRRD, raw layouts
 [[nodiscard]] std::vector<HostileFile> hostileNifti();           ///< NIfTI and Analyze
 [[nodiscard]] std::vector<HostileFile> hostileKretz();           ///< GE Voluson, in files of its own and in DICOM
@@ -57,18 +57,17 @@ inline const std::string dicomStructureTopic = "dicom-structure/";
 [[nodiscard]] std::vector<HostileFile> hostileDicomSeries();     ///< folders of slices, damaged or mixed
 [[nodiscard]] std::vector<HostileFile> hostileDicomFolders();    ///< places of slices, links and pipes, DICOMDIR
 
-// One fault each, in files that are good but for it.
+// Files with one fault each.
 [[nodiscard]] std::vector<HostileFile> hostileMalformedMetaImage();
 [[nodiscard]] std::vector<HostileFile> hostileMalformedNrrd();
 [[nodiscard]] std::vector<HostileFile> hostileMalformedNifti();
 [[nodiscard]] std::vector<HostileFile> hostileMalformedKretz();
-[[nodiscard]] std::vector<HostileFile> hostileMalformedDicom();  ///< numbers of no scanner, codings, objects
+[[nodiscard]] std::vector<HostileFile> hostileMalformedDicom();  ///< impossible numbers, codings, objects
 [[nodiscard]] std::vector<HostileFile> hostileDataFiles();       ///< lists of data files, voxels as text, packed voxels
 [[nodiscard]] std::vector<HostileFile> hostileUnknownFiles();    ///< no known format, false layouts beside raw files
 [[nodiscard]] std::vector<HostileFile> hostileEnhancedUs();      ///< Enhanced US Volumes that contradict themselves
-[[nodiscard]] std::vector<HostileFile> hostileFoundByFuzzing();  ///< whatever tests/fuzz found, of every format
+[[nodiscard]] std::vector<HostileFile> hostileFoundByFuzzing();  ///< finds of tests/fuzz, of every format
 
-/// All rows.
 [[nodiscard]] std::vector<HostileFile> hostileFiles();
 /// Every sixteenth of these rows, in the order of the table, so that most topics have some.
 [[nodiscard]] std::vector<HostileFile> sampleOf(const std::vector<HostileFile>& rows);

@@ -1,4 +1,4 @@
-// Numbers that no file should hold.
+// Numbers that no file should have.
 #pragma once
 
 #include <limits>

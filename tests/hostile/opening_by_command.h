@@ -1,4 +1,4 @@
-// A file of strangers through the real command line: what its end has to be, whatever the file holds.
+// Opens a stranger's file through the real command line, and checks how the command ends.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 
 namespace echolucent {
 
-/// A command that runs longer hangs: it is killed, and its row fails. It bounds hangs and measures no speed; under
-/// a sanitizer it is four times as long.
+/// A command that runs longer hangs. It is killed, and its row fails. This bounds hangs and measures no speed. Under a
+/// sanitizer it is four times as long.
 [[nodiscard]] double hangSeconds();
 
 /// The most memory that a command may take for files of less than 10 MB: 1 GiB.
 constexpr std::int64_t memoryForSmallFiles = std::int64_t{1} << 30;
 
-/// The options of the command line that say what these say. They must state no polar layout.
+/// These options as a command line. They must not hold a polar layout.
 [[nodiscard]] std::vector<std::string> commandLineOf(const ReadOptions& options);
 
-/// What was seen over many commands.
+/// Counts over many commands.
 class CommandTally {
 public:
     void add(const std::string& name, const MeasuredRun& run);
@@ -38,12 +38,12 @@ private:
     std::string m_largest, m_longest;
 };
 
-/// The bytes of all files in a folder and below it, links not followed.
+/// The bytes of all files in a folder and below it. Links are not followed.
 [[nodiscard]] std::int64_t bytesBelow(const std::filesystem::path& folder);
 
-/// Runs echolucent-cli with a command ("info") on `opened` and counts it. `inputBytes` is how large the files are that
-/// it reads. What is wrong with its end whatever was read, each as a sentence: a signal, a hang, processes left behind,
-/// too much memory, an exit status that docs/cli.md does not list, or a failure that is not one sentence in one line.
+/// Runs echolucent-cli with a command ("info") on a file and counts it. `inputBytes`: size of the files that it reads.
+/// The faults are sentences about its end: a signal, a hang, processes left behind, too much memory, an exit status
+/// that docs/cli.md does not list, or a failure that is not one sentence in one line.
 struct OpeningByCommand {
     MeasuredRun run;
     std::vector<std::string> faults;
@@ -52,7 +52,7 @@ struct OpeningByCommand {
                                              const std::filesystem::path& scratch, std::int64_t inputBytes,
                                              CommandTally& tally);
 
-/// Calls work(0) to work(count-1) in two threads, each next one as soon as a thread is free.
+/// Calls work(0) to work(count-1) in two threads. A free thread takes the next one.
 void twoAtATime(std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace echolucent

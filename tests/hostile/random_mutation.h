@@ -1,4 +1,4 @@
-// Random changes of bytes: the same of the same seed on every machine.
+// Random changes of bytes. The same seed gives the same changes on every machine.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace echolucent {
 
-/// One to four changes of `bytes`: bits and bytes set, parts cut off, left out, put in, repeated and exchanged. Half of
-/// the places lie in the first 512 bytes, where most headers are.
+/// One to four changes of `bytes`: bits and bytes set; parts cut off, left out, put in, repeated and exchanged. Half of
+/// the places lie in the first 512 bytes, the usual place of headers.
 [[nodiscard]] std::string mutated(const std::string& bytes, std::uint64_t seed);
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// Grids for the tests of volumes and of what reads them.
+// Grids for tests of volumes and their readers.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A scene drawn off screen by VTK alone, and things to put in it.
+// A scene that VTK draws off screen by itself, and things to put in it.
 #pragma once
 
 #include <vtkActor.h>
@@ -22,7 +22,6 @@ namespace echolucent::testing {
 /// A colour of red, green and blue, 0..255.
 using Level = std::array<int, 3>;
 
-/// A scene in an off-screen window.
 struct DrawnScene {
     DrawnScene(int width, int height) {
         window->SetOffScreenRendering(1);
@@ -77,7 +76,7 @@ inline vtkNew<vtkActor> sphereAt(const Vec3& centre, double radius, const std::a
     return actor;
 }
 
-/// The camera that has the whole volume in a square picture.
+/// The camera that shows the whole volume in a square picture.
 inline Camera cameraOn(const Volume& volume, const Viewpoint& view, Projection projection = Projection::parallel) {
     return cameraFor(fittedPose(volume.geometry(), view, projection, 1.0));
 }

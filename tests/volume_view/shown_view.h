@@ -18,7 +18,7 @@ namespace echolucent::testing {
 
 inline const OpacityCurve wall = ManualCurve{{{0.4, 0.0}, {0.6, 1.0}}};
 
-/// A view on the display with the corner ball, whose converged picture is there.
+/// A view on the display with the corner ball. Its converged picture is there.
 struct ShownView {
     explicit ShownView(std::shared_ptr<const Volume> shown = ballInTheCorner(), const Viewpoint& from = {})
         : volume(std::move(shown)) {
@@ -55,8 +55,8 @@ struct ShownView {
     bool ready = false;
 };
 
-/// The largest difference in levels between the screen and a picture over black; the corners with marker and bar are
-/// left out.
+/// The largest difference in levels between the screen and a picture over black, without the corners with marker and
+/// bar.
 inline int largestDifference(const QImage& screen, const Picture& picture) {
     const std::vector<std::uint8_t> rgb = overBackground(picture, {0, 0, 0});
     int largest = 0;
@@ -73,7 +73,7 @@ inline int largestDifference(const QImage& screen, const Picture& picture) {
     return largest;
 }
 
-/// The centre of what is brighter than a level, in shares of the picture's height from the picture's centre.
+/// The centre of what is brighter than a level, from the picture's centre, in shares of the picture's height.
 inline QPointF brightCentre(const Picture& picture) {
     double x = 0, y = 0, weight = 0;
     for (int row = 0; row < picture.height; ++row) {

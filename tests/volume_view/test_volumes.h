@@ -30,8 +30,8 @@ inline VolumeGeometry geometryOf(std::int64_t x, std::int64_t y, std::int64_t z,
     return geometry;
 }
 
-/// Fluid with a bright ball in the corner of small x, y and z and hard speckle everywhere. It has no symmetry, so that
-/// a picture that is flipped, turned or shifted by a pixel differs.
+/// Fluid with a bright ball in the corner of small x, y and z, and hard speckle everywhere. It has no symmetry, so a
+/// picture that is flipped, turned or shifted by a pixel differs.
 inline std::shared_ptr<const Volume> ballInTheCorner(const Vec3& spacing = {1, 1, 1}) {
     return volumeOf(geometryOf(40, 36, 32, spacing), [](double x, double y, double z) {
         const bool ball = std::hypot(x - 11, y - 9, z - 8) < 7;

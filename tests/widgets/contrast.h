@@ -1,4 +1,4 @@
-// How far two colours stand off each other.
+// How far two colours differ.
 #pragma once
 
 #include <QColor>

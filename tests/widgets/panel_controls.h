@@ -1,4 +1,4 @@
-// What the tests of the panels share: controls found by name, and the count of all that a panel says.
+// Finds a panel's controls by name, and counts its signals.
 #pragma once
 
 #include <QSignalSpy>
@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// The control of the panel that bears this object name; the test program ends where there is none.
+/// The control of the panel with this object name. If there is none, the test program ends.
 template <typename Widget>
 Widget* child(QWidget& panel, const char* name) {
     auto* found = panel.findChild<Widget*>(name);
@@ -16,7 +16,7 @@ Widget* child(QWidget& panel, const char* name) {
     return found;
 }
 
-/// How often any signal declared by this object itself was emitted.
+/// Counts emissions of every signal that this object itself declares.
 class AllSignals {
 public:
     explicit AllSignals(QObject& object) {

@@ -24,10 +24,10 @@ struct CastPane {
 struct CastPicture {
     PictureRequest request;         ///< as it was asked for, at full size
     std::size_t quality = 0;        ///< of qualities
-    RayCastSettings settings;       ///< of the quality
+    RayCastSettings settings;       ///< those of `quality`
     std::vector<CastPane> panes{};  ///< as in the request; empty if the graphics card draws
     double milliseconds = 0.0;      ///< wall time of all panes in the casting thread
-    bool followsHand = false;       ///< the quick one of its request, not one that refines it
+    bool followsHand = false;       ///< the quick picture of its request, not one that refines it
     bool live = false;              ///< the graphics card draws
     [[nodiscard]] bool converged() const { return quality == convergedQuality; }
 };

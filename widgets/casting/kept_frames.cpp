@@ -10,7 +10,7 @@ void KeptFrames::keep(const CastPicture& picture) {
         bytes += pane.screen->rgba.size() + pane.screen->depthMm.size() * sizeof(pane.screen->depthMm[0]);
     if (m_bytes + bytes > byteLimit || find(picture.request)) return;
     auto frame = std::make_shared<CastPicture>(picture);
-    for (CastPane& pane : frame->panes) pane.picture.reset();  // floats that only a fresh picture is asked for
+    for (CastPane& pane : frame->panes) pane.picture.reset();  // its floats are only read from a fresh picture
     frame->followsHand = true;
     m_frames.push_back(std::move(frame));
     m_bytes += bytes;

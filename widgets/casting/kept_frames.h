@@ -1,4 +1,4 @@
-// The pictures of a motion that plays over and over, kept from its first turn on.
+// Keeps the pictures of a motion that plays over and over, from its first turn on.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace echolucent {
 
-/// Finished pictures by their requests. A picture of anything else (another volume, curve, camera, look or size) is not
-/// found here, so that nothing stale is ever shown.
+/// Finished pictures by their requests. Another volume, curve, camera, look or size is another request, so nothing
+/// stale is ever shown.
 class KeptFrames {
 public:
-    /// Keeps the screen pictures as long as byteLimit is not reached; the frames kept first stay.
+    /// Keeps the screen pictures until byteLimit is reached. The frames kept first stay.
     void keep(const CastPicture& picture);
     /// The picture of a request at its full size; null if it is not kept.
     [[nodiscard]] std::shared_ptr<const CastPicture> find(const PictureRequest& request) const;

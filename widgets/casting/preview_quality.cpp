@@ -6,7 +6,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr double newestMeasureShare = 0.5;  // of the newest measure in a learnt cost
+constexpr double newestMeasureShare = 0.5;  // weight of the newest measure in a learnt cost
 constexpr double smallestBudget = 1.0 / 3;  // of a frame, however slowly pictures reach the screen
 constexpr double reclassifyShare = 0.25;    // of the cost of sampling, until it is measured
 constexpr double shadedRatio = 4.0;         // of the cost of sampling, until it is measured
@@ -21,15 +21,15 @@ void learn(double& cost, double measured) {
     cost = cost > 0.0 ? cost + newestMeasureShare * (measured - cost) : measured;
 }
 
-/// How far from the budget costs must be for another quality to be taken.
+/// Shares of the budget at which another quality is taken.
 struct Reluctance {
-    double toCoarsen;  // the quality's cost is above this share
-    double toRefine;   // the next finer one's is not
+    double toCoarsen;  // if the quality's cost is above this share
+    double toRefine;   // if the next finer quality's cost is not above this share
 };
 constexpr Reluctance usual{1.0, 0.7};
 constexpr Reluctance withinSeries{1.5, 0.35};
 
-/// From a quality to the finest within the budget.
+/// The finest quality within the budget, searched from a given one.
 template <typename Cost>
 std::size_t qualityWithin(double budget, std::size_t quality, const Reluctance& reluctance, const Cost& cost) {
     while (quality + 1 < qualities.size() && cost(quality) > reluctance.toCoarsen * budget) ++quality;
@@ -52,7 +52,7 @@ void PreviewQuality::couldNotKeep(const RayCastSettings& settings) {
 }
 
 void PreviewQuality::drawn(double milliseconds) {
-    // Drawing that takes longer than a frame says nothing about the next one (a menu opened, the window was moved).
+    // A longer drawing than a frame says nothing about the next one (a menu opened, the window was moved).
     if (++m_drawn > 1) learn(m_drawing, std::min(milliseconds, m_frame));
 }
 

@@ -9,8 +9,8 @@
 namespace echolucent {
 
 namespace {
-constexpr int editRestMilliseconds = 150;  // a hand that shapes a curve halts more often
-constexpr int passedFrames = 2;            // of a motion, before one is cast in high quality: it goes on meanwhile
+constexpr int editRestMilliseconds = 150;  // longer than restMilliseconds: a hand that shapes a curve halts more often
+constexpr int passedFrames = 2;            // of a motion, before one is cast in high quality; so the motion goes on
 }  // namespace
 
 ProgressiveCaster::ProgressiveCaster(Works& works, const PreviewQuality& quality, Cast cast)
@@ -39,7 +39,7 @@ int ProgressiveCaster::keptFrames() const { return m_frames->count(); }
 
 std::size_t ProgressiveCaster::keptFrameBytes() const { return m_frames->bytes(); }
 
-/// A frame that was kept is delivered as one that was cast would be: after the request has returned.
+/// Delivers a kept frame after the request has returned, as if it had been cast.
 bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
     const auto frame = m_playing ? m_frames->find(request) : nullptr;
     if (!frame) return false;
@@ -59,7 +59,7 @@ void ProgressiveCaster::request(const PictureRequest& request) {
     if (m_newest && samePicture(*m_newest, request)) return;
     if (deliverKept(request)) return;
     if (!m_playing) m_frames->clear();
-    // A picture of another volume is not a quick picture of this one; in a motion it is a frame to keep.
+    // A picture of another volume is no quick picture of this one. In a motion it is a frame to keep.
     if (!m_playing && m_newest && !sameVolumes(*m_newest, request)) m_thread.cancel();
     const bool edited = m_newest && sameSamples(*m_newest, request);
     m_inStream = m_sinceRequest.isValid() && m_sinceRequest.elapsed() < streamMilliseconds;
@@ -72,11 +72,11 @@ void ProgressiveCaster::request(const PictureRequest& request) {
 }
 
 std::size_t ProgressiveCaster::qualityFor(const PictureRequest& request, bool edited) {
-    // What plays has no hand that waits: a frame is as fine as its time allows.
+    // In a motion no hand waits: a frame is as fine as its time allows.
     if (m_playing) return m_quality.qualityAlone(request.settings);
     if (edited) {
         const std::size_t quality = m_quality.qualityForEdits(request.settings, m_editing && m_inStream);
-        // The first edit of a series has no samples to be made of: it is shown as quickly as a new view.
+        // The first edit of a series finds no kept samples. It is shown as quickly as a new view.
         m_editing = m_inStream || quality == m_startedQuality || quality == m_keptQuality;
         if (m_editing) return quality;
     } else {
@@ -91,8 +91,8 @@ void ProgressiveCaster::clear() {
     m_newest.reset();
     m_rest.stop();
     m_sinceRequest.invalidate();
-    // In a motion another phase comes next: the frame that is being cast is one to keep, and its caster goes with the
-    // next one.
+    // In a motion another phase comes next. The frame that is being cast must be kept; its caster goes with the next
+    // frame.
     if (!m_playing) {
         m_thread.cancel();
         m_thread.submit(
@@ -138,7 +138,7 @@ void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperse
         try {
             return make(progress);
         } catch (const std::bad_alloc&) {
-            cast({}, progress);  // a caster that was interrupted is not used again
+            cast({}, progress);  // frees the interrupted caster
             return [this] { fail(); };
         }
     };

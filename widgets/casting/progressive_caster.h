@@ -1,5 +1,5 @@
-// Pictures of one to four panes, made outside the GUI thread: first quick ones, then, if nothing newer waits, better
-// ones.
+// Makes pictures of one to four panes outside the GUI thread: quick ones first. Better ones follow if nothing newer
+// waits.
 #pragma once
 
 #include <QElapsedTimer>
@@ -18,19 +18,19 @@ namespace echolucent {
 
 class KeptFrames;
 
-/// While requests follow each other, each picture has the quality that PreviewQuality chooses. It runs to its end and
-/// is delivered also if a newer request waits, so that a drag always shows something. The next one is cast while this
-/// one is drawn. At rest, better pictures follow up to the converged one; any newer request cancels them within a tile.
+/// PreviewQuality chooses the quality of each picture while requests follow each other. Such a picture is finished and
+/// delivered even if a newer request waits, so that a drag always shows something. The next picture is cast while this
+/// one is drawn. At rest, better pictures follow up to the converged one. Any newer request cancels them within a tile.
 /// In a stream of requests they wait until the hand rests, so that they take no time from the next quick one. A request
 /// equal to the newest one does nothing. The pictures of all panes are delivered together or not at all.
 ///
-/// Edits of curve and colour map keep one quality, for which the ray caster keeps the samples, and wait longer before
+/// Edits of curve and colour map keep one quality, because the ray caster keeps its samples. They wait longer before
 /// the picture is refined.
 ///
-/// While a motion plays, frames are also cast in high quality and kept (see KeptFrames): each one if that takes no
-/// longer than a frame may, else every third, so that the motion goes on; a quicker picture of the frame is delivered
-/// before it. Turn by turn more of a loop comes from memory. A request that is none of its frames drops what was kept
-/// once it plays no more.
+/// While a motion plays, frames are also cast in high quality and kept (see KeptFrames). If that takes longer than a
+/// frame may, only every third frame is kept, so that the motion goes on; a quicker picture of it is delivered first.
+/// Turn by turn more of a loop comes from memory. Once the motion has stopped, the next request for another picture
+/// drops all kept frames.
 class ProgressiveCaster : public QObject {
     Q_OBJECT
 
@@ -39,26 +39,26 @@ public:
                                Cast cast = castThroughRayCasters());
     ~ProgressiveCaster() override;
 
-    /// Asks for the pictures of a request, whose settings are those that settingsAt() takes.
+    /// Asks for the pictures of a request. Its settings are as settingsAt() takes them.
     void request(const PictureRequest& request);
     /// Whether the requests from now on are frames of a motion that plays.
     void setPlaying(bool playing);
     /// Frames of the motion that are kept in high quality.
     [[nodiscard]] int keptFrames() const;
     [[nodiscard]] std::size_t keptFrameBytes() const;
-    /// Forgets the newest request and cancels what runs; nothing of it is delivered. What was kept of its volume is let
-    /// go. While a motion plays, what runs ends first, so that its frame is kept.
+    /// Forgets the newest request, cancels what runs and delivers nothing of it. What was kept of its volume is freed.
+    /// While a motion plays, the running picture ends first, so that its frame is kept.
     void clear();
-    /// True from a request until its converged picture was delivered or it was cleared.
+    /// True from a request until its converged picture was delivered or the request was cleared.
     [[nodiscard]] bool busy() const { return m_newest && (m_thread.busy() || m_rest.isActive()); }
     /// True while the quick picture of the newest request is on its way.
     [[nodiscard]] bool quickPictureComes() const { return m_newest && m_thread.busy() && m_startedQuick; }
-    /// Tells what bringing a picture to the screen took, beside the casting.
+    /// Takes the time to bring a picture to the screen, without casting.
     void drawn(double milliseconds) { m_quality.drawn(milliseconds); }
 
 signals:
     void delivered(const std::shared_ptr<const echolucent::CastPicture>& picture);
-    /// A picture needs more memory than there is. Nothing better follows before another request.
+    /// A picture needs more memory than there is. Nothing better follows before the next request.
     void failed();
     void busyChanged();
 
@@ -78,15 +78,15 @@ private:
     QElapsedTimer m_sinceRequest;
     bool m_inStream = false;                          // the newest request came soon after another
     bool m_editing = false;                           // the newest request is one of a series of edits
-    std::size_t m_startedQuality = convergedQuality;  // of the newest picture begun
-    bool m_startedQuick = false;                      // whether that follows the hand
-    std::optional<std::size_t> m_keptQuality;         // of the newest picture made of kept samples, of this view
+    std::size_t m_startedQuality = convergedQuality;  // of the picture begun last
+    bool m_startedQuick = false;                      // whether that picture follows the hand
+    std::optional<std::size_t> m_keptQuality;  // of the newest picture of this view that was made of kept samples
     bool m_playing = false;
-    int m_passed = 0;  // frames of the motion that were not cast in high quality since one was
+    int m_passed = 0;  // frames of the motion since one was cast in high quality
     std::unique_ptr<KeptFrames> m_frames;
     QTimer m_rest;
     Works::UnderWay m_waits;  ///< for the hand to rest
-    // Last, so that its thread has ended before anything above is destroyed.
+    // Last member: its thread ends before anything above is destroyed.
     NewestWinsThread m_thread;
 };
 

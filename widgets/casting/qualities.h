@@ -1,4 +1,4 @@
-// The qualities a picture of the 3D view may have. The one place where they stand.
+// The qualities of the 3D view's pictures, all in this place.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// What is spared in a picture.
+/// What a picture saves.
 struct Quality {
     const char* name;        ///< in English, for the status line
     double reduction = 1.0;  ///< of width and height, >= 1: one ray for reduction^2 pixels
@@ -19,14 +19,14 @@ struct Quality {
     friend bool operator==(const Quality&, const Quality&) = default;
 };
 
-/// From fine to coarse; cost falls from each to the next. The first is the converged picture, the one that is saved.
-/// While the hand moves, the finest that keeps within the frame budget is shown (PreviewQuality), whichever that is. At
-/// rest all finer ones marked atRest follow, one after another.
+/// From fine to coarse: each costs less than the one before. The first is the converged picture, which is saved. While
+/// the hand moves, the finest within the frame budget is shown (PreviewQuality). At rest all finer ones marked atRest
+/// follow, one after another.
 ///
 /// Errors, in grey levels of 255, of the worst of two phantoms and two curves at 512 x 512 (docs/performance.md,
-/// "Pictures a second"): converged RMSE 0.1 and 1 at most, high quality 0.7 and 6, a preview of all rays 1.0 and 13 at
-/// step 1, 2.1 and 24 at 1.5. Rays are spared before steps: from steps of 2 units on, the steep curve of quiet voxels
-/// shows rings. Why these settings: docs/rendering.md.
+/// "Pictures a second"): converged RMSE 0.1 and 1 at most; high quality 0.7 and 6; a preview of all rays 1.0 and 13 at
+/// step 1, and 2.1 and 24 at 1.5. Previews drop rays before steps, because from steps of 2 units on the steep curve of
+/// quiet voxels shows rings. Why these settings: docs/rendering.md.
 inline constexpr std::array<Quality, 11> qualities{{
     {"converged", 1.0, convergedStep, true, convergedTransmittance},
     {"high quality", 1.0, 0.75, true},
@@ -41,12 +41,13 @@ inline constexpr std::array<Quality, 11> qualities{{
     {"preview", 8.0, 3.0},
 }};
 inline constexpr std::size_t convergedQuality = 0;
-/// What a motion's frames are kept in.
+/// For the kept frames of a motion.
 inline constexpr std::size_t highQuality = 1;
-/// Before anything was measured.
+/// Until something is measured.
 inline constexpr std::size_t firstQuality = 7;
 
-/// The settings of a picture at a quality. `asked`: those of the look, at the view's full size and the look's own step.
+/// The settings of a picture at a quality. `asked`: the settings of the look, at the view's full size and the look's
+/// own step.
 [[nodiscard]] RayCastSettings settingsAt(std::size_t quality, const RayCastSettings& asked);
 
 /// The next finer quality that is shown at rest; convergedQuality has none.

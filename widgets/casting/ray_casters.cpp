@@ -23,7 +23,7 @@ public:
         for (std::size_t i = 0; i < m_panes.size(); ++i) {
             Pane& pane = m_panes[i];
             const PaneRequest& asked = request.panes[i];
-            // A picture by itself is asked for only if it is another.
+            // Panes that stay exist only beside others: a single pane is requested only if it has changed.
             const bool stays = m_panes.size() > 1 && pane.made && pane.made->volume == asked.volume &&
                                pane.made->classification == asked.classification && pane.settings == request.settings;
             if (!stays && !castPane(pane, asked, request.settings, progress)) return {};
@@ -42,7 +42,7 @@ public:
 private:
     struct Pane {
         std::optional<RayCaster> caster;
-        std::optional<PaneRequest> made;  ///< what `picture` is of
+        std::optional<PaneRequest> made;  ///< what `picture` shows
         RayCastSettings settings;
         CastPane picture;
     };
@@ -61,7 +61,7 @@ private:
         return true;
     }
 
-    /// What another scan left is let go before anything new is made.
+    /// Frees what another scan left before anything new is made.
     void prepare(const PictureRequest& request) {
         m_panes.resize(request.panes.size());
         for (std::size_t i = 0; i < m_panes.size(); ++i)

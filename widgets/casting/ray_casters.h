@@ -12,21 +12,21 @@
 
 namespace echolucent {
 
-/// What casting a request gave.
+/// The result of casting a request.
 struct CastResult {
-    std::vector<CastPane> panes{};  ///< of all panes; empty if it was cancelled
-    /// How samples were used, if all panes that were cast used them alike and the time says what a picture costs: all
-    /// panes were sampled, or some were made of kept samples and the others stayed as they were. Else no value.
+    std::vector<CastPane> panes{};  ///< of all panes; empty if the work was cancelled
+    /// How samples were used. No value unless all panes that were cast used them alike and the time tells a picture's
+    /// cost. It does so if all panes were sampled, or if some were made of kept samples and the others stayed.
     std::optional<SampleUse> samples{};
-    double lightMilliseconds = 0.0;  ///< of all, for light volumes, whose cost does not depend on the picture's size
+    double lightMilliseconds = 0.0;  ///< for all panes' light volumes; independent of the picture's size
 };
 
 /// Casts the panes of a request with the request's own settings. It runs in the casting thread, one call at a time. A
-/// request without panes gives no picture; whatever was kept of volumes is let go before the call returns.
+/// request without panes gives no picture and frees whatever was kept of volumes before the call returns.
 using Cast = std::function<CastResult(const PictureRequest& request, const Progress& progress)>;
 
-/// Casts each pane through a RayCaster that is kept from picture to picture as long as the pane shows the same scan.
-/// Casters of one scan share its packed voxels. A pane of which nothing changed is not cast again.
+/// Casts each pane through a RayCaster, which is kept as long as the pane shows the same scan. Casters of one scan
+/// share its packed voxels. A pane without a change is not cast again.
 [[nodiscard]] Cast castThroughRayCasters();
 
 }  // namespace echolucent

@@ -8,8 +8,8 @@ namespace echolucent {
 
 namespace {
 constexpr double nanosecondsPerMillisecond = 1e6;
-constexpr double longestInterval = 250.0;    // ms; beyond, the hand had rested
-constexpr double newestIntervalShare = 0.2;  // so that a person can read the number
+constexpr double longestInterval = 250.0;    // ms; after a longer one the hand had rested
+constexpr double newestIntervalShare = 0.2;  // small, so that a person can read the number
 
 double millisecondsSince(const QElapsedTimer& timer) {
     return static_cast<double>(timer.nsecsElapsed()) / nanosecondsPerMillisecond;

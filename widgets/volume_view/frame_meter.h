@@ -1,4 +1,4 @@
-// What bringing pictures to the screen takes, and how many a second are seen.
+// Measures the time to bring pictures to the screen, and how many a second are seen.
 #pragma once
 
 #include <QElapsedTimer>
@@ -9,20 +9,20 @@ class QOpenGLWindow;
 
 namespace echolucent {
 
-/// Watches an OpenGL window that draws in two steps: the scene into a frame buffer (told by its owner), then, when the
-/// window system asks for it, that frame buffer onto the screen.
+/// Watches an OpenGL window that draws in two steps. Its owner draws the scene into a frame buffer and tells so. When
+/// the window system asks for it, that frame buffer goes onto the screen.
 class FrameMeter : public QObject {
     Q_OBJECT
 
 public:
     explicit FrameMeter(QOpenGLWindow* window, QObject* parent = nullptr);
     bool eventFilter(QObject* watched, QEvent* event) override;
-    /// A new picture is in the frame buffer; drawing it there took this long. followsHand: one of a movement.
+    /// A new picture is in the frame buffer after this drawing time. followsHand: it belongs to a movement.
     void rendered(double milliseconds, bool followsHand);
 
-    /// Of the newest picture on the screen: both steps, without the wait between them. 0 before the first.
+    /// Both steps of the newest picture on the screen, without the wait between them; 0 before the first.
     [[nodiscard]] double drawingMilliseconds() const { return m_drawing; }
-    /// Whether a picture is drawn that is not on the screen yet.
+    /// Whether a drawn picture is not on the screen yet.
     [[nodiscard]] bool waitsForScreen() const { return m_rendered.has_value(); }
     /// Pictures a second of the newest movement, as a running mean; empty before the first.
     [[nodiscard]] std::optional<double> framesPerSecond() const;
@@ -41,7 +41,7 @@ private:
     QElapsedTimer m_sinceUpdate;
     QElapsedTimer m_sincePicture;
     double m_drawing = 0.0;
-    double m_interval = 0.0;  // ms; 0 where it is not known
+    double m_interval = 0.0;  // ms; 0 if not known
     int m_intervals = 0;      // of the newest movement
 };
 

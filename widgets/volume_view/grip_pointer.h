@@ -1,4 +1,4 @@
-// Places over the 3D view that the hand can hold and drag.
+// Lets the hand hold and drag places over the 3D view.
 #pragma once
 
 #include <QObject>
@@ -14,31 +14,30 @@ class QWindow;
 
 namespace echolucent {
 
-/// A left drag that begins on a grip drags the grip; all other events pass on. Escape ends a drag without change.
+/// A left drag that begins on a grip drags the grip. All other events pass on. Escape ends a drag without change.
 class GripPointer : public QObject {
     Q_OBJECT
 
 public:
-    /// `camera` tells the camera of the picture that is shown.
+    /// `camera` gives the camera of the picture that is shown.
     GripPointer(QWindow* window, std::function<Camera()> camera, QObject* parent = nullptr);
 
-    /// Places of the grid, mm; those that lie before others come first.
-    /// Where there are none any more, a drag ends without change.
+    /// Places of the grid, mm; those in front come first. An empty list ends a drag without change.
     void setGrips(std::vector<Vec3> gripsMm);
-    /// The window's cursor beside all grips; over one it is an open hand. [an arrow]
+    /// The window's cursor beside all grips, at first an arrow. Over a grip it is an open hand.
     void setCursorBeside(Qt::CursorShape cursor);
     [[nodiscard]] bool dragging() const { return m_held.has_value(); }
-    /// False where there is no drag.
+    /// False if there is no drag.
     bool cancelDrag();
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
-    /// Logical pixels from a grip at which it is held.
+    /// A grip is held within this many logical pixels.
     static constexpr double reach = 9.0;
 
 signals:
     void dragStarted(std::size_t grip);
-    /// How far the hand is from where the drag began: mm of the grid in the plane across the view through the grip.
+    /// The way from where the drag began to the hand: grid mm, in the plane through the grip across the view.
     void dragged(std::size_t grip, const echolucent::Vec3& mm);
     void dragEnded();
     void dragCancelled();

@@ -8,7 +8,7 @@
 namespace echolucent {
 
 namespace {
-constexpr double leastMove = 2.0;  // logical pixels between the places of a line that is drawn freehand
+constexpr double leastMove = 2.0;  // logical pixels between the places of a freehand line
 }
 
 LassoPointer::LassoPointer(QWindow* window, QObject* parent) : QObject(parent), m_window(window) {
@@ -35,7 +35,7 @@ bool LassoPointer::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::MouseMove: return move(*static_cast<QMouseEvent*>(event));
         case QEvent::MouseButtonRelease: return release(*static_cast<QMouseEvent*>(event));
         case QEvent::MouseButtonDblClick:
-            // Its first click has set the last corner.
+            // The first click of the two has set the last corner.
             if (static_cast<QMouseEvent*>(event)->button() != Qt::LeftButton) return false;
             if (m_tool == ScalpelTool::polygon) closePolygon();
             return true;
@@ -66,7 +66,7 @@ bool LassoPointer::press(const QMouseEvent& event) {
 bool LassoPointer::move(const QMouseEvent& event) {
     if (!m_drawing) return false;
     if (m_tool == ScalpelTool::polygon) {
-        // The line to the cursor is shown, and is no corner yet.
+        // The line to the cursor is shown, but is no corner yet.
         std::vector<PicturePlace> shown = m_places;
         shown.push_back(placeOf(event.position()));
         emit drawn(shown);

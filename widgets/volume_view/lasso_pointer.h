@@ -1,4 +1,4 @@
-// What the hand draws over the 3D view with the scalpel.
+// Takes what the hand draws over the 3D view with the scalpel.
 #pragma once
 
 #include <QObject>
@@ -13,30 +13,31 @@ class QWindow;
 
 namespace echolucent {
 
-/// While a tool is set, the left button draws: freehand and eraser from press to release, a box from corner to corner,
-/// a polygon corner by corner, closed by a double click or Return. Escape takes back what is being drawn. All other
-/// events pass on, so that right and middle drags and the wheel still move the camera.
+/// While a tool is set, the left button draws. Freehand and eraser go from press to release, a box from corner to
+/// corner. A polygon goes corner by corner; a double click or Return closes it. Escape takes back what is being drawn.
+/// All other events pass on, so that right and middle drags and the wheel still move the camera.
 class LassoPointer : public QObject {
     Q_OBJECT
 
 public:
     explicit LassoPointer(QWindow* window, QObject* parent = nullptr);
 
-    /// Nothing: the left button does what it does without a scalpel. What is being drawn is dropped.
+    /// No value puts the scalpel away: the left button then does what it does without one. An unfinished stroke is
+    /// dropped.
     void setTool(std::optional<ScalpelTool> tool);
     [[nodiscard]] std::optional<ScalpelTool> tool() const { return m_tool; }
     [[nodiscard]] bool drawing() const { return m_drawing; }
-    /// Drops what is being drawn; false where nothing is.
+    /// Drops an unfinished stroke; false if there is none.
     bool cancelDrawing();
-    /// Closes a polygon of three corners or more; false where there is none.
+    /// Closes a polygon of three corners or more; false if there is none.
     bool closePolygon();
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// Also where the same tool was set again.
+    /// Emitted even if the same tool was set again.
     void toolChanged();
-    /// Places in the picture, in heights of it from its centre; empty where nothing is being drawn.
+    /// Places in the picture, in heights of it from its centre; empty if nothing is being drawn.
     void drawn(const std::vector<echolucent::PicturePlace>& places);
     /// A stroke is complete: an outline of three places or more, or the line of an eraser.
     void finished(const std::vector<echolucent::PicturePlace>& places);

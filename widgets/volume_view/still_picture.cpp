@@ -21,7 +21,7 @@ void StillPicture::showImage(const QImage& image) {
     setGeometry(parentWidget()->rect());
     show();
     raise();
-    // The widget may be the foremost one already while its window is not.
+    // The widget may be the foremost one even if its window is not.
     if (QWindow* own = windowHandle()) own->raise();
     update();
 }
@@ -34,7 +34,7 @@ bool StillPicture::eventFilter(QObject* watched, QEvent* event) {
 void StillPicture::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    // The view may have another shape than when the image was made; what is round stays round.
+    // The view's shape may have changed since the image was made. Round things stay round.
     QRect place(QPoint(), m_image.size().scaled(size(), Qt::KeepAspectRatio));
     place.moveCenter(rect().center());
     painter.fillRect(rect(), Qt::black);

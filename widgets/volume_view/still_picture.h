@@ -1,4 +1,4 @@
-// A picture that lies over a 3D view for a while.
+// A picture that covers a 3D view for a while.
 #pragma once
 
 #include <QImage>
@@ -6,16 +6,16 @@
 
 namespace echolucent {
 
-/// Covers a view with an image, as large as fits into it in its own proportions, on black. What the view shows goes on
-/// below it, out of sight. The mouse does nothing over it.
+/// Covers a view with an image on black, as large as fits in the image's own proportions. The view goes on below it,
+/// out of sight. The mouse does nothing over it.
 class StillPicture : public QWidget {
     Q_OBJECT
 
 public:
-    /// Lies over `view`, which owns it and may be a native window; hidden at first.
+    /// Lies over `view`, which owns it and may be a native window. It is hidden at first.
     explicit StillPicture(QWidget& view);
 
-    /// Shows an image, which is not null, before what the view shows.
+    /// Shows an image (not null) over the view.
     void showImage(const QImage& image);
     [[nodiscard]] const QImage& image() const { return m_image; }
 

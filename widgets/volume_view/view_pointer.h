@@ -1,4 +1,4 @@
-// What the hand does over the 3D view: mouse, wheel and files dropped on the OpenGL window, in the picture's measures.
+// Mouse, wheel and dropped files over the 3D view's OpenGL window, in the picture's measures.
 #pragma once
 
 #include <QObject>
@@ -16,12 +16,12 @@ class QWindow;
 
 namespace echolucent {
 
-/// The local files among what is dragged; empty where there are none.
+/// The local files among the dragged data; empty if there are none.
 [[nodiscard]] QStringList localFiles(const QMimeData* data);
 
 /// Left drag orbits, middle or Shift + left drag pans, right drag and the wheel zoom, Ctrl + left drag moves the light.
-/// Drags are told as they go, in shares of the window's height, to the right and down. Escape ends a drag. All other
-/// events pass on.
+/// Drags are signalled as they go, to the right and down, in shares of the window's height. Escape ends a drag. All
+/// other events pass on.
 class ViewPointer : public QObject {
     Q_OBJECT
 
@@ -29,23 +29,23 @@ public:
     explicit ViewPointer(QWindow* window, QObject* parent = nullptr);
     [[nodiscard]] bool dragging() const { return m_drag != CameraDrag::none; }
     bool eventFilter(QObject* watched, QEvent* event) override;
-    /// Ends a drag without change; false where there is none.
+    /// Ends a drag without change; false if there is none.
     bool cancelDrag();
 
 signals:
     void dragStarted();
-    void dragEnded();  ///< by the hand that let go
+    void dragEnded();  ///< the hand has let go
     void dragCancelled();
     void orbited(double right, double down);
     void panned(double right, double down);
-    void zoomed(double factor);  ///< above 1: things grow; about the picture's centre
-    /// The same about a point, told in shares of the window's height from the picture's centre.
+    void zoomed(double factor);  ///< above 1 things grow; about the picture's centre
+    /// The same about a point, in shares of the window's height from the picture's centre.
     void zoomedAbout(double right, double down, double factor);
     void lightMoved(double right, double down);
-    void hovered(const QPointF& position);  ///< logical pixels from the window's top left corner, no button held
+    void hovered(const QPointF& position);  ///< logical pixels from the window's top left corner; no button is held
     void left();
     void doubleClicked();               ///< with the left button
-    void keyPressed(QKeyEvent* event);  ///< also releases and shortcut overrides, for the widget that has the focus
+    void keyPressed(QKeyEvent* event);  ///< also releases and shortcut overrides; for the widget with the focus
     void filesDropped(const QStringList& files);
 
 private:

@@ -1,4 +1,4 @@
-// What the 3D view is told: volume, curve, look and pose, and what the hand does with them.
+// Takes the 3D view's input: volume, curve, look and pose, and the hand's moves.
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
@@ -20,7 +20,7 @@ namespace {
 QSurfaceFormat surfaceFormat() {
     QSurfaceFormat format = QVTKOpenGLWindow::defaultFormat();
     format.setSamples(0);
-    format.setSwapInterval(0);  // a swap that waits would hold up the GUI thread
+    format.setSwapInterval(0);  // else a swap would wait and block the GUI thread
     return format;
 }
 
@@ -30,7 +30,7 @@ bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b) { return a.size 
 
 void VolumeViewWidget::prepareApplication() {
     QSurfaceFormat::setDefaultFormat(surfaceFormat());
-    // Only the picture's window is native; its siblings go on being drawn by Qt.
+    // Only the picture's window is native. Qt goes on drawing its siblings.
     QCoreApplication::setAttribute(Qt::AA_DontCreateNativeWidgetSiblings);
 }
 
@@ -57,8 +57,8 @@ VolumeViewWidget::VolumeViewWidget(Works& works, QWidget* parent)
     layout->addWidget(parts.container);
     parts.pointer = new ViewPointer(parts.window, this);
     connectPointer();
-    // Filters that are installed later come first: grips before the camera, and while a tool is set, the left button
-    // draws.
+    // Filters that are installed later come first. So grips come before the camera, and the left button draws while a
+    // tool is set.
     parts.grips = new GripPointer(
         parts.window, [this] { return shownCamera(); }, this);
     parts.lasso = new LassoPointer(parts.window, this);
@@ -76,7 +76,7 @@ VolumeViewWidget::VolumeViewWidget(Works& works, QWidget* parent)
 }
 
 VolumeViewWidget::~VolumeViewWidget() {
-    // The window releases what the scene holds in OpenGL while its context is still there.
+    // The window must free the scene's OpenGL objects while its context still exists.
     delete m_parts->container;
 }
 
@@ -150,8 +150,8 @@ void VolumeViewWidget::setVolume(std::shared_ptr<const Volume> volume, std::shar
     if (std::exchange(parts.measured, measured) != measured) emit measuredChanged();
     if (volume == parts.volume) return;
     if (volume && parts.volume && volume->isSameScanAs(*parts.volume)) {
-        // Only what a scalpel cut of it is another: the caster goes on with what it knows, and the picture stays until
-        // the next one is there.
+        // Only the scalpel's cut has changed. The caster keeps what it knows, and the picture stays until the next one
+        // is there.
         parts.volume = std::move(volume);
         parts.scene.setCut(parts.volume);
         schedule();
@@ -283,7 +283,7 @@ bool VolumeViewWidget::cancelDrag() { return m_parts->pointer->cancelDrag() || m
 
 bool VolumeViewWidget::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && poseAfter(*static_cast<QKeyEvent*>(event))) {
-        event->accept();  // the keys of the picture come before those of the window
+        event->accept();  // the picture's keys come before the window's
         return true;
     }
     return QWidget::event(event);
@@ -298,7 +298,7 @@ void VolumeViewWidget::keyPressEvent(QKeyEvent* event) {
     if (!dragging()) followHand(*moved);
 }
 
-/// Where a key of the picture takes the camera; nothing for another key.
+/// The camera after a key of the picture; no value for another key.
 std::optional<CameraPose> VolumeViewWidget::poseAfter(const QKeyEvent& event) const {
     if (!m_parts->volume) return std::nullopt;
     const std::optional<CameraKey> key = cameraKeyOf(event);

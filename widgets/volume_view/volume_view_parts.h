@@ -1,4 +1,4 @@
-// What the 3D view is made of; for its own source files only.
+// The parts of the 3D view, for its own source files only.
 #pragma once
 
 #include <QVTKOpenGLWindow.h>
@@ -25,7 +25,7 @@ struct VolumeViewWidget::Parts {
     explicit Parts(Works& works) : asks(works, {}), caster(works) {}
 
     std::shared_ptr<const Volume> volume;
-    std::shared_ptr<const Volume> measured;  ///< what pointed values are read from; as null as the volume
+    std::shared_ptr<const Volume> measured;  ///< pointed values are read from it; null if the volume is
     Classification classification = PowerCurve{2, 1.0};
     Look look;
     Pose pose;
@@ -35,11 +35,11 @@ struct VolumeViewWidget::Parts {
     std::optional<OrientedBox> box;
     Pose poseBeforeDrag;
     LightDirection lightBeforeDrag;
-    std::shared_ptr<const CastPicture> shown;  ///< without pictures where the graphics card draws
+    std::shared_ptr<const CastPicture> shown;  ///< without pictures if the graphics card draws
     std::optional<QPointF> cursor;             ///< while it rests over the picture, logical pixels
-    bool scheduled = false;                    ///< a request
-    Works::UnderWay asks;                      ///< until it is made
-    bool toRedraw = false;                     ///< what lies over the picture has changed since it was drawn
+    bool scheduled = false;                    ///< whether a request is on its way
+    Works::UnderWay asks;                      ///< until the request is made
+    bool toRedraw = false;                     ///< whether the overlay or caption has changed since it was drawn
 
     VolumeScene scene;
     vtkNew<vtkGenericOpenGLRenderWindow> renderWindow;
@@ -49,7 +49,7 @@ struct VolumeViewWidget::Parts {
     GripPointer* grips = nullptr;
     LassoPointer* lasso = nullptr;
     FrameMeter* meter = nullptr;
-    // Last, so that its thread has ended before anything above is destroyed.
+    // Last member: its thread ends before anything above is destroyed.
     ProgressiveCaster caster;
 };
 

@@ -1,4 +1,4 @@
-// How the 3D view's pictures are asked for, shown and told.
+// Requests, shows and reports the 3D view's pictures.
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
@@ -18,7 +18,7 @@
 namespace echolucent {
 
 namespace {
-/// Settings of one sample a pixel and unit, which the qualities change.
+/// Settings of one sample for each pixel and unit. The qualities change them.
 RayCastSettings lookSettings(const Look& look, const QSize& pixels) {
     RayCastSettings settings = rayCastSettings(look);
     settings.width = pixels.width();
@@ -142,10 +142,10 @@ QImage VolumeViewWidget::convergedImage() {
             const std::optional<Picture> picture = castRays(*parts.volume, parts.classification, converged);
             parts.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*picture)), converged.camera);
         } catch (const std::bad_alloc&) {
-            emit pictureFailed();  // what is on the screen is saved
+            emit pictureFailed();  // then the picture on the screen is saved
         }
     }
-    // What the hand can hold is no part of a picture that is kept.
+    // Grips and the like are no part of a saved picture.
     const Overlay overlay = parts.scene.overlay();
     parts.scene.setOverlay({});
     const QImage image = screenImage();
@@ -174,7 +174,7 @@ void VolumeViewWidget::requestPicture() {
             parts.caster.request(request);
         }
     }
-    if (!parts.caster.quickPictureComes()) redrawWithoutPicture();  // nothing that is asked for was another
+    if (!parts.caster.quickPictureComes()) redrawWithoutPicture();  // the request was equal to the newest one
     if (!parts.scheduled) parts.asks.end();
 }
 
@@ -203,8 +203,8 @@ void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& pic
     report(*picture);
 }
 
-/// A drag changes caption and lines with every move of the hand. Where it changes the picture too, they come with that:
-/// each drawing takes as long as the other.
+/// A drag changes caption and lines with every move of the hand. If it changes the picture too, they are drawn together
+/// with it: each drawing takes as long as the other.
 void VolumeViewWidget::redrawSoon() {
     if (!m_parts->shown || std::exchange(m_parts->toRedraw, true)) return;
     QMetaObject::invokeMethod(
@@ -222,13 +222,13 @@ void VolumeViewWidget::redrawWithoutPicture() {
 void VolumeViewWidget::render(bool followsHand) {
     Parts& parts = *m_parts;
     parts.toRedraw = false;
-    // Before its first paint the window draws by itself; drawing here as well would draw twice.
+    // The window draws its first paint by itself. Drawing here as well would draw twice.
     if (!parts.window->isExposed()) return;
     QElapsedTimer timer;
     timer.start();
     parts.renderWindow->Render();
     parts.meter->rendered(static_cast<double>(timer.nsecsElapsed()) * 1e-6, followsHand);
-    // Only now it may be known that there is a graphics card, or that it failed.
+    // Only after a drawing is it known that there is a graphics card, or that it failed.
     const bool live = parts.scene.rendererFor(parts.shown->request.settings) == RendererChoice::graphicsCard;
     if (live != rendersLive()) schedule();
 }
@@ -258,15 +258,15 @@ void VolumeViewWidget::pointAt(std::optional<QPointF> position) {
     parts.cursor = position;
     std::optional<PointedSample> sample;
     if (position && parts.shown) {
-        // The rays and steps of the picture that is shown, not of the one that was asked for.
+        // The rays and steps of the shown picture, not of the requested one.
         const RayCastSettings& shown = parts.shown->settings;
         sample = samplePointedAt(parts.shown->request.panes.front(), shown, position->x() * shown.width / width(),
                                  position->y() * shown.height / height());
     }
     if (sample) {
         const RenderMode mode = parts.shown->settings.mode;
-        // The picture may be made of quiet voxels; what is told are the ones that were read, but for what a mode makes
-        // of a whole ray.
+        // The picture may show quiet voxels, but the values told are those of the voxels that were read. Modes that use
+        // a whole ray keep the picture's value.
         if (mode == RenderMode::direct && parts.measured != parts.volume)
             sample->intensity = measuredAt(*parts.measured, sample->gridMm).value_or(sample->intensity);
         const bool classified = mode == RenderMode::direct;

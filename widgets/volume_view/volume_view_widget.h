@@ -1,4 +1,4 @@
-// The 3D view: a volume seen with an opacity curve, turned by hand.
+// The 3D view: shows a volume with an opacity curve. The hand turns it.
 #pragma once
 
 #include <QImage>
@@ -37,22 +37,21 @@ struct PictureReport {
     QSize rays;
     double step = 1.0;              ///< units between samples
     double castMilliseconds = 0.0;  ///< in the casting thread
-    double drawMilliseconds = 0.0;  ///< in the GUI thread, of the picture before this one; 0 where it is not known yet
+    double drawMilliseconds = 0.0;  ///< in the GUI thread, of the picture before this one; 0 if not known yet
     std::optional<double> framesPerSecond = {};  ///< drawn in the newest movement; empty before the first
 };
 
-/// Shows what the ray caster makes of a volume, in VTK's scene, with an orientation marker and a scale bar. Pictures
-/// are made in another thread, quick ones first and better ones, up to the converged picture, when nothing newer waits
-/// (see ProgressiveCaster); this thread never waits for one. On the screen picture, camera, marker and scale bar always
-/// belong together. An unchanged view costs nothing. Where a graphics card renders instead, it does so in this thread,
-/// and every picture is the best it can make.
+/// Shows the ray caster's pictures of a volume in VTK's scene, with an orientation marker and a scale bar. Another
+/// thread makes the pictures: quick ones first. Better ones follow, up to the converged picture, while nothing newer
+/// waits (see ProgressiveCaster). This thread never waits for one. On the screen picture, camera, marker and scale bar
+/// always belong together. An unchanged view costs nothing. If a graphics card renders instead, it does so in this
+/// thread, and every picture is the best it can make.
 ///
 /// Mouse: left drag orbits, middle or Shift + left drag pans, wheel (about the cursor) or right drag zooms, Ctrl + left
-/// drag moves the light where there is one; Escape ends a drag without change. Keys: Ctrl + arrows orbit by 1°, with
-/// Shift by 10°, Shift + arrows pan, plus and minus zoom. The picture lies in an OpenGL window of its own inside
-/// this widget (twice as cheap as a QOpenGLWidget where OpenGL is software): no sibling widget can be drawn over it,
-/// QWidget::grab() does not see it (screenImage() does), and it must not be put in a dock that moves it to another
-/// window.
+/// drag moves the light if there is one; Escape ends a drag without change. Keys: Ctrl + arrows orbit by 1°, with Shift
+/// by 10°, Shift + arrows pan, plus and minus zoom. The picture lies in an OpenGL window of its own inside this widget,
+/// which is twice as cheap as a QOpenGLWidget if OpenGL is software. So no sibling widget can be drawn over it, and
+/// QWidget::grab() does not see it (screenImage() does). It must not be put in a dock that moves it to another window.
 class VolumeViewWidget : public QWidget {
     Q_OBJECT
 
@@ -63,126 +62,124 @@ public:
     /// Chooses the OpenGL that VTK needs; call before the QApplication is made.
     static void prepareApplication();
 
-    /// Null empties the view. The pose is kept where size and spacing are those of the volume before; otherwise it is
-    /// that of the default camera of the present view.
-    /// Pointed values are read from `measured`, whose grid is the volume's; null stands for the volume itself.
+    /// Null empties the view. If size and spacing are those of the volume before, the pose stays. Else it becomes that
+    /// of the present view's default camera. Pointed values are read from `measured`, whose grid is the volume's. Null:
+    /// from the volume itself.
     void setVolume(std::shared_ptr<const Volume> volume, std::shared_ptr<const Volume> measured = nullptr);
     [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
-    /// What pointed values are read from; null before there is a volume.
+    /// The volume from which pointed values are read; null before there is one.
     [[nodiscard]] const std::shared_ptr<const Volume>& measured() const;
     void setClassification(const Classification& classification);
-    /// What the next picture is rendered with.
+    /// The classification of the next picture.
     [[nodiscard]] const Classification& classification() const;
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const;
-    /// Cuts off what is nearer than this many millimetres (>= 0) behind the volume's foremost point along the view; the
+    /// Cuts off what is nearer than this many millimetres (>= 0) behind the volume's foremost point along the view. The
     /// plane follows the camera.
     void setNearCut(double mm);
-    /// Cuts off what lies before a surface too; it stays where it is in the volume.
+    /// Also cuts off what lies before a surface. The surface stays in the volume.
     void setCutSurface(const std::optional<CutSurface>& surface);
-    /// Shows only what lies in a box; it stays where it is in the volume.
+    /// Shows only what lies in a box. The box stays in the volume.
     void setBox(const std::optional<OrientedBox>& box);
-    /// Sets the camera by a pose relative to the beam; the near cut stays.
+    /// Sets the camera by a pose relative to the beam. The near cut stays.
     void setPose(const Pose& pose, BeamAxis beam);
     [[nodiscard]] Pose pose() const;
-    /// The pose of the default camera of a view: the widget's box, or the whole volume where it has none, fills the
-    /// picture. The second also of a volume of another geometry, which is to be shown next.
+    /// The pose of the default camera of a view: the widget's box, or the whole volume if it has none, fills the
+    /// picture. The second function also serves a volume of another geometry that is shown next.
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view) const;
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view, const DataBox& box) const;
     /// Width / height; 1 while the view has no size.
     [[nodiscard]] double aspect() const;
-    /// Whether a motion plays: its frames are cast in high quality and kept, and come from memory in its next turn.
+    /// While a motion plays, its frames are cast in high quality and kept. They come from memory in its next turn.
     void setPlaying(bool playing);
     /// Frames of the motion that are kept in memory.
     [[nodiscard]] int keptFrames() const;
     [[nodiscard]] std::size_t keptFrameBytes() const;
-    /// True while the hand drags; what it has moved so far may still be taken back.
+    /// True while the hand drags. What it has moved so far may still be taken back.
     [[nodiscard]] bool dragging() const;
-    /// Ends a drag without change; false where there is none.
+    /// Ends a drag without change; false if there is none.
     bool cancelDrag();
-    /// Tells the view in another beam axis's frame. The picture stays as it is.
+    /// Expresses the view relative to another beam axis. The picture stays.
     void setBeamAxis(BeamAxis axis);
-    /// Turns the camera to a view about the volume's centre and takes its near cut; zoom and place in the picture stay.
+    /// Turns the camera to a view about the volume's centre and takes the view's near cut. Zoom and place in the
+    /// picture stay.
     void setView(const Viewpoint& view);
     /// From where the person looks now, near cut included.
     [[nodiscard]] Viewpoint view() const;
     /// Takes the default camera of a view, which shows the whole volume.
     void resetView(const Viewpoint& view);
 
-    /// What the converged picture of the present state is made with, at the view's size or, for saving, at another one.
+    /// The settings of the converged picture of the present state, at the view's size or, for saving, at another one.
     [[nodiscard]] RayCastSettings settings() const;
     [[nodiscard]] RayCastSettings settingsFor(const QSize& pixels) const;
 
-    /// The newest picture cast, null before the first and where the graphics card renders; it may be smaller than the
-    /// view before it is converged.
+    /// The newest picture cast. Null before the first, and if the graphics card renders. Before it is converged, it may
+    /// be smaller than the view.
     [[nodiscard]] std::shared_ptr<const Picture> picture() const;
-    /// True where the newest picture is converged, or the graphics card's.
+    /// True if the newest picture is converged, or the graphics card's.
     [[nodiscard]] bool pictureIsFine() const;
-    /// True where the newest picture, of whatever quality, is one of the present volume, curve, look and camera.
+    /// True if the newest picture, of any quality, shows the present volume, curve, look and camera.
     [[nodiscard]] bool pictureIsCurrent() const;
-    /// True where the newest picture has been drawn and the screen shows it, or nobody can see the view.
+    /// True if the screen shows the newest picture, or nobody can see the view.
     [[nodiscard]] bool pictureIsOnScreen() const;
-    /// What is on the screen, marker and scale bar included, in device pixels; null before the widget was ever drawn.
+    /// The picture on the screen with marker and scale bar, in device pixels; null before the widget was ever drawn.
     [[nodiscard]] QImage screenImage();
-    /// The same once the picture is converged, for saving. Where it is not there yet it is cast now, while the person
+    /// The same with the converged picture, for saving. If that is not there yet, it is cast now, while the person
     /// waits.
     [[nodiscard]] QImage convergedImage();
-    /// Says in the picture what was done to it; an empty text says nothing.
+    /// Words in the picture that say what was done to it. An empty text shows nothing.
     void setCaption(const QString& text);
     [[nodiscard]] QString caption() const;
-    /// Lines and words over the picture, which are no part of it: saved pictures go without them, but for measurements,
-    /// which are painted anew (widgets/picture_labels/measurement_drawing.h). They are drawn once the event
-    /// loop runs again, with whatever else has changed until then.
+    /// Lines and words over the picture. Saved pictures go without them. Measurements are painted into saved pictures
+    /// anew (widgets/picture_labels/measurement_drawing.h). The overlay is drawn once the event loop runs again, with
+    /// whatever else has changed until then.
     void setOverlay(const Overlay& overlay);
     [[nodiscard]] const Overlay& overlay() const;
-    /// What the scalpel draws over the picture, and what can be held there.
+    /// The pointers for the scalpel's strokes, and for places that the hand can hold.
     [[nodiscard]] LassoPointer& lasso();
     [[nodiscard]] GripPointer& grips();
-    /// Who marks places over the picture is offered presses before all others; pixels are those of this widget.
+    /// A pointer that offers presses to `offer` before all others. Its pixels are those of this widget.
     [[nodiscard]] MarkingPointer* createMarkingPointer(MarkingPointer::Offer offer, QObject* parent);
-    /// Whether the cursor over the picture is that of a tool; with the scalpel it always is. Over what can be held it
-    /// is a hand.
+    /// Whether the cursor over the picture is a tool's. With the scalpel it always is. Over a grip it is a hand.
     void setToolCursor(bool on);
     /// The camera of the picture that is shown.
     [[nodiscard]] Camera shownCamera() const;
-    /// The place of the grid, mm, that the picture shows there, known along the ray to `step` (units, above 0); empty
-    /// where it shows nothing.
+    /// The place (grid mm) that the picture shows at `place`. It is known along the ray to `step` (units, above 0).
+    /// Empty if the picture shows nothing there.
     [[nodiscard]] std::optional<Vec3> shownAt(const PicturePlace& place, double step = 1.0) const;
-    /// What the scale bar says; a sentence where the volume's spacing is unknown.
+    /// The scale bar's words; a sentence if the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
-    /// Chooses who renders. The graphics card can be chosen also where OpenGL is software, which is slow (see
+    /// Chooses who renders. The graphics card can be chosen even if OpenGL is software, but then it is slow (see
     /// graphicsCardUsable()).
     void setRenderer(RendererChoice choice);
     /// What rendered the newest picture, for the status line.
     [[nodiscard]] QString rendererName() const;
-    /// OpenGL's name, or why the graphics card does not render although it might, as a sentence; for a tool tip.
+    /// For a tool tip: OpenGL's name, or a sentence that says why the graphics card does not render.
     [[nodiscard]] QString rendererRemark() const;
-    /// Whether there is a real graphics card. Known once the first picture was delivered.
+    /// Whether there is a real graphics card; known once the first picture was delivered.
     [[nodiscard]] bool graphicsCardUsable() const;
 
-    /// For pickers.
     [[nodiscard]] VolumeScene& scene();
 
     [[nodiscard]] QSize sizeHint() const override { return {800, 640}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
 signals:
-    void measuredChanged();  ///< by setVolume(): the next picture is of another phase, or of what a scalpel left of it
-    void cameraChanged();    ///< the person has moved the camera: pose() is another
-    /// The hand has let go; what it moved stays. Wheel turns have no end.
+    void measuredChanged();  ///< by setVolume(): the next picture shows another phase, or what a scalpel left
+    void cameraChanged();    ///< the person has moved the camera, so pose() has changed
+    /// The hand has let go, and what it moved stays. Wheel turns have no end.
     void dragEnded();
-    /// Escape has ended the drag; pose() and look() are again as before it.
+    /// Escape has ended the drag. pose() and look() are as before it.
     void dragCancelled();
     void lightChanged();  ///< by the person
     void doubleClicked();
     /// The newest picture was made and drawn into the window's frame buffer.
     void pictureDelivered(const echolucent::PictureReport& report);
-    /// It is on the screen.
+    /// The screen shows the picture.
     void pictureDrawn();
-    /// The newest picture needs more memory than there is; the one before stays, and every change tries again.
+    /// The newest picture needs more memory than there is. The one before stays, and every change tries again.
     void pictureFailed();
-    /// Normalised intensity and opacity (per reference step) of what is seen under the cursor; empty where nothing is,
-    /// and no opacity in a mode in which the curve plays no part.
+    /// The picture on the screen with marker and scale bar, in device pixels; null before the widget was ever drawn.
     void pointed(std::optional<double> intensity, std::optional<double> opacity);
     void filesDropped(const QStringList& files);
 

@@ -1,4 +1,4 @@
-// The window with the comparison of a small simulated scan, for tests.
+// The window compares panes of a small simulated scan, for tests.
 #pragma once
 
 #include <QComboBox>

@@ -8,7 +8,8 @@
 
 namespace echolucent {
 
-/// The stored value of a corner's block: corner i lies at larger x where bit 0 is set, y for bit 1, z for bit 2.
+/// The stored value of a corner's block. Bit 0 of the corner's number is set at larger x, bit 1 at larger y, bit 2 at
+/// larger z.
 inline int cornerValue(int corner) { return 60 + 25 * corner; }
 
 /// A dark volume whose corners differ: blocks of 6 voxels, 4 from the faces. White is 255.

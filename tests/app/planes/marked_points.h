@@ -8,7 +8,6 @@
 
 namespace echolucent {
 
-/// An anisotropic grid that lies obliquely in the patient.
 inline VolumeGeometry obliqueGrid() {
     VolumeGeometry geometry{.size = {90, 60, 40}, .spacing = {0.31, 0.57, 1.13}, .origin = {-41.5, 12.25, 103.75}};
     geometry.direction = rotationZ(31.7) * rotationX(-18.3) * rotationY(47.9);
@@ -16,11 +15,11 @@ inline VolumeGeometry obliqueGrid() {
     return geometry;
 }
 
-/// Voxels that are marked, in no common plane of the grid.
+/// Marked voxels, in no common plane of the grid.
 inline const std::vector<Vec3> markedVoxels{{12, 9, 6},   {70, 44, 31}, {25, 50, 12},
                                             {61, 14, 28}, {80, 30, 9},  {44, 33, 20}};
 
-/// Dark, with a bright block of 3 x 3 x 3 voxels about each voxel that is marked.
+/// A dark volume with a bright block of 3 x 3 x 3 voxels around each marked voxel.
 inline std::shared_ptr<const Volume> markedPoints(const VolumeGeometry& geometry) {
     std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()), 20);
     for (const Vec3& marked : markedVoxels)

@@ -17,14 +17,14 @@ public:
     void showWindow() {
         show();
         window().resize(1280, 720);
-        useLook(Look{});  // light plays no part here, and takes its time
+        useLook(Look{});  // light plays no part here, but takes time
     }
     void openPoints() {
         open(file("points.mha", {markedPoints(obliqueGrid())}));
         key(Qt::Key_F3);
         QTRY_VERIFY(window().idle());
     }
-    /// Turns the planes by odd angles and on until one of them holds the places; returns its pane.
+    /// Turns the planes by odd angles until one of them holds the places. Returns its pane.
     PlanePane& turnedToHold(const std::vector<Vec3>& places) {
         Document next = document();
         Planes& planes = next.scene.planes;

@@ -24,7 +24,7 @@ public:
         QMouseEvent move(QEvent::MouseMove, to, pane.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&pane, &move);
     }
-    /// The mouse goes to whole pixels, as mice do; what is asked for is where it ends.
+    /// The mouse moves in whole pixels, as mice do. Tests ask where it ends.
     static void drag(PlanePane& pane, const QPointF& from, const QPointF& to) {
         QMouseEvent press(QEvent::MouseButtonPress, from, pane.mapToGlobal(from), Qt::LeftButton, Qt::LeftButton,
                           Qt::NoModifier);

@@ -1,4 +1,4 @@
-// Changes of bytes of which nothing is known, and the extremes that all mutations use.
+// Changes bytes of any meaning, and gives extremes for all mutations.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace echolucent {
 
-/// Mutations make nothing longer than this, so that a list of values that is doubled again and again stays bounded.
+/// The longest result of a mutation, so that a list that is doubled again and again stays bounded.
 inline constexpr std::size_t longestMutation = std::size_t{1} << 20;
 
-/// The bytes with one change: bits flipped, bytes put in, taken out, doubled, moved or set to extremes, the end cut
-/// off.
+/// The bytes with one change: bits flipped, the end cut off, or bytes put in, taken out, doubled, moved or set to
+/// extremes.
 [[nodiscard]] std::string withBytesChanged(std::string bytes, Dice& dice);
 /// The same from a seed, with up to four changes.
 [[nodiscard]] std::string mutatedBytes(std::string bytes, std::uint64_t seed);
@@ -26,7 +26,7 @@ inline constexpr std::size_t longestMutation = std::size_t{1} << 20;
 [[nodiscard]] std::uint64_t extremeWhole(Dice& dice);
 /// A float at an edge: not a number, infinite, 0, -0, the smallest, the largest, one, half.
 [[nodiscard]] double extremeReal(Dice& dice);
-/// The bytes of a value, in reverse where the order of bytes is the other one.
+/// The bytes of a value, reversed if the byte order is the other one.
 template <typename Value>
 [[nodiscard]] std::string bytesOfValue(Value value, bool reversed = false) {
     const auto* first = reinterpret_cast<const char*>(&value);
@@ -40,7 +40,7 @@ template <typename Value>
     std::memcpy(&value, bytes.data() + offset, sizeof value);
     return value;
 }
-/// `width` bytes (1, 2, 4 or 8) that hold an extreme whole number or, of 4 and 8, float.
+/// `width` bytes (1, 2, 4 or 8) with an extreme whole number or, for 4 and 8, an extreme float.
 [[nodiscard]] std::string extremeField(Dice& dice, std::size_t width, bool real, bool reversed = false);
 
 }  // namespace echolucent

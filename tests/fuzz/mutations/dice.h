@@ -1,4 +1,4 @@
-// Numbers from a seed, for mutations that are the same wherever they are made.
+// Numbers from a seed. Mutations are the same on every machine.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace echolucent {
 
-/// A sequence of numbers that its seed alone decides (SplitMix64): the standard library's distributions differ between
-/// compilers.
+/// A sequence of numbers that depends on its seed alone (SplitMix64). The standard library's distributions differ
+/// between compilers.
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : m_state(seed) {}
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::size_t below(std::size_t end) { return static_cast<std::size_t>(number() % end); }
     /// True once in `times`, which is above 0.
     [[nodiscard]] bool oneIn(std::size_t times) { return below(times) == 0; }
-    /// One of the values, of which there is at least one.
+    /// One of at least one value.
     template <typename Values>
     [[nodiscard]] auto& oneOf(Values& values) {
         return *(std::begin(values) + static_cast<std::ptrdiff_t>(below(std::size(values))));

@@ -6,7 +6,8 @@
 
 namespace echolucent {
 
-/// A packed file with changes: of the packed bytes, or of what they hold, which is packed again with its true checksum.
+/// A packed file with changes, either of the packed bytes or of their contents. Contents are packed again with their
+/// true checksum.
 [[nodiscard]] std::string mutatedGzip(std::string bytes, std::uint64_t seed);
 
 }  // namespace echolucent

@@ -6,8 +6,8 @@
 
 namespace echolucent {
 
-/// A JSON text with changes: values that are exchanged, removed, renamed, moved, nested or set to extremes where it can
-/// be parsed, bytes elsewhere.
+/// A JSON text with changes. If it can be parsed, values are exchanged, removed, renamed, moved, nested or set to
+/// extremes. Else bytes change.
 [[nodiscard]] std::string mutatedJson(std::string bytes, std::uint64_t seed);
 
 }  // namespace echolucent

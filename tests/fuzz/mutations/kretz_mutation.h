@@ -6,8 +6,8 @@
 
 namespace echolucent {
 
-/// A Kretz volume with up to four changes: tags, declared lengths and values of items that become extremes or others,
-/// items that are doubled, left out, put elsewhere or put in; now and then any bytes.
+/// A Kretz volume with up to four changes. Tags, declared lengths and values become extremes or others. Items are
+/// doubled, left out, moved or put in. Now and then any bytes change.
 [[nodiscard]] std::string mutatedKretz(std::string bytes, std::uint64_t seed);
 
 }  // namespace echolucent

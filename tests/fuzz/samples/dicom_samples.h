@@ -8,21 +8,21 @@
 
 namespace echolucent {
 
-/// Multi-frame files in every transfer syntax that is read, Enhanced US Volumes, palettes, and volumes of makers.
+/// Multi-frame files in every transfer syntax that is read, Enhanced US Volumes, palettes, and manufacturers' volumes.
 [[nodiscard]] std::vector<FuzzSample> dicomSamples();
 /// Slice `instance` of a small series in the patient's frame.
 [[nodiscard]] std::string dicomSlice(int instance);
 
-/// Which form the pixels of a fragment have.
+/// The form of a fragment's pixels.
 struct FragmentForm {
     std::string transferSyntax;
     int columns, rows, samples, bits;
 };
 /// The forms that a fragment is wrapped in, by number.
 [[nodiscard]] const std::vector<FragmentForm>& fragmentForms();
-/// A file of two frames, each of which is the one fragment. `form` is below fragmentForms().size().
+/// A file of two frames. Both are this fragment. `form` is below fragmentForms().size().
 [[nodiscard]] std::string dicomOfFragment(std::size_t form, const std::string& fragment);
-/// Good fragments, each behind a byte that is the number of its form.
+/// Good fragments, each after a byte with the number of its form.
 [[nodiscard]] std::vector<FuzzSample> fragmentSamples();
 
 }  // namespace echolucent

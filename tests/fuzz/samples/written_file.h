@@ -1,4 +1,4 @@
-// The bytes of what writers write into files.
+// The bytes that writers write into files.
 #pragma once
 
 #include <fstream>
@@ -10,7 +10,8 @@
 
 namespace echolucent {
 
-/// What `write` writes into the file at the path that it gets, whose name ends in `name`; it returns whether it could.
+/// The bytes that `write` puts into a file. `write` gets a path that ends in `name`, and returns whether it could
+/// write.
 template <typename Write>
 [[nodiscard]] std::string bytesOfWritten(const std::string& name, const Write& write) {
     const TemporaryFolder folder;

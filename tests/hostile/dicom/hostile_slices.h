@@ -1,4 +1,4 @@
-// Slices of a series for the rows that spoil some of them.
+// Slices of a series. Some of them are spoiled.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace echolucent {
 
-/// What one slice of 4 x 2 grey pixels of 8 bits says; an element whose text is empty is left out.
+/// One slice of 4 x 2 grey pixels of 8 bits. Elements with an empty text are left out.
 struct HostileSlice {
     std::string series = "1.2.3", instance = "1", position = "0\\0\\0", orientation = "1\\0\\0\\0\\1\\0";
     std::string spacing = "0.5\\0.5", frame = "1.2.9", modality = "US", photometric = "MONOCHROME2";
@@ -21,23 +21,23 @@ struct HostileSlice {
     std::uint16_t columns = 4, rows = 2, bits = 8, representation = 0;
     bool sized = true;       ///< whether it has Rows and Columns
     bool hasPixels = true;   ///< whether it has Pixel Data
-    std::uint32_t cut = 0;   ///< bytes that are cut off its end
-    std::uint32_t kept = 0;  ///< bytes that are kept of it; 0: all
+    std::uint32_t cut = 0;   ///< bytes cut off the file's end
+    std::uint32_t kept = 0;  ///< bytes kept of the file; 0: all
     std::string syntax = "1.2.840.10008.1.2.1";
-    std::string pixels;  ///< in place of its own, where not empty
+    std::string pixels;  ///< in place of the slice's own, if not empty
 };
 
-/// The bytes of its file.
 [[nodiscard]] std::string bytesOf(const HostileSlice& slice);
 
 /// Spoils slice `number` (from 0) of a series.
 using SpoilSlice = std::function<void(int number, HostileSlice& slice)>;
 
-/// Writes a series of `count` slices 1 mm apart, "s00" to "s99", each of pixels 10 + its number, as spoiled.
+/// Writes a series of `count` slices 1 mm apart, "s00" to "s99", then spoils them. Each slice's pixels are 10 + its
+/// number.
 void writeSeries(const std::filesystem::path& folder, int count, const SpoilSlice& spoil,
                  const std::string& prefix = "s");
 
-/// A row with a folder of `count` slices that are spoiled.
+/// A row with a folder of `count` spoiled slices.
 [[nodiscard]] HostileFile hostileSeries(const std::string& name, int count, SpoilSlice spoil, HostileOutcome outcome,
                                         std::vector<std::string> words);
 /// A row with a folder that `write` fills.

@@ -1,4 +1,4 @@
-// Codestreams of compressed frames as independent writers make them, for hostile files to damage.
+// Codestreams of compressed frames from independent writers. Hostile files damage them.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ namespace echolucent {
 /// The edge of the square pictures below, in pixels.
 constexpr int pictureEdge = 64;
 
-/// The codestream of one picture of pictureEdge x pictureEdge speckled pixels of 8 bits, or of `bits` in 16. Throws
-/// std::runtime_error where it cannot be written.
+/// The codestream of a picture of pictureEdge x pictureEdge speckled pixels, of 8 bits or of `bits` in 16. Throws
+/// std::runtime_error if it cannot be written.
 [[nodiscard]] std::string writtenCodestream(const std::string& syntax, int bits = 8);
 
-/// How a cine says that its pictures look.
+/// What a cine says about its pictures.
 struct CineShape {
     std::uint16_t columns = pictureEdge;
     std::uint16_t rows = pictureEdge;
@@ -28,7 +28,7 @@ struct CineShape {
     int frames = 2;
 };
 
-/// A cine with these fragments, which is opened with its frames as slices.
+/// A cine with these fragments. It is opened with its frames as slices.
 [[nodiscard]] HostileFile hostileCine(const std::string& name, const std::string& syntax,
                                       const std::vector<std::string>& fragments, std::vector<std::string> words,
                                       CineShape shape = {}, HostileOutcome outcome = HostileOutcome::refused,

@@ -1,4 +1,4 @@
-// MetaImage and NRRD files of which one part of the header is another.
+// MetaImage and NRRD files with one part of the header replaced.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@ namespace echolucent {
 /// The voxels that these headers declare: 2 x 3 x 4 bytes.
 inline const std::string textHeaderVoxels(24, 'v');
 
-/// The text with one part of it replaced. Throws std::logic_error where it has no such part.
+/// The text with one part replaced. Throws std::logic_error if it has no such part.
 inline std::string withPart(std::string text, const std::string& replaced, const std::string& with) {
     const auto place = text.find(replaced);
     if (place == std::string::npos) throw std::logic_error("the row replaces nothing: " + replaced);

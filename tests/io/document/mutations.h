@@ -1,4 +1,4 @@
-// Session files that were damaged by a seeded generator.
+// Damages session files with a seeded generator.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace echolucent {
 
-/// Makes one text after the other from a good one, JSON that is no plain value and not empty: bits are flipped, parts
-/// cut away, doubled or filled with noise; and of the JSON values are exchanged, removed, renamed, moved to other
-/// places and nested. The ten kinds of change follow each other from `first` on.
+/// Makes one text after another from a good one, which is JSON, no plain value and not empty. Bits are flipped; parts
+/// are cut away, doubled or filled with noise. JSON values are exchanged, removed, renamed, moved and nested. The ten
+/// kinds of change follow each other from `first` on.
 class Mutations {
 public:
     explicit Mutations(std::string good, unsigned seed, int first = 0)
@@ -67,7 +67,7 @@ private:
         return text;
     }
 
-    /// A value of any kind, the extreme ones of each among them.
+    /// A value of any kind, extreme ones included.
     nlohmann::ordered_json strange() {
         using nlohmann::ordered_json;
         switch (below(14)) {

@@ -20,7 +20,7 @@ inline std::vector<ScalpelStroke> unusualStrokes() {
     return {eraser, outline};
 }
 
-/// A document in which every part differs from its default, with numbers that have no short decimal text.
+/// Its numbers have no short decimal text.
 inline Document unusualDocument() {
     Document document;
     StudyFile file{.path = "/data/a \"study\" \\ with ümlauts.dcm", .options = {}, .checksum = "xxh3-128:06b0"};

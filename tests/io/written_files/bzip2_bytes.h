@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// Compresses bytes in blocks of `blockSize` times 100,000 bytes, 1 to 9. Throws std::runtime_error where that fails.
+/// Compresses bytes in blocks of `blockSize` times 100,000 bytes, 1 to 9. Throws std::runtime_error if that fails.
 inline std::string bzipped(const std::string& bytes, int blockSize = 1) {
     std::string out(bytes.size() + bytes.size() / 100 + 700, '\0');
     auto length = static_cast<unsigned>(out.size());

@@ -1,4 +1,4 @@
-// What DCMTK says of its own success.
+// Checks DCMTK's results.
 #pragma once
 
 #include <dcmtk/config/osconfig.h>
@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// Throws std::runtime_error with what was done and DCMTK's own words unless it was done.
+/// Throws std::runtime_error, with `what` and DCMTK's own words, unless it was done.
 inline void require(const OFCondition& done, const std::string& what) {
     if (done.bad()) throw std::runtime_error(what + ": " + done.text());
 }

@@ -1,4 +1,4 @@
-// DICOM files put together byte by byte, so that a test can write what no library would.
+// Puts DICOM files together byte by byte, so that a test can write what no library would.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ inline const std::string pictureClass = "1.2.840.10008.5.1.4.1.1.6.1";
 /// Elements in explicit VR, little endian, in the order in which they are put.
 class DicomBytes {
 public:
-    /// `length` is written in place of the value's own where it is given.
+    /// If `length` is given, it is written in place of the value's own.
     DicomBytes& put(std::uint16_t group, std::uint16_t element, const std::string& vr, std::string value,
                     std::int64_t length = -1);
     DicomBytes& text(std::uint16_t group, std::uint16_t element, const std::string& vr, std::string value);
@@ -31,7 +31,7 @@ public:
     /// A sequence of items, all of defined length; `length` as in put().
     DicomBytes& sequence(std::uint16_t group, std::uint16_t element, const std::vector<DicomBytes>& items,
                          std::int64_t length = -1);
-    /// Encapsulated Pixel Data: the offset table, fragments, and the delimiter where `closed`.
+    /// Encapsulated Pixel Data: the offset table, fragments, and, if `closed`, the delimiter.
     DicomBytes& fragments(const std::string& offsetTable, const std::vector<std::string>& fragments,
                           bool closed = true);
     /// Grey pixels of 8 or 16 bits and their size.

@@ -1,4 +1,4 @@
-// Small DICOM files written by DCMTK, an independent writer, for the readers to read.
+// Small DICOM files for the readers, written by DCMTK, an independent writer.
 #pragma once
 
 #include <array>
@@ -35,11 +35,11 @@ struct TestFrame {
     std::string dataType{};
 };
 
-/// Everything a test may want to say in a DICOM file.
+/// What a test may want to say in a DICOM file.
 struct TestImage {
     int columns = 4;
     int rows = 3;
-    int frames = 0;  ///< 0 where there is no Number of Frames
+    int frames = 0;  ///< 0 if there is no Number of Frames
     int samples = 1;
     int bitsAllocated = 8;
     int bitsStored = 8;
@@ -53,26 +53,26 @@ struct TestImage {
     std::optional<Vec3> position;
     std::optional<std::array<double, 6>> orientation;
     std::optional<std::array<double, 2>> pixelSpacing;  ///< as in the tag: between rows, between columns
-    std::string pixelSpacingText;  ///< Pixel Spacing as it stands in the file, in place of pixelSpacing
+    std::string pixelSpacingText;                       ///< Pixel Spacing as in the file, in place of pixelSpacing
     std::optional<double> spacingBetweenSlices;
     std::vector<double> gridOffsets;
     std::vector<TestFrame> functionalGroups;  ///< Enhanced US Volume: positions in the volume frame
     bool patientFrame = false;                ///< whether it is Plane Position (Patient) instead
     std::optional<TestPalette> palette;
-    std::string lossyImageCompression;           ///< as text, where not empty
-    std::string burnedInAnnotation;              ///< as text, where not empty
-    std::string windowCentre, windowWidth;       ///< as text, where not empty
-    std::string rescaleSlope, rescaleIntercept;  ///< as text, where not empty
-    std::string lutFunction;                     ///< VOI LUT Function, where not empty
+    std::string lossyImageCompression;           ///< as text, if not empty
+    std::string burnedInAnnotation;              ///< as text, if not empty
+    std::string windowCentre, windowWidth;       ///< as text, if not empty
+    std::string rescaleSlope, rescaleIntercept;  ///< as text, if not empty
+    std::string lutFunction;                     ///< VOI LUT Function, if not empty
     bool windowInGroups = false;                 ///< whether window and rescaling stand in the shared functional groups
-    bool frameTime = false;                      ///< whether frames are said to follow each other in time
+    bool frameTime = false;                      ///< whether the file says that frames follow each other in time
 };
 
-/// Throws std::runtime_error where DCMTK cannot write it.
+/// Throws std::runtime_error if DCMTK cannot write it.
 void writeDicom(const std::string& path, const TestImage& image, TestSyntax syntax = TestSyntax::explicitLittle);
 
-/// The bytes of an explicit little-endian file with sequences nested `depth` deep, written by hand. Defined lengths,
-/// where asked for, are too short to be true but let a parser in.
+/// An explicit little-endian file with sequences nested `depth` deep, written by hand. Defined lengths, if asked for,
+/// are false (too short), but a parser enters them.
 [[nodiscard]] std::string nestedDicom(int depth, bool implicitVr);
 
 /// One grey 8-bit JPEG 2000 frame as a multi-frame file of two equal frames.

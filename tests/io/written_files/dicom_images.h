@@ -1,4 +1,4 @@
-// Small DICOM images that tests change in one place, and what they are read as.
+// Small DICOM images that tests change in one place, and the result of reading them.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +41,7 @@ inline TestImage writeThreeSlices(const TemporaryFolder& folder) {
     return slice;
 }
 
-/// What the image is read as, written in this transfer syntax.
+/// Writes the image in a transfer syntax and reads it.
 inline Result<Study> writtenAndRead(const TestImage& image, const ReadOptions& options = withoutGuess(),
                                     TestSyntax syntax = TestSyntax::explicitLittle) {
     const TemporaryFolder folder;

@@ -30,7 +30,7 @@ inline std::string kretzNumbers(std::uint16_t group, std::uint16_t element, cons
     return kretzItem(group, element, bytesFrom<double>(values));
 }
 
-/// The parts of a small toroidal volume, to be changed one by one. Unset texts are left out.
+/// The parts of a small toroidal volume. Tests change them one by one. Unset texts are left out.
 struct KretzParts {
     std::string signature = "KRETZFILE 1.0   ";
     std::string size = kretzSize(20, 5, 4);
@@ -44,7 +44,7 @@ struct KretzParts {
     std::string end = kretzItem(0xFFFF, 0xFFFF, "");
 
     [[nodiscard]] std::string bytes() const {
-        // What a scanner writes of itself and of the patient is passed over.
+        // Readers skip what a scanner writes about itself and the patient.
         return signature + kretzItem(0x0000, 1, "\1\2") + kretzItem(0x0110, 2, "Doe^Jane") + size + resolution +
                firstSample + planesAxis + planeAngles + lineAngles + voxels + more + end;
     }

@@ -23,7 +23,7 @@ struct NiftiFields {
     std::vector<double> pixdim{1, 0.5, 0.25, 2};
     int datatype = 2, bitpix = 8;
     int intent = 0;
-    double voxOffset = -1;  ///< -1 is where the voxels begin
+    double voxOffset = -1;  ///< -1: where the voxels begin
     double slope = 0, inter = 0, calMax = 0, calMin = 0, toffset = 0;
     int units = 2;
     int qformCode = 0, sformCode = 0;
@@ -31,7 +31,7 @@ struct NiftiFields {
     std::array<std::array<double, 4>, 3> srow{};
 };
 
-/// The bytes of that header and, where the voxels follow it, the four bytes before them.
+/// The bytes of that header. If the voxels follow it, also the four bytes before them.
 inline std::string niftiHeader(const NiftiFields& fields) {
     const bool two = fields.version == 2;
     const std::size_t length = two ? 540 : 348;
@@ -88,7 +88,7 @@ std::vector<T> twentyFour() {
 /// The same as bytes: the voxels of the default header.
 inline const std::string countedVoxels = bytesFrom(twentyFour<std::uint8_t>());
 
-/// What a file of that header and those voxels is read as.
+/// Reads a file of that header and those voxels.
 inline Result<Study> readFields(const NiftiFields& fields, const std::string& bytes = countedVoxels,
                                 ReadOptions options = {}) {
     const TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// Other programs that say what they think of a file: Python's readers, through scripts beside the tests, and checkers.
+// Asks other programs about a file: Python's readers, through scripts beside the tests, and checkers.
 #pragma once
 
 #include <sys/wait.h>
@@ -12,10 +12,10 @@ namespace echolucent {
 struct ToolOutcome {
     int status = -1;
     std::string output;
-    bool missing = false;  ///< whether the program or its modules are not there, so that the test is to be skipped
+    bool missing = false;  ///< whether the program or its modules are missing, so that the test is skipped
 };
 
-/// Runs a command of the shell and keeps its standard output; the standard error goes where the command sends it.
+/// Runs a shell command and keeps its standard output. The standard error goes where the command sends it.
 inline ToolOutcome runTool(const std::string& command) {
     ToolOutcome outcome;
     std::FILE* pipe = popen(command.c_str(), "r");
@@ -27,8 +27,8 @@ inline ToolOutcome runTool(const std::string& command) {
     return outcome;
 }
 
-/// How `python3 tests/io/written_files/SCRIPT ARGUMENTS` ends; Debian's own python3, whose packages hold the modules,
-/// is tried where another one lacks them. The standard error goes to the test's.
+/// Runs `python3 tests/io/written_files/SCRIPT ARGUMENTS`. If another python3 lacks the modules, Debian's own is tried:
+/// its packages hold them. The standard error goes to the test's.
 inline ToolOutcome runScript(const std::string& script, const std::string& arguments) {
     ToolOutcome outcome;
     for (const std::string python : {"python3", "/usr/bin/python3"}) {

@@ -13,7 +13,7 @@ inline const std::string sharedData = ECHOLUCENT_SOURCE_DIR "/../shared/data";
 
 }  // namespace echolucent
 
-/// Skips a test where these files are not there.
+/// Skips a test if these files are missing.
 #define SKIP_WITHOUT_SHARED_DATA()                              \
     if (!std::filesystem::is_directory(echolucent::sharedData)) \
     GTEST_SKIP() << "the shared data are not here: " << echolucent::sharedData

@@ -1,4 +1,4 @@
-// A volume of 2 x 3 x 4 big-endian words whose voxels lie in several data files or are written as text.
+// A volume of 2 x 3 x 4 big-endian words. Its voxels lie in several data files or are written as text.
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,7 @@ private:
     std::filesystem::path m_path;
 };
 
-/// The bytes of a file; none where it cannot be read.
+/// The bytes of a file; none if it cannot be read.
 inline std::string contentsOf(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -54,7 +54,7 @@ std::string bytesFrom(const std::vector<T>& values, bool bigEndian = false) {
     return bytes;
 }
 
-/// Takes every voxel as data, so that tests see the voxels and not the guess.
+/// Takes every voxel as data, so that tests see the voxels without a guessed mask.
 inline ReadOptions withoutGuess() {
     ReadOptions options;
     options.guessNoData = false;

@@ -1,4 +1,4 @@
-// Simulated scans with the probe on any side, and the sectors that scanners leave.
+// Simulated scans with the probe on any side, and scanners' sectors.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace echolucent {
 inline constexpr std::array<BeamAxis, 6> allBeamAxes{BeamAxis::plusX,  BeamAxis::minusX, BeamAxis::plusY,
                                                      BeamAxis::minusY, BeamAxis::plusZ,  BeamAxis::minusZ};
 
-/// Where a voxel of a volume with the beam +z comes to lie once its beam is another axis.
+/// Where a voxel of a volume with the beam +z goes if its beam becomes another axis.
 struct Turn {
     std::array<std::int64_t, 3> from;
     BeamAxis beam;
@@ -43,7 +43,7 @@ struct Turn {
     }
 };
 
-/// The 8-bit volume (beam +z) with the probe on another side, its mask with it.
+/// The 8-bit volume (beam +z) and its mask with the probe on another side.
 inline Volume turnedTo(const Volume& volume, const DataMask& mask, BeamAxis beam) {
     const Turn turn{volume.geometry().size, beam};
     VolumeGeometry geometry;

@@ -1,4 +1,4 @@
-// Volumes small enough to work out by hand what a ray shows of them.
+// Volumes so small that what a ray shows can be worked out by hand.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ inline Volume twoLayers(std::uint8_t before, std::uint8_t behind) {
 
 inline OpacityCurve constantOpacity(double opacity) { return ManualCurve{{{0.0, opacity}}}; }
 
-/// Opaque in proportion to the gradient magnitude, whatever the intensity: up to 1 at `largest`.
+/// Opacity in proportion to the gradient magnitude, at any intensity: 1 at `largest`.
 inline Classification opacityOfGradient(double largest) {
     return Classification(TwoDimensionalOtf{2, 2, largest, {0.0f, 0.0f, 1.0f, 1.0f}});
 }

@@ -1,4 +1,4 @@
-// Small volumes for tests of designers, and what designers are given.
+// Small volumes and inputs for tests of designers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ inline Volume bytesOf(std::vector<std::uint8_t> values) { return lineOf(std::mov
 
 inline DesignerInput inputOf(const Volume& volume) { return {volume, volume}; }
 
-/// What a designer makes of a volume that is raw and shown at once. The volume outlives the call.
+/// Runs a designer on a volume that is both raw and shown. The volume outlives the call.
 template <typename Config>
 Design designed(const Config& config, const Volume& volume) {
     return design(config, inputOf(volume)).value();
@@ -45,7 +45,7 @@ inline Volume masked(const Volume& volume, std::vector<std::uint8_t> mask) {
     return volume.withDataMask(DataMask(std::move(mask)));
 }
 
-/// The intensities of the voxels with data, one by one.
+/// The intensities of all voxels with data.
 inline std::vector<double> dataOf(const Volume& volume) {
     std::vector<double> data;
     for (std::int64_t i = 0; i < volume.geometry().voxelCount(); ++i)
@@ -53,8 +53,8 @@ inline std::vector<double> dataOf(const Volume& volume) {
     return data;
 }
 
-/// Volumes of every type, of two overlapping classes, with and without a mask; floats hold what is not finite, below 0
-/// and above white, too.
+/// Volumes of every type, of two overlapping classes, with and without a mask. Floats also hold values that are not
+/// finite, below 0 or above white.
 inline std::vector<Volume> twoClassVolumes(std::uint32_t seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> dark(40, 15), bright(150, 35);
@@ -66,7 +66,7 @@ inline std::vector<Volume> twoClassVolumes(std::uint32_t seed) {
         const double echo = std::round(std::max(0.0, random() % 3 != 0 ? dark(random) : bright(random)));
         bytes.push_back(static_cast<std::uint8_t>(std::min(echo, 255.0)));
         words.push_back(static_cast<std::uint16_t>(echo * 37));
-        // Multiples of the steps in which floats are counted: what is counted is then what is there.
+        // Multiples of the steps in which floats are counted, so that the count is exact.
         floats.push_back(static_cast<float>(i % 97 == 0 ? -3.0 : i % 89 == 0 ? 1e6 : echo * 257));
         if (i % 83 == 0) floats.back() = std::numeric_limits<float>::quiet_NaN();
         if (i % 101 == 0) floats.back() = std::numeric_limits<float>::infinity();
@@ -76,14 +76,14 @@ inline std::vector<Volume> twoClassVolumes(std::uint32_t seed) {
     std::vector<Volume> volumes{Volume(grid, bytes), Volume(grid, words, 9000.0), Volume(grid, floats, 65535.0)};
     volumes.push_back(masked(volumes[0], mask));
     volumes.push_back(masked(volumes[1], mask));
-    // What is not finite stays no data.
+    // A value that is not finite is no data.
     for (std::size_t i = 0; i < mask.size(); ++i)
         if (!std::isfinite(floats[i])) mask[i] = 0;
     volumes.push_back(masked(volumes[2], mask));
     return volumes;
 }
 
-/// Volumes of which no designer can make anything: of one value, or without a voxel with data.
+/// Volumes from which no designer can make anything: of one value, or without data.
 inline std::vector<Volume> volumesWithoutContrast() {
     const float none = std::numeric_limits<float>::quiet_NaN();
     return {bytesOf({0}),
@@ -96,7 +96,7 @@ inline std::vector<Volume> volumesWithoutContrast() {
             masked(bytesOf({3, 200}), {0, 1})};
 }
 
-/// The value of a fact; NaN, and a failure, where there is none of that name.
+/// The value of a fact. If there is none of that name, the test fails and the value is NaN.
 inline double factOf(const Design& design, std::string_view name) {
     for (const DesignFact& fact : design.facts)
         if (fact.name == name) return fact.value;
@@ -104,7 +104,7 @@ inline double factOf(const Design& design, std::string_view name) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The plot of that name. Throws std::out_of_range where there is none.
+/// The plot of that name. Throws std::out_of_range if there is none.
 inline const DesignPlot& plotOf(const Design& design, std::string_view name) {
     for (const DesignPlot& plot : design.plots)
         if (plot.name == name) return plot;
@@ -123,7 +123,7 @@ inline void expectSound(const Classification& classification) {
     EXPECT_GT(largest, 0.0);
 }
 
-/// What every designer promises of cancelling, other grids and parameters out of range.
+/// Checks what every designer promises about cancelling, other grids and parameters out of range.
 template <typename Config>
 void expectContract(const Config& config) {
     const Volume volume = twoClassVolumes(3).front(), other = bytesOf({1, 2, 3});

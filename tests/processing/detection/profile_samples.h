@@ -1,4 +1,4 @@
-// Profiles of tube cores made slab by slab, for tests that know each mean and spread.
+// Profiles of tube cores, made slab by slab, so that tests know each mean and spread.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// What one tube core shall see: as many means as spreads, in normalised intensity.
+/// What one tube core must see: as many means as spreads, in normalised intensity.
 struct MadeProfile {
     std::vector<double> means, spreads;
 };
@@ -37,7 +37,7 @@ inline TubeProfiles profilesOf(const std::vector<MadeProfile>& made) {
 /// Slabs of multiplicative speckle around true levels.
 class SpeckledSlabs {
 public:
-    /// `spread` is that of voxels and `spreadOfMeans` that of a slab's mean, both as a share of the mean.
+    /// `spread` is that of voxels, `spreadOfMeans` that of a slab's mean, both as a share of the mean.
     SpeckledSlabs(std::uint32_t seed, double spread = 0.25, double spreadOfMeans = 0.08)
         : m_random(seed), m_spread(spread), m_spreadOfMeans(spreadOfMeans) {}
 

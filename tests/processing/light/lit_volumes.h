@@ -13,7 +13,7 @@
 
 namespace echolucent::light_test {
 
-/// Bytes of 0 or 255: 255 where `inside` holds for a voxel.
+/// Bytes of 0 or 255: 255 if `inside` is true for a voxel.
 inline std::shared_ptr<const Volume> volumeOf(const VolumeGeometry& geometry,
                                               const std::function<bool(const Vec3& voxel)>& inside) {
     std::vector<std::uint8_t> voxels;
@@ -34,7 +34,8 @@ inline VolumeGeometry cubeGeometry(int edge) {
 /// Opacity 0 at intensity 0, linear to `opacity` per unit at intensity 1.
 inline OpacityCurve rising(double opacity) { return ManualCurve{{{0.0, 0.0}, {1.0, opacity}}}; }
 
-/// A key light without penumbra, voxel by voxel, attenuated by the whole extinction.
+/// A light scene with a key light without penumbra. Light is computed voxel by voxel and attenuated by the whole
+/// extinction.
 inline LightScene keyAlong(const Vec3& towardsKey) {
     LightScene scene;
     scene.towardsKey = towardsKey;

@@ -1,4 +1,4 @@
-// Phantoms of the materials alone.
+// Phantoms with materials only.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Layered volumes and what the tests of the plain route cast them with.
+// Layered volumes and settings for the tests of the plain route.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// A volume of `layers` along z, each of which is constant across.
+/// A volume of `layers` along z. Each is constant across.
 template <typename Voxel>
 Volume layered(const std::vector<Voxel>& layers, double white = 255.0) {
     VolumeGeometry geometry;

@@ -1,7 +1,7 @@
 // The picture by an obvious, slow route in double precision: every sample of every ray, back to front by eq. 2 of
-// Petersch 2005. It is the one route beside the kernel and PlainCaster, and reads the volume by itself: it checks the
-// rays, steps and samples that those two share. It takes only the curve, the colours, the frame of the view, the filled
-// voxels and what light reaches them from the program.
+// Petersch 2005. Beside the kernel and PlainCaster it is the only other route. It reads the volume by itself, so it
+// checks the rays, steps and samples that those two share. From the program it takes only the curve, the colours, the
+// frame of the view, the filled voxels and the light that reaches them.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@ inline bool isOfBytes(const Volume& volume) {
     return std::holds_alternative<VoxelArray<std::uint8_t>>(volume.voxels());
 }
 
-/// How far the kernel's pixels may be from the reference's in volumes whose neighbouring voxels have nothing to do with
-/// each other. Its shares between bytes have 7 bits along y, so that a sample of such noise may be off by 1/127 of
-/// white; those of other voxels, and steps, cuts, masks and curves, are the same for all: there the tolerance is small.
+/// How far the kernel's pixels may be from the reference's if neighbouring voxels are unrelated. The kernel's shares
+/// between bytes have 7 bits along y, so a sample of such noise may be off by 1/127 of white. For other voxel types the
+/// tolerance is small. Steps, cuts, masks and curves are the same for all.
 inline double noiseTolerance(const Volume& volume, bool shaded) {
     if (isOfBytes(volume)) return shaded ? 0.08 : 0.02;
     return shaded ? 3e-3 : 2e-4;
@@ -47,8 +47,8 @@ public:
         m_light = LightSweep(std::make_shared<const Volume>(volume)).lightVolume(m_classification, scene);
     }
 
-    /// Of the pixel before: whether a sample at which data is present by half, to the precision of the kernel's
-    /// positions, may be in the picture or not. It matters where presence is all or nothing.
+    /// Whether the last pixel has an undecided sample: data is present there by half, to the precision of the kernel's
+    /// positions. Such a sample may be in the picture or not. It matters if presence is all or nothing.
     [[nodiscard]] bool undecided() const { return m_closestToHalf < (isOfBytes(m_volume) ? 0.01 : 5e-5); }
 
     [[nodiscard]] ReferencePixel pixel(int column, int row) const {
@@ -62,12 +62,12 @@ public:
         return out;
     }
 
-    /// What a ray meets, from front to back.
+    /// A sample of a ray. Samples go from front to back.
     struct Sample {
         Vec3 colour;
         double alpha, intensity;
         double depthMm;  ///< along the camera's forward, from the grid origin
-        double length;   ///< steps: below 1 where it is cut
+        double length;   ///< steps; below 1 if it is cut
     };
     [[nodiscard]] std::vector<Sample> samplesOf(int column, int row) const {
         m_closestToHalf = 1.0;
@@ -102,7 +102,7 @@ private:
         return std::max(foremost, m_settings.nearPlaneDepthMm);
     }
 
-    /// What is rendered of a ray, in steps from its origin.
+    /// The rendered part of a ray, in steps from its origin.
     [[nodiscard]] std::pair<double, double> partInside(const Vec3& origin, const Vec3& direction, double stepMm) const {
         double enter = 0.0, leave = std::numeric_limits<double>::infinity();
         for (int axis = 0; axis < 3; ++axis) {
@@ -140,7 +140,7 @@ private:
         std::vector<Sample> samples;
         double before = 1.0, unlit = 1.0;
         for (double step = std::floor(enter); step < leave; step += 1.0) {
-            // Steps are cut where what is rendered begins and ends.
+            // Steps are cut at both ends of the rendered part.
             const double begin = std::max(step, enter), end = std::min(step + 1.0, leave);
             if (!(begin < end)) continue;
             const auto sample =
@@ -152,7 +152,7 @@ private:
         return samples;
     }
 
-    /// `unlit` is the share of a cut's face behind the sample before, then behind this one.
+    /// `unlit` is the share of a cut's face: on entry behind the sample before, on return behind this one.
     [[nodiscard]] std::optional<Sample> sampleAt(const Vec3& point, const Vec3& direction, double before, double length,
                                                  double& unlit) const {
         const Vec3 voxel = m_geometry.voxelFromGridMm(point);
@@ -187,7 +187,8 @@ private:
                                                                                    : trilinearOf(magnitude, voxel);
         return opacityAt(*m_classification.twoDimensional(), intensity, gradient);
     }
-    /// Of a voxel, clamped into the grid: differences of its neighbours along each axis, normalised intensity per unit.
+    /// Of a voxel, clamped into the grid, from differences of its neighbours along each axis; normalised intensity per
+    /// unit.
     [[nodiscard]] double gradientMagnitude(std::array<std::int64_t, 3> at) const {
         for (std::size_t axis = 0; axis < 3; ++axis)
             at[axis] = std::clamp<std::int64_t>(at[axis], 0, m_geometry.size[axis] - 1);
@@ -359,7 +360,6 @@ inline const float* pixelAt(const Picture& picture, int column, int row) {
                          4];
 }
 
-/// The pixel in the middle.
 inline const float* centreOf(const Picture& picture) { return pixelAt(picture, picture.width / 2, picture.height / 2); }
 
 }  // namespace echolucent

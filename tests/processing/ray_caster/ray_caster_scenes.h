@@ -18,7 +18,7 @@
 
 namespace echolucent {
 
-/// A curve that is transparent but for a range of intensities, as adaptive curves are.
+/// A curve that is transparent except in a range of intensities, as adaptive curves are.
 inline OpacityCurve onlyBetween(double lowest, double highest, double opacity) {
     const double middle = 0.5 * (lowest + highest);
     return ManualCurve{{{0.0, 0.0}, {lowest, 0.0}, {middle, opacity}, {highest, 0.0}, {1.0, 0.0}}};
@@ -27,12 +27,12 @@ inline OpacityCurve onlyBetween(double lowest, double highest, double opacity) {
 /// A volume as a ray caster keeps it.
 inline std::shared_ptr<const Volume> held(Volume volume) { return std::make_shared<const Volume>(std::move(volume)); }
 
-/// As the shell is seen obliquely, without an end of rays before all light is taken up.
+/// An oblique view of the shell. Rays do not end before all light is absorbed.
 inline RayCastSettings obliqueSettings(const Volume& volume, int width, int height) {
     return settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, width, height);
 }
 
-/// What a voxel type holds for normalised intensity 1 in the tests.
+/// The value of normalised intensity 1 for a voxel type in the tests.
 template <typename Voxel>
 constexpr double whiteOf = std::is_same_v<Voxel, std::uint8_t>    ? 255.0
                            : std::is_same_v<Voxel, std::uint16_t> ? 4095.0
@@ -60,7 +60,7 @@ Volume constantVolume(const std::array<std::int64_t, 3>& size, double intensity,
     return volumeOf<Voxel>(size, spacing, [&](auto...) { return intensity; });
 }
 
-/// It is dark outside, with a bright shell and a dim core in the midst, and speckle on all of it.
+/// A dark volume with a bright shell and a dim core in the middle, and speckle on all of it.
 template <typename Voxel>
 Volume speckledShell(const std::array<std::int64_t, 3>& size, const Vec3& spacing, unsigned seed) {
     std::mt19937 random(seed);
@@ -77,7 +77,7 @@ Volume speckledShell(const std::array<std::int64_t, 3>& size, const Vec3& spacin
     });
 }
 
-/// The same volume with data in a sector only, and a few holes.
+/// The same volume with data in a sector only, and with a few holes.
 inline Volume sectorOf(const Volume& volume) {
     const auto& size = volume.geometry().size;
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(volume.geometry().voxelCount()), 1);

@@ -1,4 +1,4 @@
-// Polar geometries of every kind, and a slow, obvious conversion to measure the fast one against.
+// Polar geometries of every kind, and a slow, obvious conversion as a measure for the fast one.
 #pragma once
 
 #include <cmath>

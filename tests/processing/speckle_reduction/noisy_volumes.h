@@ -14,7 +14,7 @@
 
 namespace echolucent {
 
-/// Voxels whose values, 0 or more, follow from their place, times 1 + noise * (a uniform number in [-1,1]).
+/// The value of a voxel, 0 or more, depends on its place, times 1 + noise * (a uniform number in [-1,1]).
 template <typename Voxel>
 Volume noisyVolume(const VolumeGeometry& geometry, double noise,
                    const std::function<double(std::int64_t, std::int64_t, std::int64_t)>& valueAt,
@@ -45,7 +45,7 @@ struct Moments {
     double mean = 0.0, deviation = 0.0;
 };
 
-/// Of the voxels for which `counts` is true.
+/// Moments of the voxels for which `counts` is true.
 inline Moments momentsOf(const Volume& volume,
                          const std::function<bool(std::int64_t, std::int64_t, std::int64_t)>& counts) {
     const VolumeGeometry& geometry = volume.geometry();

@@ -14,9 +14,9 @@ inline AdaptiveOtf adapted(const Volume& volume, const Viewpoint& view = {}, con
     return adaptOpacity(volume, view, config).value();
 }
 
-/// How many tube cores found the plane within `tolerance` units, of those whose axis crosses it at least 20 units
-/// behind the entry, 15 before the exit and 4 from any face (a cell that hangs over the border is not centred on the
-/// axis).
+/// How many tube cores found the plane within `tolerance` units. Only those count whose axis crosses it at least 20
+/// units behind the entry, 15 before the exit and 4 from any face: a cell that hangs over the border is not centred on
+/// the axis.
 struct Found {
     int right = 0, of = 0;
 };

@@ -21,7 +21,7 @@ inline std::vector<double> rampOf(std::size_t length, double first, double last)
     return signal;
 }
 
-/// The function under a Gaussian of this sigma, in samples; everything but the scales is as the rule says.
+/// The function smoothed by a Gaussian of this sigma, in samples. All but the scales is as the rule says.
 inline std::vector<double> smoothed(const std::vector<double>& function, double sigma, VarianceRule rule = {}) {
     rule.coarsestScale = rule.finestScale = 0;
     rule.sigmaPerKernelSize = sigma;
@@ -33,7 +33,7 @@ inline std::vector<double> smoothed(const std::vector<double>& function, double 
     return result;
 }
 
-/// The largest difference of two functions, sample by sample; a failure where their lengths differ.
+/// The largest difference of two functions, sample by sample. Fails the test if their lengths differ.
 inline double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
     EXPECT_EQ(a.size(), b.size());
     double largest = 0.0;

@@ -1,4 +1,4 @@
-// The OTF editor and its model on a document of their own.
+// The OTF editor and its model on their own document.
 #pragma once
 
 #include "widgets/otf_editor/otf_editor.h"
@@ -10,7 +10,7 @@ inline const ManualCurve threeNodes{{{0.2, 0.1}, {0.5, 0.4}, {0.9, 0.8}}};
 struct EditedDocument {
     DocumentModel document;
 
-    /// A document of these curves, without steps.
+    /// Begins a document of these curves, without steps.
     void begin(const OtfEditorState& state) {
         Document next;
         next.curves = state;
@@ -28,7 +28,7 @@ struct EditedDocument {
 class EditedModel : private EditedDocument, public OtfEditorModel {
 public:
     EditedModel() : OtfEditorModel(document) {}
-    /// Begins a document of these curves; the steps are forgotten, and the manual curve counts as saved.
+    /// Begins a document of these curves. Its steps are forgotten, and the manual curve counts as saved.
     void setState(const OtfEditorState& state) {
         begin(state);
         showIn(*this, state);

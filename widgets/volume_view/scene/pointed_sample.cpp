@@ -18,7 +18,7 @@ double opacityOf(const PaneRequest& pane, const Vec3& voxel, double intensity) {
 
 std::optional<PointedSample> sampleByOpacity(const PaneRequest& pane, const RayCastSettings& settings,
                                              const std::vector<RaySample>& ray) {
-    constexpr double visible = 1.0 / 255.0;  // less does not show on a screen
+    constexpr double visible = 1.0 / 255.0;  // a smaller opacity does not show on a screen
     double transmittance = 1.0, largest = 0.0;
     std::optional<PointedSample> pointed;
     for (const RaySample& sample : ray) {

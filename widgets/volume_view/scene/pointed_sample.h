@@ -1,4 +1,4 @@
-// What lies under the cursor.
+// Finds what lies under the cursor.
 #pragma once
 
 #include <optional>
@@ -15,15 +15,15 @@ struct PointedSample {
 };
 
 /// Follows the ray of the pixel at a point of the picture (pixels from the top left corner; pixel centres at halves)
-/// with the steps that castRays() takes there. Returns the sample at which the accumulated opacity reaches one half,
-/// or, on a ray that never does, the one that contributes most. In modes without a curve it is the largest or the
-/// smallest sample; in the mean it is the mean, at the place of the first sample. The result is empty beside the
-/// picture, and if the ray meets nothing visible. It takes one ray's time, well below a millisecond. The settings must
-/// be those with which the picture on the screen was made.
+/// with the steps that castRays() takes there. Returns the sample at which the accumulated opacity reaches one half. If
+/// it never does, returns the sample that contributes most. In modes without a curve it is the largest or the smallest
+/// sample. In the mean it is the mean, at the place of the first sample. The result is empty beside the picture, and if
+/// the ray meets nothing visible. It takes one ray's time, well below a millisecond. The settings must be those of the
+/// picture on the screen.
 [[nodiscard]] std::optional<PointedSample> samplePointedAt(const PaneRequest& pane, const RayCastSettings& settings,
                                                            double x, double y);
 
-/// The normalised intensity that was measured at a place, trilinear; empty where there is no data.
+/// The normalised intensity at a place, trilinear; empty if there is no data.
 [[nodiscard]] std::optional<double> measuredAt(const Volume& volume, const Vec3& gridMm);
 
 }  // namespace echolucent

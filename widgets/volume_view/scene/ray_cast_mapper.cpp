@@ -39,7 +39,7 @@ uniform sampler2D picture;
 void main() { gl_FragData[0] = texture2D(picture, tcoordVC); }
 )";
 
-// Where the volume's surface is, in one colour, at its depth: 0 on the camera's near clipping plane, 1 on the far one.
+// Draws the volume's surface in one colour at its depth: 0 on the camera's near clipping plane, 1 on the far one.
 constexpr const char* surfaceShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 in vec2 tcoordVC;
@@ -67,7 +67,7 @@ void main() {
 }
 )";
 
-/// Depth of the volume's centre in normalised device coordinates, kept off the far plane's end.
+/// Depth of the volume's centre in normalised device coordinates, kept above the near end.
 float depthOfCentre(vtkRenderer* renderer, vtkVolume* volume) {
     const double* centre = volume->GetCenter();
     renderer->SetWorldPoint(centre[0], centre[1], centre[2], 1.0);
@@ -88,7 +88,7 @@ void release(std::unique_ptr<vtkOpenGLHelper>& program, vtkWindow* window) {
     program.reset();
 }
 
-/// VTK's signature is not const; what it is given is only read.
+/// VTK's signature is not const, but VTK only reads the picture.
 template <typename Component>
 void fill(vtkTextureObject& texture, vtkOpenGLRenderWindow* window, const ScreenPicture& picture, int components,
           int type, const std::vector<Component>& pixels) {
@@ -134,7 +134,7 @@ void RayCastMapper::upload(vtkOpenGLRenderWindow* window, bool filtered) {
     fill(texture, window, *m_picture, 4, VTK_UNSIGNED_CHAR, m_picture->rgba);
     if (!m_picture->depthMm.empty()) {
         vtkTextureObject& depths = *m_openGl->depths;
-        // Between a surface and nothing there is nothing to interpolate.
+        // Nothing to interpolate between a surface and no surface.
         depths.SetMinificationFilter(vtkTextureObject::Nearest);
         depths.SetMagnificationFilter(vtkTextureObject::Nearest);
         fill(depths, window, *m_picture, 1, VTK_FLOAT, m_picture->depthMm);
@@ -170,8 +170,8 @@ void RayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume) {
     }
     drawColours(renderer, window, centre);
     if (m_picture->depthMm.empty()) return;
-    // A pass of its own: one with the colours would be cut by the depth test, or wipe out the depths of what is seen
-    // where the volume has no surface.
+    // A pass of its own. In one pass with the colours, the depth test would cut the colours, or depths would be wiped
+    // out where the volume has no surface.
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     drawSurface(renderer, window, centre);
 }

@@ -1,4 +1,4 @@
-// The volume's place in VTK's scene: draws a picture that the ray caster has finished elsewhere.
+// The volume's place in VTK's scene. It draws a picture that the ray caster has finished elsewhere.
 #pragma once
 
 #include <vtkVolumeMapper.h>
@@ -15,25 +15,25 @@ namespace echolucent {
 
 class GraphicsCardVolume;
 
-/// A vtkVolumeMapper that casts no ray: it blends the newest finished picture over what VTK has drawn before, by one
-/// textured rectangle. A picture of the viewport's own size is drawn pixel by pixel, unfiltered.
-/// (vtkRayCastImageDisplayHelper cannot: it stretches n-1 pixels over n, which blurs.) A picture of another size or
-/// shape keeps its centre and fills the height, as its camera saw it.
+/// A vtkVolumeMapper that casts no ray. It blends the newest finished picture, as one textured rectangle, over what VTK
+/// has drawn before. A picture of the viewport's own size is drawn pixel by pixel, unfiltered.
+/// (vtkRayCastImageDisplayHelper stretches n-1 pixels over n, which blurs.) A picture of another size or shape keeps
+/// its centre and fills the height, as its camera saw it.
 ///
 /// Its colours are drawn as if all of it lay at the volume's centre. A picture with depths is also written into the
-/// depth buffer, so that what reads the depth buffer finds the surface. While a vtkHardwareSelector draws, the volume
-/// is where its surface is: at a depth, or, without depths, where the picture covers at least half.
+/// depth buffer, so that readers of the depth buffer find the surface. While a vtkHardwareSelector draws, the volume is
+/// where its surface is: at its depths, or, without depths, where the picture covers at least half.
 ///
-/// Instead of the picture a GraphicsCardVolume may be drawn in this mapper's place.
+/// A GraphicsCardVolume may be drawn in place of the picture.
 class RayCastMapper : public vtkVolumeMapper {
 public:
     static RayCastMapper* New();
     vtkTypeMacro(RayCastMapper, vtkVolumeMapper)
 
-        /// Sets the picture that is drawn from now on; nothing is drawn where it is null.
+        /// Sets the picture that is drawn from now on. Null draws nothing.
         void setPicture(std::shared_ptr<const ScreenPicture> picture);
-    /// Sets what is drawn instead of the picture; null brings the picture back. It must outlive this mapper's next
-    /// drawing.
+    /// Draws this volume in place of the picture. Null brings the picture back. The volume must outlive this mapper's
+    /// next drawing.
     void setGraphicsCardVolume(GraphicsCardVolume* volume);
 
     void Render(vtkRenderer* renderer, vtkVolume* volume) override;

@@ -30,7 +30,7 @@ VolumeScene::VolumeScene() {
     m_orientationMarker.addTo(m_renderer);
     m_scaleBar.addTo(m_renderer);
     m_caption.addTo(m_renderer);
-    // The window's size is known for certain only when it is drawn.
+    // The window's size is certain only when it is drawn.
     m_startObserver = m_renderer->AddObserver(vtkCommand::StartEvent, this, &VolumeScene::prepareDrawing);
     updateVisibility();
 }
@@ -53,7 +53,7 @@ void VolumeScene::setVolume(std::shared_ptr<const Volume> volume) {
     } else {
         m_mapper->SetInputData(static_cast<vtkImageData*>(nullptr));
     }
-    m_volume = std::move(volume);  // after the image on the volume before is let go
+    m_volume = std::move(volume);  // after the image on the volume before is freed
     updateVisibility();
 }
 

@@ -1,4 +1,4 @@
-// The 3D scene: the volume's picture and what is written over it. Knows no Qt.
+// The 3D scene: the volume's picture and what is written over it. It knows no Qt.
 #pragma once
 
 #include <vtkNew.h>
@@ -23,8 +23,8 @@ namespace echolucent {
 
 class RayCastMapper;
 
-/// One vtkRenderer in grid mm on black. To be used in one thread, the one that renders. Nothing here casts rays or
-/// starts a rendering: show() and the setters only change the scene.
+/// One vtkRenderer in grid mm on black. Only the rendering thread may use it. Nothing here casts rays or starts a
+/// rendering: show() and the setters only change the scene.
 class VolumeScene {
 public:
     VolumeScene();
@@ -32,35 +32,32 @@ public:
     VolumeScene(const VolumeScene&) = delete;
     VolumeScene& operator=(const VolumeScene&) = delete;
 
-    /// For a render window.
     [[nodiscard]] vtkRenderer* renderer();
     /// The volume's prop, for pickers: its property carries the curve and the colours in use.
     [[nodiscard]] vtkVolume* volumeProp() { return m_volumeProp; }
     [[nodiscard]] const ScaleBar& scaleBar() const { return m_scaleBar; }
 
-    /// Shows a volume; null makes an empty scene, in which nothing is drawn. The picture of the volume before is
-    /// dropped.
+    /// Shows a volume. Null makes an empty scene. The picture of the volume before is dropped.
     void setVolume(std::shared_ptr<const Volume> volume);
-    /// Takes the same scan, of which a scalpel cut other voxels (Volume::isSameScanAs()). The picture stays.
+    /// Takes the same scan with other voxels cut by a scalpel (Volume::isSameScanAs()). The picture stays.
     void setCut(std::shared_ptr<const Volume> volume) { m_volume = std::move(volume); }
     void setTransfer(const Classification& classification, ColourMap colourMap);
-    /// Puts a finished picture in the scene and looks at the scene with the camera it was made for.
+    /// Shows a finished picture with the camera it was made for.
     void show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera);
-    /// Looks at the scene with a camera and leaves the volume to the graphics card, which draws it with every drawing
-    /// of the window. Only where rendererFor(look) says graphicsCard; the curve is that of setTransfer(). Of the look,
-    /// the size plays no part.
+    /// Looks at the scene with a camera. The graphics card then draws the volume with every drawing of the window. Only
+    /// if rendererFor(look) says graphicsCard. The curve is that of setTransfer(). The look's size plays no part.
     void showLive(const Camera& camera, const RayCastSettings& look);
     [[nodiscard]] Camera camera();
     void setAnnotationsVisible(bool visible);
-    /// Says in the picture what was done to it; an empty text says nothing.
+    /// Words in the picture that say what was done to it. An empty text shows nothing.
     void setCaption(const std::string& text);
     [[nodiscard]] const std::string& caption() const { return m_caption.text(); }
-    /// Lines over the picture, beside the annotations; those in space follow the camera.
+    /// Lines over the picture, besides the annotations. Those in space follow the camera.
     void setOverlay(const Overlay& overlay) { m_overlay.setOverlay(overlay); }
     [[nodiscard]] const Overlay& overlay() const { return m_overlay.overlay(); }
 
-    /// For pickers that read the depth buffer (vtkRenderer::GetZ(), vtkWorldPointPicker, vtkHardwareSelector): whether
-    /// the pictures that are asked for from now on tell the depth of each pixel (RayCastSettings::findDepth).
+    /// Whether the pictures asked for from now on have the depth of each pixel (RayCastSettings::findDepth). For
+    /// pickers that read the depth buffer: vtkRenderer::GetZ(), vtkWorldPointPicker, vtkHardwareSelector.
     void setDepthWanted(bool wanted) { m_depthWanted = wanted; }
     [[nodiscard]] bool wantsDepth() const { return m_depthWanted; }
 
@@ -68,21 +65,21 @@ public:
 
     void setRenderer(RendererChoice choice) { m_choice = choice; }
     [[nodiscard]] RendererChoice rendererChoice() const { return m_choice; }
-    /// software or graphicsCard, for the volume in the scene. The graphics card is known once the window was drawn, and
-    /// whether it can hold and draw the volume at the latest after the first drawing of showLive(): ask again after
-    /// each.
+    /// software or graphicsCard, for the volume in the scene. The scene knows the graphics card once the window was
+    /// drawn. After the first drawing of showLive() it knows whether the card can hold and draw the volume. Ask again
+    /// after each.
     [[nodiscard]] RendererChoice rendererInUse() const { return rendererFor({}); }
-    /// Who renders a picture of this look and classification: some of both only the software ray caster has.
+    /// Who renders a picture of this look and classification. Some of both only the software ray caster can draw.
     [[nodiscard]] RendererChoice rendererFor(const RayCastSettings& look,
                                              const Classification& classification = ManualCurve{}) const;
-    /// Why rendererFor() says software although that was not the choice, as a sentence; else empty.
+    /// A sentence that says why rendererFor() chose software against the choice; else empty.
     [[nodiscard]] std::string whySoftware(const RayCastSettings& look = {},
                                           const Classification& classification = ManualCurve{}) const;
-    /// OpenGL's name for what draws; empty until the window was drawn once.
+    /// OpenGL's name for the renderer; empty until the window was drawn once.
     [[nodiscard]] const std::string& openGlRenderer() const { return m_card.renderer; }
-    /// True where OpenGL is known and no software.
+    /// True if OpenGL is known and is no software.
     [[nodiscard]] bool graphicsCardAtHand() const;
-    /// What the graphics card took for the last drawing of showLive().
+    /// The time of the last drawing of showLive().
     [[nodiscard]] double liveMilliseconds() const { return m_cardVolume.milliseconds(); }
 
 private:
@@ -103,7 +100,7 @@ private:
     GraphicsCard m_card;
     GraphicsCardVolume m_cardVolume;
     RendererChoice m_choice = RendererChoice::automatic;
-    /// What the property was set from.
+    /// The values that the property was set from.
     struct Transfer {
         Classification classification;
         ColourMap colourMap;

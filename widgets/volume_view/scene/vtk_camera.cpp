@@ -13,7 +13,7 @@ Camera cameraOf(vtkCamera& camera) {
     Camera ours;
     ours.focalPoint = Vec3(camera.GetFocalPoint());
     ours.frame.forward = normalized(Vec3(camera.GetDirectionOfProjection()));
-    // The up vector need not be perpendicular to the direction.
+    // VTK's up vector may be oblique to the direction.
     ours.frame.right = normalized(ours.frame.forward.cross(Vec3(camera.GetViewUp())));
     ours.frame.down = ours.frame.forward.cross(ours.frame.right);
     ours.distanceMm = camera.GetDistance();
@@ -38,7 +38,7 @@ void setCamera(vtkCamera& vtk, const Camera& camera) {
 
 void setClippingRange(vtkCamera& vtk, const std::array<double, 6>& bounds) {
     constexpr double margin = 0.01;         // of the range
-    constexpr double nearestShare = 0.001;  // of the far plane's distance: nearer, the depth buffer is too coarse
+    constexpr double nearestShare = 0.001;  // of the far plane's distance; any nearer, the depth buffer is too coarse
     const Vec3 forward(vtk.GetDirectionOfProjection()), position(vtk.GetPosition());
     double from = std::numeric_limits<double>::infinity(), to = -from;
     for (std::size_t corner = 0; corner < 8; ++corner) {
@@ -47,7 +47,7 @@ void setClippingRange(vtkCamera& vtk, const std::array<double, 6>& bounds) {
         from = std::min(from, depth);
         to = std::max(to, depth);
     }
-    // What is flat across the view needs a range too.
+    // Flat things across the view need a range too.
     const double reach = std::max({margin * (to - from), 1e-6 * std::abs(to), 1e-6});
     from -= reach;
     to += reach;

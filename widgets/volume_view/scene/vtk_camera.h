@@ -1,5 +1,5 @@
-// VTK's camera and ours. VTK's y is up and its camera looks from a position; ours has a frame whose second axis is
-// down.
+// Converts between VTK's camera and ours. VTK's y is up and its camera looks from a position. Ours has a frame whose
+// second axis is down.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@ class vtkCamera;
 
 namespace echolucent {
 
-/// The camera VTK looks through, as ours: parallel and perspective, roll included.
+/// VTK's camera as ours: parallel and perspective, roll included.
 [[nodiscard]] Camera cameraOf(vtkCamera& camera);
 
 /// Makes VTK look through ours. Its clipping planes stay where they are.
 void setCamera(vtkCamera& vtk, const Camera& camera);
 
-/// Puts the camera's clipping planes around a box (grid mm; x from, x to, y from, ...). Unlike
-/// vtkRenderer::ResetCameraClippingRange() a parallel camera also shows what lies behind its position, as rays do.
+/// Puts the camera's clipping planes around a box (grid mm; x from, x to, y from, ...). Unlike with
+/// vtkRenderer::ResetCameraClippingRange(), a parallel camera also shows what lies behind its position, as rays do.
 void setClippingRange(vtkCamera& vtk, const std::array<double, 6>& bounds);
 
 }  // namespace echolucent

@@ -1,2 +1,2 @@
-// A breach on purpose: the include check must see it.
+// A deliberate breach: the include check must see it.
 #include <QString>

@@ -1,2 +1,2 @@
-// A circle that no file sees: first.h is read by second.cpp, and second.h by first.h.
+// A circle that no single file shows: second.cpp includes first.h, and first.h includes second.h.
 #include "processing/second.h"

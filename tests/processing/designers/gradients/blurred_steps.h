@@ -1,4 +1,4 @@
-// Steps between two intensities that a Gaussian blurred, in closed form.
+// Steps between two intensities, blurred by a Gaussian, in closed form.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct BlurredStep {
     [[nodiscard]] double at(double units) const {
         return low + (high - low) * 0.5 * (1.0 + std::erf(units / (sigma * std::numbers::sqrt2)));
     }
-    /// Where the step has this intensity, units; by bisection.
+    /// The place at which the step has this intensity, units; by bisection.
     [[nodiscard]] double positionOf(double intensity) const {
         double below = -8.0 * sigma, above = 8.0 * sigma;
         for (int i = 0; i < 60; ++i) {
@@ -32,7 +32,7 @@ struct BlurredStep {
     }
 };
 
-/// Signed distance to a boundary, units, of a place in units from the middle of the grid.
+/// Signed distance (units) to a boundary from a place, which is in units from the middle of the grid.
 using BoundaryDistance = std::function<double(const Vec3&)>;
 
 inline BoundaryDistance planeAcross(const Vec3& normal) {

@@ -36,7 +36,7 @@ struct Ball {
     [[nodiscard]] double content(double isovalue) const { return area(isovalue) * radius(isovalue) / 3.0; }
 };
 
-/// Bytes that follow from a seed alone.
+/// Bytes that depend on a seed alone.
 inline std::vector<std::uint8_t> scatteredBytes(std::int64_t count, std::uint32_t seed) {
     std::vector<std::uint8_t> bytes;
     std::uint32_t state = seed;

@@ -1,4 +1,4 @@
-// The one look of everything written over the picture.
+// One look for everything written over the picture.
 #pragma once
 
 #include "processing/picture/annotation_layout.h"

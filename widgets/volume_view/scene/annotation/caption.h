@@ -19,7 +19,7 @@ public:
     /// An empty text shows nothing.
     void setText(const std::string& text);
     [[nodiscard]] const std::string& text() const { return m_said; }
-    /// Sizes in device pixels; `scale` is the number of them per pixel of a plain screen.
+    /// Sizes in device pixels; `scale`: device pixels per pixel of a plain screen.
     void layOut(int viewportHeight, double scale);
     void setVisible(bool visible);
 

@@ -1,4 +1,4 @@
-// How the grid's axes lie in the picture.
+// Shows how the grid's axes lie in the picture.
 #pragma once
 
 #include <vtkNew.h>
@@ -13,8 +13,8 @@ class vtkTextActor;
 
 namespace echolucent {
 
-/// Three arms along the grid's axes x, y and z from a common foot, lettered, in the lower left corner; the arm nearest
-/// the viewer is drawn last. An axis along the line of sight is a disc, brighter where it comes towards the viewer.
+/// Three lettered arms along the grid's axes x, y and z, from a common foot in the lower left corner. The arm nearest
+/// the viewer is drawn last. An axis along the line of sight is a disc, brighter if it comes towards the viewer.
 class OrientationMarker {
 public:
     OrientationMarker();

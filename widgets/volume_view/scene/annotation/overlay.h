@@ -1,4 +1,4 @@
-// What lies over a picture beside its annotations: lines, discs and words, some in the volume, some in the picture.
+// Lines, discs and words over a picture, besides its annotations. Some lie in the volume, some in the picture.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// A line between two places of the grid, mm. It is drawn over the volume, also where it lies behind it.
+/// A line between two places of the grid, mm. It is drawn over the volume even if it lies behind it.
 struct SpaceLine {
     Vec3 from, to;
     Colour colour{};
@@ -33,7 +33,7 @@ struct SpaceDisc {
     friend bool operator==(const SpaceDisc&, const SpaceDisc&) = default;
 };
 
-/// Words beside places of the grid, mm, where labelsOf() (processing/scene/shown_measurement.h) puts them.
+/// Words beside places of the grid, mm. labelsOf() (processing/scene/shown_measurement.h) chooses the side.
 struct SpaceText {
     std::vector<Vec3> beside;  ///< at least one
     std::string text;          ///< UTF-8
@@ -50,7 +50,6 @@ struct PictureLine {
     friend bool operator==(const PictureLine&, const PictureLine&) = default;
 };
 
-/// What lies over a picture beside its annotations.
 struct Overlay {
     std::vector<SpaceLine> spaceLines{};
     std::vector<SpacePath> spacePaths{};

@@ -18,11 +18,11 @@ class OverlayLines {
 public:
     OverlayLines();
     ~OverlayLines();
-    /// The renderer outlives this.
+    /// The renderer must outlive this object.
     void addTo(vtkRenderer* renderer);
     void setOverlay(const Overlay& overlay) { m_overlay = overlay; }
     [[nodiscard]] const Overlay& overlay() const { return m_overlay; }
-    /// Sizes in device pixels; `scale` is the number of them per pixel of a plain screen.
+    /// Sizes in device pixels; `scale`: device pixels per pixel of a plain screen.
     void layOut(int viewportWidth, int viewportHeight, double scale, const Camera& camera);
     void setVisible(bool visible);
 
@@ -32,7 +32,7 @@ private:
     Overlay m_overlay;
     SmoothLines m_lines;
     vtkRenderer* m_renderer = nullptr;
-    std::vector<vtkSmartPointer<vtkTextActor>> m_texts;  ///< as many as were ever needed at once
+    std::vector<vtkSmartPointer<vtkTextActor>> m_texts;  ///< as many as were ever shown at once
     bool m_visible = true;
 };
 

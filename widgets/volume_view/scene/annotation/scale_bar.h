@@ -1,4 +1,4 @@
-// How long things are in the picture: a bar of a round number of millimetres.
+// Shows how long things are in the picture, with a bar of a round number of millimetres.
 #pragma once
 
 #include <vtkNew.h>
@@ -12,19 +12,19 @@ class vtkTextActor;
 
 namespace echolucent {
 
-/// It stands in the lower right corner of the picture. Where the volume's spacing is unknown no length is claimed: it
-/// says so instead.
+/// It stands in the lower right corner of the picture. If the volume's spacing is unknown, it says so and shows no
+/// length.
 class ScaleBar {
 public:
     ScaleBar();
     ~ScaleBar();
     void addTo(vtkRenderer* renderer);
-    /// Sizes in device pixels; `scale` is the number of them per pixel of a plain screen.
+    /// Sizes in device pixels; `scale`: device pixels per pixel of a plain screen.
     void layOut(int viewportWidth, int viewportHeight, double scale, double heightMm, bool spacingKnown);
     void setVisible(bool visible);
-    /// What it says: "10 mm", or that the spacing is unknown.
+    /// Its words: "10 mm", or that the spacing is unknown.
     [[nodiscard]] const std::string& text() const { return m_said; }
-    /// Length of the bar in device pixels; 0 where there is none.
+    /// Length of the bar in device pixels; 0 if there is none.
     [[nodiscard]] double lengthPixels() const { return m_lengthPixels; }
 
 private:

@@ -1,4 +1,4 @@
-// Straight lines and discs over the picture with smooth edges, which OpenGL draws jagged without multisampling.
+// Draws straight lines and discs with smooth edges over the picture. OpenGL draws them jagged without multisampling.
 #pragma once
 
 #include <vtkNew.h>
@@ -25,9 +25,9 @@ public:
     [[nodiscard]] vtkActor2D* actor() { return m_actor.Get(); }
 
     void clear();
-    /// A line with a dark rim, so that it shows over bright tissue as well. Widths in pixels.
+    /// A line with a dark rim, so that it shows over bright tissue too. Widths in pixels.
     void addLine(const Point2& from, const Point2& to, double width, const Colour& colour);
-    /// The same through two or more points; no rim lies over a piece of it.
+    /// The same through two or more points. No rim covers a piece of the line.
     void addPath(const std::vector<Point2>& points, double width, const Colour& colour);
     void addDisc(const Point2& centre, double radius, const Colour& colour);
     /// The shapes of a layout, without its texts.

@@ -12,9 +12,9 @@ class vtkOpenGLRenderWindow;
 namespace echolucent {
 
 struct GraphicsCard {
-    std::string renderer;         ///< OpenGL's renderer string; empty where it is not known yet
+    std::string renderer;         ///< OpenGL's renderer string; empty if not known yet
     int largestTextureSide = 0;   ///< voxels along an axis of a 3D texture
-    std::int64_t freeBytes = -1;  ///< of memory; -1: it does not tell
+    std::int64_t freeBytes = -1;  ///< of memory; -1 if the card does not tell
 };
 
 /// Asks OpenGL; the window's context must be current.
@@ -26,7 +26,7 @@ struct GraphicsCard {
 /// Bytes that a volume takes on the card, its mask included.
 [[nodiscard]] std::int64_t bytesOnCard(const Volume& volume);
 
-/// Why a volume cannot be held on a card, as a sentence; empty where it can.
+/// A sentence that says why a card cannot hold a volume; empty if it can.
 [[nodiscard]] std::string whyTooLarge(const VolumeGeometry& geometry, std::int64_t bytes, const GraphicsCard& card);
 
 }  // namespace echolucent

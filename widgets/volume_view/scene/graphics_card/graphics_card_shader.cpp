@@ -75,7 +75,7 @@ g_srcColor = computeColor(vec4(l_avgValue.x / float(l_numSamples.x)), 1.0);
 g_fragColor = vec4(g_srcColor.rgb, 1.0);
 )";
 
-// Without a sample VTK shows the colour of 0 or of white.
+// For a ray without a sample VTK shows the colour of 0 or of white.
 constexpr const char* extremeOfNothing = "if (l_firstValue) discard;\n//VTK::Shading::Exit";
 
 void replace(vtkShaderProperty& shader, const char* place, const std::string& source) {
@@ -123,7 +123,7 @@ void GraphicsCardShader::set(vtkShaderProperty& shader, const Volume& volume, co
     vtkUniforms& uniforms = *shader.GetFragmentCustomUniforms();
     if (m_kind != kind) {
         setSource(shader, kind);
-        // All are declared, whichever parts use them: undeclared names are errors in GLSL.
+        // All are declared, whichever parts use them, because undeclared names are errors in GLSL.
         setLight(uniforms, volume, look, Shading{});
         m_kind = kind;
     }

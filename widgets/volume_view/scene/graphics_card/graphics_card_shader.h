@@ -1,4 +1,4 @@
-// What castRays() does to a sample's colour and VTK's GPU mapper does not, put into that mapper's shader.
+// Puts into VTK's GPU mapper's shader what castRays() does to a sample's colour and that mapper does not.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@ class vtkShaderProperty;
 
 namespace echolucent {
 
-/// Light, depth colouring and what a ray without samples shows. VTK's own shading stays off: its light knows no share
-/// of surface, no shadow tint and no reach of the gradient, and speckle becomes snow under it.
+/// Light, depth colouring, and the colour of a ray without samples. VTK's own shading stays off: its light knows no
+/// share of surface, no shadow tint and no reach of the gradient, and it turns speckle into snow.
 class GraphicsCardShader {
 public:
-    /// Sets the parts of a shader that a look needs. Only another kind of look makes VTK compose its shader anew;
-    /// light, tints and camera are plain parameters.
+    /// Sets the parts of a shader that a look needs. VTK composes its shader anew only for another kind of look. Light,
+    /// tints and camera are plain parameters.
     void set(vtkShaderProperty& shader, const Volume& volume, const RayCastSettings& look);
 
 private:

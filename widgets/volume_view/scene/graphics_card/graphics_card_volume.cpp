@@ -65,7 +65,7 @@ void GraphicsCardVolume::setVolume(std::shared_ptr<const Volume> volume) {
         m_mapper->SetInputData(static_cast<vtkImageData*>(nullptr));
         m_mapper->SetMaskInput(nullptr);
     }
-    m_volume = std::move(volume);  // after the image on the volume before is let go
+    m_volume = std::move(volume);  // after the image on the volume before is freed
 }
 
 std::string GraphicsCardVolume::whyNot(const RayCastSettings& look) {
@@ -94,7 +94,7 @@ void GraphicsCardVolume::setLook(const RayCastSettings& look, vtkVolumeProperty&
     if (look.mode == RenderMode::direct) {
         m_property->SetScalarOpacity(transfer.GetScalarOpacity());
     } else {
-        // VTK weights these modes by the curve, which plays no part in ours.
+        // VTK weights these modes by the curve. Ours do not use it.
         m_property->SetScalarOpacity(m_opaque);
     }
     m_property->SetScalarOpacityUnitDistance(unit);
@@ -109,7 +109,7 @@ void GraphicsCardVolume::setPlanes(const RayCastSettings& look) {
     std::vector<ClippingPlane> planes = look.clippingPlanes;
     const Vec3& forward = look.camera.frame.forward;
     if (needsNearPlane(look)) planes.push_back({forward * look.nearPlaneDepthMm, forward});
-    // VTK composes its shader anew for another collection, not for planes that move.
+    // VTK composes its shader anew for another collection, but not if planes only move.
     if (static_cast<std::size_t>(m_planes->GetNumberOfItems()) != planes.size()) {
         m_planes = vtkSmartPointer<vtkPlaneCollection>::New();
         for (std::size_t i = 0; i < planes.size(); ++i) m_planes->AddItem(vtkNew<vtkPlane>());

@@ -1,4 +1,4 @@
-// The volume as VTK's GPU mapper draws it, as near to the software ray caster's picture as that mapper comes.
+// The volume as VTK's GPU mapper draws it: as near as that mapper can come to the software ray caster's picture.
 #pragma once
 
 #include <vtkNew.h>
@@ -22,10 +22,10 @@ class vtkVolumeProperty;
 
 namespace echolucent {
 
-/// Draws one volume through OpenGL with the camera of the renderer. It has the box (half a voxel beyond the outermost
-/// voxel centres), step, interpolation, near cut, cropping, clipping planes, modes, curve, light and depth colouring of
-/// castRays(). It differs in this: samples are counted from where each ray enters the box; rays end at an opacity of
-/// 254/255; a sample is transparent where its nearest voxel has no data; opacity is not pre-integrated;
+/// Draws one volume through OpenGL with the renderer's camera. It has the same box as castRays() (half a voxel beyond
+/// the outermost voxel centres), and the same step, interpolation, near cut, cropping, clipping planes, modes, curve,
+/// light and depth colouring. It differs in this: samples are counted from where each ray enters the box; rays end at
+/// an opacity of 254/255; a sample is transparent if its nearest voxel has no data; opacity is not pre-integrated;
 /// nothing is written into the depth buffer.
 class GraphicsCardVolume {
 public:
@@ -34,19 +34,19 @@ public:
     GraphicsCardVolume(const GraphicsCardVolume&) = delete;
     GraphicsCardVolume& operator=(const GraphicsCardVolume&) = delete;
 
-    /// Shows a volume; where it is null, nothing is drawn. A volume with a data mask is copied once, others are not.
+    /// Shows a volume; null draws nothing. A volume with a data mask is copied once, others are not.
     void setVolume(std::shared_ptr<const Volume> volume);
-    /// Curve and colours come from the property of the scene's volume, which pickers read too.
+    /// Curve and colours come from the property of the scene's volume. Pickers read it too.
     void setLook(const RayCastSettings& look, vtkVolumeProperty& transfer);
 
     void draw(vtkRenderer& renderer, vtkOpenGLRenderWindow& window);
 
-    /// Why the last drawing failed, as a sentence; empty where it did not. Kept until the next setVolume().
+    /// A sentence that says why the last drawing failed; empty if it did not. Kept until the next setVolume().
     [[nodiscard]] const std::string& failure() const { return m_failure; }
-    /// What the last drawing took, OpenGL's own work included.
+    /// The time of the last drawing, OpenGL's own work included.
     [[nodiscard]] double milliseconds() const;
 
-    /// Why a look cannot be drawn so, as a sentence; empty where it can.
+    /// A sentence that says why a look cannot be drawn this way; empty if it can.
     [[nodiscard]] static std::string whyNot(const RayCastSettings& look);
 
 private:
@@ -56,7 +56,7 @@ private:
     bool fits(vtkOpenGLRenderWindow& window);
 
     std::shared_ptr<const Volume> m_volume;
-    bool m_checked = false;  // that the volume fits
+    bool m_checked = false;  // whether it was checked that the volume fits
     std::string m_failure;
     vtkNew<vtkOpenGLGPUVolumeRayCastMapper> m_mapper;
     vtkNew<vtkVolume> m_prop;

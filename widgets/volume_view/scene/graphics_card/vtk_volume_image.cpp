@@ -20,7 +20,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr int transferSamples = 1021;  // the 256 values of 8 bits and three between each two
+constexpr int transferSamples = 1021;  // the 256 values of 8 bits, and three between each two
 
 template <typename Stored>
 using ArrayOf =
@@ -46,7 +46,7 @@ vtkSmartPointer<ArrayOf<Stored>> arrayOn(const VoxelArray<Stored>& voxels) {
     return array;
 }
 
-/// The mean of the voxels with data among the 26 around one, 0 where there are none.
+/// The mean of the voxels with data among the 26 around one; 0 if there are none.
 template <typename Stored>
 Stored meanAround(const Volume& volume, const VoxelArray<Stored>& voxels, std::int64_t x, std::int64_t y,
                   std::int64_t z) {

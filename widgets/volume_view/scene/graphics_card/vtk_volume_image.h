@@ -1,4 +1,4 @@
-// A volume as VTK sees it: the same voxels, not a copy, for pickers and for bounds.
+// A volume as VTK sees it, for pickers and bounds. It has the same voxels, not a copy.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -16,21 +16,21 @@ class vtkVolumeProperty;
 
 namespace echolucent {
 
-/// An image on the volume's own memory in grid mm (voxel (0,0,0) at the origin, the patient frame left out). VTK must
-/// not write to it, and the volume must outlive it.
+/// An image on the volume's own memory in grid mm: voxel (0,0,0) at the origin, without the patient frame. VTK must not
+/// write to it, and the volume must outlive it.
 [[nodiscard]] vtkSmartPointer<vtkImageData> imageOn(const Volume& volume);
 
 /// The same grid with the voxels as cells: it reaches half a voxel beyond the outermost voxel centres, as the volume's
-/// box does. On the volume's own memory where it has no data mask. Where it has one the voxels are a copy, in which
-/// those without data next to data have the mean of the data around them, so that interpolation between the two sees
-/// data only; the mask is 1 on data.
+/// box does. If the volume has no data mask, it is on the volume's own memory. Else the voxels are a copy. In the copy,
+/// a voxel without data next to data has the mean of the data around it, so that interpolation sees data only. The mask
+/// is 1 on data.
 struct CellImages {
     vtkSmartPointer<vtkImageData> voxels;
-    vtkSmartPointer<vtkImageData> mask;  ///< null where all are data
+    vtkSmartPointer<vtkImageData> mask;  ///< null if all voxels are data
 };
 [[nodiscard]] CellImages cellImagesOf(const Volume& volume);
 
-/// VTK's number for a voxel type of Volume.
+/// VTK's number for a voxel type.
 template <typename Stored>
 [[nodiscard]] constexpr int vtkTypeOf() {
     if constexpr (std::is_same_v<Stored, std::uint8_t>) return VTK_UNSIGNED_CHAR;
@@ -38,7 +38,7 @@ template <typename Stored>
     if constexpr (std::is_same_v<Stored, float>) return VTK_FLOAT;
 }
 
-/// Puts a curve and a colour map on a property, on stored values: what VTK's pickers read.
+/// Sets a property's curve and colour map, on stored values. VTK's pickers read them.
 void setTransfer(vtkVolumeProperty& property, const Volume& volume, const OpacityCurve& curve, ColourMap colourMap);
 
 }  // namespace echolucent
