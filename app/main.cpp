@@ -14,8 +14,8 @@
 
 namespace {
 
-/// Arrays of 4 MiB or more go back to the system when they are given free. The C library would raise that limit to
-/// 32 MiB by itself and keep what light volumes leave behind, 50 MiB beside a volume of 512 voxels an edge.
+/// Gives freed arrays of 4 MiB or more back to the system. The C library alone would raise that limit to 32 MiB and
+/// keep the memory of freed light volumes: 50 MiB for a volume of 512³ voxels.
 void giveBackLargeArrays() {
     mallopt(M_MMAP_THRESHOLD, 4 << 20);
     mallopt(M_TRIM_THRESHOLD, 8 << 20);
@@ -26,7 +26,7 @@ void giveBackLargeArrays() {
 int main(int count, char** arguments) {
     using namespace echolucent;
     giveBackLargeArrays();
-    // Before there is any other thread: a signal leaves no half of a movie.
+    // Before any other thread starts. A signal then leaves no half movie.
     removeUnfinishedOnSignals();
     restricted::prepareReader(restricted::Readiness::always);
     VolumeViewWidget::prepareApplication();
@@ -52,7 +52,7 @@ int main(int count, char** arguments) {
     parser.addOption(firstPicture);
     parser.process(application);
 
-    // The study is being read while the window is made: neither waits for the other.
+    // The study is read while the window is made: neither waits for the other.
     MainWindow window({}, [file = parser.positionalArguments().value(0)](OpenStudy& openStudy) {
         file.isEmpty() ? openStudy.openSimulatedScan() : openStudy.open(QFileInfo(file).absoluteFilePath());
     });

@@ -1,4 +1,4 @@
-// What a command of echolucent-cli is.
+// The commands of echolucent-cli.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,10 @@ namespace echolucent::cli {
 /// Exit statuses: 0 done, 2 wrong usage, 3 an input could not be read, 4 an output could not be written.
 [[nodiscard]] int exitStatus(const Failure& failure);
 
-/// What a command does once its options are parsed; a failure becomes one sentence on stderr and an exit status.
+/// What a command does once its options are parsed. A failure becomes one sentence on stderr and an exit status.
 using Action = std::function<Result<void>()>;
 
-/// Each adds one subcommand with its options, help and example, and sets `action` when it was chosen.
+/// Each adds one subcommand with its options, help and example. It sets `action` if that command was chosen.
 void addInfoCommand(CLI::App& program, Action& action);
 void addFilesCommand(CLI::App& program, Action& action);
 void addOtfCommand(CLI::App& program, Action& action, const Invocation& invocation);

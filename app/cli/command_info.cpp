@@ -33,14 +33,14 @@ struct InfoOptions {
     std::string json;  ///< where the JSON goes; "-" is standard output
 };
 
-/// Smallest and largest stored value of the voxels that are data; no value where none is.
+/// Smallest and largest stored value of the data voxels; they mean nothing if dataVoxels is 0.
 struct StoredRange {
     double low = 0.0;
     double high = 0.0;
     std::int64_t dataVoxels = 0;
 };
 
-/// Loops that ask the volume nothing at a voxel become vectors.
+/// The loop asks the volume nothing at a voxel, so that it can be vectorised.
 template <typename Value, typename IsData>
 StoredRange rangeOfData(std::span<const Value> values, IsData isData) {
     Value low = std::numeric_limits<Value>::max(), high = std::numeric_limits<Value>::lowest();
@@ -109,7 +109,7 @@ Json infoJson(const Study& study, const Volume& volume, int phase) {
     return object;
 }
 
-/// Each line of the text as one that does nothing to a terminal: files may say anything.
+/// Each line of the text without anything that controls a terminal: files may hold any text.
 std::string printable(std::string_view text) {
     std::string lines;
     while (!text.empty()) {
@@ -135,14 +135,14 @@ std::string infoText(const Study& study, const Volume& volume, int phase) {
     return printable(text);
 }
 
-/// Why a series cannot be opened, and what to do: the sentence of the failure without the file, which the list names.
+/// Why a series cannot be opened, and what to do: the failure's sentence without the file, since the list names it.
 std::string reasonOf(const Failure& failure) {
     const std::string what = failure.element.empty() ? "it" : failure.element;
     return fmt::format("{} {}.{}{}", what, failure.problem, failure.remedy.empty() ? "" : " ", failure.remedy);
 }
 
-/// A series a line, numbered from 1, with what keeps it from being opened below it; that called `read` (it may be null)
-/// is marked.
+/// One line per series, numbered from 1. Below it stands what keeps it from being opened. The series `read` (may be
+/// null) is marked.
 std::string seriesText(const SeriesList& list, const SeriesEntry* read) {
     std::string text;
     for (std::size_t i = 0; i < list.series.size(); ++i) {
@@ -158,7 +158,7 @@ std::string seriesText(const SeriesList& list, const SeriesEntry* read) {
     return text;
 }
 
-/// An object a series (docs/cli-info.md).
+/// One object per series (docs/cli-info.md).
 Json seriesJson(const SeriesList& list, const SeriesEntry* read) {
     auto array = Json::array();
     for (const SeriesEntry& entry : list.series)
@@ -174,7 +174,7 @@ Json seriesJson(const SeriesList& list, const SeriesEntry* read) {
     return array;
 }
 
-/// Writes the list of series where none of them could be read; the failure follows.
+/// Writes the list of series if none of them could be read. The failure follows.
 Result<void> writeListOnly(const std::optional<SeriesList>& list, const InfoOptions& options, const Failure& failure) {
     if (!list || list->series.size() < 2) return tl::unexpected(failure);
     const Json object{{"series", seriesJson(*list, nullptr)}};
@@ -212,7 +212,7 @@ void addInfoCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = program.add_subcommand("info", "Say what a volume file holds and how it was read");
     options->volume.addTo(*command);
-    // Required by runInfo(): "--json VOLUME" leaves it empty while the command line is parsed.
+    // runInfo() requires it: "--json VOLUME" leaves it empty during parsing.
     command->get_option("VOLUME")->required(false);
     CLI::Option* json = command
                             ->add_option("--json", options->json,

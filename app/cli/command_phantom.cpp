@@ -19,7 +19,7 @@ namespace echolucent::cli {
 
 namespace {
 
-/// The options as written; what is not given follows the scene (defaultPhantom()).
+/// The options as written. Missing ones follow the scene (defaultPhantom()).
 struct PhantomOptions {
     std::string output, scene = "fetus", polar, size, spacing, contrast, truth, tubeGrid;
     int phases = 1, bits = 8;

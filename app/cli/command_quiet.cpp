@@ -1,4 +1,4 @@
-// `quiet`: the voxels that a picture is taken from, as a file.
+// `quiet`: writes the voxels for pictures to a file.
 #include <CLI/CLI.hpp>
 
 #include <memory>

@@ -14,13 +14,13 @@ namespace echolucent::cli {
 
 namespace {
 
-// Endings that say what a file is, written here or not.
+// Endings that name a kind of file, whether the program writes it or not.
 constexpr std::array<std::string_view, 21> pictureEndings{".bmp", ".exr", ".gif", ".heic", ".jp2",  ".jpe",  ".jpeg",
                                                           ".jpg", ".jxl", ".pbm", ".pdf",  ".pgm",  ".png",  ".pnm",
                                                           ".ppm", ".svg", ".tga", ".tif",  ".tiff", ".webp", ".xpm"};
 constexpr std::array<std::string_view, 10> movieEndings{".avi",  ".m4v", ".mkv", ".mov",  ".mp4",
                                                         ".mpeg", ".mpg", ".ogv", ".webm", ".wmv"};
-/// Beside those of the formats that are read.
+/// Besides those of the formats that are read.
 constexpr std::array<std::string_view, 5> volumeEndings{".gipl", ".gz", ".hdr", ".img", ".vtk"};
 
 template <std::size_t count>

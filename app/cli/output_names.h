@@ -1,4 +1,4 @@
-// What the ending of an output's name says of its format.
+// Checks the endings of outputs' names.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace echolucent::cli {
 
-/// Fails (wrong usage) where `path` ends as movies or as other pictures than PNG do; `option` is what the command line
-/// calls the output. Names without a known ending pass, and so do devices and "-".
+/// Fails (wrong usage) if `path` ends as movies or as pictures other than PNG do. `option` is the output's name on the
+/// command line. Names without a known ending pass, and so do devices and "-".
 [[nodiscard]] Result<void> checkPictureName(const std::string& path, const std::string& option);
-/// Fails (wrong usage) where the ending of a movie's name is none of movieContainers; an empty path and "-" pass.
+/// Fails (wrong usage) if a movie's name ends in none of movieContainers. An empty path and "-" pass.
 [[nodiscard]] Result<void> checkMovieName(const std::string& path, const std::string& option);
-/// The same for volumes that are written as MetaImage (.mha, .mhd): endings of other volumes are refused too.
+/// The same for volumes that are written as MetaImage (.mha, .mhd). Endings of other volumes are refused too.
 [[nodiscard]] Result<void> checkMetaImageName(const std::string& path, const std::string& option);
 
 }  // namespace echolucent::cli

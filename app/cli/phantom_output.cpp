@@ -20,8 +20,8 @@ Result<void> writeAsMetaImage(const std::string& path, const Phases& phases) { r
 
 Result<void> writeAsNifti(const std::string& path, const Phases& phases) { return writeNifti(path, phases); }
 
-/// The transducer lies on the middle of the face that a +z beam enters. The simulated sound runs in parallel, so that
-/// its apex is a nominal one: as far before the face as the volume is deep.
+/// The transducer lies on the middle of the face that a +z beam enters. The simulated beams are parallel, so the apex
+/// is nominal: as far before the face as the volume is deep.
 Result<void> writeAsEnhancedUs(const std::string& path, const Phases& phases) {
     const VolumeGeometry& geometry = phases.front()->geometry();
     const Vec3 centre = geometry.centreMm();
@@ -40,7 +40,7 @@ constexpr std::array formats{PhantomFormat{".mha", writeAsMetaImage}, PhantomFor
                              PhantomFormat{".nii", writeAsNifti}, PhantomFormat{".nii.gz", writeAsNifti},
                              PhantomFormat{".dcm", writeAsEnhancedUs}};
 
-/// The format for a name; null where none has its ending. Names without an ending (devices, the standard output) are
+/// The format for a name; null if none has its ending. Names without an ending (devices, the standard output) are
 /// MetaImages.
 const PhantomFormat* formatOf(const std::string& path) {
     const std::string name = lowerCase(path.substr(path.find_last_of('/') + 1));

@@ -1,4 +1,4 @@
-// Where the phantom command writes what it made: the format follows the name's ending.
+// Writes the phantom command's result. The format follows the name's ending.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,12 @@ namespace echolucent::cli {
 /// The endings that writePhantom() knows, for help and messages: ".mha, .mhd, .nii, .nii.gz or .dcm".
 [[nodiscard]] std::string phantomEndings();
 
-/// Whether a phantom can be written to a file of this name. Fails (wrongUsage) where no format has its ending.
+/// Fails (wrongUsage) if no format has the name's ending.
 [[nodiscard]] Result<void> checkPhantomName(const std::string& path);
 
-/// Writes the phases of a simulated scan, whose beam is +z, in the format that the ending of `path` asks for; "-" is a
-/// MetaImage on the standard output. Fails (wrongUsage, unwritable) where no format has that ending or where the file
-/// cannot be written.
+/// Writes the phases of a simulated scan, whose beam is +z, in the format of the ending of `path`. "-" is a MetaImage
+/// on the standard output. Fails (wrongUsage) if no format has that ending, and (unwritable) if the file cannot be
+/// written.
 [[nodiscard]] Result<void> writePhantom(const std::string& path,
                                         const std::vector<std::shared_ptr<const Volume>>& phases);
 

@@ -1,4 +1,5 @@
-// What measures is a program of its own, echolucent-study, which the command line starts for `study` and `bench`.
+// The commands that measure are a program of their own, echolucent-study. The command line starts it for `study` and
+// `bench`.
 #pragma once
 
 #include "processing/result.h"
@@ -9,7 +10,8 @@ class App;
 
 namespace echolucent::cli {
 
-/// Adds `study` and `bench` by name and meaning: help and sentences list all commands. echolucent-study runs them.
+/// Adds `study` and `bench` by name and meaning, since help and sentences list all commands. echolucent-study runs
+/// them.
 void addStudyProgram(CLI::App& program);
 
 /// Whether a command line asks for one of these.

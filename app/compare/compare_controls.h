@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// Shows what is compared, and makes steps of what is chosen.
+/// The panel shows what is compared. Choices in the panel become steps.
 class CompareControls : public QObject {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
     /// All of them must outlive this.
     CompareControls(DocumentModel& model, OpenStudy& openStudy, ComparePanel& panel, QObject* parent = nullptr);
 
-    /// Where nothing is compared yet, makes the standard comparison a step.
+    /// Makes the standard comparison a step if nothing is compared yet.
     void begin();
 
 private:

@@ -1,4 +1,4 @@
-// What the hand does in the panes of a comparison, as steps of the document.
+// The hand in the panes of a comparison makes steps of the document.
 #pragma once
 
 #include <QObject>

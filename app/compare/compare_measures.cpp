@@ -51,7 +51,7 @@ std::optional<CompareMeasures::Asked> CompareMeasures::wanted() const {
 void CompareMeasures::follow() {
     if (!m_views.shown()) return;
     const auto asked = wanted();
-    // What plays or is dragged is another thing to measure with every frame.
+    // While a motion plays or a hand drags, every frame would ask for other measures.
     if (asked && asked != m_asked && !m_model.previewing() && !m_player.isPlaying()) {
         m_asked = asked;
         m_thread.submit([this, asked = *asked](const Progress& progress) -> NewestWinsThread::Deliver {
@@ -112,7 +112,7 @@ std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted(cons
         const bool changes =
             config != nullptr ? readsTubeCores(*config) : document.panes[place].curve == CurveKind::adaptive;
         const MotionOtf mode = document.panes[place].motionOtf.value_or(document.motion.otf);
-        // Where nobody compares motions, it is measured what an OTF for each view would do.
+        // If no pane has a motion of its own, the flicker tells what an OTF for each view would do.
         pane.steady = !changes || (mode == MotionOtf::oneOtf && motionsCompared);
         if (!pane.steady) pane.smoothing = smoothingOf(mode).value_or(OtfSmoothing::none);
         flicker.panes.push_back(std::move(pane));
@@ -120,10 +120,10 @@ std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted(cons
     return flicker;
 }
 
-/// Nothing where it was cancelled.
+/// Empty if the work was cancelled.
 std::optional<double> CompareMeasures::flickerOf(const FlickerAsked& asked, const FlickeringPane& pane,
                                                  const Progress& progress) {
-    if (pane.steady) return 0.0;  // what is the same for all frames has none
+    if (pane.steady) return 0.0;  // one OTF for all frames does not flicker
     const std::vector<SweepFrame> frames =
         sweepFrames(asked.start, asked.axis, -flickerDegrees, flickerDegrees, flickerStep, 1);
     const Progress silent{{}, progress.cancel};
@@ -164,7 +164,7 @@ void CompareMeasures::measureFlicker() {
     });
 }
 
-/// Of another study nothing is kept, its voxels least of all.
+/// Keeps nothing of the study before, above all no voxels.
 void CompareMeasures::forgetStudy() {
     cancel();
     m_asked.reset();

@@ -11,7 +11,6 @@
 
 namespace echolucent {
 
-/// What stands on the page, by pane.
 struct ComparePage {
     QString study;  ///< as names are shown
     QString made, version;

@@ -28,16 +28,16 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
       m_measures({parts.model, parts.openStudy, parts.works, parts.otfs, m_views, parts.player}, work()),
       m_pageWaits(parts.works, work()),
       m_writing(parts.works, "comparison page", work()) {
-    // What fails for the first pane is said of the 3D view already.
+    // The 3D view tells of failures of the first pane already.
     connect(&m_parts.otfs, &PaneOtfs::failed, this, [this](std::size_t place, const QString& sentence) {
         if (place != firstPane && place != PaneOtfs::adaptiveOfScene)
             m_parts.messages.showMessage(MessageKind::error, sentence);
     });
     connect(&m_parts.model, &DocumentModel::changed, this, [this] {
-        if (!isCompared(m_parts.model.document())) setShown(false);  // it was taken back
+        if (!isCompared(m_parts.model.document())) setShown(false);  // the comparison was undone
     });
     connect(&m_hand, &CompareHand::cameraMoved, this, &CompareRoom::cameraMoved);
-    // What it waits for ends as a work.
+    // The page waits for works, and each of them tells Works when it ends.
     connect(&m_parts.works, &Works::changed, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
     connect(&m_parts.openStudy, &OpenStudy::openFailed, this, [this] { m_figureWaits = 0; });
     connect(&m_views, &ComparedViews::failed, this, [this] {
@@ -74,7 +74,7 @@ void CompareRoom::setShown(bool shown) {
     emit shownChanged(shown);
 }
 
-/// What was cancelled is measured again when the room is shown again.
+/// Cancelled measures begin again when the room is shown again.
 void CompareRoom::leave() {
     cancel();
     m_measures.askAgain();
@@ -120,7 +120,7 @@ void CompareRoom::createMenu() {
     menu->insertAction(before, compare);
     menu->insertMenu(before, figures);
     m_parts.window.addAction(compare);  // the key works also while the menu bar is hidden
-    // A layout of the review room leaves the comparison.
+    // Choosing a layout of the review room leaves the comparison.
     for (const char* layout : {"room.only3d", "room.quad", "room.large3d"})
         if (auto* action = m_parts.window.findChild<QAction*>(QLatin1String(layout)))
             connect(action, &QAction::triggered, this, [this] { setShown(false); });

@@ -1,4 +1,4 @@
-// The room in which OTFs are compared under one camera, in the place of the review room.
+// The comparison room: it shows OTFs under one camera, in the place of the review room.
 #pragma once
 
 #include <QObject>
@@ -23,7 +23,7 @@ class MessageBar;
 class Settings;
 class StudyNames;
 
-/// Puts the panes of the comparison into the window and takes them out, and hangs their units together.
+/// Puts the panes of the comparison into the window and takes them out. Connects the parts of the comparison.
 class CompareRoom : public QObject {
     Q_OBJECT
 
@@ -48,15 +48,16 @@ public:
     explicit CompareRoom(const Parts& parts, QObject* parent = nullptr);
 
     [[nodiscard]] bool shown() const { return m_views.shown(); }
-    /// Shows the comparison, the standard one where there is none yet, or the review room again.
+    /// Shows the comparison, or the review room again. If there is no comparison yet, shows the standard one.
     void setShown(bool shown);
     [[nodiscard]] const ComparedViews& views() const { return m_views; }
-    /// Adds its entries to the menu of the room, which is there.
+    /// Adds its entries to the room menu, which must exist.
     void createMenu();
-    /// What Escape ends here: a drag, a pane that has the whole room.
+    /// Lets Escape end a drag here, or bring a pane back that has the whole room.
     void addTo(EscapeOrder& escapes);
-    /// Writes what is shown as a page, in the background, once every pane shows what it is to show and is measured; a
-    /// message says where it could not be written. What plays is paused. Another study opened before is no page.
+    /// Pauses a motion and writes the comparison as a page, in the background. Waits until every pane shows what the
+    /// document asks for and is measured. A message tells of a failure. If another study is opened while this waits, no
+    /// page is written.
     void savePage(const QString& path);
 
 signals:
@@ -66,7 +67,7 @@ signals:
 
 private:
     [[nodiscard]] Work work();
-    /// Ends what takes long, pictures and OTFs apart.
+    /// Ends measuring and writing, but neither pictures nor OTFs.
     void cancel();
     void chooseAndSavePage();
     void setWaitingPage(const QString& path);
@@ -81,9 +82,9 @@ private:
     CompareHand m_hand;
     CompareControls m_controls;
     CompareMeasures m_measures;
-    QString m_waitingPage;  ///< path of the page that is to be written; empty where none is
+    QString m_waitingPage;  ///< path of the page to write; empty if none waits
     Works::UnderWay m_pageWaits;
-    int m_figureWaits = 0;  ///< for the simulated scan and its OTF; 0 where none does
+    int m_figureWaits = 0;  ///< number of the figure that waits for the simulated scan and its OTF; 0 if none waits
     // Last, so that its thread has ended before anything above is destroyed.
     FileWriting m_writing;
 };

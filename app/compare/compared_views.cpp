@@ -15,13 +15,13 @@ namespace {
 
 constexpr double frameMilliseconds = 40.0;  // from one frame to the next while the hand moves
 
-/// A curve has its colour and dashes wherever it is shown; a designer's OTF has none.
+/// A curve has the same colour and dashes everywhere. The OTF of a designer has none.
 PaneFace faceOf(std::size_t place, const Pane& choice) {
     PaneFace face{.name = QStringLiteral("%1  %2").arg(place + 1).arg(nameOfPane(choice))};
     const bool adaptive = choice.designer && designerOf(*choice.designer) == Designer::adaptive;
     if (choice.designer && !adaptive) return face;
     const CurveKind kind = adaptive ? CurveKind::adaptive : choice.curve;
-    // Panes are on black in both themes.
+    // Panes are black in both themes.
     face.frame = curveColor(kind, Theme::dark);
     face.frameStyle = curvePen(kind, false, Theme::dark).style();
     return face;
@@ -66,10 +66,10 @@ void ComparedViews::follow() {
         usable = usable && pane.ready;
         m_asked.panes.push_back({pane.voxels, pane.classification, place});
     }
-    // The camera is that of the first pane, also if another one has the whole room.
+    // The camera is that of the first pane, even if another pane has the whole room.
     const auto first = paneAt(firstPane).voxels;
     m_asked.settings = castSettingsOf(document, first->geometry(), first->dataBox(), size.width(), size.height());
-    // Before a frame's OTFs are there, what was shown stays: a pane without one would be black.
+    // The panes keep their pictures until the OTFs are there: a pane without an OTF would be black.
     m_waits = !usable && frameHasPanesAsked() && m_study == m_parts.openStudy.study();
     m_study = m_parts.openStudy.study();
     if (!m_waits) m_caster.request(m_asked);
@@ -92,7 +92,7 @@ void ComparedViews::stopCasting() {
     m_caster.clear();
 }
 
-/// Nothing of another study or of a comparison that is left stays in the panes.
+/// Leaves nothing of a closed study or comparison in the panes.
 void ComparedViews::clear() {
     stopCasting();
     m_rows.clear();
@@ -131,7 +131,7 @@ bool ComparedViews::refused() const {
 
 void ComparedViews::take(const std::shared_ptr<const CastPicture>& frame) {
     const auto before = std::exchange(m_frame, frame);
-    // A frame of other panes than those that are asked for now is not shown.
+    // Do not show a frame if other panes are asked for now.
     if (!frameHasPanesAsked()) {
         m_frame = before;
         return;
@@ -159,7 +159,7 @@ void ComparedViews::showPair() {
         return QStringLiteral("%1 %2").arg(place + 1).arg(nameOfPane(m_parts.model.document().panes.at(at)));
     };
     const QString one = nameAt(comparison.first), other = nameAt(comparison.second);
-    // The document changes oftener than the pair does.
+    // The document changes more often than the pair.
     ShownPair asked{m_frame, comparison, one, other};
     if (m_pair == asked) return;
     m_pair = std::move(asked);
@@ -186,7 +186,7 @@ void ComparedViews::showFaces() {
     for (std::size_t place = 0; place < document.panes.size(); ++place) {
         PaneFace face = faceOf(place, document.panes[place]);
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
-        row.pictureMilliseconds.reset();  // it stands in the table; under a picture it would flutter
+        row.pictureMilliseconds.reset();  // the table shows it; under a picture it would flicker
         face.numbers = numbersOf(row);
         const ShownPane& pane = paneAt(place);
         const bool busy = !pane.newest && !pane.refused;
@@ -206,7 +206,7 @@ void ComparedViews::addTimes(std::size_t place, CompareRow& row) const {
     const auto found = std::ranges::find(panes, place, &PaneRequest::pane);
     if (found != panes.end())
         if (const CastPane& picture = m_frame->panes[static_cast<std::size_t>(found - panes.begin())];
-            picture.sampled)  // what is made of kept samples is no measure of the OTF
+            picture.sampled)  // a picture from kept samples does not measure the OTF
             row.pictureMilliseconds = picture.milliseconds;
 }
 

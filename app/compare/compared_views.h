@@ -1,4 +1,4 @@
-// The pictures of a comparison: what each pane is cast through, and what is shown of it.
+// The pictures of a comparison: casts the panes and shows them.
 #pragma once
 
 #include <QImage>
@@ -18,8 +18,8 @@ namespace echolucent {
 
 class Works;
 
-/// Casts the panes that are shown with the camera of the first, to the bit, and puts their pictures, names and numbers
-/// into the grid. What is compared is read from the document; nothing of it is kept here.
+/// Casts the visible panes with the camera of the first pane, to the bit. Puts pictures, names and numbers into the
+/// grid. The document says what is compared; this class stores nothing of it.
 class ComparedViews : public QObject {
     Q_OBJECT
 
@@ -35,40 +35,39 @@ public:
     /// All of them must outlive this.
     explicit ComparedViews(const Parts& parts, QObject* parent = nullptr);
 
-    /// While it is not shown, nothing is cast, and no designer runs for it.
+    /// While the comparison is hidden, nothing is cast, and no designer runs for it.
     void setShown(bool shown);
     [[nodiscard]] bool shown() const { return m_shown; }
-    /// Whether what the document says now is on the screen, of whichever quality.
+    /// Whether the screen shows what the document says now, in any quality.
     [[nodiscard]] bool frameIsCurrent() const;
     /// Whether every pane shows what the document asks for, converged.
     [[nodiscard]] bool settled() const;
-    /// Whether some pane will not show what the document asks for.
+    /// Whether some pane will not show what the document asks for: its OTF was cancelled or has failed.
     [[nodiscard]] bool refused() const;
     /// ShownPanes::at().
     [[nodiscard]] const ShownPane& paneAt(std::size_t place) const { return m_parts.panes.at(place); }
     /// The newest frame; null before the first.
     [[nodiscard]] const std::shared_ptr<const CastPicture>& frame() const { return m_frame; }
-    /// The images of the frame's panes, as they are shown.
+    /// The images of the frame's panes, as shown.
     [[nodiscard]] const std::vector<QImage>& images() const { return m_images; }
-    /// Milliseconds of the designer and of the picture of a pane, where they are known.
+    /// Adds the milliseconds of the designer and of the picture of a pane, if they are known.
     void addTimes(std::size_t place, CompareRow& row) const;
-    /// What is measured of the panes, by place; shown under them.
+    /// The measures of the panes, by place; shown under the panes.
     void setRows(const std::vector<CompareRow>& rows);
 
 public slots:
-    /// Shows what the document says now. Called by itself when the document or what is computed changes.
+    /// Shows what the document says now. Runs by itself when the document or an OTF changes.
     void follow();
 
 signals:
-    /// Another frame is shown.
     void frameShown();
-    /// What the panes show, or are to show, may be another.
+    /// The panes may show, or ask for, something else.
     void followed();
     void failed();
 
 private:
     [[nodiscard]] std::vector<std::size_t> placesWanted() const;
-    /// Whether the frame has the panes that are asked for.
+    /// Whether the frame has the panes of the newest request.
     [[nodiscard]] bool frameHasPanesAsked() const;
     void take(const std::shared_ptr<const CastPicture>& frame);
     void showFrame();
@@ -80,12 +79,12 @@ private:
 
     Parts m_parts;
     bool m_shown = false;
-    const Study* m_study = nullptr;  ///< of m_frame or of what was asked for last; told apart by address only
+    const Study* m_study = nullptr;  ///< of m_frame or of the newest request; compared by address only
     PictureRequest m_asked;          ///< the newest request; without panes if nothing is asked for
     std::shared_ptr<const CastPicture> m_frame;
     std::vector<QImage> m_images;  ///< of m_frame's panes
     std::vector<CompareRow> m_rows;
-    /// What the picture of a pair was made of.
+    /// The sources of the picture of a pair.
     struct ShownPair {
         std::shared_ptr<const CastPicture> frame;
         Comparison comparison;
@@ -93,7 +92,7 @@ private:
         friend bool operator==(const ShownPair&, const ShownPair&) = default;
     };
     std::optional<ShownPair> m_pair;
-    bool m_waits = false;  ///< for an OTF, before which a pane would be clear
+    bool m_waits = false;  ///< for an OTF; without it a pane would be clear
     ProgressiveCaster m_caster;
 };
 

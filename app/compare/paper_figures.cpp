@@ -8,7 +8,7 @@ namespace echolucent {
 
 namespace {
 
-/// Side by side, without what would bend the curves.
+/// Panes side by side, without the adjustment that would bend their curves.
 Document sideBySide(Document document, const std::vector<Pane>& panes) {
     document.curves.adjustment = CurveAdjustment{};
     document = withPanes(std::move(document), panes);
@@ -20,7 +20,7 @@ Document sideBySide(Document document, const std::vector<Pane>& panes) {
 
 Document figure1(Document document) {
     document.curves.manual = ManualCurve{{{0.0, 0.0}, {1.0, 1.0}}};
-    document.curves.linear = LinearCurve{};  // the paper's own
+    document.curves.linear = LinearCurve{};  // the paper's
     return sideBySide(std::move(document),
                       {{.curve = CurveKind::manual}, {.curve = CurveKind::linear}, {.curve = CurveKind::adaptive}});
 }

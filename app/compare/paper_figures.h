@@ -1,4 +1,4 @@
-// Comparisons that are set up by one click: figures 1 and 9 of Petersch 2005, and a motion's OTFs side by side.
+// Comparisons that one click sets up: figures 1 and 9 of Petersch 2005, and a motion's OTFs side by side.
 #pragma once
 
 #include "processing/document/document.h"
@@ -9,13 +9,13 @@ namespace echolucent {
 /// adaptive one. The manual curve becomes that of (a).
 [[nodiscard]] Document figure1(Document document);
 
-/// Figure 9: a frame of the motion, turned from its first view by figure9Degrees, with one OTF for all frames and with
-/// an OTF of its own. The motion shows one OTF.
+/// Figure 9: a frame of the motion, figure9Degrees from its first view. One pane has one OTF for all frames, the other
+/// an OTF of this frame. The motion itself shows one OTF.
 [[nodiscard]] Document figure9(Document document);
 inline constexpr double figure9Degrees = 30.0;
 
-/// The adaptive curve in three panes, for whatever moves in the motion: one OTF for all frames, an OTF for each, and
-/// these smoothed for the least flicker.
+/// The adaptive curve in three panes, for any motion: one OTF for all frames, an OTF for each frame, and an OTF for
+/// each smoothed for the least flicker.
 [[nodiscard]] Document motionSideBySide(Document document);
 
 }  // namespace echolucent

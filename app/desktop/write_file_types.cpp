@@ -1,6 +1,5 @@
-// Writes, while the program is built, what a desktop must know of the files that open in it: the desktop entry, of
-// which it gets the form, and the MIME types that the system's own list does not hold. Both come from the list of
-// formats.
+// Writes, at build time, what a desktop must know of the program's files: the desktop entry, from a form, and the MIME
+// types that the system's list lacks. Both come from the list of formats.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -40,7 +39,7 @@ std::string mimeInfo() {
     return info + "</mime-info>\n";
 }
 
-/// Says on stderr what could not be written.
+/// Says on stderr if a file could not be written.
 bool write(const char* path, const std::string& text) {
     std::ofstream file(path);
     file << text;
@@ -51,7 +50,7 @@ bool write(const char* path, const std::string& text) {
 
 }  // namespace
 
-/// write_file_types FORM.desktop.in ENTRY.desktop MIME.xml
+/// Usage: write_file_types FORM.desktop.in ENTRY.desktop MIME.xml
 int main(int count, char** words) {
     if (count != 4) return EXIT_FAILURE;
     std::ifstream form(words[1]);

@@ -27,7 +27,7 @@ FileWriting::~FileWriting() { cancel(); }
 
 void FileWriting::begin(const QString& path, Write write, Tell tell) {
     m_cancel = std::make_shared<std::atomic<bool>>(false);
-    // The thread drops the result of a job that it cancels itself; this flag only ends the work.
+    // The thread drops the result of a job that it cancels itself. This flag only ends the work.
     m_thread.submit([path = path.toStdString(), write = std::move(write), tell = std::move(tell),
                      cancel = m_cancel](const Progress& progress) -> NewestWinsThread::Deliver {
         const auto written = writtenBy(write, path, {progress.report, cancel.get()});

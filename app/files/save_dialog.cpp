@@ -16,7 +16,6 @@ namespace echolucent {
 
 namespace {
 
-/// The first folder that a file can be written to.
 QString writableFolder(const QString& proposed, const Settings& settings) {
     for (const QString& folder :
          {proposed, settings.lastSaveFolder(), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
@@ -24,8 +23,8 @@ QString writableFolder(const QString& proposed, const Settings& settings) {
     return QDir::homePath();
 }
 
-/// The path with the suffix, where it has none of the endings that the filter names. QFileDialog takes what follows any
-/// point for an ending, as in "Visit 1.2".
+/// The path, with the suffix added if it has no ending of the filter. QFileDialog takes what follows any point for an
+/// ending, as in "Visit 1.2".
 QString withEnding(const QString& path, const QString& filter, const QString& suffix) {
     static const QRegularExpression ending(QStringLiteral(R"(\*(\.[^\s)]+))"));
     bool named = false;
@@ -34,7 +33,7 @@ QString withEnding(const QString& path, const QString& filter, const QString& su
     return named ? path + '.' + suffix : path;
 }
 
-/// Shows the note below the fields, in a dialog of Qt's own: those of desktops take no words.
+/// Shows the note below the fields. The dialog is Qt's own, since the desktop's dialogs take no words.
 void showNote(QFileDialog& dialog, const QString& note) {
     dialog.setOption(QFileDialog::DontUseNativeDialog);
     auto* fields = qobject_cast<QGridLayout*>(dialog.layout());
@@ -59,7 +58,7 @@ QString chooseFileToSave(QWidget& window, Settings& settings, const OpenStudy& o
             settings.setLastSaveFolder(QFileInfo(path).absolutePath());
             return path;
         }
-        dialog.selectFile(path);  // under its whole name the dialog asks whether it is to be replaced
+        dialog.selectFile(path);  // the dialog then asks about replacing the file of that name
     }
     return {};
 }

@@ -1,4 +1,4 @@
-// The one dialog in which a file to be saved is chosen.
+// The one dialog for choosing the file to save.
 #pragma once
 
 #include <QString>
@@ -10,20 +10,20 @@ namespace echolucent {
 class OpenStudy;
 class Settings;
 
-/// What is asked of the person.
+/// What the dialog asks.
 struct FileToSave {
     QString title;
     QString filter;                   ///< of the dialog's list, as QFileDialog takes it
     QString name;                     ///< proposed, without its suffix
-    QString suffix;                   ///< "json"; added where the person types no ending that the filter names
-    QString folder = {};              ///< proposed where it can be written to; else that of the file saved last
-    bool asksBeforeReplacing = true;  ///< else whoever calls asks what is to become of a file that is there
-    QString note = {};                ///< a sentence to be read before the file is saved; empty where there is none
+    QString suffix;                   ///< "json"; added if the person types no ending of the filter
+    QString folder = {};              ///< proposed if it can be written to; else that of the file saved last
+    bool asksBeforeReplacing = true;  ///< else the caller asks
+    QString note = {};                ///< a sentence to read before saving; empty for none
 };
 
-/// Asks for a file; its folder is remembered. An empty text where the person does not want to, and where another study
-/// opens in `openStudy` meanwhile, since what was to be saved is gone then. The dialog's object name is saveFile,
-/// that of its note saveFile.note.
+/// Asks for a file and remembers its folder. The text is empty if the person cancels. It is also empty if another study
+/// opens in `openStudy` meanwhile: the thing to save is gone then. The dialog's object name is saveFile, that of its
+/// note saveFile.note.
 [[nodiscard]] QString chooseFileToSave(QWidget& window, Settings& settings, const OpenStudy& openStudy,
                                        const FileToSave& file);
 

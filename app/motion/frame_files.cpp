@@ -24,7 +24,7 @@ namespace echolucent {
 namespace {
 
 constexpr auto pictureEnding = "png";
-constexpr double plainHeight = 720.0;  ///< labels of higher pictures grow with them
+constexpr double plainHeight = 720.0;  ///< labels grow with pictures above this height
 
 tl::unexpected<Failure> cancelled(const FrameOrder& order) {
     return fail(FailureKind::cancelled, order.choice.path.toStdString(), "", "was cancelled");
@@ -34,7 +34,7 @@ PictureLabels frameLabels(const FrameOrder& order, const PaneFrames& frames, int
     const Document shown = frames.documentOf(frame);
     const bool known = picture.voxels->geometry().spacingKnown;
     const MotionChoice& motion = order.document.motion;
-    // A frame of a probe that moves is no view of its own, not even the one in the middle.
+    // If the probe moves, no frame is a view of its own, not even the middle one.
     const bool ofAnotherView =
         !movesProbe(motion.scenario) && curveIsOfAnotherView(shown, otfViewpointOf(shown, firstPane));
     return {.caption = pictureCaption({.document = shown,
@@ -48,7 +48,7 @@ PictureLabels frameLabels(const FrameOrder& order, const PaneFrames& frames, int
             .spacingKnown = known};
 }
 
-/// A frame as 8-bit red, green, blue; empty where it was cancelled.
+/// A frame as 8-bit red, green, blue. Empty if the work was cancelled.
 std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, PaneFrames& frames, int frame,
                                                   const Progress& progress) {
     const QSize size = order.choice.size;
@@ -67,7 +67,7 @@ std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, PaneF
     return rgb;
 }
 
-/// Pictures that are written beside their places, and take them all at once.
+/// Writes pictures beside their places and puts them all in place at the end.
 class PictureSeries {
 public:
     Result<void> add(const std::string& path, const QSize& size, const std::vector<std::uint8_t>& rgb) {
@@ -83,7 +83,7 @@ public:
         m_paths.push_back(path);
         return {};
     }
-    /// Where one cannot take its place, those before it that are new are removed again.
+    /// If one cannot take its place, removes the new ones before it.
     Result<void> finish() {
         for (std::size_t i = 0; i < m_files.size(); ++i) {
             auto put = m_files[i].putInPlace();
@@ -102,11 +102,11 @@ private:
     std::vector<bool> m_isNew;
 };
 
-/// The picture of a frame, counted from 1, in a series of so many.
+/// The file of a frame, counted from 1, in a series of `frames` pictures.
 std::string fileOfSeries(const MovieChoice& choice, int frame, int frames) {
     const QFileInfo name(choice.path);
     const auto digits = std::max<qsizetype>(4, QString::number(frames).size());
-    // The name may hold what QString::arg() would replace.
+    // The name may hold a placeholder that QString::arg() would replace.
     const QString file = name.path() + '/' + name.completeBaseName() + '-' +
                          QString::number(frame).rightJustified(digits, u'0') + '.' + pictureEnding;
     return file.toStdString();

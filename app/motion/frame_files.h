@@ -12,7 +12,7 @@
 
 namespace echolucent {
 
-/// All that a movie or a series is made of, as it was when it was asked for: what changes meanwhile does not matter.
+/// All that a movie or a series is made from, as it was on request. Later changes do not matter.
 struct FrameOrder {
     Document document{};
     StudyPhases phases{};
@@ -21,25 +21,25 @@ struct FrameOrder {
     MovieChoice choice{};
 };
 
-/// The files that a choice writes for so many frames: the movie, or NAME-0001.png and those that follow it.
+/// The files for a choice and a number of frames: the movie, or NAME-0001.png and those that follow it.
 [[nodiscard]] std::vector<std::string> filesOf(FrameOutput output, const MovieChoice& choice, int frames);
 
-/// The pictures that are there of a longer series of that name: numbered on from so many frames, up to the first that
-/// is not there. A movie has none.
+/// Existing pictures of a longer series of that name. Their numbers go on after `frames`, up to the first that does not
+/// exist. A movie has none.
 [[nodiscard]] std::vector<std::string> filesOfLongerSeries(FrameOutput output, const MovieChoice& choice, int frames);
 
-/// Fails where the choice cannot be written: MovieFile::check(), a series whose name does not end in .png or whose
-/// folder is not there, or where a file of `study` would be replaced or removed.
+/// Fails if the choice cannot be written: MovieFile::check(), a series whose name does not end in .png, or a series
+/// whose folder does not exist. Also fails if a file of `study` would be replaced or removed.
 [[nodiscard]] Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int frames,
                                            const std::vector<std::string>& study);
 
-/// Writes every frame of one turn (PaneFrames), over black, with labels and measurements where the choice wants them.
-/// Files appear once the last frame is made, and none of them before: where it fails until then, or is cancelled
-/// (Failure::cancelled, within a frame), what was there before is as it was. Where a picture of a series cannot take
-/// its place then, those before it that are new are removed, and those that replaced others stay. Where the choice
-/// replaces, the pictures of a longer series (filesOfLongerSeries()) are removed once all of this one are in their
-/// places; it fails where one cannot be. Without labels a picture of a series is that of `render --document`, to the
-/// bit. Needs no GUI thread; the movie's encoder is loaded by the thread that calls it.
+/// Writes every frame of one turn (PaneFrames), over black. Adds labels and measurements if the choice wants them.
+/// Files appear only once the last frame is made. If it fails or is cancelled before that (Failure::cancelled, within a
+/// frame), the old files stay as they were. After the last frame, a picture of a series may still fail to take its
+/// place. If so, the new ones before it are removed, and those that replaced others stay. If the choice replaces, the
+/// pictures of a longer series (filesOfLongerSeries()) are removed once all of this one are in place. It fails if one
+/// cannot be removed. Without labels a picture of a series equals that of `render --document`, to the bit. Needs no GUI
+/// thread. The calling thread loads the movie's encoder.
 [[nodiscard]] Result<void> writeFrames(const FrameOrder& order, const Progress& progress = {});
 
 }  // namespace echolucent

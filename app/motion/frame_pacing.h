@@ -1,4 +1,4 @@
-// When the next frame of a motion is due, so that a late frame makes none of those after it late.
+// When the next frame of a motion is due. A late frame does not delay those after it.
 #pragma once
 
 #include <algorithm>
@@ -6,18 +6,18 @@
 
 namespace echolucent {
 
-/// Frames are due at even intervals. One that is late by less than an interval is followed by a shorter wait, so that
-/// the motion keeps its speed; what is later than that is given up, so that a motion that was held up does not hurry
-/// afterwards. Knows no clock: times count from any fixed moment.
+/// Frames are due at even intervals. If a frame is late by less than an interval, the next wait is shorter, so the
+/// motion keeps its speed. A longer delay is given up, so the motion does not hurry afterwards. This class has no
+/// clock: times count from any fixed moment.
 class FramePacing {
 public:
     using Time = std::chrono::nanoseconds;
 
-    /// Playing begins, or goes on after a pause, at `now`. It is never ahead of the frame before.
+    /// Playing begins, or goes on after a pause, at `now`. The interval of the frame before still holds.
     void resume(Time now, Time interval) { m_due = std::max(m_due, now - interval); }
     /// A frame is begun at `now`. Intervals are not negative.
     void begin(Time now, Time interval) { m_due = std::clamp(m_due + interval, now - interval, now); }
-    /// How long to wait for the next frame; 0 where it is due.
+    /// How long to wait for the next frame; 0 if it is due.
     [[nodiscard]] Time wait(Time now, Time interval) const { return std::max(Time{0}, m_due + interval - now); }
 
 private:

@@ -28,7 +28,7 @@ MotionFrames::MotionFrames(const Parts& parts, QObject* parent)
     connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, &MotionFrames::takeAngle);
     connect(&m_parts.model, &DocumentModel::phaseChanged, this, &MotionFrames::takePhase);
     connect(&m_parts.panes, &ShownPanes::courseChanged, &m_parts.coursePanel, &OtfCoursePanel::showCourse);
-    // Along another beam the motion is begun anew.
+    // The motion begins again if the beam changes.
     connect(&m_parts.model, &DocumentModel::beamChanged, &player, &MotionPlayer::pause);
     takeChoices();
 }
@@ -45,7 +45,7 @@ void MotionFrames::connectPanel() {
 void MotionFrames::takeFromPanel(const MotionChoice& choice, const QString& what) {
     Document next = m_parts.model.document();
     const MotionOtf before = std::exchange(next.motion, choice).otf;
-    // Back to one OTF: the one of the view in which the motion began.
+    // Back to one OTF: that of the view in which the motion began.
     if (choice.otf == MotionOtf::oneOtf && before != MotionOtf::oneOtf) next.scene.side = next.scene.pose.direction;
     m_parts.model.edit(next, what);
 }
@@ -111,7 +111,7 @@ void MotionFrames::showFrame(double angle, int phase) {
 
 void MotionFrames::announceShownFrame() {
     if (m_parts.otfs.busy() || !m_parts.view.isCurrent()) return;
-    // Where another pane has the whole room, no picture is made, and the motion goes on in that pane.
+    // If another pane has the whole room, there is no 3D picture, and the motion goes on in that pane.
     const VolumeViewWidget& picture = m_parts.picture;
     if (picture.isVisible() && !(picture.pictureIsCurrent() && picture.pictureIsOnScreen())) return;
     m_parts.player.frameShown();

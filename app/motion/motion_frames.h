@@ -15,9 +15,8 @@ namespace echolucent {
 class MotionPanel;
 class OtfCoursePanel;
 
-/// Makes the document show each frame of the motion player, tells the player once a frame is on the screen with its
-/// OTF, shows the course of the OTFs, and makes steps of what is chosen in the motion's panel. Knows no menu and no
-/// dock.
+/// Makes the document show each frame of the motion player. Tells the player once a frame is on the screen with its
+/// OTF. Shows the course of the OTFs. Makes steps of choices in the motion panel. Knows no menu and no dock.
 class MotionFrames : public QObject {
     Q_OBJECT
 
@@ -36,14 +35,14 @@ public:
     };
     explicit MotionFrames(const Parts& parts, QObject* parent = nullptr);
 
-    /// Another study is open, whose document is about to begin.
+    /// Another study is open; its document begins next.
     void setStudy(const Study& study);
-    /// Its document has begun: the motion is at rest in its first frame.
+    /// The document of the study has begun: the motion rests in its first frame.
     void beginAtRest();
-    /// Steps by a phase (-1 or 1) through those that play, over and over; from another phase, to the nearest end of
-    /// them in that order. What plays is paused.
+    /// Pauses the motion and steps by a phase (-1 or 1) through those that play, in a loop. From a phase outside them,
+    /// 1 goes to the first and -1 to the last.
     void stepPhase(int step);
-    /// The player goes on once the picture of the present frame, made with the frame's OTF, is on the screen.
+    /// Lets the player go on once the picture of the present frame, made with the frame's OTF, is on the screen.
     void announceShownFrame();
     /// Back to the frame at angle 0.
     void rewind();
@@ -62,7 +61,7 @@ private:
 
     Parts m_parts;
     Works::UnderWay m_plays;
-    QElapsedTimer m_frameClock;  ///< runs since the frame shown last
+    QElapsedTimer m_frameClock;  ///< runs since the last frame
     double m_frameSeconds = 0;   ///< running mean; 0 before the first frame
     PacedWords m_frameRate{[this] { tellFrameRate(); }};
 };

@@ -1,4 +1,4 @@
-// Plays the motion of the probe, of the object, or of both: which frame comes next, and when.
+// Plays the motion of the probe, of the object, or of both: decides which frame comes next, and when.
 #pragma once
 
 #include <QElapsedTimer>
@@ -11,9 +11,9 @@
 
 namespace echolucent {
 
-/// Frames follow each other as nextFrame() says, frameSeconds() apart (see FramePacing). A step is taken only when the
-/// frame before has been shown, so playing never outruns the renderer and skips no frame: where frames take longer than
-/// their time, the motion is slower than asked for.
+/// nextFrame() gives the order of frames, frameSeconds() their interval (see FramePacing). A step needs the frame
+/// before it on the screen. So playing never outruns the renderer and skips no frame. If frames take longer than their
+/// interval, the motion is slower than asked for.
 ///
 ///                 play()                        step: frameChanged(a, p)
 ///   [Paused] ---------------> [Frame shown, interval over] --------> [Waiting for frameShown() and the interval]
@@ -33,35 +33,35 @@ public:
     /// The phase of the 4D study, counted from 0.
     [[nodiscard]] int phase() const { return m_position.phase; }
     [[nodiscard]] const MotionChoice& choice() const { return m_choice; }
-    /// Steps follow each other this many milliseconds apart instead of frameSeconds(), which comes back where there is
-    /// no value. At 0 they follow each other as fast as frames are shown.
+    /// Sets the interval between steps in milliseconds, in place of frameSeconds(). No value brings frameSeconds()
+    /// back. At 0 each step follows as soon as the frame before is shown.
     void setMinimumFrameInterval(std::optional<int> milliseconds);
 
-    /// Takes the next step at once, without waiting for the interval. Returns false and takes none while paused, or
-    /// while the present frame has not been shown.
+    /// Takes the next step at once, without waiting for the interval. Returns false and takes no step if paused, or if
+    /// the present frame is not on the screen yet.
     bool stepNow();
 
 public slots:
     void play();
     void pause();
     void togglePlaying();
-    /// Sets the angle, rounded to whole degrees and clamped into the range. Emits frameChanged where it differs.
+    /// Sets the angle, rounded to whole degrees and clamped into the range. Emits frameChanged if it differs.
     void setAngle(double degrees);
     /// Moves the angle on by this many degrees, clamped into the range.
     void stepBy(int degrees);
-    /// What moves, in which order and how fast. Where another axis is chosen while the angle is not 0, the motion
-    /// starts from its view again: emits frameChanged with angle 0.
+    /// Sets what moves, in which order and how fast. If the axis changes while the angle is not 0, the motion starts
+    /// from its view again: emits frameChanged with angle 0.
     void setChoice(const echolucent::MotionChoice& choice);
-    /// A study of `phases` phases (>= 1), phaseSeconds apart where that is known (above 0), is shown from its first
-    /// phase on; emits nothing.
+    /// Shows a study from its first phase on; emits nothing. It has `phases` phases (>= 1). They are phaseSeconds apart
+    /// (above 0), if that is known.
     void setStudy(int phases, std::optional<double> phaseSeconds);
-    /// Another phase is shown, by hand; emits nothing. Needs a phase of the study.
+    /// The hand shows another phase of the study; emits nothing.
     void setPhase(int phase);
-    /// The present frame is on the screen. To be called for every frame, played or scrubbed.
+    /// The present frame is on the screen. Call this for every frame, played or scrubbed.
     void frameShown();
 
 signals:
-    /// Another frame is to be shown.
+    /// Another frame must be shown.
     void frameChanged(double degrees, int phase);
     void playingChanged(bool playing);
 

@@ -19,7 +19,7 @@ MovieFiles::MovieFiles(Parts parts)
       m_parts(std::move(parts)),
       m_writing(m_parts.works, QStringLiteral("movie"), {.urgency = Urgency::movie}) {}
 
-/// "heart.mp4", or "heart-0001.png to heart-0020.png"; where names are not shown, "*.png" for all of them.
+/// "heart.mp4", or "heart-0001.png to heart-0020.png". If names are hidden, "*.png" for all of them.
 QString MovieFiles::namesOf(const std::vector<std::string>& files) const {
     const QString first = m_parts.names.nameOfOther(QString::fromStdString(files.front())),
                   last = m_parts.names.nameOfOther(QString::fromStdString(files.back()));
@@ -113,7 +113,7 @@ QString MovieFiles::choosePath(FrameOutput output, const QString& present) const
                              .name = proposed.completeBaseName(),
                              .suffix = movie ? QStringLiteral("mp4") : QStringLiteral("png"),
                              .folder = proposed.absolutePath(),
-                             .asksBeforeReplacing = false});  // the dialog of the movie asks
+                             .asksBeforeReplacing = false});  // the movie dialog asks
 }
 
 FrameOrder MovieFiles::orderOf(FrameOutput output, const MovieChoice& choice) const {

@@ -1,5 +1,4 @@
-// Movies and series of pictures of the motion: asks how, writes them in a thread of its own, and tells what became of
-// them.
+// Movies and picture series of the motion: asks how, writes them in a thread, and tells how it ended.
 #pragma once
 
 #include <QObject>
@@ -21,8 +20,8 @@ class StudyNames;
 class Works;
 enum class MessageKind;
 
-/// Writes one movie or series at a time, of the document and the phases as they were when it was begun; the window
-/// stays usable. Ended by cancel(), or with this, it leaves no file.
+/// Writes one movie or series at a time. Document and phases stay as they were at the start. The window stays usable.
+/// If cancel() or the end of this object stops the writing, no file is left.
 class MovieFiles : public QObject {
     Q_OBJECT
 
@@ -36,21 +35,21 @@ public:
         MessageBar& messages;
         StudyNames& names;
         std::function<QSize()> viewPixels;                         ///< of the 3D view, device pixels
-        std::function<QString(const QString& what)> proposedName;  ///< of a file of the study, without an ending
+        std::function<QString(const QString& what)> proposedName;  ///< for a file of the study, without an ending
     };
-    /// All outlive this, which belongs to the window.
+    /// All outlive this object, which belongs to the window.
     explicit MovieFiles(Parts parts);
 
-    /// Opens the dialog (movieDialog). Where nothing is open nothing happens; while one is being written, it says so.
+    /// Opens the dialog (movieDialog). Does nothing if no study is open. If files are being written, says so.
     void ask(FrameOutput output);
-    /// Begins to write. What was chosen is checked once more.
+    /// Begins to write. Checks the choice once more.
     void begin(FrameOutput output, const MovieChoice& choice);
     [[nodiscard]] bool busy() const { return m_writing.busy(); }
-    /// Ends what is being written, within a frame.
+    /// Ends the writing, within a frame.
     void cancel() { m_writing.cancel(); }
 
 signals:
-    /// What was begun has ended: the sentence that says so, and whether it was written.
+    /// The writing has ended: whether the files were written, and the sentence that tells it.
     void ended(bool written, const QString& sentence);
 
 private:
@@ -65,8 +64,8 @@ private:
     void tell(bool written, MessageKind kind, const QString& sentence);
 
     Parts m_parts;
-    FrameOutput m_output = FrameOutput::movie;  ///< of what is being written
-    MovieChoice m_last;                         ///< what was chosen last: size and labels are proposed again
+    FrameOutput m_output = FrameOutput::movie;  ///< of the files being written
+    MovieChoice m_last;                         ///< the last choice: its size and labels are proposed again
     // Last, so that its thread has ended before anything above is destroyed.
     FileWriting m_writing;
 };

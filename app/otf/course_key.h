@@ -1,4 +1,4 @@
-// What the frames of one course of OTFs have in common.
+// What the frames of one course of OTFs share.
 #pragma once
 
 #include "processing/document/document.h"
@@ -7,21 +7,21 @@
 
 namespace echolucent {
 
-/// What the course's rows have in common within a study; another one begins a new course.
+/// What the rows of a course share within a study. Another key begins a new course.
 struct CourseKey {
     Viewpoint start;
     SharedList<ScalpelStroke> strokes;
     MotionAxis axis = MotionAxis::y;
     AdaptiveOtfConfig config;
     OtfCourse::Rows rows = OtfCourse::Rows::angles;
-    int fixed = 0;  ///< the phase or the angle that stays; 0 where both change
+    int fixed = 0;  ///< the phase or the angle that stays; 0 if both change
     friend bool operator==(const CourseKey&, const CourseKey&) = default;
 };
 
-/// From where the scene is seen at angle 0 of a motion: its pose, its front and its box.
+/// The viewpoint at angle 0 of a motion: the scene's pose, front and box.
 [[nodiscard]] Viewpoint motionStartOf(const Document& document);
 
-/// The key of the course to which a frame of a pane belongs; `config` is what its OTF was computed with.
+/// The key of the course of a pane's frame. `config` is that of the frame's OTF.
 [[nodiscard]] CourseKey courseKeyOf(const Document& document, const AdaptiveOtfConfig& config,
                                     const CourseFrame& frame);
 

@@ -22,7 +22,7 @@ EditorOtfs::EditorOtfs(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.designers, &DesignerPanel::computeRequested, &m_parts.otfs, &PaneOtfs::computeAgain);
 }
 
-/// The curve before stays until the next one is there, or none will come.
+/// Keeps the curve before until the next one is there, or none will come.
 void EditorOtfs::showAdaptive() {
     const SampledCurve& curve = m_parts.panes.adaptiveCurve();
     const bool comes = curve.opacities.empty() && !m_parts.otfs.isRefused(PaneOtfs::adaptiveOfScene);
@@ -40,14 +40,14 @@ void EditorOtfs::showDesign() {
 void EditorOtfs::showInPanel() {
     const DesignerConfig* config = designerConfigOf(m_parts.model.document(), firstPane);
     auto made = m_parts.otfs.designOf(firstPane);
-    // What another designer made before is shown still, and is nothing of this one's.
+    // The picture may still show the design of another designer. The panel of this one does not.
     if (made && (config == nullptr || config->index() != made->asked.config.index())) made.reset();
     if (made != m_inPanel) m_parts.designers.setDesign(made ? &made->design : nullptr, made ? made->milliseconds : 0.0);
     m_inPanel = made;
     m_parts.designers.setComputing(m_parts.otfs.designing(), m_parts.otfs.isAnyRefused());
 }
 
-/// The scene's OTF is told once, at its own place.
+/// A failure of the scene's OTF is told once, for its own place.
 void EditorOtfs::tellFailure(std::size_t place, const QString& sentence) {
     const bool designed = designerConfigOf(m_parts.model.document(), firstPane) != nullptr;
     if (place == PaneOtfs::adaptiveOfScene || (place == firstPane && designed))

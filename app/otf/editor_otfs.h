@@ -1,4 +1,4 @@
-// The OTFs that are computed, in the curve editor and in the panel of designers.
+// Shows computed OTFs in the curve editor and in the panel of designers.
 #pragma once
 
 #include <QObject>
@@ -12,8 +12,8 @@ class DesignerPanel;
 class MessageBar;
 class OtfEditor;
 
-/// Brings the adaptive curve and what the designer of the first pane made to editor and panel, says what failed, and
-/// cancels and computes again if the panel asks for it.
+/// Brings the adaptive curve to the editor, and the design of the first pane to editor and panel. Tells of failures.
+/// Cancels and computes again if the panel asks for it.
 class EditorOtfs : public QObject {
     Q_OBJECT
 

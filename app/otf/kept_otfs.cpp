@@ -58,7 +58,7 @@ void KeptOtfs::keep(const ComputedOtf& otf) {
 }
 
 std::shared_ptr<const ComputedOtf> KeptOtfs::find(const OtfRequest& request) const {
-    if (!request.raw || !request.shown) return nullptr;  // else they would equal voxels that are gone
+    if (!request.raw || !request.shown) return nullptr;  // null would equal voxels that are gone
     OtfRequest voxelless = request;
     voxelless.raw = voxelless.shown = nullptr;
     const auto found = std::ranges::find_if(m_kept, [&](const Kept& kept) {

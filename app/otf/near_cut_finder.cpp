@@ -13,7 +13,7 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent)
       m_thread(parts.works, QStringLiteral("near cut"),
                {.words = tr("looking for the near cut"), .urgency = Urgency::nearCut}) {
     connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &NearCutFinder::cancel);
-    // What was asked of the volume is asked of the one that is cut.
+    // If a search runs, searches the cut volume instead.
     connect(&m_parts.openStudy, &OpenStudy::volumeCut, this, [this] {
         if (busy() && m_searched != m_parts.openStudy.volume()) look();
     });
@@ -56,21 +56,21 @@ void NearCutFinder::take(const NearCutFinding& finding) {
         tell(MessageKind::warning, tr("The near cut stays as it is. %1").arg(said));
         return;
     }
-    const Front cut{.depthMm = std::round(10 * finding.nearCutMm) / 10};  // as people set it
-    // No cut has no direction: what was computed for another view stays.
+    const Front cut{.depthMm = std::round(10 * finding.nearCutMm) / 10};  // in tenths of mm, as people set it
+    // Without a cut no direction is needed: an OTF computed for another view stays.
     cutAlong(cut, cut.depthMm > 0 ? directionOf(m_looksFrom) : m_parts.model.document().scene.side);
     tell(MessageKind::info, said, waysOn(finding, cut == before ? std::nullopt : std::optional(before)));
 }
 
 void NearCutFinder::tellOpening(const NearCutFinding& finding) {
     if (m_parts.model.document().scene.front.source != FrontSource::found) return;
-    // What is wrong with the file is said first; the cut stands in the picture's caption too.
+    // A message about the file comes first. The picture's caption also tells of the cut.
     if (!m_parts.messages.text().isEmpty()) return;
     m_looksFrom = viewpointOf(m_parts.model.document());
     tell(MessageKind::info, QString::fromStdString(finding.message), waysOn(finding, Front{}));
 }
 
-/// The curved cut where there is one, and the way back to a cut where one is given.
+/// Offers the curved cut if there is one, and the way back if `back` has a value.
 QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const std::optional<Front>& back) {
     QList<MessageAction> actions;
     if (finding.surface)

@@ -1,4 +1,4 @@
-// Looks for the near cut that opens the fluid, makes it, says so, and offers the way back.
+// Looks for the near cut that opens the fluid, makes it, tells of it, and offers the way back.
 #pragma once
 
 #include <QObject>
@@ -28,15 +28,15 @@ public:
 
     /// Looks in the view that the document shows now.
     void find();
-    /// Takes back the cut that is there; looks for one where there is none.
+    /// Takes the present cut back. If there is none, looks for one.
     void toggle();
-    /// Tells of the cut that was made on opening, with the way back.
+    /// Tells of the cut made on opening, with the way back.
     void tellOpening(const NearCutFinding& finding);
-    /// Whether it is being looked for, in a thread of its own.
+    /// Whether a search runs, in its own thread.
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
     void cancel() { m_thread.cancel(); }
 
-    /// What is run; tests put one in its place that ends on command.
+    /// The search function. Tests put in one that ends on command.
     using Search = std::function<std::optional<NearCutFinding>(const Volume&, const Viewpoint&, const Progress&)>;
     void setSearch(Search search) { m_search = std::move(search); }
 
@@ -45,7 +45,7 @@ private:
     void take(const NearCutFinding& finding);
     [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Front>& back);
     void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
-    /// What a message about a cut is true of.
+    /// A message about a cut is true of this picture alone.
     struct CutPicture {
         StudyReference study;
         int phase = 0;
@@ -60,8 +60,8 @@ private:
     Parts m_parts;
     Viewpoint m_looksFrom;
     Search m_search;
-    std::shared_ptr<const Volume> m_searched;  ///< by the newest search
-    QString m_told;                            ///< the newest message, which is true of m_toldPicture; then it is empty
+    std::shared_ptr<const Volume> m_searched;  ///< the volume of the newest search
+    QString m_told;  ///< the newest message, true of m_toldPicture; empty once that is another
     CutPicture m_toldPicture;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

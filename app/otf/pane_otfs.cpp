@@ -12,7 +12,7 @@ namespace echolucent {
 
 namespace {
 
-/// Whether two requests ask for the same but of other voxels, as the frames of a 4D study do.
+/// Whether two requests differ in voxels alone, as those of the frames of a 4D study do.
 bool differInVoxelsOnly(auto one, const auto& other) {
     one.raw = other.raw;
     one.shown = other.shown;
@@ -35,9 +35,9 @@ PaneOtfs::PaneOtfs(DocumentModel& model, OpenStudy& openStudy, Works& works, QOb
     connect(&m_model, &DocumentModel::changed, this, &PaneOtfs::follow);
     connect(&m_openStudy, &OpenStudy::volumeChanged, this, &PaneOtfs::follow);
     connect(&m_openStudy, &OpenStudy::phaseVoxelsChanged, this, &PaneOtfs::follow);
-    // What was cancelled is waited for no more.
+    // If the making of quiet voxels is cancelled, no OTF waits for them any longer.
     connect(&m_openStudy, &OpenStudy::quieteningChanged, this, &PaneOtfs::follow);
-    // Strokes that cut nothing change no voxels.
+    // Strokes that cut nothing end without another signal: they change no voxels.
     connect(&m_openStudy, &OpenStudy::cuttingChanged, this, &PaneOtfs::follow);
     connect(&m_thread, &NewestWinsThread::progressed, this, &PaneOtfs::progressed);
 }
@@ -108,7 +108,7 @@ void PaneOtfs::computeForThisView() {
     next.scene.side = directionOf(shown);
     next.motion.otfPhase = phaseOf(next, firstPane);
     m_model.edit(next, tr("compute for this view"));
-    m_view = shown;  // also if the side was this one before
+    m_view = shown;  // even if the side was this one before
     computeAgain();
 }
 
@@ -123,7 +123,7 @@ bool PaneOtfs::isOfSomePhase(const OtfRequest& request) const {
 
 std::vector<std::size_t> PaneOtfs::wantedPlaces() const {
     const Document& document = m_model.document();
-    // A designer may take long: the scene's OTF does not wait for it.
+    // The scene's OTF comes first: a designer may take long.
     std::vector<std::size_t> places{adaptiveOfScene};
     for (std::size_t pane = 0; pane < document.panes.size(); ++pane)
         if (needsComputedOtf(document, pane) && (pane == firstPane || m_comparing)) places.push_back(pane);
@@ -151,7 +151,7 @@ std::optional<OtfRequest> PaneOtfs::requestOf(std::size_t place) const {
     const Study* study = m_openStudy.study();
     if (study == nullptr || std::ranges::find(all, place) == all.end()) return std::nullopt;
     const std::size_t pane = paneOf(place);
-    // A pane of a longer study shows the last phase.
+    // A pane may name a phase of a longer study: it shows the last phase.
     const int phases = static_cast<int>(study->phases.size());
     const int phase = std::min(otfPhaseOf(document, pane, phases), phases - 1);
     if (waitsForVoxels(place, phase)) return std::nullopt;
@@ -192,7 +192,7 @@ void PaneOtfs::followView() {
                        .phase = phaseOf(document, firstPane),
                        .pose = document.scene.pose};
     const Followed before = std::exchange(m_followed, now);
-    // Front and box limit a frame of the motion, and leave its direction as it is.
+    // Front and box limit a frame of the motion, but do not change its direction.
     const auto limit = [&now](Viewpoint view) {
         view.nearCutMm = now.fromSide.nearCutMm;
         view.cutSurface = now.fromSide.cutSurface;
@@ -201,7 +201,7 @@ void PaneOtfs::followView() {
     };
     m_view = limit(before.fromSide) == now.fromSide ? limit(m_view) : now.fromSide;
     const bool oneOtf = now.otf == MotionOtf::oneOtf;
-    // The hand that turns the camera ends the motion: that is no frame of it.
+    // If the hand turns the camera, the motion ends, so this is no frame of it.
     const bool anotherFrame = (now.angle != before.angle || now.phase != before.phase) && now.pose == before.pose;
     if (now.otf != before.otf)
         m_view = oneOtf ? now.fromSide : viewpointOf(document);
@@ -211,8 +211,8 @@ void PaneOtfs::followView() {
 
 void PaneOtfs::follow() {
     m_stale = true;
-    if (m_openStudy.beginning()) return;           // the document is that of the study before
-    if (std::exchange(m_following, true)) return;  // who was given something has changed the document
+    if (m_openStudy.beginning()) return;           // the document still belongs to the study before
+    if (std::exchange(m_following, true)) return;  // a receiver of computed() has changed the document
     while (m_stale) {
         askForVoxels();
         m_stale = false;
@@ -223,7 +223,7 @@ void PaneOtfs::follow() {
     emit followed();
 }
 
-/// The phase shown, that of the one OTF of a motion, how much speckle is taken away, and what is cut.
+/// Asks for the phase shown, the phase of a motion's one OTF, the speckle reduction, and the cuts.
 void PaneOtfs::askForVoxels() {
     const Document& document = m_model.document();
     m_openStudy.setReduction(document.scene.look.reduction);
@@ -252,7 +252,7 @@ void PaneOtfs::giveWhatIsKept() {
     for (const auto& [place, request] : wanted) {
         const auto made = m_made.find(place);
         if (made != m_made.end() && made->second.otf->asked == request) continue;
-        // The scene's OTF may be there for another place.
+        // Another place may have this OTF already.
         const auto same = std::ranges::find_if(
             m_made, [&asked = request](const auto& each) { return each.second.otf->asked == asked; });
         if (same != m_made.end())
@@ -268,8 +268,8 @@ bool PaneOtfs::refused(const OtfRequest& request) const {
 
 void PaneOtfs::computeNext() {
     if (m_running) {
-        // The frame of a motion that has gone on is kept for its next turn; else a slow designer would make none.
-        // Voxels that were cut or quietened since are nobody's frame.
+        // If the motion goes on, its frame is still computed and kept for the next turn: else a slow designer would
+        // finish none. If voxels were cut or quietened since, no frame needs the OTF.
         const bool goesOn = std::ranges::any_of(m_wanted, [this](const auto& wanted) {
             return wanted.second == *m_running || differInVoxelsOnly(wanted.second, *m_running);
         });
@@ -284,7 +284,7 @@ void PaneOtfs::computeNext() {
     stop();
 }
 
-/// Ends what is computed, of which nobody waits for the end.
+/// Ends the computation: nobody waits for it.
 void PaneOtfs::stop() {
     if (!std::exchange(m_running, std::nullopt)) return;
     m_thread.cancel();

@@ -15,7 +15,7 @@ ShownPanes::ShownPanes(DocumentModel& model, OpenStudy& openStudy, PaneOtfs& otf
 
 void ShownPanes::setPlaying(bool playing) {
     m_playing = playing;
-    m_otfs.setPlaying(playing);  // which tells followed()
+    m_otfs.setPlaying(playing);  // this emits followed()
 }
 
 const SampledCurve& ShownPanes::adaptiveCurve() const {
@@ -57,7 +57,7 @@ MotionOtf ShownPanes::modeOf(std::size_t place) const {
     return document.panes.at(place).motionOtf.value_or(document.motion.otf);
 }
 
-/// A frame joins the course once its OTF is there. What the hand turns meanwhile is no frame.
+/// A frame joins the course once its OTF is there. A view that the hand turns meanwhile is no frame.
 void ShownPanes::followCourse(std::size_t place) {
     const Document& document = m_model.document();
     const bool ofScene = place == PaneOtfs::adaptiveOfScene;
@@ -66,7 +66,7 @@ void ShownPanes::followCourse(std::size_t place) {
         m_courses.erase(place);
         return;
     }
-    // What pane and scene have alike has one course.
+    // If pane and scene have the same OTF and mode, they share one course.
     const auto scenes = m_courses.find(PaneOtfs::adaptiveOfScene);
     if (!ofScene && scenes != m_courses.end() && scenes->second.otf == made->design.tubeCores &&
         scenes->second.mode == modeOf(place)) {
@@ -95,13 +95,13 @@ void ShownPanes::followCourse(std::size_t place) {
     OtfCourse& course = ofScene ? m_sceneCourse : taken.course;
     if (taken.key != key) {
         course.begin(key.rows, phases);
-        // Another loop has no use for the OTFs of the one before.
+        // Another loop does not need the OTFs of the one before.
         if (ofScene && mode != MotionOtf::oneOtf) m_otfs.forgetAdaptive();
         taken.key = std::move(key);
     } else if (ofScene && begins) {
         m_otfs.forgetAdaptive();
     }
-    // An OTF of another view or phase than the frame's (one OTF for a motion that has gone on) is no frame of it.
+    // One OTF of a motion may be of another view or phase than the frame. Then it is no OTF of this frame.
     const bool ofFrame = otf->view == viewpointOf(document) && otfPhaseOf(document, pane, phases) == phase;
     if (ofFrame) course.add(frame, otf->curve);
     if (mode == MotionOtf::oneOtf) course.addOneOtf(frame, otf->curve);
@@ -129,7 +129,7 @@ void ShownPanes::takeVoxels(std::size_t place, int phase, ShownPane& pane) const
         if (comeSoon && last->second.measured == pane.measured) pane.voxels = last->second.voxels;
         return;
     }
-    // One picture and not two follow an opening.
+    // One picture follows an opening, not two.
     const bool small = pane.measured->geometry().voxelCount() <= PaneOtfs::quietFirstVoxels;
     if ((comeSoon && small) || m_openStudy.isCutting(phase)) pane.ready = false;
 }
@@ -150,13 +150,13 @@ ShownPane ShownPanes::shownNow(std::size_t place) const {
     pane.newest = m_otfs.isNewest(place);
     pane.refused = !pane.newest && m_otfs.isRefused(place);
     if (made && !pane.refused && made->asked.raw == pane.measured)
-        pane.voxels = made->asked.shown;  // they came together
+        pane.voxels = made->asked.shown;  // the OTF was made for these voxels
     else
         takeVoxels(place, phase, pane);
     const int otfPhase = std::min(otfPhaseOf(document, place, phases), phases - 1);
     const bool ofScan = made && made->asked.raw->isSameScanAs(*m_openStudy.rawVoxelsOf(otfPhase));
     pane.ready = pane.newest || pane.refused || (ofScan && !m_playing);
-    // A pane whose first OTF does not come goes on with what it showed.
+    // If a pane's first OTF has not come, the pane keeps its last classification.
     if (const auto last = m_last.find(place); !made && last != m_last.end()) {
         pane.classification = last->second.classification;
         return pane;

@@ -1,4 +1,4 @@
-// What each pane is to show of the study: its voxels, what they are classified with, and whether both belong together.
+// Decides what each pane shows of the study: voxels, classification, and whether both belong together.
 #pragma once
 
 #include <QObject>
@@ -14,20 +14,19 @@
 
 namespace echolucent {
 
-/// What a pane is to show now. A picture of it is made once it is ready.
+/// What a pane shows now. Its picture is made once this is ready.
 struct ShownPane {
     std::shared_ptr<const Volume> voxels{};    ///< quiet if speckle is reduced, and cut by the scalpel; null: no study
-    std::shared_ptr<const Volume> measured{};  ///< the same as they were read
+    std::shared_ptr<const Volume> measured{};  ///< the same voxels as read
     Classification classification{};
     bool newest = false;   ///< it is what the document asks for
-    bool refused = false;  ///< what the document asks for was cancelled or has failed, and does not come by itself
-    /// Voxels and classification are of one scan, or none will come. While a motion plays they are the frame's own.
+    bool refused = false;  ///< the requested OTF was cancelled or has failed, and does not come by itself
+    /// Voxels and classification are of one scan, or no OTF will come. While a motion plays, both are the frame's own.
     bool ready = false;
 };
 
-/// Follows document, study and OTFs. A pane shows the newest voxels of its phase; while the OTF for them is computed,
-/// it shows those that its last OTF was made for. In a motion whose OTFs are smoothed it shows the smoothed one, of the
-/// course of its frames.
+/// Follows document, study and OTFs. A pane shows the newest voxels of its phase. While their OTF is computed, it shows
+/// the voxels of its last OTF. In a motion with smoothed OTFs it shows the smoothed one, from the course of its frames.
 class ShownPanes : public QObject {
     Q_OBJECT
 
@@ -36,18 +35,17 @@ public:
     ShownPanes(DocumentModel& model, OpenStudy& openStudy, PaneOtfs& otfs, OtfCourse& course,
                QObject* parent = nullptr);
 
-    /// Whether a motion plays.
     void setPlaying(bool playing);
     [[nodiscard]] bool playing() const { return m_playing; }
-    /// As of the newest changed().
+    /// The state at the last changed().
     [[nodiscard]] const ShownPane& at(std::size_t pane) const;
     /// The adaptive curve of the scene as the present frame shows it; empty before a study's first.
     [[nodiscard]] const SampledCurve& adaptiveCurve() const;
 
 signals:
-    /// at() may be another, of any pane.
+    /// at() may differ for any pane.
     void changed();
-    /// The course of the scene's adaptive OTF has another frame.
+    /// The course of the scene's adaptive OTF may have changed.
     void courseChanged();
 
 private:
@@ -55,20 +53,20 @@ private:
     struct Course {
         std::optional<CourseKey> key;
         OtfCourse course;
-        // What was taken last.
+        // The values taken last.
         std::shared_ptr<const AdaptiveOtf> otf;
         MotionOtf mode = MotionOtf::oneOtf;
         double angle = 0.0;
         int phase = 0;
         Pose pose{};
-        SampledCurve curve;  ///< that its mode shows
+        SampledCurve curve;  ///< the curve that its mode shows
     };
     void follow();
     [[nodiscard]] ShownPane shownNow(std::size_t pane) const;
     void followCourse(std::size_t place);
     [[nodiscard]] MotionOtf modeOf(std::size_t place) const;
     [[nodiscard]] const SampledCurve* curveAt(std::size_t pane, const ComputedOtf& otf) const;
-    /// Gives voxels to a pane whose OTF is not made for them.
+    /// Gives voxels to a pane if its OTF was not made for them.
     void takeVoxels(std::size_t place, int phase, ShownPane& pane) const;
 
     DocumentModel& m_model;
@@ -77,9 +75,9 @@ private:
     OtfCourse& m_sceneCourse;
     bool m_playing = false;
     std::map<std::size_t, Course> m_courses;  ///< by place
-    const Study* m_study = nullptr;           ///< told apart by address only
+    const Study* m_study = nullptr;           ///< compared by address only
     std::vector<ShownPane> m_shown;           ///< by pane, as followed last
-    std::map<std::size_t, ShownPane> m_last;  ///< ready ones that somebody looks at, by pane
+    std::map<std::size_t, ShownPane> m_last;  ///< the last ready ones of panes that somebody looks at
 };
 
 }  // namespace echolucent

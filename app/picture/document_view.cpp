@@ -13,7 +13,7 @@ DocumentView::DocumentView(DocumentModel& model, OpenStudy& openStudy, ShownPane
     connect(&m_widget, &VolumeViewWidget::dragEnded, &m_model, &DocumentModel::commitPreview);
     connect(&m_widget, &VolumeViewWidget::dragCancelled, this, [this] {
         m_model.cancelPreview();
-        // The widget is back where its drag began, which another step may have left since.
+        // The widget has gone back to the start of its drag. Another step may have changed the document since.
         follow();
     });
     follow();
@@ -24,7 +24,7 @@ void DocumentView::follow() {
     const bool nothingIsOpen = m_openStudy.study() == nullptr;
     m_isCurrent = pane.ready || nothingIsOpen;
     if (!pane.ready) {
-        // What plays shows pose and OTF of a frame together.
+        // While a motion plays, a frame shows its pose and its OTF together.
         if (!held() && !m_panes.playing()) showPose();
         return;
     }
@@ -44,7 +44,7 @@ void DocumentView::showPose() {
 }
 
 void DocumentView::takePose() {
-    if (held()) return;  // what the hand moves is the picture of the study before
+    if (held()) return;  // the hand moves the picture of the study before
     m_model.moveCamera(m_widget.pose(), m_widget.dragging());
     emit cameraMoved();
 }

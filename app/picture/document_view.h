@@ -10,8 +10,8 @@ namespace echolucent {
 
 class VolumeViewWidget;
 
-/// Shows in a widget what the document and what is computed for it say, and makes steps of what the hand does there.
-/// The picture follows the document and nothing else. Several of them show one document: turning one turns all.
+/// Shows the document and its computed OTF in a widget, and makes steps of what the hand does there. The picture
+/// follows the document alone. Several of these views show one document: turning one turns all.
 class DocumentView : public QObject {
     Q_OBJECT
 
@@ -20,8 +20,8 @@ public:
     DocumentView(DocumentModel& model, OpenStudy& openStudy, ShownPanes& panes, VolumeViewWidget& widget,
                  QObject* parent = nullptr);
 
-    /// The widget goes on showing the study before until the first pane is ready: a picture is never made of one
-    /// study's voxels and another's values. What the hand does there meanwhile is no step.
+    /// Whether the widget still shows the study before. It does until the first pane is ready: a picture never mixes
+    /// the voxels of one study with the values of another. What the hand does there meanwhile is no step.
     [[nodiscard]] bool held() const { return m_study != m_openStudy.study(); }
     /// Whether the widget was given what the document says now.
     [[nodiscard]] bool isCurrent() const { return m_isCurrent; }
@@ -40,7 +40,7 @@ private:
     OpenStudy& m_openStudy;
     ShownPanes& m_panes;
     VolumeViewWidget& m_widget;
-    const Study* m_study = nullptr;  ///< that the widget shows; told apart by address only
+    const Study* m_study = nullptr;  ///< shown by the widget; compared by address only
     bool m_isCurrent = true;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 QString explanationText(const char* text) { return QCoreApplication::translate("explanation", text); }
 
-/// What the designer of the picture's OTF says of it, which is the one before while that of the document computes.
+/// The designer's words on the picture's OTF. While the document's OTF is computed, this is the one before.
 QStringList designSentences(const PictureFacts& facts, const DesignerConfig& config) {
     const QString follows = explanationText("What is seen and what is clear follows from the OTF of the designer %1.");
     if (facts.design == nullptr)
@@ -83,7 +83,7 @@ QString readingSentence(const AdaptiveOtfConfig& config) {
     return {};
 }
 
-/// What tells surfaces, and what becomes of them.
+/// How the method tells surfaces, and what it makes of them.
 QString methodSentences(const AdaptiveOtf& otf) {
     const AdaptiveOtfConfig& config = otf.config;
     const bool ramp = std::holds_alternative<RampRule>(config.curve);
@@ -136,7 +136,7 @@ QString lightSentence(const LightDirection& light) {
         .arg(light.elevationDegrees < 0 ? explanationText("below") : explanationText("above"));
 }
 
-/// What each mode makes of the volume, and in direct rendering the curve's, the light's and the depth's part in it.
+/// What each mode shows of the volume. In direct rendering also the effect of curve, light and depth.
 QStringList whatIsSeen(const PictureFacts& facts) {
     const Look& look = facts.document.scene.look;
     switch (look.mode) {

@@ -11,20 +11,19 @@
 
 namespace echolucent {
 
-/// What the picture is made of.
 struct PictureFacts {
     const Study& study;
     const Volume& volume;
-    const AdaptiveOtf* otf;  ///< null where it is not computed yet
+    const AdaptiveOtf* otf;  ///< null until it is computed
     const Document& document;
     ShownSpeckle speckle = ShownSpeckle::asRead;
-    /// What the designer of the view made; null where the view has none, or it is not computed yet.
+    /// The design of the view's designer; null without a designer, and until it is computed.
     const ComputedOtf* design = nullptr;
-    bool designIsNewest = true;  ///< else it is computed anew, or that was cancelled
+    bool designIsNewest = true;  ///< false while it is computed again, or if that was cancelled
 };
 
-/// A few plain sentences: what is shown, from where, which OTF decides what is seen, how it was found
-/// (interface function, form and reading of the method), what becomes of it in a motion, what is assumed.
+/// A few plain sentences: what is shown, from where, and which OTF decides what is seen. Then how it was found
+/// (interface function, form and reading of the method), what happens to it in a motion, and what is assumed.
 [[nodiscard]] QString explainPicture(const PictureFacts& facts);
 
 }  // namespace echolucent

@@ -17,7 +17,7 @@ LoadingPicture::LoadingPicture(const Parts& parts, QObject* parent)
     connect(&openStudy, &OpenStudy::studyOpened, this, [this] {
         m_thread.cancel();
         m_opened = true;
-        if (!m_parts.picture.isVisible()) end();  // no picture is drawn there
+        if (!m_parts.picture.isVisible()) end();  // a hidden view draws no first picture
     });
     connect(&openStudy, &OpenStudy::loadingChanged, this, [this](bool loading) {
         if (!loading && !m_opened) end();
@@ -41,7 +41,7 @@ void LoadingPicture::make(const CoarseVolume& coarse) {
             if (!picture) return {};
             return [this, image = imageOf(*picture)] { show(image); };
         } catch (const std::bad_alloc&) {
-            return {};  // the study's own picture says what lacks memory
+            return {};  // the study's own picture tells of missing memory
         }
     });
 }

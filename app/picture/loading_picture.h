@@ -1,4 +1,4 @@
-// The coarse picture of a large study, which is seen while the study is being loaded.
+// The coarse picture of a large study, shown while the study loads.
 #pragma once
 
 #include <QImage>
@@ -14,9 +14,9 @@ namespace echolucent {
 class StillPicture;
 class VolumeViewWidget;
 
-/// Makes a picture of what OpenStudy has of a study before all of it is read, in a thread of its own, and lays it over
-/// the 3D view until the study's own first picture is drawn there, or the loading ends without one. It is no part of
-/// the document: what was open stays open below it, with what the bar of messages says of it.
+/// Makes a picture of a study before OpenStudy has read all of it, in its own thread. Lays it over the 3D view until
+/// the study's own first picture is drawn there, or the loading ends without one. The picture is no part of the
+/// document. The open study stays below it, with its messages.
 class LoadingPicture : public QObject {
     Q_OBJECT
 
@@ -38,7 +38,7 @@ private:
 
     Parts m_parts;
     StillPicture* m_still = nullptr;  ///< made with the first picture, in the 3D view
-    bool m_opened = false;            ///< the study is open, and its first picture is on its way
+    bool m_opened = false;            ///< the study is open, and its first picture is being made
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;
 };

@@ -55,7 +55,7 @@ QString lightLine(const Look& look) {
     return look.lighting == Lighting::depth ? captionText("light tells depth") : captionText("light on surfaces");
 }
 
-/// Where the phases move the line stands in every frame: else it would go for the one whose OTF it is.
+/// If a motion changes the phase, every frame has the line. Else it would vanish in the frame whose OTF it is.
 QString otfLine(const Document& document) {
     const MotionChoice& motion = document.motion;
     if (motion.otf != MotionOtf::oneOtf || !needsComputedOtf(document, firstPane)) return {};

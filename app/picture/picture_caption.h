@@ -1,4 +1,4 @@
-// The line in the picture that says what was done to it, and by whom.
+// The caption in the picture: what was done to it, and by whom.
 #pragma once
 
 #include <QString>
@@ -10,33 +10,33 @@
 
 namespace echolucent {
 
-/// What has become of the speckle in the picture.
+/// What was done with the speckle in the picture.
 enum class ShownSpeckle {
     asRead,        ///< the voxels are shown as they were read
-    beingReduced,  ///< so they are, until their quiet voxels are made
+    beingReduced,  ///< likewise, until their quiet voxels are made
     reduced,       ///< quiet voxels are shown, as the look asks
 };
 
-/// What the caption tells beside the document.
+/// What the caption needs beside the document.
 struct CaptionFacts {
     const Document& document;
     ShownSpeckle speckle = ShownSpeckle::asRead;
     bool curveOfAnotherView = false;       ///< as curveIsOfAnotherView()
-    bool designIsShown = true;             ///< where the view has a designer, it made the OTF that is shown
-    bool lengthsKnown = true;              ///< the volume's spacing is known, so that lengths in mm may be told
-    std::optional<Reduction> reduction{};  ///< of the volume, where the file holds more voxels than were kept
+    bool designIsShown = true;             ///< if the view has a designer, its OTF is the one shown
+    bool lengthsKnown = true;              ///< the volume's spacing is known, so lengths in mm may be told
+    std::optional<Reduction> reduction{};  ///< of the volume, if the file holds more voxels than were kept
 };
 
-/// Whether the picture's curve is adaptive, or made by a designer that reads tube cores, and was computed for another
-/// direction than the picture is seen along: the hand has turned the view since. The frames of a motion are no views of
-/// their own in this. `otf` may be null.
+/// Whether the picture's curve was computed for another direction than that of the picture: the hand has turned the
+/// view since. Only adaptive curves count, and those of designers that read tube cores. Frames of a motion do not count
+/// as views of their own. `otf` may be null.
 [[nodiscard]] bool curveIsOfAnotherView(const Document& document, const AdaptiveOtf* otf);
-/// The same of an OTF that was computed, or will be, for this viewpoint.
+/// The same for an OTF of this viewpoint, computed or to come.
 [[nodiscard]] bool curveIsOfAnotherView(const Document& document, const Viewpoint& ofOtf);
 
-/// One line for each of these that is true: that voxels are means of several, which way round and how that is known,
-/// what is cut off and who cut it, how much speckle was taken away, which light falls, which designer made the OTF,
-/// which phase the one OTF of all phases is of, that the curve was computed for another view.
+/// One line for each fact that is true: that voxels are means of several; which way round the volume is and how that is
+/// known; what is cut off and who cut it; how much speckle was taken away; which light falls; which designer made the
+/// OTF; which phase the one OTF of all phases is of; that the curve was computed for another view.
 [[nodiscard]] QString pictureCaption(const CaptionFacts& facts);
 
 }  // namespace echolucent

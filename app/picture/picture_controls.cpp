@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-/// "Colour map": what a step that changes a look is called.
+/// The name of a step that changes a look: "colour map".
 QString nameOfChange(const Look& before, const Look& after) {
     for (const Parameter<Look>& row : lookParameters())
         if (row.get(before) != row.get(after)) return textOf(row.label).toLower();
@@ -56,7 +56,7 @@ void PictureControls::connectPicture() {
     connect(&m_parts.picture, &VolumeViewWidget::pictureDelivered, this, &PictureControls::tellPicture);
 }
 
-/// Without one there is nothing to cut and nothing that a beam has scanned.
+/// Whether a study is open. Without one there is nothing to cut and no beam.
 bool PictureControls::hasStudy() const {
     return !std::holds_alternative<std::monostate>(m_parts.model.document().study);
 }
@@ -129,8 +129,8 @@ void PictureControls::showDocument() {
     m_parts.panel.setLook(document.scene.look);
 }
 
-/// The renderer that the person chose. A graphics card that was chosen on another machine, or is not known yet, is left
-/// to the view's own judgement.
+/// Takes the person's choice of renderer. The view decides by itself if the chosen graphics card belongs to another
+/// machine or is not known yet.
 void PictureControls::takeRenderer() {
     const bool usable = m_parts.picture.graphicsCardUsable();
     m_parts.panel.setGraphicsCardUsable(usable);

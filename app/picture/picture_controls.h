@@ -1,4 +1,4 @@
-// The picture's panel and status line on the document.
+// Connects the picture's panel and status line with the document.
 #pragma once
 
 #include <QObject>
@@ -15,8 +15,8 @@ class OtfEditor;
 class RunStatus;
 class ViewPanel;
 
-/// Makes steps of what is set in the panel, shows there what the document says, and remembers the look for the next
-/// start. The renderer is a matter of the machine and no part of the document.
+/// Settings in the panel become steps, and the panel shows the document. The look is remembered for the next start. The
+/// renderer belongs to the machine, not to the document.
 class PictureControls : public QObject {
     Q_OBJECT
 
@@ -34,15 +34,14 @@ public:
     /// Takes the look and the renderer of the last start.
     void restore();
     void keep();
-    /// Shows the whole volume, seen along the beam, as a step of the document.
+    /// Shows the whole volume, seen along the beam, as one step.
     void resetView();
-    /// Look, cut, beam, view and curves as in `opened`, the document that opening gave; one step.
+    /// Sets look, cut, beam, view and curves as in `opened`, the document that opening gave; one step.
     void resetAll(const Document& opened);
-    /// The cut as in `opened`.
     void resetCut(const Document& opened);
-    /// Takes the speckle reduction so many levels on, back where it is negative, up to the ends.
+    /// Raises the speckle reduction by so many levels, or lowers it if negative, up to the ends.
     void reduceSpeckle(int levels);
-    /// Flat, surface, depth, and around again.
+    /// Goes from flat to surface to depth light, and around again.
     void nextLighting();
 
 private:

@@ -1,4 +1,4 @@
-// What the status line tells of a picture, in words.
+// The words of the status line on a picture.
 #pragma once
 
 #include <QString>
@@ -8,8 +8,8 @@
 
 namespace echolucent {
 
-/// Quality, rays, step and cost of the newest picture, and the same and the frame rate of the newest movement where
-/// there was one, each on a line of its own.
+/// Quality, rays, step and cost of the newest picture. If there was a movement, the same and the frame rate of the
+/// newest one. Each on its own line.
 [[nodiscard]] QString pictureToolTip(const PictureReport& newest, const std::optional<PictureReport>& movement);
 
 }  // namespace echolucent

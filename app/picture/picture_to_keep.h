@@ -1,4 +1,4 @@
-// The 3D view's picture as it is handed over: converged, with the measurements drawn over it.
+// The 3D view's picture for saving: converged, with the measurements drawn over it.
 #pragma once
 
 #include <QImage>
@@ -11,13 +11,13 @@ namespace echolucent {
 
 class VolumeViewWidget;
 
-/// Those of the measurements that belong to what a view shows: to the phase of its own volume. While the OTF of another
-/// phase is computed, that is not yet the phase of the document; while another study's is, none belong to it.
+/// The measurements that belong to the phase of the view's own volume. While the OTF of another phase is computed, this
+/// is not yet the document's phase. While the OTF of another study is computed, the view has no measurements.
 [[nodiscard]] std::vector<ShownMeasurement> measurementsIn(const VolumeViewWidget& picture, const OpenStudy& openStudy,
                                                            const std::vector<Measurement>& measurements);
 
-/// VolumeViewWidget::convergedImage() with measurementsIn() the view, as panes draw them. The image is null where the
-/// view was never drawn.
+/// VolumeViewWidget::convergedImage() with measurementsIn() the view, drawn as in panes. Null if the view was never
+/// drawn.
 [[nodiscard]] QImage pictureToKeep(VolumeViewWidget& picture, const OpenStudy& openStudy,
                                    const std::vector<Measurement>& measurements);
 

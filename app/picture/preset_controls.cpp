@@ -19,13 +19,13 @@ namespace echolucent {
 
 namespace {
 
-/// The value of a row of the look, for a person.
+/// The value of a row of the look, in words.
 QString shownOf(const Look& look, std::string_view name) {
     const Parameter<Look>& row = *parameterNamed(lookParameters(), name);
     return QString::fromStdString(shownValue(row, *row.get(look)));
 }
 
-/// What a preset sets, for a person: the mode, and in direct mode the curve and the light.
+/// What a preset sets, in words: the mode, and in direct mode the curve and the light.
 QString contentsOf(const Preset& preset) {
     if (preset.look.mode != RenderMode::direct) return shownOf(preset.look, "mode");
     return PresetControls::tr("%1 curve, light: %2")
@@ -40,7 +40,7 @@ PresetControls::PresetControls(const Parts& parts, QObject* parent)
     connect(panel, &PresetsPanel::seenChanged, &m_pictures, &PresetPictures::setSeen);
     connect(panel, &PresetsPanel::chosen, this, &PresetControls::choose);
     connect(panel, &PresetsPanel::saveRequested, this, &PresetControls::save);
-    // Queued, because the gallery is filled anew, and cannot be while it is taking the name.
+    // Queued: the gallery is filled again, which it cannot be while it takes the name.
     connect(panel, &PresetsPanel::renameRequested, this, &PresetControls::rename, Qt::QueuedConnection);
     connect(panel, &PresetsPanel::removeRequested, this, &PresetControls::remove);
     connect(panel, &PresetsPanel::exportRequested, this, &PresetControls::chooseAndExport);
@@ -61,8 +61,8 @@ void PresetControls::restore() {
     m_parts.panel.setOpen(m_parts.settings.presetsOpen());
 }
 
-/// What the file holds now, which another window of the program may have written. False, with a message, where it
-/// cannot be read.
+/// Reads the file as it is now: another window of the program may have written it. False, with a message, if it cannot
+/// be read.
 bool PresetControls::readOwn() {
     const QString file = m_parts.settings.presetsFile();
     if (!QFileInfo::exists(file)) {
@@ -100,7 +100,7 @@ void PresetControls::showPresets() {
     showCurrent();
 }
 
-/// The preset by which the picture is made: the one that would change nothing.
+/// Shows the preset of the picture: the one that would change nothing.
 void PresetControls::showCurrent() {
     const Document& document = m_parts.model.document();
     const std::vector<Preset> presets = all();
@@ -116,8 +116,7 @@ void PresetControls::choose(int preset) {
                        tr("preset %1").arg(textOf(chosen.name)));
 }
 
-/// Changes the person's own presets as they stand in the file now; where that cannot be read or written, nothing
-/// changes.
+/// Changes the person's own presets as the file holds them now. Changes nothing if the file cannot be read or written.
 bool PresetControls::changeOwn(const std::function<void(std::vector<Preset>& own)>& change) {
     bool done = readOwn();
     if (done) {

@@ -1,4 +1,4 @@
-// Presets in the window: those of the program and those that a person keeps.
+// Presets in the window: those of the program and a person's own.
 #pragma once
 
 #include <QObject>
@@ -22,9 +22,9 @@ class PresetsPanel;
 class StudyNames;
 class Works;
 
-/// Makes one step of the document of each preset that is chosen, and keeps a person's own in a file beside the
-/// settings, which is written with every change. Where that file cannot be read, it is left as it is, and nothing is
-/// kept in it until it can.
+/// Choosing a preset is one step of the document. A person's own presets are kept in a file beside the settings,
+/// written with every change. If that file cannot be read, it stays as it is, and nothing is written until it can be
+/// read.
 class PresetControls : public QObject {
     Q_OBJECT
 
@@ -41,11 +41,11 @@ public:
     };
     explicit PresetControls(const Parts& parts, QObject* parent = nullptr);
 
-    /// Reads the person's own presets and whether the gallery was open.
+    /// Reads the person's own presets, and whether the gallery was open.
     void restore();
     void keep();
-    /// Adds the presets of a file to a person's own, under other names where theirs are taken. False, with a message,
-    /// where it cannot be read.
+    /// Adds the presets of a file to a person's own. If a name is taken, the preset gets another. False, with a
+    /// message, if the file cannot be read.
     bool importFrom(const QString& path);
     /// Writes one preset, counted from 0, as a file that importFrom() reads.
     bool exportTo(const QString& path, int preset);
@@ -67,7 +67,7 @@ private:
 
     Parts m_parts;
     std::vector<Preset> m_own;
-    std::vector<KeptFiles> m_read;  ///< presets that were imported: only presets take their places
+    std::vector<KeptFiles> m_read;  ///< imported preset files: only presets may overwrite them
     PresetPictures m_pictures;
 };
 

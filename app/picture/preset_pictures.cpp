@@ -12,13 +12,13 @@ namespace echolucent {
 
 namespace {
 
-/// The document as far as pictures of one view depend on it, so that other changes ask for no picture. A picture
-/// depends on the curve that is rendered, and the adaptive one on that which the method begins with.
+/// Keeps only the parts of the document that pictures of one view depend on, so that other changes ask for no picture.
+/// A picture depends on the rendered curve. The adaptive curve depends on the curve with which the method begins.
 Document pictured(Document document) {
     document.scene.planes = {};
-    document.scene.phase = 0;  // of the one that is cast through
+    document.scene.phase = 0;  // the voxels are of one phase already
     document.panes.at(firstPane).phase.reset();
-    // An angle of the motion turns the pose about the motion's axis.
+    // At another angle the motion's axis matters: the pose turns about it.
     if (document.scene.motionAngle == 0.0) document.motion = {};
     const Preset rendered = presetOf(document, firstPane, {});
     document.curves = rendered.curves;
@@ -72,7 +72,8 @@ void PresetPictures::followRest() { m_works.atRest() ? makeNext() : drop(); }
 
 QImage PresetPictures::picture(int index) const { return m_entries.at(static_cast<std::size_t>(index)).picture; }
 
-/// The voxels that are there: at this size nobody sees whether they are quiet, so none are waited for.
+/// The voxels that exist now. At this size nobody sees whether they are quiet, so the pictures do not wait for quiet
+/// ones.
 StudyPhases PresetPictures::voxelsNow() const {
     const Study* study = m_openStudy.study();
     if (study == nullptr) return {};
@@ -93,11 +94,10 @@ std::optional<PresetPictures::Asked> PresetPictures::askedOf(const Preset& prese
     return asked;
 }
 
-/// Something changed that pictures may depend on.
 void PresetPictures::follow() {
     for (Entry& entry : m_entries) {
         entry.wanted = m_seen ? askedOf(entry.preset) : std::nullopt;
-        // What nobody sees keeps no volume that is gone from the window.
+        // An unseen picture keeps no volume that is gone from the window.
         if (!m_seen && entry.made && entry.made->voxels != voxelsNow()) entry.made.reset();
     }
     const bool current =
@@ -130,7 +130,8 @@ void PresetPictures::makeNext() {
                 if (!picture) return {};
                 image = imageOf(*picture);
             } catch (const std::bad_alloc&) {
-                // The gallery shows the name alone; the 3D view says what lacks memory. What was left half done goes.
+                // The gallery shows the name alone, and the 3D view tells of missing memory. A half-made caster is
+                // dropped.
                 *caster = PaneCaster(asked.voxels);
             }
             return [this, asked, image] { take(asked, image); };

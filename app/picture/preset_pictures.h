@@ -1,4 +1,4 @@
-// The small pictures of presets: what each of them makes of the study that is open, made in a thread of their own.
+// The small pictures of presets: each shows the open study with a preset. A thread makes them.
 #pragma once
 
 #include <QImage>
@@ -15,9 +15,9 @@
 
 namespace echolucent {
 
-/// Makes pictures one after the other while somebody sees them and nothing else is under way, and makes only those anew
-/// of which anything changed. If something else begins, the one that is being made is dropped. While they are seen, a
-/// ray caster of their own is kept (RayCaster says how large it is).
+/// Makes pictures one after the other while somebody sees them and no other work is under way. Makes a picture again
+/// only if something it depends on has changed. If other work begins, drops the picture being made. While the pictures
+/// are seen, keeps its own ray caster (RayCaster tells its size).
 class PresetPictures : public QObject {
     Q_OBJECT
 
@@ -28,16 +28,16 @@ public:
     /// All must outlive this.
     PresetPictures(DocumentModel& model, OpenStudy& openStudy, Works& works, QObject* parent = nullptr);
 
-    /// Pictures of presets that were there before are kept.
+    /// Keeps the pictures of presets that were there before.
     void setPresets(std::vector<Preset> presets);
-    /// Whether somebody sees the pictures; at first nobody does.
+    /// Sets whether somebody sees the pictures; at first nobody does.
     void setSeen(bool seen);
 
-    /// Null where it was not made yet.
+    /// Null until it is made.
     [[nodiscard]] QImage picture(int index) const;
 
 signals:
-    /// The picture of a preset is another one.
+    /// The picture of a preset has changed.
     void made(int index);
 
 private:
@@ -49,7 +49,7 @@ private:
     };
     struct Entry {
         Preset preset;
-        std::optional<Asked> wanted;  ///< none where no study is open
+        std::optional<Asked> wanted;  ///< none if no study is open
         std::optional<Asked> made;    ///< what the picture shows
         QImage picture;
     };
@@ -69,8 +69,8 @@ private:
     std::vector<Entry> m_entries;
     bool m_seen = false;
     std::optional<Asked> m_making;
-    Works::UnderWay m_wanted;  ///< from what changes a picture that is seen until it is made
-    /// For the thread alone; null while nobody sees the pictures.
+    Works::UnderWay m_wanted;  ///< from a change of a seen picture until it is made
+    /// Only the thread uses it; null while nobody sees the pictures.
     std::shared_ptr<PaneCaster> m_caster;
     StudyPhases m_cast;  ///< what m_caster casts through
     // Last, so that its thread has ended before anything above is destroyed.

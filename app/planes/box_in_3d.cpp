@@ -117,7 +117,7 @@ void BoxIn3d::addBox(Overlay& overlay) {
     const Vec3 looking = frameOf(viewpointOf(document)).forward;
     const auto facesViewer = [&](const BoxFace& face) { return outwardNormal(box, face).dot(looking) < 0.0; };
     m_grips = allGrips();
-    // What lies nearer to the viewer is held first.
+    // The hand holds the grip nearest to the viewer.
     std::ranges::stable_sort(m_grips, {}, [&](const Grip& grip) { return looking.dot(placeOf(box, grip)); });
     std::vector<Vec3> places;
     for (const Grip& grip : m_grips) {
@@ -131,7 +131,7 @@ void BoxIn3d::addBox(Overlay& overlay) {
                                                  : cornerRadius;
         if (seen) overlay.discs.push_back({place, sceneColourOf(ofFront ? boxFrontColour() : boxColour()), radius});
         if (grip.size() != 2) continue;
-        // The edge on which this grip lies goes along the axis that none of its faces has.
+        // The edge of this grip goes along the axis that none of its faces has.
         const int along = 3 - grip[0].axis - grip[1].axis;
         const Vec3 half = outwardNormal(box, {along, 1}) * (0.5 * box.sizeMm[along]);
         overlay.spaceLines.push_back({place - half, place + half,
@@ -152,14 +152,14 @@ void BoxIn3d::drag(const Vec3& mm) {
     if (m_held.empty()) box.centreMm += mm;
     for (const BoxFace& face : m_held) {
         const Vec3 normal = outwardNormal(start, face);
-        // The face moves along its normal so far that its picture follows the hand; one that is seen head on cannot.
+        // The face moves along its normal until its picture follows the hand. A face seen head on cannot.
         const Vec3 seen = normal - looking * looking.dot(normal);
         const double squared = seen.dot(seen);
         constexpr double leastSeen = 0.02;
         if (squared < leastSeen) continue;
         box = withFaceMoved(box, face, mm.dot(seen) / squared, m_openStudy.volume()->geometry().unit());
     }
-    // Only the box is the drag's: what else has changed since it began stays.
+    // The drag changes the box alone. Other changes since it began stay.
     const Document next = withBox(m_model.document(), movedBox(before.scene.box, box, before.beam.axis));
     m_model.preview(next, m_held.empty() ? tr("move box") : tr("size of the box"));
 }

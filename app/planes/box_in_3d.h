@@ -1,4 +1,4 @@
-// Box, planes and measurements in the 3D view: drawn over the picture, and the box dragged there.
+// Box, planes and measurements in the 3D view: draws them over the picture, and lets the hand drag the box.
 #pragma once
 
 #include <QObject>
@@ -14,7 +14,7 @@ namespace echolucent {
 
 class VolumeViewWidget;
 
-/// Faces, edges, corners and the centre of the box can be dragged in the picture; a drag is one step.
+/// The hand drags faces, edges, corners and the centre of the box in the picture. A drag is one step.
 class BoxIn3d : public QObject {
     Q_OBJECT
 
@@ -22,13 +22,14 @@ public:
     /// All of them must outlive this.
     BoxIn3d(DocumentModel& model, OpenStudy& openStudy, VolumeViewWidget& picture, QObject* parent = nullptr);
 
-    /// What the scalpel draws lies over all else.
+    /// Sets the drawing of the scalpel, which lies over all else.
     void setDrawing(const std::optional<PictureLine>& drawing);
-    /// What is being measured lies over what was measured.
+    /// Sets the marks of an unfinished measurement. They lie over finished measurements.
     void setMarking(const Overlay& marking);
 
 private:
-    /// What is held together: no face is the centre, one a face, two an edge, three a corner.
+    /// The faces that the hand holds together: none for the centre, one for a face, two for an edge, three for a
+    /// corner.
     using Grip = std::vector<BoxFace>;
     void show();
     void addBox(Overlay& overlay);
@@ -42,8 +43,8 @@ private:
     std::vector<Grip> m_grips;
     std::optional<PictureLine> m_drawing;
     Overlay m_marking;
-    Grip m_held;                       ///< what is dragged
-    std::optional<Document> m_before;  ///< when the drag began
+    Grip m_held;                       ///< the grip being dragged
+    std::optional<Document> m_before;  ///< the document when the drag began
 };
 
 }  // namespace echolucent

@@ -25,7 +25,7 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works
             m_beforeBoxDrag.reset();
             m_model.cancelPreview();
         });
-        // The step of the first click and this one are of one gesture and name: together they are none.
+        // The first click and this one make steps of one gesture and name: together they make no step.
         connect(pane, &PlanePane::clickTakenBack, this,
                 [this](const Planes& before, const QString& what) { take(before, what, m_newestGesture); });
         connect(pane, &PlanePane::wantsOther, this, &DocumentPlanes::resample);
@@ -42,7 +42,7 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works
     connect(&m_openStudy, &OpenStudy::volumeCut, this, &DocumentPlanes::show);
     connect(&m_openStudy, &OpenStudy::studyOpened, this, [this] {
         cancelDrag();
-        // Nobody is to see one study's voxels under another one's lines.
+        // Never show one study's voxels under the lines of another.
         for (PlanePane* pane : m_panes) pane->clear();
         show();
     });
@@ -82,7 +82,7 @@ BoxScene DocumentPlanes::boxScene(const Volume& volume) const {
     scene.leastMm = volume.geometry().unit();
     if (box.on) scene.box = orientedBoxOf(box, document.beam.axis);
     scene.front = faceOf(box.side);
-    // A flat near cut turns with the camera: it lies where the planes show it only while the camera looks that way.
+    // A flat near cut turns with the camera. The planes show its place only while the camera looks that way.
     const bool flatCut = cut.depthMm > 0.0 && shownPose(document).direction == document.scene.side;
     scene.startIsCut = cut.surface.has_value() || flatCut;
     if (scene.startIsCut || box.on) scene.start = startSurface(document, volume);
@@ -103,7 +103,7 @@ void DocumentPlanes::take(const Planes& next, const QString& what, DocumentModel
 }
 
 void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const QString& what) {
-    // A drag is counted from the document in which it began; what else has changed since then stays.
+    // The drag counts from the document at its beginning. Other changes since then stay.
     if (!m_beforeBoxDrag) m_beforeBoxDrag = m_model.document();
     const Document& before = *m_beforeBoxDrag;
     Document next = m_model.document();

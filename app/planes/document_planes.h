@@ -11,8 +11,8 @@
 
 namespace echolucent {
 
-/// Brings the planes of a view and the voxels of the phase shown to the panes, has them resampled, and makes steps of
-/// what the hand does there.
+/// Brings the planes of a view and the voxels of the phase shown to the panes. Has the planes resampled. Makes steps of
+/// what the hand does in the panes.
 class DocumentPlanes : public QObject {
     Q_OBJECT
 
@@ -23,14 +23,14 @@ public:
     DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works& works, const Panes& panes,
                    QObject* parent = nullptr);
 
-    /// All planes, their pictures and greys as on opening, in one step.
+    /// Resets all planes, their pictures and greys to those on opening, in one step. Keeps the choice of quiet voxels,
+    /// and whether the 3D view shows lines.
     void resetAll();
-    /// Ends a drag in a pane; false where there is none.
+    /// Ends a drag in a pane; false if there is none.
     bool cancelDrag();
 
 signals:
-    /// Normalised intensity that was read under the cursor, whatever voxels the plane shows; nothing where there is
-    /// none.
+    /// The normalised intensity under the cursor, as read, whatever voxels the plane shows; empty if there is none.
     void pointed(std::optional<double> intensity);
 
 private:
@@ -47,7 +47,7 @@ private:
     Panes m_panes;
     PlaneResampler m_resampler;
     std::optional<Document> m_beforeBoxDrag;
-    DocumentModel::Gesture m_newestGesture = DocumentModel::noGesture;  ///< of the newest step made in a pane
+    DocumentModel::Gesture m_newestGesture = DocumentModel::noGesture;  ///< of the newest step in a pane
 };
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// What stands at the edges of a plane's picture, so that nobody has to guess which way round it is.
+// The letters at the edges of a plane's picture, which tell which way round it is.
 #pragma once
 
 #include <QString>
@@ -10,13 +10,13 @@
 
 namespace echolucent {
 
-/// Where a direction points in a patient: "L" and "R" (the patient's left and right), "A" and "P" (anterior,
-/// posterior), "H" and "F" (head, foot), the largest share first, and shares below sin 20 degrees left out: "LA".
-/// `towards` is a unit vector in DICOM's LPS.
+/// The letters of a direction in the patient: "L" and "R" (the patient's left and right), "A" and "P" (anterior,
+/// posterior), "H" and "F" (head, foot). The largest share comes first, and shares below sin 20 degrees are left out:
+/// "LA". `towards` is a unit vector in DICOM's LPS.
 [[nodiscard]] QString patientLetters(const Vec3& towards);
 
-/// Left, right, top and bottom: the patient's letters where the geometry knows the patient's frame, and "probe" at the
-/// edge that lies towards the probe, within 30 degrees. The others are empty.
+/// Letters at the left, right, top and bottom edge: the patient's letters, if the geometry knows the patient's frame.
+/// The edge within 30 degrees of the direction to the probe also says "probe". Other edges are empty.
 [[nodiscard]] std::array<QString, 4> edgeLetters(const ViewFrame& frame, BeamAxis beam, const VolumeGeometry& geometry);
 
 }  // namespace echolucent

@@ -44,7 +44,7 @@ void MeasurementControls::list() {
 }
 
 void MeasurementControls::show(int id) {
-    // A copy: the document that holds it is another once its phase is shown.
+    // Copied, because showing the phase replaces the document that holds the measurement.
     std::optional<Measurement> measurement;
     for (const Measurement& each : m_parts.model.document().measurements)
         if (each.id == id) measurement = each;

@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// Lists the measurements of all phases, shows one where it was measured, and removes them.
+/// Lists the measurements of all phases, shows where one was measured, and removes them.
 class MeasurementControls : public QObject {
     Q_OBJECT
 
@@ -26,7 +26,8 @@ public:
     /// All of them must outlive this.
     explicit MeasurementControls(const Parts& parts, QObject* parent = nullptr);
 
-    /// Pauses a motion and shows the phase of a measurement; of one in a plane, a plane that holds all its places.
+    /// Pauses a motion and shows the phase of a measurement. If it was measured in a plane, also shows a plane that
+    /// holds all its places.
     void show(int id);
     void remove(int id);
     void removeAll();

@@ -11,10 +11,10 @@ namespace echolucent {
 /// Their marks, lines and words, drawn over the volume.
 [[nodiscard]] Overlay overlayOf(const std::vector<ShownMeasurement>& shown);
 
-/// Draws more over what an overlay draws.
+/// Adds `more` to an overlay, drawn over it.
 void append(Overlay& overlay, const Overlay& more);
 
-/// The line from a place that was marked to the pointer.
+/// The line from a marked place to the pointer.
 [[nodiscard]] PictureLine rubberLine(const PicturePlace& from, const PicturePlace& to);
 
 }  // namespace echolucent

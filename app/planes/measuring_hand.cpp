@@ -12,11 +12,11 @@ namespace echolucent {
 
 namespace {
 
-/// How near to a mark it is held, logical pixels: targets are 16 pixels wide.
+/// The hand holds a mark within this distance, in logical pixels: targets are 16 pixels wide.
 constexpr double markReach = 8.0;
 /// Units between the samples of the ray that looks for a surface: a tenth of what a place is seen by.
 constexpr double surfaceStep = 0.1;
-/// A place so near to the last one, in pixels, is the same one: the second press of a double click.
+/// A place within this distance of the last one, in pixels, is the same place: the second press of a double click.
 constexpr double samePlace = 1.0;
 
 QString stepName(const Measurement& measurement) {
@@ -72,7 +72,7 @@ void MeasuringHand::setTool(std::optional<MeasurementKind> tool) {
     dropMarked();
     tell({});
     if (tool && m_parts.openStudy.volume()) {
-        // What would hold of any measurement: a hand that has marked its places is not to learn it only then.
+        // Test any measurement now, so that the hand learns of a refusal before it marks places.
         const Measurement any{.placesMm = {{0, 0, 0}, {1, 0, 0}}};
         if (const auto value = measuredValue(any, geometry()); !value) {
             tell(QString::fromStdString(value.error().sentence()));
@@ -80,7 +80,7 @@ void MeasuringHand::setTool(std::optional<MeasurementKind> tool) {
         }
     }
     m_tool = m_parts.openStudy.volume() ? tool : std::nullopt;
-    emit toolChanged();  // the scalpel is put away before the cursor is that of this tool
+    emit toolChanged();  // this puts the scalpel away before the cursor becomes that of this tool
     for (PlanePane* pane : m_parts.planes) pane->setToolCursor(m_tool ? std::optional(Qt::CrossCursor) : std::nullopt);
     m_parts.picture.setToolCursor(m_tool.has_value());
 }
@@ -89,13 +89,13 @@ void MeasuringHand::toggle(MeasurementKind tool) { setTool(m_tool == tool ? std:
 
 MarkingPointer::Take MeasuringHand::offerInPlane(const PlanePane& pane, const QPointF& pixel) {
     if (!pane.scene()) return MarkingPointer::Take::no;
-    // Between the places of one measurement a press marks the next one, wherever it lies.
+    // If a measurement has begun, a press marks its next place, even over a mark.
     m_held = m_places.empty() ? markAt(pane, pixel) : std::nullopt;
     return m_held || m_tool ? MarkingPointer::Take::drag : MarkingPointer::Take::no;
 }
 
 void MeasuringHand::pressInPlane(PlanePane& pane, const QPointF& pixel) {
-    pane.setFocus(Qt::MouseFocusReason);  // which Escape goes to
+    pane.setFocus(Qt::MouseFocusReason);  // so that it gets Escape
     m_pressedAt = pixel;
     if (!m_held) markInPlane(pane, pixel);
 }
@@ -112,7 +112,7 @@ void MeasuringHand::releaseInPlane(PlanePane& pane, const QPointF& pixel) {
     const std::optional<Mark> held = std::exchange(m_held, std::nullopt);
     if (std::exchange(m_before, std::nullopt)) return m_parts.model.commitPreview();
     const bool left = (pixel - m_pressedAt).manhattanLength() >= MarkingPointer::clickReach;
-    // A click on a mark begins there.
+    // With a tool, a click on a mark marks a place there.
     if (held ? m_tool && !left : left && m_pane == &pane) markInPlane(pane, pixel);
 }
 
@@ -138,7 +138,7 @@ void MeasuringHand::markOnSurface(const QPointF& pixel) {
         return tell(tr("Angles are measured in planes, so nothing was marked. F3 shows planes A, B and C."));
     if (m_parts.picture.look().mode == RenderMode::mean)
         return tell(tr("Means show no surface, so nothing was marked. Choose another mode."));
-    // Until the OTF of a phase is there, the picture is the phase before's.
+    // Until the OTF of a phase is there, the picture still shows the phase before.
     if (m_parts.picture.measured() != m_parts.openStudy.volume() || !m_parts.picture.pictureIsCurrent())
         return tell(tr("The picture of this phase is not there yet, so nothing was marked. Click again once it is."));
     const std::optional<Vec3> place = m_parts.picture.shownAt(placeIn3d(pixel), surfaceStep);
@@ -192,7 +192,7 @@ bool MeasuringHand::dropMarked() {
     return true;
 }
 
-/// Places were marked in one phase and one plane: where these are no longer shown, nobody could go on with them.
+/// Drops marked places if their phase or plane is no longer shown: nobody could go on with them.
 void MeasuringHand::dropWhereItEnded() {
     if (m_places.empty()) return;
     if (!m_parts.openStudy.volume()) {
@@ -213,7 +213,7 @@ std::optional<MeasuringHand::Mark> MeasuringHand::markAt(const PlanePane& pane, 
     std::optional<Mark> nearest;
     double least = markReach;
     for (const Measurement& each : m_parts.model.document().measurements) {
-        // A place of a surface that were moved in a plane would lie on the surface no longer.
+        // A place of a surface would leave the surface if it moved in a plane.
         if (each.ground != MeasurementGround::plane) continue;
         const bool drawn = std::ranges::any_of(pane.scene()->measurements,
                                                [&](const ShownMeasurement& shown) { return shown.id == each.id; });
@@ -237,7 +237,7 @@ void MeasuringHand::moveMark(PlanePane& pane, const QPointF& pixel) {
     const auto moved = std::ranges::find(measurements, m_held->id, &Measurement::id);
     if (before == m_before->measurements.end() || moved == measurements.end()) return;
     const PlaneMapping mapping = pane.mapping();
-    // A place beside the plane stays as far beside it.
+    // A place beside the plane keeps its distance from it.
     const Vec3 place = before->placesMm[m_held->place] + mapping.gridAt(pixel) - mapping.gridAt(m_pressedAt);
     moved->placesMm[m_held->place] = place;
     if (!holds(m_parts.openStudy.volume()->dataBox(), place) || !measuredValue(*moved, geometry())) return;
@@ -253,7 +253,7 @@ bool MeasuringHand::cancelDrag() {
     return true;
 }
 
-/// What is marked so far, with a line to the pointer.
+/// Shows the marks so far, with a line to the pointer.
 void MeasuringHand::showMarking() {
     Overlay in3d;
     for (PlanePane* pane : m_parts.planes) {
@@ -263,11 +263,11 @@ void MeasuringHand::showMarking() {
         }
         Measurement begun = marked();
         begun.id = 0;
-        // The line ends where a click would mark nothing.
+        // No line to the pointer if a click there would mark nothing.
         const std::optional<Vec3> next = m_pointer ? std::optional(pane->mapping().gridAt(*m_pointer)) : std::nullopt;
         if (next && holds(m_parts.openStudy.volume()->dataBox(), *next)) begun.placesMm.push_back(*next);
         std::optional<ShownMeasurement> shown = shownMeasurement(begun, geometry());
-        // With the pointer still on a place there is no value yet.
+        // If the pointer is still on a place, there is no value yet.
         if (!shown) shown = ShownMeasurement{.kind = begun.kind, .placesMm = m_places};
         pane->setMarking(shown);
     }

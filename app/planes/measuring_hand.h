@@ -1,4 +1,4 @@
-// The measuring tools in the hand: places marked in planes and on surfaces become measurements of the document.
+// The measuring tools: places marked in planes and on surfaces become measurements of the document.
 #pragma once
 
 #include <QObject>
@@ -19,10 +19,10 @@ namespace echolucent {
 
 class VolumeViewWidget;
 
-/// While a tool is in the hand, left clicks mark places: in one plane, or for a distance on what the 3D view shows. A
-/// press that is dragged in a plane marks two. Places of one measurement belong to one pane and one phase: whoever goes
-/// on elsewhere begins anew. With or without a tool, marks of what was measured in planes can be dragged there. Every
-/// finished measurement and every drag is one step.
+/// While the hand has a tool, left clicks mark places in one plane. For a distance they also mark places on surfaces in
+/// the 3D view. A press and drag in a plane marks two places. Places of one measurement belong to one pane and one
+/// phase: marking elsewhere begins a new measurement. The hand can drag marks of finished measurements in planes, with
+/// or without a tool. Every finished measurement and every drag is one step.
 class MeasuringHand : public QObject {
     Q_OBJECT
 
@@ -40,18 +40,18 @@ public:
     /// All of them must outlive this.
     explicit MeasuringHand(const Parts& parts, QObject* parent = nullptr);
 
-    /// Nothing puts the tool away. Where nothing can be measured the tool is refused with the reason.
+    /// No value puts the tool away. If nothing can be measured, refuses the tool and tells the reason.
     void setTool(std::optional<MeasurementKind> tool);
     [[nodiscard]] std::optional<MeasurementKind> tool() const { return m_tool; }
-    /// Takes a tool, or puts it away where it is in the hand.
+    /// Takes a tool, or puts it away if the hand has it.
     void toggle(MeasurementKind tool);
-    /// Drops the places marked so far; false where there are none.
+    /// Drops the places marked so far; false if there are none.
     bool dropMarked();
-    /// Ends the drag of a mark without change; false where there is none.
+    /// Ends the drag of a mark without change; false if there is none.
     bool cancelDrag();
 
 signals:
-    /// Also where a tool was refused.
+    /// Also emitted if a tool was refused.
     void toolChanged();
 
 private:
@@ -82,13 +82,13 @@ private:
 
     Parts m_parts;
     std::optional<MeasurementKind> m_tool;
-    QObject* m_pane = nullptr;  ///< in which places were marked: a plane's pane, or the picture
+    QObject* m_pane = nullptr;  ///< the pane of the marked places: a plane's pane, or the picture
     std::vector<Vec3> m_places;
-    int m_phase = 0;                   ///< in which they were marked
+    int m_phase = 0;                   ///< the phase of the marked places
     std::optional<QPointF> m_pointer;  ///< in m_pane, logical pixels
     QPointF m_pressedAt;
-    std::optional<Mark> m_held;        ///< under a press; dragged once the hand has left its place
-    std::optional<Document> m_before;  ///< when the drag of a mark began
+    std::optional<Mark> m_held;        ///< under a press; dragged once the hand has moved off
+    std::optional<Document> m_before;  ///< the document when the drag of a mark began
     QString m_told;                    ///< the newest sentence over the picture
 };
 

@@ -1,4 +1,4 @@
-// What the panel of the room asks for: the box, which follows the voxels.
+// Makes steps of the room panel's requests for the box, with the data box of the open volume.
 #pragma once
 
 #include <QObject>
@@ -19,7 +19,7 @@ public:
                  QObject* parent = nullptr);
 
     void switchBox(bool on);
-    /// Looks in through a side of the box, which fills the picture.
+    /// Looks in through a side of the box. The whole box fills the picture.
     void chooseFront(BoxSide front);
 
 private:

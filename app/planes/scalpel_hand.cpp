@@ -12,7 +12,7 @@ namespace {
 
 constexpr Colour drawingColour{0xe8, 0xb0, 0x4b};
 
-/// Height of what a camera's picture shows in the plane of its focal point.
+/// Height of a camera's picture in the plane of its focal point.
 double heightMmOf(const Camera& camera) {
     const PicturePlace centre{0, 0}, below{0, 1};
     const double depth = camera.frame.forward.dot(camera.focalPoint);
@@ -28,7 +28,7 @@ ScalpelHand::ScalpelHand(const Parts& parts, QObject* parent) : QObject(parent),
     connect(&m_parts.panel, &RoomPanel::toolChosen, this, &ScalpelHand::setTool);
     connect(&m_parts.panel, &RoomPanel::strokeTakenBack, this, &ScalpelHand::takeBack);
     connect(&m_parts.panel, &RoomPanel::allStrokesTakenBack, this, &ScalpelHand::takeAllBack);
-    // A stroke is of one camera: where that moves, what was drawn under another one is dropped.
+    // A stroke belongs to one camera. If the camera moves, drop the drawing.
     const auto drop = [&lasso] { lasso.cancelDrawing(); };
     connect(&m_parts.model, &DocumentModel::poseChanged, this, drop);
     connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, drop);
@@ -51,10 +51,10 @@ void ScalpelHand::toggle() { setTool(tool() ? std::nullopt : std::optional(m_las
 
 void ScalpelHand::showDrawing(const std::vector<PicturePlace>& places) {
     if (places.empty()) return m_parts.overlay.setDrawing(std::nullopt);
-    m_parts.picture.setFocus(Qt::MouseFocusReason);  // which Enter and Escape go to
+    m_parts.picture.setFocus(Qt::MouseFocusReason);  // so that it gets Enter and Escape
     PictureLine line{places, drawingColour, 2.0};
     if (tool() == ScalpelTool::eraser) {
-        // As wide as it cuts, in pixels of a plain screen.
+        // As wide as the eraser cuts, in pixels of a plain screen.
         const double share = m_parts.panel.scalpel().eraserMm / heightMmOf(m_parts.picture.shownCamera());
         line.width = std::max(2.0, share * m_parts.picture.height());
         if (places.size() == 1) line.places.push_back(places.front());
@@ -89,7 +89,7 @@ void ScalpelHand::cut(const std::vector<PicturePlace>& places) {
     edit(strokes, tr("cut with the scalpel"));
 }
 
-/// The least depth of what shows where the stroke cuts, mm along the view from the grid origin.
+/// The least depth of the visible places that the stroke cuts, in mm along the view from the grid origin.
 std::optional<double> ScalpelHand::nearestShownMm(const ScalpelStroke& stroke) const {
     constexpr int across = 12;
     const double aspect = static_cast<double>(m_parts.picture.width()) / std::max(1, m_parts.picture.height());
@@ -105,7 +105,7 @@ std::optional<double> ScalpelHand::nearestShownMm(const ScalpelStroke& stroke) c
             if (const auto shown = m_parts.picture.shownAt(place))
                 nearest = std::min(nearest.value_or(forward.dot(*shown)), forward.dot(*shown));
         }
-    // A stroke between the places asked is asked along itself.
+    // A narrow stroke may miss all places of the raster, so look along the stroke too.
     constexpr std::size_t mostAlong = 48;
     const std::size_t stride = stroke.places.size() / mostAlong + 1;
     for (std::size_t i = 0; i < stroke.places.size(); i += stride)

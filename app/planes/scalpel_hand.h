@@ -1,4 +1,4 @@
-// The scalpel in the hand: what is drawn over the 3D view becomes strokes of the document.
+// The scalpel: drawings over the 3D view become strokes of the document.
 #pragma once
 
 #include <QObject>
@@ -27,14 +27,15 @@ public:
 
     void setTool(std::optional<ScalpelTool> tool);
     [[nodiscard]] std::optional<ScalpelTool> tool() const;
-    /// Takes the tool used last, or puts it away.
+    /// Takes the last tool, or puts it away.
     void toggle();
     void takeBack(int stroke);
     void takeAllBack();
 
 signals:
     void toolChanged();
-    /// A stroke down to a depth was drawn where nothing shows, from which the depth could be counted.
+    /// A stroke with a depth was drawn over an empty part of the picture, so there is no surface to count the depth
+    /// from.
     void nothingToCut();
 
 private:

@@ -45,8 +45,7 @@ void addPictures(HtmlPage& page, const CaseReport& report) {
     for (const QString& sentence : report.explanation) page.paragraph(sentence.toStdString());
 }
 
-/// The logarithm of the counts, so that rare intensities are seen beside those of the background; the most frequent
-/// one is 1.
+/// The logarithm of the counts, so that rare intensities show beside the background. The highest value is 1.
 PlotSeries histogramSeries(const IntensityHistogram& histogram) {
     PlotSeries series;
     series.name = "voxels (logarithm)";

@@ -1,4 +1,4 @@
-// A case report: what a person has set of a study, what it shows and what was measured, as one page of HTML.
+// A case report as one page of HTML: what a person set for a study, what the study shows and what was measured.
 #pragma once
 
 #include <QImage>
@@ -15,20 +15,19 @@
 
 namespace echolucent {
 
-/// A pane as it stands on the screen.
+/// A pane as the screen shows it.
 struct ReportPane {
     QString caption;
     QImage image;
 };
 
-/// How long something took, milliseconds.
+/// How long something took.
 struct ReportTime {
     QString what;
     double milliseconds = 0.0;
 };
 
-/// All that a report tells, as values: it is made in another thread than the window. Names of files in it are as they
-/// may be shown.
+/// The content of a report, as values: another thread makes the page. Names of files in it are as they may be shown.
 struct CaseReport {
     QString study;    ///< its name or its number
     QString made;     ///< date and time
@@ -36,19 +35,19 @@ struct CaseReport {
     std::vector<ReportPane> panes;
     QStringList explanation;  ///< sentences: what the 3D view shows and why
     Document document;
-    SampledCurve adaptive;   ///< as it is shown; empty where there is none
-    std::string designer{};  ///< its name, where the 3D view is rendered with the OTF of one; else empty
-    std::optional<DesignerConfig> designedWith{};  ///< how that OTF was made, where it is there
-    std::optional<OpacityCurve> designed{};        ///< that OTF's upper curve (upperCurveOf()), where it is there
+    SampledCurve adaptive;                         ///< as shown; empty for none
+    std::string designer{};                        ///< the designer whose OTF the 3D view is rendered with; else empty
+    std::optional<DesignerConfig> designedWith{};  ///< how that OTF was made, if it is there
+    std::optional<OpacityCurve> designed{};        ///< that OTF's upper curve (upperCurveOf()), if it is there
     IntensityHistogram histogram;                  ///< of the raw voxels
-    VolumeGeometry geometry;                       ///< of the volume that was measured in
+    VolumeGeometry geometry;                       ///< of the measured volume
     std::vector<ImportFact> facts;                 ///< the import report
     std::vector<std::string> warnings;             ///< of reading
     std::vector<ReportTime> times;
-    std::optional<Patient> patient;  ///< only where a person asked for it
+    std::optional<Patient> patient;  ///< only if a person asked for it
 };
 
-/// The page: it needs nothing beside it, and its pictures stay as they are.
+/// The page. It needs no other file, and its pictures do not change later.
 [[nodiscard]] std::string caseReportPage(const CaseReport& report);
 
 }  // namespace echolucent

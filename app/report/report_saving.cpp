@@ -23,7 +23,7 @@ namespace echolucent {
 
 namespace {
 
-/// What the thread reads of the study's files.
+/// What the thread reads from the study's files.
 struct PatientSource {
     std::vector<std::string> files;
     std::string series;
@@ -106,7 +106,7 @@ void ReportSaving::cancel() {
     if (m_wanted) endUnwritten(cancelledSentence(m_parts.names.nameOfOther(m_wanted->path)));
 }
 
-/// Ends what waits for its panes.
+/// Ends a report that waits for its panes.
 void ReportSaving::endUnwritten(const QString& sentence) {
     m_wanted.reset();
     m_taken.reset();
@@ -114,7 +114,7 @@ void ReportSaving::endUnwritten(const QString& sentence) {
     m_waits.end();
 }
 
-/// Takes the panes while they show what they are to show, and anew if that ends before all are taken.
+/// Takes the panes while they are at rest. Begins anew if that ends before all are taken.
 void ReportSaving::followRest() {
     if (!m_parts.works.atRest()) return m_taken.reset();
     if (!m_wanted || m_taken) return;

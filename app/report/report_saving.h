@@ -1,4 +1,4 @@
-// Saving a case report: what is asked, what is taken from the window, and what is left to a thread of its own.
+// Saves a case report: asks for its content, takes the panes from the window, writes the page in a thread.
 #pragma once
 
 #include <QObject>
@@ -25,10 +25,9 @@ class PlanePane;
 class Settings;
 class StudyNames;
 
-/// Takes the panes once nothing moves there any more, one in each turn of the event loop, so that nothing waits for all
-/// of them: planes as they stand on the screen, and of the 3D view the picture that is saved by itself
-/// (pictureToKeep()), without the lines of the render box and of the planes. The page is made and written in a thread
-/// of its own.
+/// Takes the panes once nothing moves there any more. It takes one in each turn of the event loop, so that the window
+/// stays responsive. Planes are taken as they stand on the screen. Of the 3D view it takes pictureToKeep(), the picture
+/// without the lines of the render box and of the planes. A thread of its own makes and writes the page.
 class ReportSaving : public QObject {
     Q_OBJECT
 
@@ -46,19 +45,19 @@ public:
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;
-        std::function<QString(const QString& what)> proposedName;  ///< of a file of the study, without an ending
+        std::function<QString(const QString& what)> proposedName;  ///< of a file of the study, without its ending
         std::function<QString()> explanation;                      ///< of the 3D view, paragraphs
     };
-    /// All outlive this, which belongs to the window.
+    /// The parts outlive this object, which belongs to the window.
     explicit ReportSaving(const Parts& parts);
 
-    /// Asks what the report is to hold and where it is to go. Does nothing where no study is open.
+    /// Asks for the report's content and its file. Does nothing if no study is open.
     void choose();
-    /// Saves a report of the window as it will be at rest, with the patient read from the study's files or without. A
-    /// motion that plays is paused. While one is being made, it says so and does nothing. Where another study opens
+    /// Saves a report of the window as it will be at rest, with or without the patient of the study's files. A motion
+    /// that plays is paused. If a report is being made already, it says so and does nothing. If another study opens
     /// before all panes were taken, there is no report.
     void save(const QString& path, bool withPatient);
-    /// Ends what save() began, and says so; where it was not whole before, no file is left.
+    /// Ends what save() began, and says so. No file is left unless it was whole before.
     void cancel();
 
 private:
@@ -66,10 +65,10 @@ private:
         QString path;
         bool withPatient = false;
     };
-    /// What was taken of the window so far.
+    /// What was taken from the window so far.
     struct Taken {
         CaseReport report;
-        std::size_t panes = 0;  ///< looked at
+        std::size_t panes = 0;  ///< the number looked at
     };
     [[nodiscard]] Work work();
     void followRest();
@@ -83,10 +82,10 @@ private:
     void tell(const QString& path, const Result<void>& written);
 
     Parts m_parts;
-    std::optional<Taken> m_taken;  ///< while the panes are at rest; anew where that ends before all is taken
+    std::optional<Taken> m_taken;  ///< set while the panes are at rest; begins anew if they move before all are taken
     bool m_takesSoon = false;
     std::optional<Wanted> m_wanted;            ///< until the panes are taken
-    Works::UnderWay m_waits;                   ///< as long as it is wanted
+    Works::UnderWay m_waits;                   ///< as long as a report is wanted
     std::optional<PictureReport> m_converged;  ///< how the newest converged picture was made
     // Last, so that its thread has ended before anything above is destroyed.
     FileWriting m_writing;

@@ -26,7 +26,8 @@ QString writeWhole(const Autosave::Write& write, const QString& file, const Save
 
 }  // namespace
 
-/// In whatever thread. Gives an empty text, or a sentence that says what went wrong; nothing earlier goes then.
+/// Runs in whatever thread. Gives an empty text, or a sentence that says what went wrong. Then no earlier file is
+/// removed.
 QString Autosave::carriedOut(const Write& write, const QString& file, const Order& order) {
     if (!order.session) {
         QFile::remove(file);
@@ -47,8 +48,8 @@ Autosave::Autosave(Works& works, const QString& folder, std::function<SavedSessi
 }
 
 Autosave::~Autosave() {
-    // A thread that ends drops what waits in it, and what it did meanwhile nobody heard of: that is done here, if need
-    // be a second time.
+    // A thread that ends drops its waiting job, and nobody hears how its last job ended. So what is due is done here,
+    // if need be a second time.
     for (const auto& left : m_leftBehind) {
         left->thread.reset();
         const auto lock = left->lock.lock();
@@ -64,15 +65,16 @@ void Autosave::setInterval(int milliseconds) {
 }
 
 void Autosave::beginFile() {
-    // Of one thread's jobs only the newest waits, and what was left behind must not make room for what follows.
+    // Only the newest job of a thread waits. The next file gets a thread of its own, so that its jobs drop none of this
+    // one's.
     std::erase_if(m_leftBehind, [](const auto& left) { return !left->due && !left->thread->busy(); });
     if (m_file) m_leftBehind.push_back(std::move(m_file));
     m_file = std::make_unique<File>();
-    // The folder's name may hold what QString::arg() replaces.
+    // Not with QString::arg(): the folder's name may hold its place markers.
     m_file->name = m_folder + '/' + QString::number(QCoreApplication::applicationPid()) + '-' +
                    QUuid::createUuid().toString(QUuid::Id128).left(8) + QStringLiteral(".autosave.json");
     m_lock = std::make_shared<QLockFile>(lockOf(m_file->name));
-    m_lock->setStaleLockTime(0);  // it is as old as this program
+    m_lock->setStaleLockTime(0);  // the lock may grow as old as this program
     m_file->lock = m_lock;
     m_written.reset();
     m_file->thread = std::make_unique<NewestWinsThread>(m_works, QStringLiteral("autosave"));
@@ -84,10 +86,10 @@ bool Autosave::busy() const {
            std::ranges::any_of(m_leftBehind, [](const auto& left) { return left->thread->busy(); });
 }
 
-/// Taken with the first change: a program in which nobody does anything leaves no trace.
+/// Takes the lock with the first change: a program in which nobody does anything leaves no trace.
 bool Autosave::own(const std::shared_ptr<QLockFile>& lock) const {
     if (lock->isLocked()) return true;
-    // A folder of one's own: what people look at is nobody else's business.
+    // Only the person may read the folder: what people look at is private.
     if (!QDir(m_folder).exists() && QDir().mkpath(m_folder))
         QFile::setPermissions(m_folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     return lock->tryLock(0);
@@ -114,7 +116,7 @@ void Autosave::tryAgain() {
     if (m_file->due && !m_file->thread->busy()) carryOut(*m_file);
 }
 
-/// With all that is to go and is not known to have gone.
+/// Gives an order with all files to remove that are not known to be gone.
 Autosave::Order Autosave::newOrder(std::optional<SavedSession> session) {
     Order next{std::move(session), std::exchange(m_earlier, {})};
     if (const auto& due = m_file->due)
@@ -174,7 +176,7 @@ void Autosave::discard(const Left& left) {
     if (own == m_leftBehind.end()) {
         QFile::remove(left.file);
     } else {
-        // After what may still be written of it.
+        // Waits behind an earlier order for the file.
         const auto& due = (*own)->due;
         (*own)->due = std::make_shared<const Order>(Order{std::nullopt, due ? due->earlier : std::vector<Left>()});
         carryOut(**own);

@@ -1,4 +1,4 @@
-// What a person does is on disk soon, in the program's own folder, without being asked for.
+// Writes what a person does to disk soon, in the program's own folder, without being asked.
 #pragma once
 
 #include <QLockFile>
@@ -17,10 +17,10 @@
 
 namespace echolucent {
 
-/// One file for each session that is open or was left, written whole or not at all in a thread of its own, with a lock
-/// beside it that says whose it is: the lock of a program that has died is free. Nothing is written while nothing
-/// changes. What could not be written is tried again after the same interval, until it is written, forgotten or
-/// superseded; what was ordered and is not known to be done is done at the end.
+/// Keeps one file for each session that is open or was left. A thread of its own writes it whole or not at all. A lock
+/// beside the file says whose it is: the lock of a program that has died is free. Nothing is written while nothing
+/// changes. A file that could not be written is tried again after the same interval, until it is written, forgotten or
+/// superseded. Orders that are not known to be done are done at the end.
 ///
 ///              noteChange()                     interval over: write
 ///   [Clean] ----------------> [Change waits] --------------------------> [Written]
@@ -30,39 +30,39 @@ class Autosave : public QObject {
     Q_OBJECT
 
 public:
-    /// A change is on disk so many milliseconds later, and as much more as writing takes.
+    /// A change is on disk after this time and the time of writing.
     static constexpr int standardIntervalMilliseconds = 4000;
 
-    /// `present` is asked in this thread for what is to be written.
+    /// Calls `present` in this thread for the session to write.
     Autosave(Works& works, const QString& folder, std::function<SavedSession()> present, QObject* parent = nullptr);
-    /// Removes its file, or, after keepAtEnd(), writes it a last time and leaves it behind. Waits until that is done,
-    /// and what is still to be done with the files that were left.
+    /// Removes its file, or, after keepAtEnd(), writes it a last time and leaves it behind. Waits for that and for the
+    /// open orders of the files that were left.
     ~Autosave() override;
 
-    /// Between a change and its being written, and between a failure and the next attempt.
+    /// The time between a change and its writing, and between a failure and the next attempt.
     void setInterval(int milliseconds);
-    /// What writes a session, in whatever thread; tests put one in its place that ends on command.
+    /// Writes a session, in whatever thread. Tests put one in its place that ends on command.
     using Write = std::function<Result<void>(const std::string& file, const SavedSession& session)>;
     void setWrite(Write write) { m_write = std::move(write); }
-    /// What `present` gives may be other than before. The phase shown and the frame of the motion alone are not written
-    /// anew.
+    /// Says that `present` may give another session than before. A change of only the phase shown and the frame of the
+    /// motion is not written.
     void noteChange();
-    /// A file that is kept, whose lock is held.
+    /// A file that was left, with its lock held.
     struct Left {
         QString file;
         std::shared_ptr<QLockFile> lock;
     };
-    /// The session is what an earlier run left: its file goes once the session is in this one's, and not before, so
-    /// that a program that dies in between finds one of the two; also where forget() says that nothing is to be kept.
+    /// The open session comes from `earlier`, a file that an earlier run left. That file goes only once this one holds
+    /// the session, or once forget() is carried out. So a program that dies in between leaves one of the two.
     void replace(const Left& earlier) { m_earlier.push_back(earlier); }
-    /// There is nothing to keep: what was written is removed.
+    /// There is nothing to keep: removes the file.
     void forget();
-    /// Leaves behind what was kept for the session up to now, which is written anew, and begins another file. Gives
-    /// what is left. Where its lock has been let go of, what could not be written is not tried again.
+    /// Writes the session's file a last time, leaves it behind and begins another one. Gives the file that is left.
+    /// Once its lock has been released, a failed writing is not tried again.
     Left leaveBehind();
-    /// What was left is not wanted any more, by this program or an earlier run: its file goes.
+    /// Removes a file that this program or an earlier run left and nobody wants any more.
     void discard(const Left& left);
-    /// Whether the file stays when this ends.
+    /// Whether the file stays when this object ends.
     void keepAtEnd(bool keep) { m_keep = keep; }
     [[nodiscard]] QString file() const { return m_file->name; }
     /// Whether something of the session is on disk, or about to be.
@@ -75,22 +75,22 @@ public:
 
 signals:
     void busyChanged(bool busy);
-    /// The newest of what was there when writing began is on disk.
+    /// The session is on disk as it was when writing began.
     void written();
-    /// It could not be written, and is tried again: a sentence. Told once until it works again.
+    /// The session could not be written, and is tried again: a sentence. Told once until it works again.
     void failed(const QString& sentence);
 
 private:
-    /// What is to become of a file.
+    /// What to do with a file.
     struct Order {
-        std::optional<SavedSession> session;  ///< what it is to hold; none where it is to go
-        std::vector<Left> earlier;            ///< what goes once that is done
+        std::optional<SavedSession> session;  ///< what the file will hold; none to remove it
+        std::vector<Left> earlier;            ///< files to remove once that is done
     };
-    /// A session's file. It is wanted as long as somebody has its lock.
+    /// A session's file. It is wanted as long as somebody holds its lock.
     struct File {
         QString name;
         std::weak_ptr<QLockFile> lock;
-        std::shared_ptr<const Order> due;  ///< the newest that is not known to be done
+        std::shared_ptr<const Order> due;  ///< the newest order that is not known to be done
         std::unique_ptr<NewestWinsThread> thread;
     };
 
@@ -108,15 +108,15 @@ private:
     QString m_folder;
     std::function<SavedSession()> m_present;
     Write m_write;
-    std::vector<Left> m_earlier;            ///< what this session's file takes the place of, until that is ordered
-    std::optional<SavedSession> m_written;  ///< newest that was ordered
+    std::vector<Left> m_earlier;            ///< files that this session's file replaces, until that is ordered
+    std::optional<SavedSession> m_written;  ///< the newest session that was ordered
     QTimer m_timer;                         ///< runs while a change waits
-    QTimer m_again;                         ///< runs while what could not be written waits
+    QTimer m_again;                         ///< runs while a failed writing waits
     bool m_keep = false;
     bool m_failed = false;
-    std::shared_ptr<QLockFile> m_lock;                ///< of the present file
-    std::unique_ptr<File> m_file;                     ///< the present one
-    std::vector<std::unique_ptr<File>> m_leftBehind;  ///< those that were left behind
+    std::shared_ptr<QLockFile> m_lock;  ///< of the present file
+    std::unique_ptr<File> m_file;       ///< the present one
+    std::vector<std::unique_ptr<File>> m_leftBehind;
 };
 
 }  // namespace echolucent

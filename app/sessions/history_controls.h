@@ -1,4 +1,4 @@
-// The panel of steps and snapshots, connected with the document.
+// Connects the panel of steps and snapshots with the document.
 #pragma once
 
 #include <QObject>
@@ -16,7 +16,7 @@ class HistoryControls : public QObject {
     Q_OBJECT
 
 public:
-    /// All of them must outlive this.
+    /// All must outlive this object.
     HistoryControls(DocumentModel& model, Snapshots& snapshots, HistoryPanel& panel, MessageBar& messages);
 
 private:

@@ -25,10 +25,10 @@ std::vector<Leftover> takeLeftovers(const QString& folder) {
     for (const QString& file : files) {
         Leftover found{
             file, std::make_shared<QLockFile>(Autosave::lockOf(file)), QFileInfo(file).lastModified(), {}, {}};
-        // Only a lock whose owner has died can be taken, however old it is.
+        // A lock can be taken only if its owner has died, however old the lock is.
         found.lock->setStaleLockTime(0);
         if (!found.lock->tryLock(0)) continue;
-        // What a program was writing when it died.
+        // Half-written files of a program that died.
         for (const QString& half : inside.entryList({QFileInfo(file).fileName() + ".??????"}, QDir::Files))
             QFile::remove(inside.filePath(half));
         if (!QFile::exists(file)) continue;

@@ -11,20 +11,20 @@
 
 namespace echolucent {
 
-/// A file of another run; whoever holds its lock has it to himself.
+/// A file of another run. Whoever holds its lock has it alone.
 struct Leftover {
     QString file;
     std::shared_ptr<QLockFile> lock;
     QDateTime time;   ///< when it was written last
-    QString study;    ///< path of the study's file or folder; empty of a simulated scan
-    QString damaged;  ///< why it cannot be opened, as a sentence; it was put aside. Empty where it can.
+    QString study;    ///< path of the study's file or folder; empty for a simulated scan
+    QString damaged;  ///< a sentence: why it cannot be opened and was put aside; empty if it can be opened
 };
 
-/// The files in a folder that no living program holds, oldest first, each with its lock. One that cannot be read is
-/// renamed to end in ".damaged", so that it is told once.
+/// The files in a folder that no living program holds, oldest first, each with its lock. An unreadable file is renamed
+/// to end in ".damaged", so that it is told of once.
 [[nodiscard]] std::vector<Leftover> takeLeftovers(const QString& folder);
 
-/// The path of a session's study; empty of a simulated scan.
+/// The path of a session's study; empty for a simulated scan.
 [[nodiscard]] QString studyPathOf(const Document& document);
 
 }  // namespace echolucent

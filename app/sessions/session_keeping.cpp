@@ -21,7 +21,7 @@ namespace echolucent {
 
 namespace {
 
-/// Without what plays, and what is known of the study's bytes.
+/// The document with the shown phase, frame and study checksum of `like`, so that only a person's work is compared.
 Document comparable(Document document, const Document& like) {
     if (nameTheSame(document.study, like.study)) document.study = like.study;
     return withShown(std::move(document), like);
@@ -66,7 +66,7 @@ SessionKeeping::SessionKeeping(const Parts& parts)
 
 SessionKeeping::~SessionKeeping() {
     look();
-    // The document is still there, the window's other parts are not.
+    // The document still exists here; the window's other parts do not.
     m_autosave->keepAtEnd(m_changed && m_parts.openStudy.study() != nullptr);
     m_autosave.reset();
 }
@@ -108,7 +108,7 @@ void SessionKeeping::leave() {
     m_between = true;
     const int number = m_number++;
     if (first) return;
-    writeNext();  // of the study that is left there will be no checksum
+    writeNext();  // the study that is left gets no checksum any more
     // Another study takes over curves, look and method; a session brings its own.
     const Document& document = m_parts.model.document();
     const Document& opened = m_parts.shown.opened();
@@ -135,7 +135,7 @@ bool SessionKeeping::isOnItsWay(int number) const {
 
 void SessionKeeping::begin() {
     const auto& saved = m_parts.openStudy.saved();
-    // What could not be saved after all is offered like any other.
+    // What could not be saved is offered like any other.
     for (auto& [number, left] : m_leftWhileSaving)
         if (!isOnItsWay(number)) m_leftovers.push_back(std::move(left));
     std::erase_if(m_leftWhileSaving, [&](const auto& left) { return !isOnItsWay(left.first); });
@@ -166,7 +166,8 @@ void SessionKeeping::begin() {
     offerLeftovers();
 }
 
-/// Where the session is already, else beside the study's file or folder, never in that; empty for a simulated scan.
+/// The folder of the session's file, else the folder beside the study's file or folder, never inside it. Empty for a
+/// simulated scan.
 QString SessionKeeping::proposedFolder() const {
     const QString beside = m_file.isEmpty() ? QDir::cleanPath(m_parts.openStudy.path()) : m_file;
     return beside.isEmpty() ? QString() : QFileInfo(beside).absolutePath();
@@ -225,7 +226,7 @@ void SessionKeeping::send(Order order) {
     const QString study = studyPathOf(order.session.document);
     if (auto allowed = refuseSessionInside(study.toStdString(), order.studyFiles, order.file.toStdString()); !allowed)
         return offerAnotherPlace(order, m_parts.names.sentenceOf(allowed.error()));
-    // The newest for a file is enough of what is not begun.
+    // Of the orders that are not begun, only the newest for a file is needed.
     const auto notBegun = m_orders.begin() + (m_saving.busy() ? 1 : 0);
     m_orders.erase(std::remove_if(notBegun, m_orders.end(), [&](const Order& each) { return each.file == order.file; }),
                    m_orders.end());
@@ -245,7 +246,7 @@ void SessionKeeping::cancelSaving() {
     m_underWay.set(saving());
 }
 
-/// The orders are written one after the other; one of the open study waits for its checksum.
+/// Writes the orders one after the other. An order for the open study waits for its checksum.
 void SessionKeeping::writeNext() {
     m_underWay.set(saving());
     if (m_orders.empty() || m_saving.busy()) return;
@@ -284,7 +285,7 @@ void SessionKeeping::takeSaved(const QDateTime& time) {
     for (const auto& [number, left] : m_leftWhileSaving)
         if (number == order.number) m_autosave->discard({left.file, left.lock});
     std::erase_if(m_leftWhileSaving, [&](const auto& left) { return left.first == order.number; });
-    // Meanwhile another study or session may have been opened, with which the window stays.
+    // If another study or session was opened meanwhile, the window stays with it.
     const bool same = order.number == m_number;
     if (same) {
         m_file = order.file;
@@ -343,7 +344,7 @@ bool SessionKeeping::mayClose() {
         return false;
     }
     if (static_cast<QAbstractButton*>(discard) != box.clickedButton()) return false;
-    m_inFile = present();  // nothing of it is to be kept
+    m_inFile = present();  // nothing of the changes is kept
     m_left = false;
     look();
     m_autosave->forget();

@@ -1,4 +1,4 @@
-// The session of the window: saved, opened, kept by itself, and what earlier runs left of theirs.
+// Saves, opens and autosaves the window's session, and offers the sessions that earlier runs left.
 #pragma once
 
 #include <QDateTime>
@@ -29,11 +29,11 @@ class OpenStudy;
 class Settings;
 class StudyNames;
 
-/// A session has a file once a person saved it or opened it from one, and is *changed* where it differs from that file;
-/// without a file it is changed where it holds what a person made: strokes, measurements, snapshots, a box, a cut.
-/// What an earlier run left is changed until it is saved. Every change is kept by Autosave, whatever a person does.
-/// What was changed and is left, because another study is opened or the window closes, stays behind and is offered
-/// again; so does whatever a person set, where the session that is opened has its own instead.
+/// A session has a file once a person saved it or opened it from one. It is *changed* if it differs from that file.
+/// Without a file it is changed if it holds a person's work: strokes, measurements, snapshots, a box, a cut. A session
+/// that an earlier run left is changed until it is saved. Autosave keeps every change, whatever a person does. If a
+/// person leaves a changed session, by opening another study or closing the window, it stays behind and is offered
+/// again. Settings of a person stay behind too if an opened session replaces them by its own.
 class SessionKeeping : public QObject {
     Q_OBJECT
 
@@ -54,31 +54,31 @@ public:
 
     [[nodiscard]] Snapshots& snapshots() { return m_snapshots; }
     [[nodiscard]] Autosave& autosave() { return *m_autosave; }
-    /// The file of the session; empty where it has none.
+    /// The file of the session; empty for none.
     [[nodiscard]] QString file() const { return m_file; }
-    /// Saves into the session's file, or asks for one where it has none.
+    /// Saves into the session's file; asks for one if there is none.
     void save();
     /// Asks for a file, beside the session's file or the study, and saves into it.
     void chooseAndSave();
-    /// What follows once the session is in its file.
+    /// What to do once the session is saved.
     enum class Then { goOn, closeWindow };
-    /// Begins to save, once the study's checksum is there; refused, with a sentence, in the study's folder and over its
-    /// files.
+    /// Saves once the study's checksum is there. Refused, with a sentence, in the study's folder and over its files.
     void saveAs(const QString& file, Then then = Then::goOn);
-    /// What waits for the study's checksum, or for another file to be written, is not saved; what is being written is.
+    /// Drops the sessions that wait for the study's checksum or for another file. A file that is being written is
+    /// finished.
     void cancelSaving();
     [[nodiscard]] bool saving() const { return !m_orders.empty() || m_saving.busy(); }
-    /// Asks where a session with a file was changed. False where the window stays, or closes by itself once the session
-    /// is saved, as it does where one is being saved already.
+    /// Asks if a session with a file was changed. False if the window stays, or if a session is being saved: the window
+    /// then closes by itself once that is done.
     [[nodiscard]] bool mayClose();
 
-    /// Whether nothing is written, nor about to be.
+    /// Whether nothing is being written or about to be.
     [[nodiscard]] bool atRest() const {
         return !saving() && !m_autosave->busy() && !m_taking.busy() && !m_looking.isActive() && !m_autosave->waits();
     }
 
 signals:
-    /// The session is in its file.
+    /// A session is in its file.
     void saved();
 
 private:
@@ -86,26 +86,26 @@ private:
     void begin();
     void leave();
     void noteChange();
-    /// Finds out what changed.
+    /// Finds out whether the session changed.
     void look();
     /// A session on its way to its file.
     struct Order {
         QString file;
         SavedSession session;
-        std::vector<std::string> studyFiles;  ///< which the session never replaces
-        int number = 0;                       ///< of the session that it is
+        std::vector<std::string> studyFiles;  ///< the session never replaces these
+        int number = 0;                       ///< of the session
     };
     void send(Order order);
     void writeNext();
-    /// Whether a session is being written, or about to be, by its number.
+    /// Whether the session of this number is being written or about to be.
     [[nodiscard]] bool isOnItsWay(int number) const;
     [[nodiscard]] Order takeFirst();
-    /// The first order is in its file, which was written at a time.
+    /// The first order is in its file, which was written at `time`.
     void takeSaved(const QDateTime& time);
     void takeUnsaved(const QString& sentence);
     void offerAnotherPlace(const Order& order, const QString& sentence);
     void saveElsewhere(Order order);
-    /// Asks where somebody wrote the session's file since it was read or written here; false where it is to stay.
+    /// Asks if somebody else wrote the session's file since it was read or written here. False if that file must stay.
     [[nodiscard]] bool mayReplace();
     [[nodiscard]] QString chosenFile(const QString& named, const QString& folder);
     void offerLeftovers();
@@ -116,15 +116,15 @@ private:
     Parts m_parts;
     Snapshots m_snapshots;
     QString m_file;
-    std::optional<SavedSession> m_inFile;  ///< what the file holds; none where there is no file
+    std::optional<SavedSession> m_inFile;  ///< what the file holds; none without a file
     bool m_changed = false;
-    bool m_between = false;      ///< another study's document takes the place of the present one
-    bool m_left = false;         ///< what is open was left by an earlier run, and not saved since
-    QTimer m_looking;            ///< runs while a change was not looked at: the document may change with every frame
-    QDateTime m_fileTime;        ///< when the file was written that is known of; later is somebody else's
-    int m_number = 0;            ///< of the session that is open: one more with each
+    bool m_between = false;      ///< while another study's document replaces the present one
+    bool m_left = false;         ///< the open session comes from an earlier run and was not saved since
+    QTimer m_looking;            ///< runs until look() has seen a change: the document may change with every frame
+    QDateTime m_fileTime;        ///< last known time of writing the file; a later one is somebody else's
+    int m_number = 0;            ///< of the open session; grows by one with each
     std::deque<Order> m_orders;  ///< the first is being written, or waits for the study's checksum
-    Then m_then = Then::goOn;    ///< once the session is saved that is on its way
+    Then m_then = Then::goOn;    ///< once the session that is being saved is in its file
     std::deque<Leftover> m_leftovers;
     std::vector<std::pair<int, Leftover>> m_leftWhileSaving;  ///< with the number of their session; not offered
     std::unique_ptr<Autosave> m_autosave;

@@ -22,7 +22,7 @@ namespace echolucent {
 ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
     connect(&m_parts.openStudy, &OpenStudy::aboutToReplace, this, [this] {
         m_parts.player.pause();
-        m_parts.model.cancelPreview();  // a drag that goes on is no part of the new document
+        m_parts.model.cancelPreview();  // a running drag is not part of the new document
     });
     connect(&m_parts.openStudy, &OpenStudy::studyReplaced, this, &ShownStudy::beginDocument);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ShownStudy::tellFacts);
@@ -51,7 +51,7 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.model, &DocumentModel::sideChanged, this, &ShownStudy::showNearCutRange);
 }
 
-/// All that calls the study by its name, in the title and in the facts.
+/// Shows the study's name in the title and in the facts.
 void ShownStudy::nameStudy() {
     const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
@@ -109,7 +109,7 @@ void ShownStudy::takeVolume() {
     OpenStudy& openStudy = m_parts.openStudy;
     m_parts.editor.setHistogram(openStudy.histogram());
     m_parts.editor.setWhiteLevel(openStudy.volume()->whiteLevel());
-    // While it plays numbers would come and go. Those of an OTF that is there already stay.
+    // Numbers would come and go while a motion plays. Those of an OTF that is there already stay.
     if (m_parts.player.isPlaying() || m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return;
     m_parts.method.clearResult();
     m_parts.status.clearOtf();
@@ -122,7 +122,7 @@ void ShownStudy::beginDocument() {
     m_parts.messages.setRemark({});
     m_parts.method.clearResult();
     m_parts.status.clearOtf();
-    if (const OtfEditorState& state = m_parts.editor.state(); state.designed)  // a design of the study before
+    if (const OtfEditorState& state = m_parts.editor.state(); state.designed)  // a design of the previous study
         m_parts.editor.setDesign(QString::fromStdString(state.designer), std::nullopt);
     m_parts.controls.setPhaseCount(m_phases);
     m_parts.motion.setStudy(study);
@@ -136,7 +136,7 @@ void ShownStudy::beginDocument() {
         m_parts.model.begin(openStudy.saved()->session.document);
     } else {
         m_parts.model.begin(opened.plain);
-        m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be taken back
+        m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be undone
     }
     m_parts.motion.beginAtRest();
     showNearCutRange();
@@ -145,7 +145,7 @@ void ShownStudy::beginDocument() {
 void ShownStudy::takeOtf(std::size_t place) {
     const bool designed = designerConfigOf(m_parts.model.document(), firstPane) != nullptr;
     if (place != PaneOtfs::adaptiveOfScene && !(place == firstPane && designed)) return;
-    // A drag of a box or a cut, as a motion, brings one OTF after another.
+    // A drag of a box or a cut brings one OTF after another, as a motion does.
     m_parts.player.isPlaying() || m_parts.model.previewing() ? m_numbers.tell() : m_numbers.tellNow();
     showRemarkAtRest();
 }
@@ -161,7 +161,7 @@ void ShownStudy::showNumbers() {
     }
 }
 
-/// While it plays the bar would come and go over the picture.
+/// The bar would come and go over the picture while a motion plays.
 void ShownStudy::showRemarkAtRest() {
     if (!m_parts.player.isPlaying()) showRemark();
 }
@@ -176,7 +176,7 @@ void ShownStudy::showRemark() {
     m_parts.messages.setRemark(remarks().join(QLatin1Char(' ')));
 }
 
-/// What the OTF that is rendered has to say. A picture that is black because of its curve says so.
+/// What the rendered OTF has to say. If the picture is black because of its curve, it says so.
 QStringList ShownStudy::remarks() const {
     const Document& document = m_parts.model.document();
     const bool designed = designerConfigOf(document, firstPane) != nullptr;

@@ -1,5 +1,4 @@
-// What follows in the window when a study was opened, another phase is shown, or an OTF was computed, the picture
-// apart.
+// Updates the window, except for the picture, when a study is opened, another phase is shown or an OTF is computed.
 #pragma once
 
 #include <QObject>
@@ -19,7 +18,7 @@ class StudyNames;
 class StudyPanel;
 class ViewPanel;
 
-/// Begins the document of a study, and brings facts and numbers to editor and panels.
+/// Begins the document of a study, and gives facts and numbers to the editor and the panels.
 class ShownStudy : public QObject {
     Q_OBJECT
 
@@ -43,7 +42,7 @@ public:
     };
     explicit ShownStudy(const Parts& parts, QObject* parent = nullptr);
 
-    /// The document as opening the study gave it, with what was found then.
+    /// The document as it was when the study was opened, with what was found then.
     [[nodiscard]] const Document& opened() const { return m_opened; }
 
 signals:

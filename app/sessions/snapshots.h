@@ -1,4 +1,4 @@
-// The snapshots of the session that is open.
+// The snapshots of the open session.
 #pragma once
 
 #include <QObject>
@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// Documents under names, oldest first, counted from 0. They stand beside the document's undo stack: keeping, renaming
+/// Documents with names, oldest first, counted from 0. They stand beside the document's undo stack: keeping, renaming
 /// and removing one is no step.
 class Snapshots : public QObject {
     Q_OBJECT
@@ -18,11 +18,11 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] const std::vector<Snapshot>& list() const { return m_list; }
-    /// Another session is open, with these.
+    /// Another session with these snapshots is open.
     void begin(std::vector<Snapshot> list);
-    /// Keeps a document under a name. An empty text, or why it was not kept, as a sentence.
+    /// Keeps a document under a name. Returns an empty text, or a sentence: why it was not kept.
     QString keep(const QString& name, const Document& document);
-    /// An empty text, or why the snapshot keeps its name, as a sentence.
+    /// Returns an empty text, or a sentence: why the snapshot keeps its name.
     QString rename(int snapshot, const QString& name);
     void remove(int snapshot);
 

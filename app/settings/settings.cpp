@@ -44,7 +44,7 @@ bool boolOr(const QVariant& value, bool otherwise) {
     return text == "false" ? false : otherwise;
 }
 
-// Settings of 0.1 have a key for each row of a table, "picture/colourMap"; each is read by itself.
+// Settings of 0.1 have a key for each row of a table, "picture/colourMap". Each is read by itself.
 
 template <typename Values>
 QString keyOf01(const char* group, const Parameter<Values>& row) {
@@ -79,7 +79,7 @@ void removeKeysOf01(SettingsStore& store, const char* group, const ParameterTabl
     for (const Parameter<Values>& row : table) store.remove(keyOf01(group, row));
 }
 
-/// The choice that a stored name names, or the standard one.
+/// The choice of a stored name, or the standard one.
 template <typename Choice>
 Choice choiceOr(const QVariant& stored, std::optional<Choice> (*fromName)(std::string_view), Choice standard) {
     return fromName(stored.toString().toStdString()).value_or(standard);
@@ -164,7 +164,7 @@ Look Settings::look() const {
     } else {
         takeKeysOf01(m_store, "picture", lookParameters(), look);
     }
-    look.step = Look{}.step;  // a matter of the quality
+    look.step = Look{}.step;  // the quality sets it
     return look;
 }
 void Settings::setLook(const Look& look) {
@@ -197,7 +197,7 @@ void Settings::setPresetsOpen(bool open) { m_store.setValue(presetsOpenKey, open
 
 namespace {
 
-/// What moves and which phases are a matter of the study.
+/// Without what moves and the phases, which belong to the study.
 MotionChoice rememberedOf(const MotionChoice& motion) {
     return {.axis = motion.axis,
             .otf = motion.otf,

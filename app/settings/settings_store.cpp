@@ -85,7 +85,7 @@ void SettingsStore::take(const Written& written) {
 }
 
 bool SettingsStore::save() {
-    m_writing.reset();  // what it was writing is written once more where it was not told to be written
+    m_writing.reset();  // changes whose writing was not reported yet are written once more
     m_beingWritten.insert(std::exchange(m_changes, {}));
     if (m_beingWritten.isEmpty()) return true;
     const Written written = write(m_file, m_beingWritten);

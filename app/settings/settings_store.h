@@ -1,5 +1,5 @@
-// Values by their keys in an INI file, read at once and written in a thread: a disc may take long to say that it is
-// done.
+// Keeps values by their keys in an INI file. It reads the file at once and writes it in a thread, since a disc may be
+// slow.
 #pragma once
 
 #include <QObject>
@@ -12,13 +12,13 @@
 
 namespace echolucent {
 
-/// What QSettings keeps, without its waiting for the disc in the thread that sets a value. A change is written once the
-/// event loop is reached; what other programs wrote meanwhile is read then.
+/// Does what QSettings does, but setting a value never waits for the disc. A change is written once the event loop is
+/// reached. What other programs wrote meanwhile is read then.
 class SettingsStore : public QObject {
     Q_OBJECT
 
 public:
-    /// Reads `file`; where it is not there, all keys are without a value.
+    /// Reads `file`. If it is missing, no key has a value.
     explicit SettingsStore(const QString& file);
     /// Waits until all is written.
     ~SettingsStore() override;
@@ -30,14 +30,14 @@ public:
     /// Removes a key and all below it ("group/key").
     void remove(const QString& key);
 
-    /// Writes all now and waits for it; false where that failed. What could not be written is tried again with the next
-    /// change.
+    /// Writes all now and waits for it; false if that failed. Changes that could not be written are tried again with
+    /// the next change.
     bool save();
 
 private:
     /// New values by their keys; a key without one is removed.
     using Changes = QVariantMap;
-    /// What a file holds after changes were written to it; no value where they could not be.
+    /// What a file holds after changes were written. If `whole` is false, they could not be written.
     struct Written {
         bool whole = false;
         QVariantMap values;
@@ -52,10 +52,10 @@ private:
     QString m_file;
     QVariantMap m_values;
     Changes m_changes;       ///< not given to the thread yet
-    Changes m_beingWritten;  ///< by the thread, or not written when it failed
+    Changes m_beingWritten;  ///< by the thread; or the thread failed to write them
     bool m_writesSoon = false;
     Works m_works;  ///< nobody waits for the settings
-    // Last, so that its thread has ended before anything above is destroyed; made where there is something to write.
+    // Last, so that its thread has ended before anything above is destroyed. Made when there is something to write.
     std::optional<NewestWinsThread> m_writing;
 };
 

@@ -23,7 +23,7 @@ void CutPhases::begin(Phases scans) {
 void CutPhases::want(int phase, const std::vector<ScalpelStroke>& strokes) {
     m_wanted = phase;
     if (strokes == m_strokes) {
-        if (!busy()) makeNext();  // else the phase that is being cut goes on with what is wanted
+        if (!busy()) makeNext();  // else what is wanted follows the phase that is being cut
         return;
     }
     m_thread.cancel();
@@ -46,7 +46,7 @@ std::shared_ptr<const Volume> CutPhases::of(int phase, const std::shared_ptr<con
     return cut.volumes.front().second;
 }
 
-/// The phase to cut now, -1 where all are.
+/// The phase to cut now; -1 if all are cut.
 int CutPhases::next() const {
     for (int ahead = 0; ahead < static_cast<int>(m_cut.size()); ++ahead) {
         const int phase = (m_wanted + ahead) % static_cast<int>(m_cut.size());
@@ -59,7 +59,7 @@ void CutPhases::makeNext() {
     const int phase = next();
     if (phase < 0) return;
     const auto& scan = m_scans[static_cast<std::size_t>(phase)];
-    // All phases of a study lie on one grid, and a stroke cuts the same of each.
+    // All phases of a study lie on one grid, so a stroke cuts the same of each.
     if (!m_cuts || m_cuts->geometry().size != scan->geometry().size)
         m_cuts = freedElsewhere(std::make_shared<ScalpelCuts>(scan->geometry()));
     m_thread.submit(
@@ -72,7 +72,7 @@ void CutPhases::makeNext() {
                     makeNext();
                 };
             } catch (const std::bad_alloc&) {
-                *cuts = ScalpelCuts(scan->geometry());  // a stroke may have been left half done
+                *cuts = ScalpelCuts(scan->geometry());  // a stroke may be half done
                 return [this] {
                     for (Cut& cut : m_cut) cut.current = true;  // it would fail again
                     emit failed(tr("Cutting with the scalpel needs more memory than this machine has."));

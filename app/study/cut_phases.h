@@ -1,4 +1,4 @@
-// What the scalpel's strokes leave of a study's phases: cut in a thread of its own, and kept.
+// Cuts a study's phases by the scalpel's strokes, in a thread of its own, and keeps the result.
 #pragma once
 
 #include <QObject>
@@ -13,8 +13,7 @@
 
 namespace echolucent {
 
-/// Cuts the phase that is wanted first and then the others. All of it is to be called, and every signal is sent, in the
-/// thread this lives in.
+/// Cuts the wanted phase first and then the others. Call it in the thread it lives in; it sends its signals there too.
 class CutPhases : public QObject {
     Q_OBJECT
 
@@ -23,24 +22,24 @@ public:
 
     explicit CutPhases(Works& works, QObject* parent = nullptr);
 
-    /// Another study is open, of which nothing is cut.
+    /// Another study is open; nothing of it is cut.
     void begin(Phases scans);
-    /// Wants a phase (counted from 0) with these strokes. Other strokes than before replace those that are being cut;
-    /// what was cut before them is shown until they are. No stroke at all cuts nothing, at once.
+    /// Wants a phase (counted from 0) with these strokes. New strokes replace those that are being cut; until the new
+    /// cut is made, the earlier one is shown. Without strokes nothing is cut, at once.
     void want(int phase, const std::vector<ScalpelStroke>& strokes);
 
-    /// Voxels of a phase, raw or quiet, with what is cut of them so far: the same object as long as neither changes,
-    /// and the voxels themselves where nothing is cut.
+    /// The voxels of a phase, raw or quiet, with what is cut of them so far. It is the same object as long as neither
+    /// changes. If nothing is cut, it is `voxels` itself.
     [[nodiscard]] std::shared_ptr<const Volume> of(int phase, const std::shared_ptr<const Volume>& voxels);
     [[nodiscard]] const std::vector<ScalpelStroke>& strokes() const { return m_strokes; }
-    /// Whether what is cut of a phase is what the strokes say.
+    /// Whether the cut of a phase is that of the strokes.
     [[nodiscard]] bool isCurrent(int phase) const { return m_cut.at(static_cast<std::size_t>(phase)).current; }
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
 
 signals:
-    /// Of a phase other voxels are cut than before.
+    /// The cut of a phase has changed.
     void made(int phase);
-    /// There is not memory enough: what was cut before stays.
+    /// There is not enough memory: the earlier cut stays.
     void failed(const QString& sentence);
     void busyChanged(bool busy);
 
@@ -48,9 +47,9 @@ private:
     [[nodiscard]] int next() const;
     void makeNext();
 
-    /// A phase's mask, and the volumes that were made with it, the newest first, by the voxels that they share.
+    /// A phase's mask, and the volumes made with it, newest first. Each pair is the voxels and their cut volume.
     struct Cut {
-        Volume::SharedMask mask;  ///< null where nothing is cut
+        Volume::SharedMask mask;  ///< null if nothing is cut
         bool current = true;      ///< whether it is that of the strokes
         std::vector<std::pair<std::shared_ptr<const Volume>, std::shared_ptr<const Volume>>> volumes{};
     };
@@ -59,7 +58,7 @@ private:
     Phases m_scans;
     std::vector<Cut> m_cut;
     std::vector<ScalpelStroke> m_strokes;
-    std::shared_ptr<ScalpelCuts> m_cuts;  ///< for the thread alone, null before the first stroke
+    std::shared_ptr<ScalpelCuts> m_cuts;  ///< used by the thread alone; null before the first stroke
     int m_wanted = 0;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

@@ -38,7 +38,7 @@ void WaitingToBeFreed::letGoUntilEnd() {
             if (m_parts->hasEnded) return;
             taken.swap(m_parts->references);
         }
-        // Not under the lock: it takes long, and what is let go may give something itself.
+        // Not under the lock: it takes long, and a freed object may add another one.
         taken.clear();
     }
 }

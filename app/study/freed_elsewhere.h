@@ -1,4 +1,4 @@
-// Memory that a thread of its own gives back to the system.
+// Frees memory in a thread of its own.
 #pragma once
 
 #include <exception>
@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// What waits for a thread that lets go of it. It outlives the thread, for those who still have something to give.
+/// Objects that wait for a thread to let go of them. The list outlives the thread, for callers who come later.
 class WaitingToBeFreed {
 public:
     WaitingToBeFreed();
@@ -29,10 +29,10 @@ private:
     std::unique_ptr<Parts> m_parts;
 };
 
-/// A thread that lets go of what it is given, in the order in which it comes.
+/// A thread that lets go of objects, in the order in which they come.
 class FreeingThread {
 public:
-    /// Throws std::system_error where the system has no thread for it.
+    /// Throws std::system_error if the system has no thread for it.
     FreeingThread();
     /// Waits until all that was given is let go.
     ~FreeingThread();
@@ -49,9 +49,9 @@ private:
 /// The program's only freeing thread. The program joins it at exit. Throws as FreeingThread() does.
 [[nodiscard]] const FreeingThread& freeingThread();
 
-/// The same object; when the last reference to it is dropped, freeingThread() lets it go. To give back the voxels of
-/// 512³ takes tens of milliseconds, and the last one who looks at a volume is often the picture, in the GUI thread.
-/// Null stays null. Where there is no thread for it, the object is let go by whoever drops it.
+/// The same object, but freeingThread() lets it go once its last reference is dropped. To free the voxels of 512³ takes
+/// tens of milliseconds, and the last owner is often the picture, in the GUI thread. Null stays null. Without a thread,
+/// whoever drops the object frees it.
 template <typename Value>
 [[nodiscard]] std::shared_ptr<Value> freedElsewhere(std::shared_ptr<Value> value) {
     Value* address = value.get();

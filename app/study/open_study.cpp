@@ -35,7 +35,7 @@ OpenStudy::OpenStudy(Works& works, QObject* parent)
     connect(&m_quiet, &QuietPhases::busyChanged, this, [this](bool busy) {
         if (busy)
             m_quieteningClock.start();
-        else if (m_quiet.reduction() != SpeckleReduction::off)  // else what ended was of the study before
+        else if (m_quiet.reduction() != SpeckleReduction::off)  // else the work that ended was for the previous study
             m_quieteningMilliseconds = millisecondsOf(m_quieteningClock);
     });
     connect(&m_quiet, &QuietPhases::busyChanged, this, &OpenStudy::quieteningChanged);
@@ -53,7 +53,7 @@ void OpenStudy::open(const QString& path, const ReadOptions& options) {
 StudyReader OpenStudy::readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const {
     const StudySearch search = m_studySearch ? m_studySearch() : StudySearch{};
     return [file = file.toStdString(), answer, search](const Progress& progress) -> Result<Opening> {
-        // A session says how its study is seen, so that it opens without a picture from elsewhere.
+        // A session says how its study is seen, so it opens without a coarse picture first.
         auto read = readSaved(file, answer, search, Progress{progress.report, progress.cancel});
         if (!read) return tl::unexpected(read.error());
         if (auto* problem = std::get_if<SavedStudyProblem>(&*read)) return Opening{.problem = std::move(*problem)};
@@ -151,7 +151,7 @@ void OpenStudy::takeChecksum() {
     if (file == nullptr || !file->checksum.empty()) return;
     m_checksumThread.submit(
         [this, take = m_checksum, study = m_study](const Progress& progress) -> NewestWinsThread::Deliver {
-            // A session is saved without it.
+            // A session is then saved without a checksum.
             try {
                 const auto checksum = take(study->files, progress);
                 if (!checksum) return {};

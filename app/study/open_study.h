@@ -1,5 +1,4 @@
-// What is open: the study, its voxels as they were read, quiet and cut, and what was found of it. Knows no OTF and no
-// widget.
+// The open study: its voxels as read, quiet and cut, and what was found of it. Knows no OTF and no widget.
 #pragma once
 
 #include <QElapsedTimer>
@@ -24,72 +23,71 @@
 
 namespace echolucent {
 
-/// Loads studies, makes their voxels quiet and cuts them, each in a QThread of its own. Everything below is to be
-/// called, and every signal is sent, in the thread it lives in.
+/// Loads studies, makes their voxels quiet and cuts them, each in a QThread of its own. Call it in the thread it lives
+/// in; it sends its signals there too.
 class OpenStudy : public QObject {
     Q_OBJECT
 
 public:
     explicit OpenStudy(Works& works, QObject* parent = nullptr);
 
-    /// Loads a file or a DICOM folder; what is open stays until the new study is there. A newer call replaces an older.
-    /// Where a folder holds several series that could be opened and the options name none, seriesFound() asks.
-    /// A file that says of itself that it is a document is opened as a session: its study is read, and saved() tells
-    /// the rest.
+    /// Loads a file or a DICOM folder. The open study stays until the new one is there. A newer call replaces an older
+    /// one. If a folder holds several series that could be opened and the options name none, seriesFound() asks. A file
+    /// that says it is a document is opened as a session: its study is read, and saved() gives the rest.
     void open(const QString& path, const ReadOptions& options = {});
-    /// Opens a session file with what a person answered to savedStudyAsked().
+    /// Opens a session file with a person's answer to savedStudyAsked().
     void openSaved(const QString& file, const SavedStudyAnswer& answer);
-    /// Where the studies of sessions are looked for that are no longer in their place; asked whenever one is opened.
+    /// Sets where to look for a session's study if it is not in its place. `search` is called whenever a session is
+    /// opened.
     void setStudySearch(std::function<StudySearch()> search) { m_studySearch = std::move(search); }
-    /// The session whose study is open; no value where the study was opened by itself.
+    /// The session whose study is open; no value if the study was opened by itself.
     [[nodiscard]] const std::optional<OpenedSession>& saved() const { return m_saved; }
-    /// Loads a series of a list.
     void openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options = {});
-    /// The series beside the study that is open; null where it was not opened from a folder of several.
+    /// The series beside the open study; null if it is not from a folder of several.
     [[nodiscard]] std::shared_ptr<const SeriesList> seriesBeside() const { return m_seriesBeside; }
-    /// Makes and opens the simulated scan a newcomer sees first.
+    /// Makes and opens the simulated scan that a newcomer sees first.
     void openSimulatedScan();
     void cancelLoading();
-    /// Of what is loaded, for the status line.
+    /// Sets the words for the status line while loading.
     void setLoadingWords(const QString& words) { m_loader.setWords(words); }
     [[nodiscard]] bool loading() const { return m_loader.busy(); }
-    /// True while the checksum of the study is taken, which reference() holds afterwards.
+    /// True while the checksum of the study is taken. reference() holds it afterwards.
     [[nodiscard]] bool takingChecksum() const { return m_checksumThread.busy(); }
 
-    /// From asking for the study that is open until it was read and looked through; no value before the first.
+    /// The time from asking for the open study until it was read and looked through; no value before the first.
     [[nodiscard]] std::optional<double> loadingMilliseconds() const { return m_loadingMilliseconds; }
-    /// What it last took to make voxels quiet, of all phases that were made then; no value before the first time.
+    /// The time that the last making of quiet voxels took, for all phases made then; no value before the first.
     [[nodiscard]] std::optional<double> quieteningMilliseconds() const { return m_quieteningMilliseconds; }
 
-    /// The study that is open; null before the first.
+    /// The open study; null before the first.
     [[nodiscard]] const Study* study() const { return m_study.get(); }
-    /// Whether the document of another study begins: study and document do not belong together yet.
+    /// True while another study's document begins: study and document do not belong together yet.
     [[nodiscard]] bool beginning() const { return m_beginning; }
-    /// The path of the file or folder; empty where the scan is simulated.
+    /// The path of the file or folder; empty if the scan is simulated.
     [[nodiscard]] QString path() const;
     [[nodiscard]] bool isSimulatedScan() const { return std::holds_alternative<SimulatedScan>(m_reference); }
-    /// What a document names the study by.
+    /// How a document names the study.
     [[nodiscard]] const StudyReference& reference() const { return m_reference; }
     /// The raw voxels of the phase shown, with what the scalpel cut of them.
     [[nodiscard]] std::shared_ptr<const Volume> volume() const { return m_volume; }
-    /// The phase's quiet voxels where they are made, else its raw ones, with what the scalpel cut of them: what its
-    /// next picture is to be made of.
+    /// The voxels for the next picture of the phase shown: its quiet ones if they are made, else its raw ones, with
+    /// what the scalpel cut of them.
     [[nodiscard]] std::shared_ptr<const Volume> newestVoxels();
-    /// The same of any phase (counted from 0) of the study that is open, and its raw voxels: the same objects as long
-    /// as neither the voxels nor what is cut of them change, which phaseVoxelsChanged() tells.
+    /// The same for any phase (counted from 0) of the open study, and its raw voxels. They are the same objects until
+    /// their voxels or their cut change; phaseVoxelsChanged() tells of that.
     [[nodiscard]] std::shared_ptr<const Volume> newestVoxelsOf(int phase);
     [[nodiscard]] std::shared_ptr<const Volume> rawVoxelsOf(int phase) { return volumeOf(phase); }
     /// Cuts all phases by strokes, in the background; the newest list wins.
     void setStrokes(const std::vector<ScalpelStroke>& strokes);
     [[nodiscard]] const std::vector<ScalpelStroke>& strokes() const { return m_cut.strokes(); }
-    /// What was found of the study when it was opened; nothing of simulated scans, whose beam is known.
+    /// What was found of the study on opening; no value for simulated scans, whose beam is known.
     [[nodiscard]] const std::optional<OpeningFinds>& finds() const { return m_finds; }
-    /// Whether strokes are being cut that a phase does not show yet.
+    /// Whether strokes are being cut that the phase does not show yet.
     [[nodiscard]] bool isCutting(int phase) const { return m_cut.busy() && !m_cut.isCurrent(phase); }
     [[nodiscard]] bool cutting() const { return m_cut.busy(); }
-    /// How much speckle is taken away; the voxels are made quiet in the background, the phase shown first.
+    /// Sets how much speckle is taken away. The voxels are made quiet in the background, the phase shown first.
     void setReduction(SpeckleReduction reduction);
-    /// The voxels stay as they are until another reduction is set or another phase shown.
+    /// Leaves the voxels as they are until another reduction is set or another phase is shown.
     void cancelQuietening();
     [[nodiscard]] const QuietPhases& quietPhases() const { return m_quiet; }
     /// Tests put another filter in its place.
@@ -98,28 +96,28 @@ public:
     [[nodiscard]] const IntensityHistogram& histogram() const {
         return m_histograms[static_cast<std::size_t>(m_phase)];
     }
-    /// Of the quiet voxels of the phase shown if `voxels` are these, whatever is cut of them; else histogram().
+    /// The histogram of the quiet voxels of the phase shown if `voxels` are these, cut or not; else histogram().
     [[nodiscard]] const IntensityHistogram& histogramOf(const Volume& voxels) const;
     [[nodiscard]] int phase() const { return m_phase; }
-    /// The phase whose raw voxels a volume holds, whatever is cut of them; no value where it is none of this study.
+    /// The phase whose raw voxels a volume holds, cut or not; no value if it is not of this study.
     [[nodiscard]] std::optional<int> phaseOfVoxels(const Volume& volume) const;
     /// Shows another phase of a 4D study; out of range is a broken contract (std::out_of_range).
     void setPhase(int phase);
 
-    /// Names a phase whose quiet voxels are wanted beside those of the phase shown. One that the study has not stands
-    /// for its last one.
+    /// Wants the quiet voxels of a phase beside those of the phase shown. Beyond the last phase, the last one is taken.
     void alsoWant(int phase);
 
-    /// What takes the checksum of a study's files; tests put one in its place that ends on command.
+    /// Takes the checksum of a study's files. Tests put one in its place that ends on command.
     using Checksum = std::function<Result<StudyChecksum>(const std::vector<std::string>& files, const Progress&)>;
     void setChecksum(Checksum checksum) { m_checksum = std::move(checksum); }
 
 signals:
     void loadingChanged(bool loading);
-    /// A study is being loaded, perhaps in the place of another one that was.
+    /// A study is being loaded, perhaps instead of one that was being loaded.
     void loadingBegun();
-    /// The study that is being loaded is large, and this is what its first phase looks like on a coarse grid
-    /// (processing/volume/coarse_grid.h). Loading may fail all the same. At most once a study; never of sessions.
+    /// The study that is being loaded is large. `coarse` is its first phase on a coarse grid
+    /// (processing/volume/coarse_grid.h). Loading may still fail. Sent at most once for a study, and never for
+    /// sessions.
     void coarseVolumeRead(const echolucent::CoarseVolume& coarse);
     void studyOpened();
     /// The study of a session file is missing or changed; what was open before is unchanged.
@@ -131,22 +129,22 @@ signals:
     void seriesFound(std::shared_ptr<const echolucent::SeriesList> list, const echolucent::ReadOptions& options);
     /// The study could not be read with these options; what was open before is unchanged.
     void openFailed(const QString& path, const echolucent::Failure& failure, const echolucent::ReadOptions& options);
-    /// Another study is about to take the place of the present one.
+    /// Another study is about to replace the present one.
     void aboutToReplace();
-    /// It has taken the place: its document begins here. Nobody follows the study before volumeChanged() tells of it.
+    /// The study is replaced: its document begins here. Only volumeChanged() lets others follow the new study.
     void studyReplaced();
     /// Another volume is shown: a new study, or another phase.
     void volumeChanged();
-    /// The scalpel cut other voxels of the volume shown, or of the phase that is wanted beside it.
+    /// The cut of the volume shown has changed, or that of the phase wanted beside it.
     void volumeCut();
     void cuttingChanged(bool cutting);
     void cuttingFailed(const QString& sentence);
-    /// The quiet voxels of any phase are there, or other voxels of it are cut. It comes after the signals above and
-    /// below that tell the same of the phase shown.
+    /// The quiet voxels of any phase are made, or its cut has changed. It comes after the signals that tell the same of
+    /// the phase shown.
     void phaseVoxelsChanged(int phase);
-    /// The quiet voxels of the phase shown are there, or of the phase that is wanted beside it.
+    /// The quiet voxels of the phase shown are made, or those of the phase wanted beside it.
     void quietVoxelsMade();
-    /// Of all phases; false where all that are kept are made.
+    /// For all phases; false once all that are kept are made.
     void quieteningChanged(bool quietening);
     void quieteningFailed(const QString& sentence);
 

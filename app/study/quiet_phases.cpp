@@ -76,7 +76,7 @@ int QuietPhases::keptAtMost() const {
     return static_cast<int>(std::clamp<std::size_t>(fit, m_another == m_wanted ? 1 : 2, m_raw.size()));
 }
 
-/// The phase to make now, -1 where all that may be kept is made. Those that are wanted are made whatever is kept.
+/// The phase to make now; -1 if all that may be kept are made. The wanted phases are made in any case.
 int QuietPhases::next() const {
     if (m_reduction == SpeckleReduction::off || m_raw.empty() || m_failed) return -1;
     if (!of(m_wanted)) return m_wanted;
@@ -92,7 +92,7 @@ void QuietPhases::makeNext() {
     if (phase < 0 || phase == m_making) return;
     m_making = phase;
     const int kept = keptAtMost(), before = std::min(madeCount(), kept - 1);
-    // A phase that is begun runs to its end: in a motion, which wants another one all the time, none would be made.
+    // A phase that is begun runs to its end. A motion wants another phase all the time, so none would be made.
     m_thread.submit(
         [this, phase, kept, before, reduce = m_reduce, raw = m_raw[static_cast<std::size_t>(phase)],
          reduction = m_reduction](const Progress& progress) -> NewestWinsThread::Deliver {
@@ -122,7 +122,7 @@ void QuietPhases::take(int phase, Quiet quiet) {
     if (!m_quiet[static_cast<std::size_t>(phase)].voxels) m_order.push_back(phase);
     m_quiet[static_cast<std::size_t>(phase)] = std::move(quiet);
     if (madeCount() > keptAtMost()) {
-        // What is shown stays; where only that and this one are kept, this one goes.
+        // The wanted phases stay. If only they and this one are kept, this one goes.
         const auto spare = std::find_if(m_order.begin(), m_order.end(), [&](int made) {
             return made != phase && made != m_wanted && made != m_another;
         });

@@ -1,4 +1,4 @@
-// The quiet voxels of a study's phases: made once a phase in a thread of their own, and kept.
+// Makes the quiet voxels of a study's phases, once a phase in a thread of its own, and keeps them.
 #pragma once
 
 #include <QObject>
@@ -14,8 +14,8 @@
 
 namespace echolucent {
 
-/// Makes the phases that are wanted first and then those that follow, as long as they fit into keptBytesLimit. All of
-/// it is to be called, and every signal is sent, in the thread this lives in.
+/// Makes the wanted phases first. Those that follow are made as long as they fit into keptBytesLimit. Call it in the
+/// thread it lives in; it sends its signals there too.
 class QuietPhases : public QObject {
     Q_OBJECT
 
@@ -24,18 +24,18 @@ public:
 
     explicit QuietPhases(Works& works, QObject* parent = nullptr);
 
-    /// Another study is open: what was made is forgotten, and nothing is made until want().
+    /// Another study is open: forgets what was made and makes nothing until want().
     void begin(Phases raw);
-    /// Wants a phase (counted from 0) with a reduction, and another one after it, which may be the same. Another
+    /// Wants a phase (counted from 0) with a reduction, and another phase after it, which may be the same. Another
     /// reduction forgets what was made.
     void want(int phase, SpeckleReduction reduction, int another);
     void want(int phase, SpeckleReduction reduction) { want(phase, reduction, phase); }
     /// Ends what is being made; the next want() begins again.
     void cancel();
 
-    /// The quiet voxels of a phase, its raw ones where speckle is not reduced; null where they are not made.
+    /// The quiet voxels of a phase; null if they are not made. Its raw voxels if speckle is not reduced.
     [[nodiscard]] std::shared_ptr<const Volume> of(int phase) const;
-    /// Of the phase's quiet voxels; null where they are not made.
+    /// The histogram of the phase's quiet voxels; null if they are not made.
     [[nodiscard]] std::shared_ptr<const IntensityHistogram> histogramOf(int phase) const;
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
     [[nodiscard]] int phaseCount() const { return static_cast<int>(m_raw.size()); }
@@ -44,16 +44,16 @@ public:
     [[nodiscard]] std::size_t bytes() const;
     [[nodiscard]] SpeckleReduction reduction() const { return m_reduction; }
 
-    /// Bytes of quiet voxels that are kept at most, but for the phases wanted, which always are.
+    /// The most bytes of quiet voxels that are kept. The wanted phases are kept always.
     static constexpr std::size_t keptBytesLimit = std::size_t{2} << 30;
 
-    /// What makes voxels quiet; tests put one in its place that ends on command.
+    /// Makes voxels quiet. Tests put one in its place that ends on command.
     using Reduce = std::function<std::optional<Volume>(const Volume&, SpeckleReduction, const Progress&)>;
     void setReduce(Reduce reduce) { m_reduce = std::move(reduce); }
 
 signals:
     void made(int phase);
-    /// There is not memory enough; the phase stays as it is.
+    /// There is not enough memory; the phase stays as it is.
     void failed(int phase, const QString& sentence);
     void busyChanged(bool busy);
 
@@ -61,9 +61,9 @@ private:
     [[nodiscard]] int keptAtMost() const;
     [[nodiscard]] int next() const;
     void makeNext();
-    /// The quiet voxels of a phase, and how their intensities are spread.
+    /// The quiet voxels of a phase and their histogram.
     struct Quiet {
-        std::shared_ptr<const Volume> voxels;  ///< null where not made
+        std::shared_ptr<const Volume> voxels;  ///< null if not made
         std::shared_ptr<const IntensityHistogram> histogram;
     };
     void take(int phase, Quiet quiet);
@@ -71,12 +71,12 @@ private:
     Reduce m_reduce;
     Phases m_raw;
     std::vector<Quiet> m_quiet;
-    std::vector<int> m_order;  ///< phases kept, that made first at the front
+    std::vector<int> m_order;  ///< the phases kept, the one made first at the front
     SpeckleReduction m_reduction = SpeckleReduction::off;
     int m_wanted = 0;
-    int m_another = 0;      ///< wanted after that one
+    int m_another = 0;      ///< wanted after m_wanted
     bool m_failed = false;  // with this study and this reduction
-    int m_making = -1;      ///< -1 where none is
+    int m_making = -1;      ///< -1 if none is being made
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;
 };

@@ -45,7 +45,7 @@ RecentPictures::RecentPictures(const Settings& settings, Works& works, VolumeVie
 }
 
 void RecentPictures::setOpened(const QString& path) {
-    if (path != m_opened) m_kept.reset();  // the same picture is wanted under another name
+    if (path != m_opened) m_kept.reset();  // the same picture may be wanted under another name
     m_opened = path;
 }
 
@@ -61,7 +61,7 @@ void RecentPictures::followRest() {
         m_kept = picture;
         keep(path, [picture] { return imageOf(*picture); });
     } else if (cameToRest) {
-        // The graphics card renders: what it has drawn is read back.
+        // The graphics card renders: read back what it has drawn.
         keep(path, [image = m_view.screenImage()] { return image; });
     }
 }
@@ -71,7 +71,7 @@ void RecentPictures::keep(const QString& path, std::function<QImage()> make) {
         [folder = m_folder, path, recent = m_settings.keptRecentFiles(),
          make = std::move(make)](const Progress&) -> NewestWinsThread::Deliver {
             removeOthers(folder, recent);
-            // Where it cannot be made or written, the list does without.
+            // If the picture cannot be made or written, the list does without.
             try {
                 const QImage image = make();
                 if (image.isNull() || !QDir().mkpath(folder)) return {};

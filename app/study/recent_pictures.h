@@ -1,4 +1,4 @@
-// The small pictures beside the files opened last: kept in the program's own data folder under names that tell nothing.
+// Keeps the small pictures of the recent files in the program's own data folder, under names that tell nothing.
 #pragma once
 
 #include <QImage>
@@ -15,26 +15,25 @@ namespace echolucent {
 class Settings;
 class VolumeViewWidget;
 
-/// Writes, finds and removes one PNG file for each study in the list of recent files. Files are written and removed in
-/// a thread of its own. The picture of the study that is open is kept at rest, each time that the 3D view shows another
-/// one; none is cast for it. Pictures of studies that have left the list go then. A picture that cannot be written is
-/// left out: the list does without.
+/// Writes, finds and removes one PNG file for each study in the list of recent files. A thread of its own writes and
+/// removes the files. Each time the 3D view rests with another picture, that picture of the open study is kept; none is
+/// cast for it. Pictures of studies that have left the list go then. A picture that cannot be written is left out.
 class RecentPictures : public QObject {
     Q_OBJECT
 
 public:
-    /// Pixels along the edge of a picture, which is square.
+    /// Pixels along the edge of a square picture.
     static constexpr int edge = 96;
 
-    /// All must outlive this. The folder of the pictures is made with the first of them.
+    /// All must outlive this object. The folder of the pictures is made with the first of them.
     RecentPictures(const Settings& settings, Works& works, VolumeViewWidget& view, QObject* parent = nullptr);
 
-    /// The path under which what is open now stands in the list of recent files, a session's where one was opened;
-    /// empty where it does not stand there.
+    /// The path of the open study in the list of recent files, or of the session if one was opened. Empty if it is not
+    /// in the list.
     void setOpened(const QString& path);
     /// The list of recent files was cleared: all pictures go.
     void clear();
-    /// The picture kept of a study; null where there is none.
+    /// The picture of a study; null if there is none.
     [[nodiscard]] QImage of(const QString& path) const;
 
 private:

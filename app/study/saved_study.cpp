@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Refuses documents that the window cannot show of a study of so many phases.
+/// Refuses documents that the window cannot show with this number of phases.
 Result<void> requireShowable(const SavedSession& session, const std::string& file, std::size_t phases) {
     const auto check = [&](const Document& document, const std::string& place) -> Result<void> {
         int last = document.scene.phase;
@@ -47,7 +47,7 @@ void keepToPhases(SavedSession& session, std::size_t phases) {
     for (Snapshot& snapshot : session.snapshots) snapshot.document.motion.scenario = MotionScenario::probe;
 }
 
-/// The window turns the front along with the view: a plane across another view becomes a part of the surface.
+/// Turns fronts with the view, as the window does. A plane across another view becomes a part of the surface.
 void turnFronts(SavedSession& session, const VolumeGeometry& geometry) {
     const auto turn = [&geometry](Document& document) {
         document.scene = withFrontAcrossPose(std::move(document.scene), document.beam.axis, geometry);

@@ -1,4 +1,4 @@
-// Reading a session file together with the study that it names.
+// Reads a session file together with its study.
 #pragma once
 
 #include <memory>
@@ -15,13 +15,13 @@
 
 namespace echolucent {
 
-/// What a person answered where a session's study was not found as it was saved.
+/// A person's answer if a session's study was not found as it was saved.
 struct SavedStudyAnswer {
-    std::string study{};       ///< path of the study; empty: where the session says, or where it is found
-    bool evenChanged = false;  ///< the study is opened although its bytes are others
+    std::string study{};       ///< path of the study; if empty, the session's path or a found one
+    bool evenChanged = false;  ///< opens the study although its bytes have changed
 };
 
-/// A session and the file that holds it; the study's path is one that can be opened.
+/// A session and its file. The study's path in it can be opened.
 struct OpenedSession {
     std::string file;
     SavedSession session;
@@ -31,31 +31,31 @@ struct OpenedSession {
 struct ReadSession {
     OpenedSession opened;  ///< with the checksum of what was read
     Study study;
-    std::shared_ptr<const SeriesList> series{};  ///< of the study's folder; null where that holds no other
+    std::shared_ptr<const SeriesList> series{};  ///< of the study's folder; null if that holds no other
 };
 
-/// Why a session's study is not opened without asking.
+/// Why a person must be asked before a session's study is opened.
 struct SavedStudyProblem {
     enum class Kind {
-        missing,  ///< it is neither in its place nor where it was looked for
-        changed,  ///< its bytes are others than those that were saved
+        missing,  ///< it is not in its place, and the search did not find it
+        changed,  ///< its bytes are not those that were saved
     };
     Kind kind = Kind::missing;
     std::string file;    ///< of the session
     std::string study;   ///< path of the study
-    std::string change;  ///< as changeOf(); empty where it is missing
+    std::string change;  ///< as changeOf(); empty if missing
 };
 
 using SavedReading = std::variant<ReadSession, SavedStudyProblem>;
 
-/// Reads a session file and its study, which is looked for by its bytes in the file's folder and by `search` where it
-/// is not in its place. Fails where one of them cannot be read, where the window has no room for what the document
-/// shows (a phase that the study does not have), and (cancelled) where the person ended it.
+/// Reads a session file and its study. If the study is not in its place, it is looked for by its bytes, in the file's
+/// folder and by `search`. Fails if one of them cannot be read, or if the document shows a phase that the study does
+/// not have. Fails (cancelled) if the person ended it.
 [[nodiscard]] Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& answer,
                                              StudySearch search, const Progress& progress);
 
-/// Keeps what a study was read from, with the session that names it, if one does: no output takes the place of the
-/// voxels; the layout beside a raw file and the session are saved again under their names.
+/// Keeps the files of a study, and of the session that names it, if any. No output may replace the voxels. The layout
+/// beside a raw file and the session may be saved again under their names.
 [[nodiscard]] std::vector<KeptFiles> filesRead(const Study& study, const std::optional<OpenedSession>& saved);
 
 }  // namespace echolucent

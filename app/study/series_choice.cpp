@@ -63,7 +63,7 @@ void SeriesChoice::readPicture(const std::shared_ptr<const SeriesList>& list, st
                     QImage(small->grey.data(), small->width, small->height, small->width, QImage::Format_Grayscale8)
                         .copy();
         } catch (const std::bad_alloc&) {
-            // A row without a picture can be opened all the same.
+            // A row without a picture can still be opened.
         }
         return [this, list, index, picture] {
             if (!m_dialog) return;

@@ -21,11 +21,11 @@ class SeriesChoice : public QObject {
     Q_OBJECT
 
 public:
-    /// `window` is the parent of the dialog; both must outlive this. Where numbers stand for names, series are called
-    /// by their numbers alone.
+    /// `window` is the parent of the dialog. It and `names` must outlive this object. If numbers stand for names,
+    /// series are called by their numbers alone.
     SeriesChoice(QWidget& window, StudyNames& names, Works& works);
 
-    /// Asks, and calls `chosen` with the entry's index in the list; a dialog that is open already goes away.
+    /// Asks, and calls `chosen` with the entry's index in the list. A dialog that is open already closes.
     void ask(const std::shared_ptr<const SeriesList>& list, std::function<void(std::size_t)> chosen);
 
 private:

@@ -23,7 +23,7 @@ StudyReader readerOf(const StudyFile& file) {
         const auto list = std::make_shared<const SeriesList>(std::move(*listed));
         const auto isVolume = [](const SeriesEntry& entry) { return !entry.whyNot; };
         const auto volumes = std::count_if(list->series.begin(), list->series.end(), isVolume);
-        // A single volume among pictures and cines is what a person means who opens the folder.
+        // A person who opens the folder means its single volume among pictures and cines.
         const bool clear = volumes == 1 || list->series.size() == 1;
         if (!clear) return Opening{std::nullopt, list};
         auto chosen = std::find_if(list->series.begin(), list->series.end(), isVolume);
@@ -32,7 +32,7 @@ StudyReader readerOf(const StudyFile& file) {
         if (study) return Opening{std::move(*study), list->series.size() > 1 ? list : nullptr};
         if (list->series.size() == 1 || study.error().kind == FailureKind::cancelled)
             return tl::unexpected(study.error());
-        // The others stay within reach, beside the reason why this one does not open.
+        // The other series can still be chosen, beside the reason why this one does not open.
         SeriesList told = *list;
         told.series[static_cast<std::size_t>(chosen - list->series.begin())].whyNot = study.error();
         return Opening{std::nullopt, std::make_shared<const SeriesList>(std::move(told))};
@@ -56,7 +56,7 @@ Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& pa
         const auto& saved = looked.opening.saved;
         if (!isCoarseTold && !saved)
             if (const auto coarse = coarseVolumeOf(*phases.front())) tellCoarse(*coarse);
-        // Here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
+        // Not when a phase is shown: a 4D study plays its phases in the GUI thread.
         for (const auto& phase : phases) looked.histograms.push_back(intensityHistogram(*phase));
         const bool simulated = saved && std::holds_alternative<SimulatedScan>(saved->session.document.study);
         if (!path.empty() && !simulated) looked.finds = findOnOpening(*phases.front(), {nullptr, progress.cancel});

@@ -1,4 +1,4 @@
-// Reading a study and looking it through, in whichever thread asks for it. Knows no widget.
+// Reads a study and looks it through, in the caller's thread. Knows no widget.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace echolucent {
 
-/// What reading gave: a study, with the series beside it where there are several, or a list to choose from.
+/// The result of reading: a study, with the series beside it if there are several, or a list to choose from.
 struct Opening {
     std::optional<Study> study{};
     std::shared_ptr<const SeriesList> series{};
@@ -25,23 +25,23 @@ struct Opening {
     std::optional<SavedStudyProblem> problem{};
 };
 
-/// Reads what a person opened. A large study tells progress.coarse of itself before it is read where it can.
+/// Reads what a person opened. If it can, it gives a large study's coarse volume to progress.coarse before reading it.
 using StudyReader = std::function<Result<Opening>(const Progress&)>;
 
-/// The reader of a file or a DICOM folder: of a folder of several series that name none in the options, the only volume
-/// among them, or the list where there is none or more than one.
+/// The reader of a file or a DICOM folder. If a folder holds several series and the options name none, it reads the
+/// only volume among them. With no volume or more than one, it gives the list.
 [[nodiscard]] StudyReader readerOf(const StudyFile& file);
 
-/// An opening, and what was found of its study; nothing where there is no study.
+/// An opening, and what was found of its study; empty without a study.
 struct LookedThrough {
     Opening opening;
     std::vector<IntensityHistogram> histograms{};  ///< by phase
-    std::optional<OpeningFinds> finds{};           ///< nothing of simulated scans, whose beam is known
+    std::optional<OpeningFinds> finds{};           ///< no value for simulated scans, whose beam is known
 };
 
-/// Reads a study and looks it through. A large study tells progress.coarse of itself once: before it is read, or where
-/// it cannot be read in part, before it is looked through; sessions do not. `path` is what sentences name; it is empty
-/// where the scan is simulated. Fails as the reader does, and (unreadable) where memory runs out.
+/// Reads a study and looks it through. Of a large study, progress.coarse is told once: before it is read, or, if it
+/// cannot be read in part, before it is looked through. Sessions do not tell it. `path` is for sentences; it is empty
+/// if the scan is simulated. Fails as the reader does, and (unreadable) if memory runs out.
 [[nodiscard]] Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& path,
                                                 const Progress& progress);
 

@@ -14,13 +14,13 @@ namespace {
 
 const QString leftOut = QStringLiteral("…");
 
-/// What stands for the name of a file that is no study.
+/// The replacement for the name of a file that is not a study.
 QString endingOf(const QString& path) {
     const QString ending = QFileInfo(path).suffix();
     return ending.isEmpty() ? leftOut : QStringLiteral("*.") + ending;
 }
 
-/// Whether what stands there is no part of a longer word or number: in "0.20240131" the digits stand for nobody.
+/// Whether the piece is not part of a longer word or number: in "0.20240131" the digits name nobody.
 bool standsAlone(const QString& text, qsizetype at, qsizetype length) {
     const auto isDigit = [&](qsizetype place) { return place >= 0 && place < text.size() && text[place].isDigit(); };
     const auto isPoint = [&](qsizetype place) {
@@ -34,7 +34,7 @@ bool standsAlone(const QString& text, qsizetype at, qsizetype length) {
     return begins && ends && !afterPoint && !beforePoint;
 }
 
-/// Whether a folder or a file of this name stands there within a path: "10" in "slices/10", "US" in "US/1.dcm".
+/// Whether the piece is a folder or a file within a path: "10" in "slices/10", "US" in "US/1.dcm".
 bool isPartOfPath(const QString& text, qsizetype at, qsizetype length) {
     const auto isSlash = [&](qsizetype place) {
         return place >= 0 && place < text.size() && text[place] == QLatin1Char('/');
@@ -42,7 +42,7 @@ bool isPartOfPath(const QString& text, qsizetype at, qsizetype length) {
     return isSlash(at - 1) || isSlash(at + length);
 }
 
-/// Whether what stands there is part of the name of a file: "heart-adaptive.json", "slices/heart".
+/// Whether the piece is part of the name of a file: "heart-adaptive.json", "slices/heart".
 bool isPartOfName(const QString& text, qsizetype at, qsizetype length) {
     const bool continues = at + length + 1 < text.size() && QStringLiteral("._-").contains(text[at + length]) &&
                            text[at + length + 1].isLetterOrNumber();
@@ -79,7 +79,7 @@ const std::vector<StudyNames::Known>& StudyNames::known() const {
     if (m_known) return *m_known;
     QHash<QString, int> names;
     const auto add = [&](const QString& name, int study) {
-        constexpr qsizetype shortest = 2;  // a single letter is no name of anybody
+        constexpr qsizetype shortest = 2;  // a single letter names nobody
         if (name.size() >= shortest && !name.startsWith(QStringLiteral(".."))) names.insert(name, study);
     };
     for (auto file = m_files.begin(); file != m_files.end(); ++file) {
@@ -101,7 +101,7 @@ const std::vector<StudyNames::Known>& StudyNames::known() const {
 }
 
 StudyNames::Standing StudyNames::standingOf(const QString& name) {
-    constexpr qsizetype longWord = 4, longNumber = 6;  // of a date, or of a person's number
+    constexpr qsizetype longWord = 4, longNumber = 6;  // a date or a person's number has 6 digits or more
     if (std::ranges::none_of(name, [](QChar letter) { return letter.isLetter(); }))
         return name.size() >= longNumber ? Standing::anywhere : Standing::inPaths;
     if (name.size() < longWord) return Standing::inPaths;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int widestFolder = 320;  // logical pixels, in the list of recent files
 
-/// "heart.mha"; of a file that was read because its folder, or a header beside it, was opened: "slices/17.dcm".
+/// "heart.mha". If its folder or a header beside it was opened: "slices/17.dcm".
 QString shownName(const QString& opened, const QString& concerned) {
     const QString name = QFileInfo(opened).fileName();
     if (concerned.isEmpty() || QFileInfo(concerned) == QFileInfo(opened)) return name;
@@ -28,7 +28,7 @@ QString shownName(const QString& opened, const QString& concerned) {
                                      : QFileInfo(concerned).fileName();
 }
 
-/// The sentences of a remedy that name no option of the command line: these ways out are buttons here.
+/// The sentences of a remedy that name no option of the command line. Those that do are buttons here.
 QString withoutOptions(const QString& remedy) {
     QStringList kept;
     for (const QString& sentence : remedy.split(QStringLiteral(". "), Qt::SkipEmptyParts))
@@ -36,7 +36,7 @@ QString withoutOptions(const QString& remedy) {
     return kept.join(' ');
 }
 
-/// The length of a headerless file; below 0 where it is packed, so that only reading tells.
+/// The length of a headerless file; below 0 if it is packed, since only reading tells then.
 std::int64_t bytesOfRawFile(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return 0;
@@ -57,7 +57,7 @@ StudyOpening::StudyOpening(const Parts& parts)
 void StudyOpening::noteOpened() {
     const auto& saved = m_parts.openStudy.saved();
     QString opened = saved ? QString::fromStdString(saved->file) : m_parts.openStudy.path();
-    // What the program kept by itself is no file of the person's.
+    // A file that the program kept by itself is not the person's.
     if (QFileInfo(opened).absolutePath() == QFileInfo(m_parts.settings.autosaveFolder()).absoluteFilePath())
         opened = saved->session.file.empty() ? m_parts.openStudy.path() : QString::fromStdString(saved->session.file);
     m_parts.pictures.setOpened(opened);
@@ -68,7 +68,7 @@ void StudyOpening::noteOpened() {
 
 StudySearch StudyOpening::studySearch() const {
     StudySearch search;
-    // Which of them are there is seen where they are looked through: here a drive that does not answer would stall.
+    // Whether they exist is checked when they are looked through: here a drive that does not answer would stall.
     for (const QString& path : m_parts.settings.keptRecentFiles()) search.paths.push_back(path.toStdString());
     for (const QString& folder : {m_parts.settings.lastFolder(), m_parts.settings.lastSaveFolder()})
         search.folders.push_back(folder.toStdString());
@@ -143,7 +143,7 @@ void StudyOpening::openRaw(const QString& path) {
     connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
         ReadOptions options;
         options.raw = dialog->values();
-        // A folder that cannot be written to is no reason not to open the file: then the person is asked again.
+        // If the folder cannot be written to, the file opens all the same. The person is asked again next time.
         (void)rememberRawLayout(path.toStdString(), *options.raw);
         open(path, options);
     });
@@ -183,7 +183,7 @@ QAction* StudyOpening::recentFile(QMenu& menu, const QString& path, int place) c
     QString text = QStringLiteral("&%1  %2").arg(place % 10).arg(literally(m_parts.names.nameOf(path)));
     if (!m_parts.names.showsNumbers()) {
         const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
-        // What follows a tab stands in the column of keys.
+        // Text after a tab stands in the column of keys.
         text += QLatin1Char('\t') + menu.fontMetrics().elidedText(folder, Qt::ElideMiddle, widestFolder);
     }
     QPixmap square(RecentPictures::edge, RecentPictures::edge);
@@ -197,7 +197,7 @@ QAction* StudyOpening::recentFile(QMenu& menu, const QString& path, int place) c
 
 void StudyOpening::fillRecentFiles(QMenu& menu) {
     menu.clear();
-    // It is filled again before it is shown.
+    // The menu is filled again before it is shown.
     connect(&m_parts.names, &StudyNames::changed, &menu, &QMenu::clear, Qt::UniqueConnection);
     int place = 0;
     for (const QString& path : m_parts.settings.recentFiles())

@@ -1,4 +1,4 @@
-// Choosing studies to open, and what is offered where one cannot be opened.
+// Lets a person choose studies to open, and offers ways out if one cannot be opened.
 #pragma once
 
 #include <QObject>
@@ -31,24 +31,24 @@ public:
         StudyNames& names;
         RecentPictures& pictures;
     };
-    /// All outlive this, which belongs to the window.
+    /// The parts outlive this object, which belongs to the window.
     explicit StudyOpening(const Parts& parts);
 
-    /// Opens a file, a DICOM folder or a session; asks for the layout where the file has no header and none is
+    /// Opens a file, a DICOM folder or a session. Asks for the layout if the file has no header and no layout is
     /// remembered.
     void open(const QString& path, const ReadOptions& options = {});
     void chooseFile();
     void chooseFolder();
     void chooseRawFile();
-    /// Asks again which series of the folder is to be opened; does nothing where the study lies beside no other.
+    /// Asks again which series of the folder to open. Does nothing if there is no other.
     void chooseSeries();
-    /// Fills a menu with the files opened last, each with its small picture.
+    /// Fills a menu with the recent files, each with its small picture.
     void fillRecentFiles(QMenu& menu);
 
 signals:
     /// The person wants to open this file as a curve.
     void curveChosen(const QString& path);
-    /// The person wants the presets of a file that is no volume.
+    /// The person wants the presets of a file that is not a volume.
     void presetsChosen(const QString& path);
 
 private:

@@ -28,11 +28,12 @@ namespace echolucent {
 
 namespace {
 
-/// A curve as nodes: its own; the corners of a linear one; all samples of the adaptive one; of a power as many samples.
+/// A curve as nodes. A manual curve gives its own, a linear one its corners, the adaptive one all its samples. A power
+/// gives 256 samples.
 ManualCurve nodesOf(const OpacityCurve& curve) {
     if (const auto* manual = std::get_if<ManualCurve>(&curve)) return *manual;
     if (const auto* linear = std::get_if<LinearCurve>(&curve)) {
-        // It may reach opacity 1 before its upper end.
+        // The curve may reach opacity 1 before its upper end.
         const double full = linear->slope > 0 ? linear->lower + 1.0 / linear->slope : 1.0;
         const double upper = std::min(linear->upper, full);
         return {{{linear->lower, 0.0}, {upper, opacityAt(curve, upper)}}};

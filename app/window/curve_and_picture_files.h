@@ -1,4 +1,4 @@
-// Curves and pictures that go to files and back.
+// Saves and opens curves, and saves pictures.
 #pragma once
 
 #include <QImage>
@@ -35,49 +35,50 @@ public:
         MessageBar& messages;
         StudyNames& names;
     };
-    /// All outlive this, which belongs to the window.
+    /// The parts outlive this object, which belongs to the window.
     explicit CurveAndPictureFiles(const Parts& parts);
 
-    /// Opens a manual curve (JSON) and makes it active; the edit can be undone. False, with a message, where it cannot.
+    /// Opens a manual curve (JSON) and makes it active; this can be undone. False, with a message, if it cannot be
+    /// opened.
     bool openCurve(const QString& path);
-    /// The same where a person asks for it: an edited curve is not lost without asking.
+    /// The same when a person asks for it: asks before an edited curve is lost.
     void openCurveOfPerson(const QString& path);
-    /// Saves the curve that is shown as nodes, and says which it is and how many nodes it has.
+    /// Saves the rendered curve as nodes, and says which curve it is and how many nodes it has.
     bool saveCurve(const QString& path);
-    /// Saves what the 3D view shows, measurements of its phase included, without any name of a patient or file in it.
+    /// Saves the picture of the 3D view with the measurements of its phase, without any name of a patient or file in
+    /// the file.
     bool savePicture(const QString& path);
     void chooseAndSavePicture();
-    /// Puts the same picture into the clipboard; says so where it may show names (burnedInTextNote()).
+    /// Copies the same picture to the clipboard. Says so if it may show names (burnedInTextNote()).
     void copyPicture();
-    /// Of a file to be saved: the study's file and what the file will hold, without an ending.
+    /// The name proposed for a file to save: the study's file and the content `what`, without an ending.
     [[nodiscard]] QString proposedName(const QString& what) const;
-    /// Asks where an edited manual curve would be lost. Returns false where it must not be.
+    /// Asks if an edited manual curve would be lost. False if it must be kept.
     bool mayLoseManualCurve();
 
 private:
-    /// What the 3D view shows, converged, with the measurements of its phase.
+    /// The converged picture of the 3D view, with the measurements of its phase.
     [[nodiscard]] QImage pictureToSave();
-    /// What is to be said before a picture of the study leaves the window; empty where nothing is.
+    /// A note to read before a picture of the study leaves the window; empty for none.
     [[nodiscard]] QString burnedInText() const;
     void chooseAndOpenCurve();
-    /// A curve that is saved, and what it is called.
     struct SavedCurve {
         OpacityCurve curve;
         QString name, key;
         bool manual = false;
     };
     [[nodiscard]] SavedCurve curveOfKind(CurveKind kind) const;
-    /// The curve that is rendered; where a designer's OTF is, that OTF's upper curve.
+    /// The rendered curve; for the OTF of a designer, that OTF's upper curve.
     [[nodiscard]] SavedCurve rendered() const;
     bool chooseAndSaveCurve(const SavedCurve& saved);
     bool saveCurve(const QString& path, const SavedCurve& saved);
-    /// Fails where `path` is a file of the open study.
+    /// Fails if `path` is a file of the open study.
     [[nodiscard]] Result<void> mayOverwrite(const QString& path) const;
     bool report(const Result<void>& written);
 
     Parts m_parts;
-    std::vector<KeptFiles> m_read;  ///< curves: only curves take their places
-    QString m_told;                 ///< of a curve that was saved, while it is shown as it was saved
+    std::vector<KeptFiles> m_read;  ///< curves read; only curves may replace them
+    QString m_told;                 ///< message of a saved curve, while that curve is shown as it was saved
 };
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// The picture alone on the whole screen.
+// Shows the picture alone on the whole screen.
 #pragma once
 
 #include <QByteArray>
@@ -11,7 +11,7 @@ class QMainWindow;
 
 namespace echolucent {
 
-/// Hides the window's docks, menu bar and status bar, and `panels` of its central widget; shows them again exactly as
+/// Hides the window's docks, menu bar and status bar, and `panels` of its central widget. Shows them again exactly as
 /// they were.
 class FullScreen : public QObject {
     Q_OBJECT
@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] bool active() const { return m_active; }
     void toggle();
-    /// False where the window is not on the full screen.
+    /// False if the window is not on the full screen.
     bool leave();
 
 private:
@@ -29,7 +29,7 @@ private:
 
     QMainWindow& m_window;
     QList<QWidget*> m_panels;
-    QList<QPointer<QWidget>> m_hidden;  ///< what was seen before, docks apart
+    QList<QPointer<QWidget>> m_hidden;  ///< what was visible before, except for docks
     QByteArray m_docks;                 ///< as QMainWindow::saveState() gave them
     Qt::WindowStates m_windowState;
     bool m_active = false;

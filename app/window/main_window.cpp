@@ -39,13 +39,13 @@
 namespace echolucent {
 
 namespace {
-constexpr int layoutVersion = 3;  // of the docks: an arrangement of an older kind is not restored
+constexpr int layoutVersion = 3;  // of the docks; an arrangement of an older version is not restored
 }  // namespace
 
 MainWindow::MainWindow(const QString& settingsFile, const std::function<void(OpenStudy&)>& begin)
     : m_settings(settingsFile) {
     if (begin) begin(m_openStudy);
-    wearTheme(m_settings.theme());  // before there are widgets, which would be dressed twice
+    wearTheme(m_settings.theme());  // before there are widgets, which would be styled twice
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));
     setAcceptDrops(true);
@@ -70,15 +70,15 @@ MainWindow::MainWindow(const QString& settingsFile, const std::function<void(Ope
 }
 
 MainWindow::~MainWindow() {
-    hide();  // a number that is half typed is taken while there is a document
-    // What the widgets still tell while they go has nobody to act on it.
+    hide();  // a half-typed number is taken while there is a document
+    // Nobody can act any more on the signals of widgets that are being destroyed.
     m_works.disconnect();
     m_openStudy.disconnect(this);
     m_otfs->disconnect(this);
     m_motionPlayer.disconnect(this);
     m_compare->disconnect(this);
     m_widgets.picture->disconnect(this);
-    // The editor edits the document, which is gone before the window's children are.
+    // The editor edits the document, which is destroyed before the window's children.
     delete m_widgets.editor;
 }
 
@@ -170,7 +170,7 @@ void MainWindow::connectResets() {
             [this] { m_pictureControls->resetCut(m_shownStudy->opened()); });
 }
 
-/// The bar of messages reads every sentence as names are shown, whoever says it.
+/// The bar of messages shows names as names or as numbers, whoever says the sentence.
 void MainWindow::connectNames() {
     const auto read = [this] {
         m_widgets.messages->setReading([this](const QString& sentence) { return m_names.shownOfFile(sentence); },
@@ -180,7 +180,7 @@ void MainWindow::connectNames() {
     read();
 }
 
-/// The panel says of every picture what it shows and why.
+/// The panel explains what every picture shows and why.
 void MainWindow::connectExplanation() {
     ExplainPanel* panel = m_widgets.explain;
     panel->setSource([this] { return explanation(); });
@@ -192,7 +192,7 @@ void MainWindow::connectCaption() {
         if (m_openStudy.finds() && m_openStudy.finds()->cut) m_nearCutFinder->tellOpening(*m_openStudy.finds()->cut);
     });
     const auto tell = [this] {
-        // A picture that is still of the study before keeps its own caption.
+        // A picture of the previous study keeps its own caption.
         if (!m_openStudy.volume() || m_view->held()) return;
         m_widgets.picture->setCaption(
             pictureCaption({.document = m_document.document(),
@@ -204,7 +204,7 @@ void MainWindow::connectCaption() {
     };
     connect(m_panes.get(), &ShownPanes::changed, this, tell);
     connect(m_compare.get(), &CompareRoom::cameraMoved, m_motion.get(), &MotionFrames::endByHand);
-    // The next phase would begin anew what was cancelled.
+    // The next phase would begin the cancelled work anew.
     connect(m_otfs.get(), &PaneOtfs::cancelled, &m_motionPlayer, &MotionPlayer::pause);
 }
 
@@ -300,7 +300,7 @@ void MainWindow::keepSettings() {
     m_settings.setMethod(m_document.document().method);
     m_settings.setActiveCurve(m_document.document().panes.at(firstPane).curve);
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
-    m_compare->setShown(false);  // the next start begins without
+    m_compare->setShown(false);  // the next start begins without the comparison
     m_settings.setWindowGeometry(saveGeometry());
     m_settings.setWindowState(saveState(layoutVersion));
     m_settings.save();
@@ -333,7 +333,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_motionPlayer.pause();
     m_movies->cancel();
     m_report->cancel();
-    m_fullScreen->leave();  // what it hides is to be there again at the next start
+    m_fullScreen->leave();  // the hidden parts must be there again at the next start
     keepSettings();
     event->accept();
 }

@@ -1,4 +1,4 @@
-// The workstation's one window: puts the picture, the OTF editor, the method, the motion and the study together.
+// The workstation's one window: joins the picture, the OTF editor, the method, the motion and the study.
 #pragma once
 
 #include <QMainWindow>
@@ -37,16 +37,16 @@ class ReviewRoom;
 class SessionKeeping;
 class StudyOpening;
 
-/// Owns the document, the threads behind the open study and the widgets, and hangs them together. What happens between
-/// them is said in the units it is made of: none of them, and no widget, keeps what the document holds.
+/// Owns the document, the threads behind the open study and the widgets, and connects them. Its units hold what happens
+/// between them. No unit and no widget keeps what the document holds.
 class MainWindow : public QMainWindow {
     Q_OBJECT
-    /// True while nothing loads, computes, renders or plays: what a script waits for (with idleChanged).
+    /// True while nothing loads, computes, renders or plays. Scripts wait for it (with idleChanged).
     Q_PROPERTY(bool idle READ idle NOTIFY idleChanged)
 
 public:
-    /// `settingsFile` is handed to Settings; tests give one of their own. `begin` is called first: what it begins to
-    /// read is read while the window is made.
+    /// `settingsFile` is given to Settings; tests use one of their own. `begin` is called first, so that a study is
+    /// read while the window is made.
     explicit MainWindow(const QString& settingsFile = {}, const std::function<void(OpenStudy&)>& begin = {});
     ~MainWindow() override;
 
@@ -77,10 +77,10 @@ public:
     /// The OTFs of the motion so far.
     [[nodiscard]] const OtfCourse& otfCourse() const { return m_course; }
 
-    /// Whoever begins something that Escape ends adds it here.
+    /// A part that begins something that Escape ends adds it here.
     [[nodiscard]] EscapeOrder& escapeOrder() { return m_escapes; }
 
-    /// What the picture shows and why it looks as it does, in a few sentences.
+    /// A few sentences: what the picture shows and why it looks so.
     [[nodiscard]] QString explanation() const;
 
 signals:
@@ -109,7 +109,7 @@ private:
     void restoreSettings();
     void keepSettings();
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
-    /// Whether what is shown was made by the designer that the document asks for.
+    /// Whether the picture was made by the designer that the document asks for.
     [[nodiscard]] bool designIsShown() const;
 
     Works m_works;
@@ -126,7 +126,7 @@ private:
     WindowLayout m_widgets;
     FullScreen* m_fullScreen = nullptr;
 
-    // Above the widgets they are made of, which they must not outlive.
+    // They use the widgets and must not outlive them.
     std::unique_ptr<PaneOtfs> m_otfs;
     std::unique_ptr<ShownPanes> m_panes;
     std::unique_ptr<DocumentView> m_view;
@@ -147,7 +147,7 @@ private:
     std::unique_ptr<SessionKeeping> m_sessions;
     std::unique_ptr<HistoryControls> m_history;
     bool m_idle = true;               ///< as it was told last
-    bool m_planesTabWasThere = true;  ///< before the comparison that is shown
+    bool m_planesTabWasThere = true;  ///< before the comparison was shown
     bool m_shown = false;
 };
 

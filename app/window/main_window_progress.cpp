@@ -1,4 +1,4 @@
-// What the window shows of work that is under way, and when it is at rest.
+// Shows in the window the work that is under way, and when it is at rest.
 #include <QDockWidget>
 
 #include "app/compare/compare_room.h"
@@ -17,13 +17,13 @@ void MainWindow::connectProgress() {
     connect(&m_works, &Works::changed, this, &MainWindow::followWorks);
     connect(&m_works, &Works::progressed, m_widgets.status, &RunStatus::setProgress);
     connect(m_widgets.status, &RunStatus::cancelRequested, &m_works, &Works::cancelShown);
-    // What plays waits for all panes of a comparison. These connections are made last, so that they run after all
-    // others of these signals.
+    // A motion waits for all panes of a comparison. These connections are made last, so that they run after all others
+    // of these signals.
     const auto announce = [this] {
         if (!m_compare->shown() || m_compare->views().frameIsCurrent()) m_motion->announceShownFrame();
     };
     connect(&m_compare->views(), &ComparedViews::frameShown, this, announce);
-    // What the 3D view took last says nothing of the panes.
+    // The renderer and time of the 3D view do not hold for the panes.
     connect(&m_compare->views(), &ComparedViews::frameShown, this, [this] {
         const CastPicture& frame = *m_compare->views().frame();
         if (frame.converged()) m_widgets.status->setRenderer(tr("software renderer"), frame.milliseconds);
@@ -31,8 +31,8 @@ void MainWindow::connectProgress() {
     connect(m_panes.get(), &ShownPanes::changed, this, announce);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, announce);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDrawn, this, announce);
-    // A frame may come to be shown by the end of a work. While one frame gives way to the next, works begin before the
-    // picture has followed: that is asked afterwards.
+    // The end of a work may make a frame current. While one frame follows another, works begin before the picture has
+    // followed, so ask afterwards.
     connect(&m_works, &Works::changed, this, announce, Qt::QueuedConnection);
     connect(m_room.get(), &ReviewRoom::pointed, this, [this](std::optional<double> intensity) {
         m_widgets.status->setPointed(intensity, std::nullopt);
@@ -44,7 +44,7 @@ void MainWindow::connectProgress() {
         const bool alone =
             panes.maximised() ? panes.maximised() == paneCount - 1 : panes.paneLayout() != PaneLayout::quad;
         QWidget& room = alone ? static_cast<QWidget&>(*m_widgets.picture) : *m_widgets.panes;
-        // What is measured stands below the pictures that are compared.
+        // The measurements stand below the compared pictures.
         if (m_compare->shown())
             m_widgets.messages->lieOver(*m_widgets.compared, Qt::TopEdge);
         else
@@ -57,7 +57,7 @@ void MainWindow::connectProgress() {
     });
 }
 
-/// The tab of the planes, of which a comparison shows none, makes way for that of the comparison.
+/// A comparison shows no planes, so their tab makes way for its own.
 void MainWindow::arrangeForComparison(bool shown) {
     auto* planes = findChild<QDockWidget*>("dock.room");
     if (shown) {

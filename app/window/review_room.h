@@ -1,4 +1,4 @@
-// The room in which a volume is reviewed: the panes, and what is done in them.
+// The room for reviewing a volume: the panes and their tools.
 #pragma once
 
 #include <QObject>
@@ -23,7 +23,7 @@ namespace echolucent {
 class VolumeViewWidget;
 class Works;
 
-/// Hangs the panes together: layouts by key, a pane that takes the whole room, planes and the 3D view.
+/// Connects the panes: layouts by key, a pane that takes the whole room, planes and the 3D view.
 class ReviewRoom : public QObject {
     Q_OBJECT
 
@@ -45,7 +45,7 @@ public:
 
     /// Adds the menu of the room, with its keys, before the menu of the OTF.
     void createMenu(QMainWindow& window);
-    /// What Escape ends in the room: drags in planes, the tool in the hand, a pane that has the whole room.
+    /// Adds what Escape ends in the room: drags in planes, the tool in the hand, a pane that has the whole room.
     void addTo(EscapeOrder& escapes);
     void restore();
     void keep();

@@ -1,16 +1,16 @@
-// How long a person waits from starting the program to the first picture.
+// Measures how long a person waits from starting the program to the first picture.
 #pragma once
 
 namespace echolucent {
 
 class MainWindow;
 
-/// Milliseconds since this process was started by the system (10 ms resolution).
+/// Milliseconds since the system started this process (10 ms resolution).
 [[nodiscard]] double millisecondsSinceProcessStart();
 
 /// Prints one line each for the window, the volume, the OTF, the first (coarse) picture, every picture by its quality,
-/// and the converged one, with the milliseconds since the process started; quits after the last. For `echolucent FILE
-/// --first-picture`.
+/// and the converged one. Each line has the milliseconds since the process started. Quits after the last. For
+/// `echolucent FILE --first-picture`.
 void printStartTimes(MainWindow& window);
 
 }  // namespace echolucent

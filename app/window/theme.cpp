@@ -42,7 +42,7 @@ void wearTheme(Theme theme) {
     const QString sheet = styleSheetOf(theme);
     if (qApp->styleSheet() == sheet) return;
     if (qApp->styleSheet().isEmpty()) QApplication::setStyle(QStringLiteral("Fusion"));
-    // All controls of a window take a moment to be dressed.
+    // Styling all controls of a window takes a moment.
     QApplication::setOverrideCursor(Qt::WaitCursor);
     QApplication::setPalette(paletteOf(theme));
     qApp->setStyleSheet(sheet);

@@ -7,12 +7,12 @@
 
 namespace echolucent {
 
-/// Gives the application, which exists, the Fusion style with the palette and the style sheet of a theme. What is shown
-/// already follows at once; where the application wears that theme already, nothing happens. Throws std::logic_error
-/// where the style sheet was not built into the program, or names a colour that there is none of.
+/// Gives the application, which must exist, the Fusion style with the palette and style sheet of a theme. Visible
+/// controls follow at once. Does nothing if the application has that theme already. Throws std::logic_error if the
+/// style sheet was not built into the program, or names an unknown colour.
 void wearTheme(Theme theme);
 
-/// The program's style sheet with the colours of a theme in the places of their names. Throws as wearTheme().
+/// The program's style sheet, with the names of colours replaced by the theme's colours. Throws as wearTheme().
 [[nodiscard]] QString styleSheetOf(Theme theme);
 
 }  // namespace echolucent

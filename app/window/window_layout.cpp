@@ -34,16 +34,16 @@ namespace echolucent {
 
 namespace {
 
-/// Width of the column of panels at the start, logical pixels: at 1280 the picture keeps more than 70 % of the window.
+/// Width of the column of panels at the start, logical pixels. At 1280 the picture keeps more than 70 % of the window.
 constexpr int columnWidth = 340;
 
-/// Scrolls a panel up and down only: it is never narrower than the panel, whose fields grow with what they show, so
-/// that nothing at the panel's right edge is ever out of sight.
+/// Scrolls a panel up and down only. It is never narrower than the panel, whose fields grow with their content, so that
+/// the panel's right edge stays visible.
 class PanelScrollArea : public QScrollArea {
 public:
     PanelScrollArea(QWidget* panel, QWidget* parent) : QScrollArea(parent) {
         setFrameShape(QFrame::NoFrame);
-        setFocusPolicy(Qt::NoFocus);  // the controls inside have the keys
+        setFocusPolicy(Qt::NoFocus);  // the controls inside take the focus
         setWidgetResizable(true);
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setWidget(panel);
@@ -69,7 +69,7 @@ QDockWidget* addDock(QMainWindow& window, const QString& title, const QString& n
     return dock;
 }
 
-/// What the person turns first stands on top.
+/// The controls that a person turns first stand on top.
 QWidget* pictureContent(const WindowLayout& layout) {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
@@ -81,7 +81,7 @@ QWidget* pictureContent(const WindowLayout& layout) {
     return content;
 }
 
-/// The measurements stand above what is set once, so that their list is in sight while one measures.
+/// The measurements stand above the controls that are set once, so that their list is visible while measuring.
 QWidget* planesContent(const WindowLayout& layout) {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
@@ -92,7 +92,7 @@ QWidget* planesContent(const WindowLayout& layout) {
     return content;
 }
 
-/// What was read, and below it what was done with it.
+/// What was read, and below it the steps done with it.
 QWidget* studyContent(const WindowLayout& layout) {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
@@ -103,7 +103,7 @@ QWidget* studyContent(const WindowLayout& layout) {
     return content;
 }
 
-/// One column of panels, tabbed by what a person is doing; nothing beside the 3D view grows when one is opened.
+/// One column of panels, tabbed by a person's tasks. Opening one makes nothing grow beside the 3D view.
 void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
     const auto title = [](const char* text) { return QMainWindow::tr(text); };
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);

@@ -63,7 +63,7 @@ struct WindowLayout {
 };
 
 /// Makes the widgets and puts them into the window: planes and picture in the middle, the panels in one column of tabs
-/// beside it, the messages over the picture's lower edge. Works and document outlive them.
+/// beside them, the messages over the picture's lower edge. Works and document must outlive them.
 [[nodiscard]] WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, const OtfCourse& course);
 
 }  // namespace echolucent

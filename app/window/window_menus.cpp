@@ -18,7 +18,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("menus", text); }
 
-/// Icons of a menu are large enough that a picture is recognised.
+/// Makes the icons of a menu large enough to recognise a picture.
 class PictureMenuStyle : public QProxyStyle {
 public:
     int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
@@ -136,7 +136,7 @@ void keepKeys(QMainWindow& window) {
 
 void createMenus(QMainWindow& window, OtfEditor& editor, QDockWidget& course, const WindowCommands& commands) {
     createFileMenu(window, editor, commands);
-    // The editor's actions carry their own shortcuts, so they stand here as they are.
+    // The editor's actions have their own shortcuts.
     QMenu* edit = window.menuBar()->addMenu(tr("&Edit"));
     edit->addActions({editor.undoAction(), editor.redoAction()});
     addAction(edit, tr("&History"), "edit.history", commands.showHistory);

@@ -18,7 +18,7 @@ struct WindowCommands {
         savePictureSeries, saveReport, copyPicture, resetView, resetAll, computeForThisView, playOrPause, explain,
         nextLighting, toggleNearCut, toggleFullScreen;
     std::function<void()> saveSession, saveSessionAs, showHistory;
-    std::function<void(int levels)> reduceSpeckle;  ///< by so many levels more; less where it is negative
+    std::function<void(int levels)> reduceSpeckle;  ///< by that many levels more; less if negative
     std::function<void(int degrees)> turnMotion;
     std::function<void(int step)> stepPhase;  ///< -1 or 1
     std::function<void(bool numbers)> numbersForNames;
@@ -26,7 +26,7 @@ struct WindowCommands {
     std::function<void(QMenu& menu)> fillRecentFiles;
 };
 
-/// Fills the menu bar. `course` is the dock of the OTF over the angle, which has an action of its own beside that of
+/// Fills the menu bar. `course` is the dock of the OTF over the angle. It has an action of its own besides that of
 /// every dock.
 void createMenus(QMainWindow& window, OtfEditor& editor, QDockWidget& course, const WindowCommands& commands);
 

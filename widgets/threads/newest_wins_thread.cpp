@@ -14,13 +14,13 @@ namespace echolucent {
 
 namespace {
 
-/// What computes for seconds gives way to what a hand waits for: the GUI thread, and the threads of a software OpenGL
-/// that draw for it. Threads that a job starts inherit this; those of oneTBB do
-/// where a job is the first to ask for them.
+/// Long work gives way to threads that a hand waits for: the GUI thread, and the threads of a software OpenGL that draw
+/// for it. Threads that a job starts inherit this priority. Those of oneTBB inherit it if a job is the first to ask for
+/// them.
 void giveWay() {
 #ifdef Q_OS_LINUX
-    constexpr int steps = 5;  // a third of the GUI thread's share where both want one core
-    // Of a thread alone: Qt's priorities do nothing in Linux's usual scheduling.
+    constexpr int steps = 5;  // a third of the GUI thread's share if both want one core
+    // Applies to this thread alone. Qt's priorities do nothing in Linux's usual scheduling.
     setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps);
 #else
     QThread::currentThread()->setPriority(QThread::LowPriority);
@@ -43,7 +43,7 @@ NewestWinsThread::~NewestWinsThread() {
         std::unique_lock lock(m_mutex);
         m_toEnd = true;
         m_changed.notify_all();
-        // QThread::wait() alone would do, but the thread sanitizer does not see it.
+        // QThread::wait() alone would suffice, but the thread sanitizer does not see it.
         m_changed.wait(lock, [this] { return m_hasEnded; });
     }
     m_thread->wait();
@@ -115,8 +115,8 @@ void NewestWinsThread::tell(News news) {
     {
         const std::lock_guard lock(m_mutex);
         m_news.push_back(std::move(news));
-        // It is made under the lock and first read under it (event()): the thread sanitizer does not see that the queue
-        // of events orders the two.
+        // The event is made under the lock and first read under it (event()). The thread sanitizer does not see that
+        // the event queue orders the two.
         event = new QEvent(QEvent::User);
     }
     QCoreApplication::postEvent(this, event);

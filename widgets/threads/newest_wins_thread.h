@@ -1,4 +1,4 @@
-// One worker thread that runs one job at a time, of which only the newest matters.
+// One worker thread that runs one job at a time. Only the newest job matters.
 #pragma once
 
 #include <QObject>
@@ -18,7 +18,7 @@ class QThread;
 
 namespace echolucent {
 
-/// Runs jobs in a QThread of its own. While one runs, a newer one replaces whatever waits.
+/// Runs jobs in its own QThread. While a job runs, a newer job replaces the one that waits.
 ///
 ///            submit(a)                        done, not superseded: deliver
 ///   [Idle] -------------> [Running a] -----------------------------------> [Idle]
@@ -27,50 +27,50 @@ namespace echolucent {
 ///                           v      |
 ///                        [Superseded]      shut down in any state: cancel, end the thread, wait
 ///
-/// Values and shared_ptr<const ...> captured by the job are all that crosses the threads. The worker gives way to the
-/// GUI thread where there are fewer cores than threads that want one.
+/// Only values and shared_ptr<const ...> that the job captures cross the threads. If threads want more cores than there
+/// are, the worker gives way to the GUI thread.
 ///
-/// While it is busy, it is a work that is under way. What follows it, begun by busyChanged(false), begins before the
-/// work ends.
+/// While this object is busy, Works has a work of it under way. A work that busyChanged(false) begins starts before
+/// this work ends.
 class NewestWinsThread : public QObject {
     Q_OBJECT
 
 public:
-    /// What is done with a job's result, in this object's thread; may be empty.
+    /// Takes a job's result, in this object's thread; may be empty.
     using Deliver = std::function<void()>;
-    /// The work, in the worker thread. Polls progress.cancelled(); an ended job returns an empty Deliver.
+    /// Runs in the worker thread. Polls progress.cancelled(); a cancelled job returns an empty Deliver.
     using Job = std::function<Deliver(const Progress&)>;
 
-    /// What a newer job does to this one while it runs.
+    /// What happens to the running job if a newer one is submitted.
     enum class WhenSuperseded {
-        cancel,  ///< it is cancelled and its result dropped
-        finish,  ///< it runs to its end and is delivered (short jobs that must not starve under a stream of requests)
+        cancel,  ///< the job is cancelled and its result dropped
+        finish,  ///< the job ends and is delivered: for short jobs that a stream of requests must not starve
     };
 
-    /// If the work has no cancel, it is cancel().
+    /// If `work` has no cancel, cancel() is used.
     NewestWinsThread(Works& works, const QString& name, Work work = {});
-    /// Cancels what runs and waits for it; nothing is delivered afterwards.
+    /// Cancels the running job and waits for it; delivers nothing afterwards.
     ~NewestWinsThread() override;
 
-    /// Starts the job, or keeps it as the one that starts next, in place of any job kept before.
+    /// Starts the job. If one runs, keeps this one to start next, in place of any other kept job.
     void submit(Job job, WhenSuperseded whenSuperseded = WhenSuperseded::cancel);
-    /// Cancels the running job and forgets the waiting one; what ran is not delivered.
+    /// Cancels the running job and forgets the waiting one. The result of the running job is dropped.
     void cancel();
-    /// To be called by the running job: what is done with something that it has before its end, in this object's
-    /// thread; nothing where the job was cancelled meanwhile.
+    /// The running job calls this to deliver something before its end. `deliver` runs in this object's thread, but not
+    /// if the job was cancelled meanwhile.
     void deliverMeanwhile(Deliver deliver);
-    /// Of its work, for the status line.
+    /// The words of its work, for the status line.
     void setWords(const QString& words) { m_work.setWords(words); }
-    /// True from submit() until the last job was delivered or dropped.
+    /// True from submit() until the last job is delivered or dropped.
     [[nodiscard]] bool busy() const { return m_running || m_waiting.has_value(); }
 
 signals:
     void busyChanged(bool busy);
-    /// Share done of the running job, in [0,1], at most about 30 times a second.
+    /// Share done of the running job, in [0,1]. Emitted about 30 times a second at most.
     void progressed(double share);
 
 protected:
-    /// Takes what the worker left for this thread.
+    /// Takes the news that the worker left for this thread.
     bool event(QEvent* event) override;
 
 private:
@@ -89,12 +89,12 @@ private:
         CancelFlag cancelFlag;
         Deliver deliver;
     };
-    /// What a job delivers before its end.
+    /// A delivery of a job before its end.
     struct Meanwhile {
         CancelFlag cancelFlag;
         Deliver deliver;
     };
-    /// The share done, something before the end, or the end of a job.
+    /// The share done, a delivery before the end, or the end of a job.
     using News = std::variant<double, Meanwhile, Ended>;
 
     void start(Waiting next);
@@ -108,14 +108,14 @@ private:
     CancelFlag m_cancelFlag;
     std::optional<Waiting> m_waiting;
 
-    // What crosses the threads, under one mutex of the standard library's: the thread sanitizer sees it, and does not
-    // see the queue of events in Qt's library, which is not instrumented.
+    // These cross the threads, under a mutex of the standard library. The thread sanitizer sees this mutex. It does not
+    // see the event queue of Qt, whose library is not instrumented.
     std::mutex m_mutex;
-    std::condition_variable m_changed;  ///< an order came, the thread is to end, or it has ended
+    std::condition_variable m_changed;  ///< an order came, the thread must end, or the thread has ended
     std::optional<Order> m_order;
     std::vector<News> m_news;
     bool m_toEnd = false, m_hasEnded = false;
-    CancelFlag m_workersFlag;  ///< of the running job; for the worker alone
+    CancelFlag m_workersFlag;  ///< of the running job; only the worker uses it
     std::unique_ptr<QThread> m_thread;
 };
 

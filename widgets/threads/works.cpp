@@ -15,7 +15,7 @@ bool Works::UnderWay::isKnown() const {
     return m_works && std::ranges::find(m_works->m_underWay, this) != m_works->m_underWay.end();
 }
 
-// Whoever hears of a change may end this work or begin others: nothing is read after telling.
+// A receiver of changed() may end this work or begin others, so read nothing after emitting it.
 void Works::UnderWay::set(bool underWay) {
     if (!m_works || underWay == isKnown()) return;
     if (underWay)
@@ -53,7 +53,7 @@ QString Works::words() const {
 void Works::cancelShown() {
     const UnderWay* work = shown();
     if (work == nullptr) return;
-    const auto cancel = work->m_work.cancel;  // the work may be gone before this has returned
+    const auto cancel = work->m_work.cancel;  // cancel() may destroy the work
     if (cancel) cancel();
 }
 

@@ -1,4 +1,4 @@
-// What is under way in a window: what the status line shows of it, and when the window is at rest.
+// The works under way in a window: what the status line shows, and when the window is at rest.
 #pragma once
 
 #include <QObject>
@@ -10,14 +10,14 @@
 
 namespace echolucent {
 
-/// Works in the order in which a person waits for them, the most urgent first.
+/// Kinds of work, the most urgent first: a person waits for them in this order.
 enum class Urgency { loading, nearCut, quietening, designing, movie, report, comparing, saving, unseen };
 
 /// What is known of a work before it begins.
 struct Work {
-    QString words{};  ///< for the status line, as "loading"; empty if it is never shown there
+    QString words{};  ///< for the status line, such as "loading"; empty if it is never shown there
     Urgency urgency = Urgency::unseen;
-    bool countsForRest = true;  ///< false if it begins at rest only, so that it does not keep itself from beginning
+    bool countsForRest = true;       ///< false if it begins only at rest: else it would prevent its own beginning
     std::function<void()> cancel{};  ///< may be empty
 };
 
@@ -27,24 +27,25 @@ struct Work {
     return work;
 }
 
-/// Knows all works that are under way. A work that follows another in one event begins before that one ends, so that
-/// nobody sees a rest between them: see NewestWinsThread. For the GUI thread alone.
+/// Knows all works that are under way. If one work follows another in one event, it begins before the other ends. So
+/// nobody sees a rest between them (see NewestWinsThread). For the GUI thread alone.
 class Works : public QObject {
     Q_OBJECT
 
 public:
-    /// A work that begins and ends, again and again. It ends with this object, which may outlive the works.
+    /// A work that begins and ends, again and again. It also ends when this object is destroyed. This object may
+    /// outlive the Works.
     class UnderWay {
     public:
         UnderWay(Works& works, Work work) : m_works(&works), m_work(std::move(work)) {}
-        /// That a work has ended so is told by the event loop, when its owner is gone.
+        /// If a work ends here, the event loop emits changed(): by then its owner is gone.
         ~UnderWay();
         UnderWay(const UnderWay&) = delete;
         UnderWay& operator=(const UnderWay&) = delete;
 
         void begin() { set(true); }
         void end() { set(false); }
-        /// Whether it is under way from now on.
+        /// Begins or ends the work.
         void set(bool underWay);
         void setWords(const QString& words);
         /// The share done, in [0,1].
@@ -59,10 +60,10 @@ public:
 
     /// Whether nothing is under way.
     [[nodiscard]] bool idle() const { return m_underWay.empty(); }
-    /// The same of what counts for rest.
+    /// Whether no work that counts for rest is under way.
     [[nodiscard]] bool atRest() const;
-    /// Of the most urgent work that has words, and of those that are as urgent the one that began first; empty if there
-    /// is none.
+    /// The words of the most urgent work that has words; empty if there is none. Among equally urgent works, the first
+    /// to begin counts.
     [[nodiscard]] QString words() const;
     /// Cancels the work that words() names.
     void cancelShown();
@@ -76,7 +77,7 @@ signals:
 private:
     [[nodiscard]] const UnderWay* shown() const;
 
-    std::vector<const UnderWay*> m_underWay;  ///< that which began first at the front
+    std::vector<const UnderWay*> m_underWay;  ///< the first to begin is in front
 };
 
 }  // namespace echolucent
