@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/options/option_text.h"
 #include "app/cli/options/volume_options.h"
 #include "dicom_files.h"
 #include "temporary_folder.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "processing/adaptive/method_parameters.h"
-#include "processing/designers/designer.h"
+#include "processing/designers/choice/designer.h"
 #include "processing/document/panes.h"
 #include "processing/picture/look.h"
 

@@ -293,10 +293,8 @@ QString WindowStress::underWay() const {
     add(study.quietPhases().busy(), "speckle reduction");
     add(m_window.otfs().busy(), "OTFs");
     add(m_window.nearCutFinder().busy(), "near cut");
-    add(m_window.sessionKeeping().busy(), "session");
-    add(m_window.volumeView().busy(), "picture");
-    add(m_window.reviewRoom().busy(), "planes");
-    add(m_window.compareRoom().busy(), "comparison");
+    add(m_window.sessionKeeping().saving(), "session");
+    add(!m_window.volumeView().pictureIsFine(), "picture");
     add(m_window.movieFiles().busy(), "movie");
     add(m_window.motionPlayer().isPlaying(), "motion");
     return names.isEmpty() ? QStringLiteral("something else") : names.join(", ");
