@@ -19,7 +19,7 @@ namespace echolucent {
 
 namespace {
 
-/// Whether bytes are the first of a signature and not all of it.
+/// Whether bytes are the beginning of a signature, but not all of it.
 bool isPartOf(std::string_view signature, std::string_view bytes) {
     return !bytes.empty() && bytes.size() < signature.size() && signature.starts_with(bytes);
 }

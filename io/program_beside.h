@@ -1,4 +1,4 @@
-// Where the programs lie that a program of Echolucent starts.
+// Where to find the programs that a program of Echolucent starts.
 #pragma once
 
 #include <string>

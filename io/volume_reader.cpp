@@ -62,15 +62,14 @@ std::optional<Failure> knownButNotRead(const std::string& path, std::string_view
     return std::nullopt;
 }
 
-/// A layout of a raw file, and where it is from.
 struct KnownLayout {
     RawLayout layout;
-    std::string source;  ///< "--raw-size", or the name of the file that keeps it
-    std::string path;    ///< the file that keeps it; empty where a person gave the layout
+    std::string source;  ///< "--raw-size", or the name of the layout's file
+    std::string path;    ///< the layout's file; empty if a person gave the layout
 };
 
-/// The layout that a person gave, or the one that is kept beside the file or, where that is packed, beside what it was
-/// packed from; no value where there is none.
+/// The layout that a person gave, or the one beside the file. If the file is packed, the layout beside its unpacked
+/// name counts too. No value if there is none.
 Result<std::optional<KnownLayout>> knownLayout(const std::string& path, const ReadOptions& options) {
     if (options.raw) return std::optional(KnownLayout{*options.raw, "--raw-size", ""});
     for (const std::string& described : {path, withoutGzipEnding(path)}) {
@@ -82,7 +81,7 @@ Result<std::optional<KnownLayout>> knownLayout(const std::string& path, const Re
     return std::optional<KnownLayout>();
 }
 
-/// The bytes of a file that was packed as a whole; 0 where it was not.
+/// The bytes of a file that was packed as a whole; 0 if it was not.
 struct Packing {
     std::uint64_t packedBytes = 0, unpackedBytes = 0;
 };
@@ -117,7 +116,7 @@ Result<Study> readUnknown(const InputFile& file, std::string_view beginning, con
     return readStored(std::move(stored), packing, options, progress);
 }
 
-/// Half the way is unpacking the voxels, where they are packed in a file of their own.
+/// Reads a file. If its voxels are packed in a separate file, unpacking them is half of the progress.
 Result<Study> readAs(const FileFormat& format, const InputFile& file, const Packing& packing,
                      const ReadOptions& options, const Progress& progress) {
     if (const auto* readStudy = std::get_if<FileFormat::StudyReader>(&format.reader))
@@ -130,7 +129,7 @@ Result<Study> readAs(const FileFormat& format, const InputFile& file, const Pack
         {[&](double share) { progress.at(reached + (1 - reached) * share); }, progress.cancel, progress.coarse});
 }
 
-/// Reads an opened file; what was packed as a whole is unpacked.
+/// Reads an opened file. A file that was packed as a whole is unpacked already.
 Result<Study> readOpened(const InputFile& file, const Packing& packing, const ReadOptions& options,
                          const Progress& progress) {
     const auto beginning = file.beginning(4096);
@@ -142,7 +141,7 @@ Result<Study> readOpened(const InputFile& file, const Packing& packing, const Re
     return readUnknown(file, *beginning, packing, options, progress);
 }
 
-/// Whether a file is to be unpacked. Voxels that a layout describes may begin like gzip by chance; then the name tells.
+/// Whether to unpack a file. Voxels with a layout may begin like gzip by chance; then the name tells.
 Result<bool> isPacked(const InputFile& file, const ReadOptions& options) {
     const auto beginning = file.beginning(3);
     if (!beginning) return tl::unexpected(beginning.error());
@@ -153,7 +152,7 @@ Result<bool> isPacked(const InputFile& file, const ReadOptions& options) {
     return !layout->has_value();
 }
 
-/// Half the way is unpacking.
+/// Reads a packed file. Unpacking is half of the progress.
 Result<Study> readPacked(const InputFile& packed, const ReadOptions& options, const Progress& progress) {
     const auto unpacked = unpackGzip(packed, {[&](double share) { progress.at(0.5 * share); }, progress.cancel});
     if (!unpacked) return tl::unexpected(unpacked.error());
@@ -169,8 +168,8 @@ Result<Study> readPacked(const InputFile& packed, const ReadOptions& options, co
     return study;
 }
 
-/// The header of the NIfTI or Analyze pair whose voxels were named; no value where the file is something else: where a
-/// layout describes it, where its own content is known, or where what lies beside it is no such header.
+/// The header of a NIfTI or Analyze pair whose voxels were named. No value if a layout describes the file, if its
+/// content is known, or if no such header lies beside it.
 Result<std::optional<InputFile>> headerOfPair(const InputFile& voxels, const ReadOptions& options,
                                               const Progress& progress) {
     const auto beside = niftiHeaderBeside(voxels.path());
@@ -180,7 +179,7 @@ Result<std::optional<InputFile>> headerOfPair(const InputFile& voxels, const Rea
     const auto own = voxels.beginning(4096);
     if (!own) return tl::unexpected(own.error());
     if (layout->has_value() || formatFromContent(*own) != nullptr) return std::optional<InputFile>();
-    // A link may lead anywhere; what is read lies in the folder that was named.
+    // A link may lead anywhere, so read only in the folder that was named.
     if (auto inside = requireInItsFolder(*beside); !inside) return tl::unexpected(inside.error());
     auto header = InputFile::open(*beside);
     if (!header) return tl::unexpected(header.error());
@@ -199,7 +198,7 @@ Result<std::optional<InputFile>> headerOfPair(const InputFile& voxels, const Rea
 Result<Study> readFile(const std::string& path, const ReadOptions& options, const Progress& progress) {
     auto file = InputFile::open(path);
     if (!file) return tl::unexpected(file.error());
-    // The voxels of a pair may be named as well as its header.
+    // A person may name the voxels of a pair instead of its header.
     auto header = headerOfPair(*file, options, progress);
     if (!header) return tl::unexpected(header.error());
     if (*header) file = std::move(**header);

@@ -1,4 +1,4 @@
-// Choices by their names: what every pair of nameOf() and ...FromName() does with the names of its enumeration.
+// Names of an enumeration's choices, for its nameOf() and ...FromName().
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// The names of an enumeration's choices, in the order of their values, which count up from 0.
+/// The names of an enumeration's choices, in the order of their values. The values count up from 0.
 template <std::size_t count>
 using ChoiceNames = std::array<std::string_view, count>;
 
@@ -17,7 +17,7 @@ template <std::size_t count, typename Choice>
     return names.at(static_cast<std::size_t>(choice));
 }
 
-/// The choice that bears a name; nothing where no choice does.
+/// The choice of that name. Empty if there is none.
 template <typename Choice, std::size_t count>
 [[nodiscard]] constexpr std::optional<Choice> choiceNamed(const ChoiceNames<count>& names, std::string_view name) {
     for (std::size_t i = 0; i < count; ++i)

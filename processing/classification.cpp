@@ -11,7 +11,7 @@ namespace {
 
 constexpr int fewestOtfNodes = 2, mostOtfNodes = 1024;
 
-/// Where a value lies between nodes: the node before it, and how far it is from there to the next one.
+/// A value's place between nodes: the node before it, and the share of the way to the next node.
 struct BetweenNodes {
     std::size_t before;
     double share;

@@ -1,4 +1,4 @@
-// What a picture makes of voxels: opacity over the intensity, or over the intensity and the gradient magnitude.
+// How voxels get their opacity: from the intensity alone, or from the intensity and the gradient magnitude.
 #pragma once
 
 #include <concepts>
@@ -11,9 +11,9 @@
 
 namespace echolucent {
 
-/// A two-dimensional OTF (Levoy 1988; Kindlmann and Durkin 1998): opacities per reference step over the normalised
-/// intensity f in [0,1] and the gradient magnitude g (processing/sampling/gradient_magnitude.h), given at equidistant
-/// nodes, bilinear between them.
+/// A two-dimensional OTF (Levoy 1988; Kindlmann and Durkin 1998). It gives opacity per reference step over the
+/// normalised intensity f in [0,1] and the gradient magnitude g (processing/sampling/gradient_magnitude.h). Its nodes
+/// are equidistant, and opacity is bilinear between them.
 struct TwoDimensionalOtf {
     int intensities = 2;           ///< nodes along f, from 0 to 1; 2 to 1024
     int gradients = 2;             ///< nodes along g, from 0 to largestGradient; 2 to 1024
@@ -26,26 +26,25 @@ struct TwoDimensionalOtf {
 [[nodiscard]] double opacityAt(const TwoDimensionalOtf& otf, double intensity, double gradient);
 
 /// The two-dimensional OTF whose nodes are opacity(f, g), clamped into [0,1] (NaN counts as 0). Throws
-/// std::invalid_argument for a number of nodes or a largest gradient out of range.
+/// std::invalid_argument if the number of nodes or the largest gradient is out of range.
 template <typename Opacity>
 [[nodiscard]] TwoDimensionalOtf tabulated(int intensities, int gradients, double largestGradient,
                                           const Opacity& opacity);
 
-/// A curve or a two-dimensional OTF, as one value. What is two-dimensional is shared between copies. A curve converts
-/// by itself.
+/// A curve or a two-dimensional OTF, as one value. Copies share the two-dimensional OTF. A curve converts by itself.
 class Classification {
 public:
     /// Clear everywhere.
     Classification() = default;
     template <typename Curve>
     requires std::constructible_from<OpacityCurve, Curve> Classification(Curve curve) : m_curve(std::move(curve)) {}
-    /// Throws std::invalid_argument where a member is out of its range.
+    /// Throws std::invalid_argument if a member is out of its range.
     explicit Classification(TwoDimensionalOtf otf);
 
     [[nodiscard]] bool isTwoDimensional() const { return m_twoDimensional != nullptr; }
-    /// The curve. Of what is two-dimensional it is a curve without a node, and not to be used.
+    /// The curve. If this is a two-dimensional OTF, the curve has no node and must not be used.
     [[nodiscard]] const OpacityCurve& curve() const { return m_curve; }
-    /// Null where it is a curve.
+    /// Null if this is a curve.
     [[nodiscard]] const std::shared_ptr<const TwoDimensionalOtf>& twoDimensional() const { return m_twoDimensional; }
 
     friend bool operator==(const Classification& one, const Classification& other);
@@ -55,10 +54,10 @@ private:
     std::shared_ptr<const TwoDimensionalOtf> m_twoDimensional;
 };
 
-/// Opacity at a normalised intensity and a gradient magnitude, of which a curve knows the first alone.
+/// Opacity at a normalised intensity and a gradient magnitude. A curve looks at the intensity only.
 [[nodiscard]] double opacityAt(const Classification& classification, double intensity, double gradient);
 
-/// The largest opacity of an intensity at any gradient: what an editor that knows one axis shows.
+/// The largest opacity of each intensity at any gradient. An editor with one axis shows this.
 [[nodiscard]] OpacityCurve upperCurveOf(const Classification& classification);
 
 namespace classification_detail {

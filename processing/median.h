@@ -5,8 +5,8 @@
 
 namespace echolucent {
 
-/// Median of finite values; of an even number of values the mean of the two in the middle. Throws std::invalid_argument
-/// where there is no value.
+/// Median of finite values. For an even number of values, the mean of the two in the middle. Throws
+/// std::invalid_argument if there is no value.
 [[nodiscard]] double medianOf(std::vector<double> values);
 
 }  // namespace echolucent

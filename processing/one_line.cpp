@@ -10,10 +10,10 @@ namespace {
 struct Letter {
     char32_t code = 0;
     std::size_t bytes = 1;
-    bool valid = false;  ///< whether it is UTF-8; else it is one byte
+    bool valid = false;  ///< whether it is UTF-8; if not, it is one byte
 };
 
-/// The letter at the beginning of a text, which is not empty.
+/// The letter at the beginning of a text that is not empty.
 Letter firstLetter(std::string_view text) {
     const auto first = static_cast<std::uint8_t>(text[0]);
     if (first < 0x80) return {first, 1, true};
@@ -25,7 +25,7 @@ Letter firstLetter(std::string_view text) {
         if ((next & 0xc0U) != 0x80) return {};
         code = (code << 6U) | (next & 0x3fU);
     }
-    // A letter has one spelling only, and halves of surrogates are none.
+    // Each letter has one valid spelling only, and a half of a surrogate pair is no letter.
     constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
     if (code < least[bytes] || code > 0x10ffff || (code >= 0xd800 && code <= 0xdfff)) return {};
     return {code, bytes, true};

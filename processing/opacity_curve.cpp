@@ -63,7 +63,7 @@ std::vector<double> sampledOpacities(const OpacityCurve& curve, int count) {
 
 double logOpacityAt(const OpacityCurve& curve, double intensity) {
     if (const auto* power = std::get_if<PowerCurve>(&curve)) {
-        // In the log domain from the start: x^4 of a small intensity must not lose digits or underflow.
+        // Take the logarithm first, since x^4 of a small intensity loses digits or underflows.
         const double x = clampedIntensity(intensity);
         if (!(x > 0.0) || !(power->scale > 0.0)) return minusInfinity;
         return std::log(power->scale) + power->exponent * std::log(x);

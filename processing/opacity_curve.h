@@ -1,5 +1,5 @@
-// Opacity transfer functions (OTFs) as values: normalised intensity in [0,1] to opacity in [0,1] per reference step.
-// The reference step is one unit, the volume's smallest spacing; the ray caster corrects for its own step.
+// Opacity transfer functions (OTFs) as values. They map normalised intensity in [0,1] to opacity in [0,1] per reference
+// step. The reference step is one unit, the volume's smallest spacing. The ray caster corrects for its own step.
 #pragma once
 
 #include <variant>
@@ -14,14 +14,14 @@ struct CurveNode {
     friend bool operator==(const CurveNode&, const CurveNode&) = default;
 };
 
-/// Piecewise linear through its nodes, constant outside the first and last. Nodes ascend in intensity; two nodes may
-/// share one intensity (a step: the later one holds at that intensity). Without a node opacity is 0 everywhere.
+/// Linear between its nodes, constant outside the first and last. Nodes ascend in intensity. Two nodes may share an
+/// intensity (a step): the later one holds there. Without a node, opacity is 0 everywhere.
 struct ManualCurve {
     std::vector<CurveNode> nodes;
     friend bool operator==(const ManualCurve&, const ManualCurve&) = default;
 };
 
-/// Petersch 2005, eq. 1, on normalised intensity: it is 0 below lower, slope (x - lower) up to upper, constant beyond.
+/// Petersch 2005, eq. 1, on normalised intensity: 0 below lower, slope (x - lower) up to upper, constant beyond.
 struct LinearCurve {
     double lower = 20.0 / 255.0;  ///< L_L, [0,1]
     double slope = 0.5;           ///< a, opacity per unit of normalised intensity, >= 0
@@ -38,7 +38,7 @@ struct PowerCurve {
 
 /// Opacities at equidistant intensities from 0 to 1, linear between them. The adaptive method gives such a curve.
 struct SampledCurve {
-    std::vector<double> opacities;  ///< two or more values in [0,1]; where it is empty, opacity is 0 everywhere
+    std::vector<double> opacities;  ///< two or more values in [0,1]; if empty, opacity is 0 everywhere
     friend bool operator==(const SampledCurve&, const SampledCurve&) = default;
 };
 
@@ -50,11 +50,11 @@ using OpacityCurve = std::variant<ManualCurve, LinearCurve, PowerCurve, SampledC
 /// Opacity at `count` (>= 2) equidistant intensities 0, 1/(count-1), ..., 1.
 [[nodiscard]] std::vector<double> sampledOpacities(const OpacityCurve& curve, int count);
 
-/// Natural logarithm of the curve before its clamp to 1; -infinity where it is 0.
+/// Natural logarithm of the curve before its clamp to 1; -infinity if the curve is 0 there.
 [[nodiscard]] double logOpacityAt(const OpacityCurve& curve, double intensity);
 
-/// The opacity that composites to the same transmittance over `stepRatio` reference steps: 1 - (1-opacity)^stepRatio,
-/// by -expm1(stepRatio * log1p(-opacity)), exact for opacities near 0 and 1 (docs/stability.md, "Numbers").
+/// The opacity for `stepRatio` reference steps that gives the same transmittance: 1 - (1-opacity)^stepRatio. It is
+/// computed as -expm1(stepRatio * log1p(-opacity)), exact for opacities near 0 and 1 (docs/stability.md, "Numbers").
 [[nodiscard]] double opacityForStep(double opacity, double stepRatio);
 
 }  // namespace echolucent

@@ -23,9 +23,9 @@ namespace {
 
 #ifdef __SANITIZE_THREAD__
 
-/// Under the thread sanitizer loops run on plain threads, as many as oneTBB would use here, the caller's among them:
-/// Debian's oneTBB runtime is not instrumented, so that the sanitizer would not see how it hands work from thread to
-/// thread, and would report races where there are none. Each smallest part of `range` is a call.
+/// Runs a loop on plain threads, for the thread sanitizer. The threads are as many as oneTBB would use here, the
+/// caller's among them. Debian's oneTBB runtime is not instrumented: the sanitizer would not see how it hands work from
+/// thread to thread, and would report false races. Each smallest part of `range` is a call.
 template <typename Range, typename Call>
 void onThreads(const Range& range, const Call& call) {
     std::vector<Range> open{range}, parts;

@@ -1,5 +1,4 @@
-// Parallel loops. Their bodies are called through a pointer, once for each part of a loop, so that only parallel.cpp
-// sees oneTBB.
+// Parallel loops. A loop calls its body through a pointer, once for each part, so that only parallel.cpp sees oneTBB.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +6,8 @@
 
 namespace echolucent {
 
-/// The indices of [first, last). A parallel loop splits it into parts; a part of at most `grain` (>= 1)
-/// indices is not split.
+/// The indices of [first, last). A parallel loop splits them into parts. A part of at most `grain` (>= 1) indices is
+/// not split.
 template <typename Index>
 class LoopRange {
 public:
@@ -30,7 +29,7 @@ public:
     [[nodiscard]] const LoopRange<Index>& rows() const { return m_rows; }
     [[nodiscard]] const LoopRange<Index>& columns() const { return m_columns; }
 
-    /// A part of one, as the bodies of loops get it: a loop goes over whole rectangles only.
+    /// A part of a rectangle, as the bodies of loops get it. Loops themselves go over whole rectangles only.
     [[nodiscard]] static LoopRectangle part(const LoopRange<Index>& rows, const LoopRange<Index>& columns) {
         LoopRectangle rectangle(0, 0);
         rectangle.m_rows = rows;
@@ -42,16 +41,16 @@ private:
     LoopRange<Index> m_rows, m_columns;
 };
 
-/// What parallelFor() is made of.
+/// The parts of parallelFor().
 namespace parallel {
 
 using Part = LoopRange<std::int64_t>;
 using Tile = LoopRectangle<std::int64_t>;
 
-/// Calls call(body, part) for parts of `range` that together are the whole, on the threads of oneTBB's arena, the
-/// caller's among them. What a call throws first is thrown to the caller once all calls have ended.
+/// Splits `range` into parts and calls call(body, part) for each, on the threads of oneTBB's arena, the caller's among
+/// them. If calls throw, the caller gets the first exception once all calls have ended.
 void forParts(const Part& range, void (*call)(const void* body, const Part& part), const void* body);
-/// The same for tiles of a rectangle.
+/// As forParts(), for tiles of a rectangle.
 void forTiles(const Tile& range, void (*call)(const void* body, const Tile& tile), const void* body);
 
 /// A part in the caller's type of indices.
@@ -62,7 +61,7 @@ template <typename Index>
 
 }  // namespace parallel
 
-/// Calls `body` on parts of `range`, each a LoopRange<Index>, that together are the whole.
+/// Splits `range` into parts, each a LoopRange<Index>, and calls `body` on each.
 template <typename Index, typename Body>
 void parallelFor(const LoopRange<Index>& range, const Body& body) {
     const auto call = [](const void* of, const parallel::Part& part) {
@@ -73,7 +72,7 @@ void parallelFor(const LoopRange<Index>& range, const Body& body) {
                        call, &body);
 }
 
-/// Calls `body` on tiles of `range`, each a LoopRectangle<Index>, that together are the whole.
+/// Splits `range` into tiles, each a LoopRectangle<Index>, and calls `body` on each.
 template <typename Index, typename Body>
 void parallelFor(const LoopRectangle<Index>& range, const Body& body) {
     const auto call = [](const void* of, const parallel::Tile& tile) {

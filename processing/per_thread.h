@@ -1,4 +1,4 @@
-// A value of each thread's own in parallel loops.
+// Values of which each thread has its own in parallel loops.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__
@@ -15,8 +15,8 @@ namespace echolucent {
 
 #ifdef __SANITIZE_THREAD__
 
-/// A value of each thread's own, made by `make` when the thread first asks for it. Debian's oneTBB runtime is not
-/// instrumented, so that the thread sanitizer would not see how its own such class works.
+/// A value of each thread's own. `make` makes it when the thread first asks for it. oneTBB has such a class too, but
+/// Debian's oneTBB runtime is not instrumented for the thread sanitizer.
 template <typename Value>
 class PerThread {
 public:
@@ -36,7 +36,7 @@ private:
 
 #else
 
-/// A value of each thread's own, made when the thread first asks for it (local()).
+/// A value of each thread's own. local() makes it when the thread first asks for it.
 template <typename Value>
 using PerThread = tbb::enumerable_thread_specific<Value>;
 

@@ -1,4 +1,4 @@
-// How far a loop of several threads is.
+// The progress of a loop on several threads.
 #pragma once
 
 #include <atomic>
@@ -9,8 +9,8 @@
 
 namespace echolucent {
 
-/// Counts for all threads what is done, and reports the share from the thread that made it only: the counts of others
-/// may arrive out of order. The progress must outlive it.
+/// Counts what all threads have done. Only the thread that made it reports, since the counts of others may arrive out
+/// of order. The progress must outlive it.
 class ProgressCount {
 public:
     ProgressCount(const Progress& progress, std::size_t total) : m_progress(progress), m_total(total) {}

@@ -1,4 +1,4 @@
-// A list as a value whose copies share what it holds.
+// A list as a value. Its copies share their values in memory.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace echolucent {
 
-/// Its values never change: a change makes a new list, and copies keep the old one. So a copy costs as much as a
-/// pointer, equal copies are compared at once, and threads may read copies of one list.
+/// The values never change: a change makes a new list, and copies keep the old one. So a copy costs as much as a
+/// pointer, two copies are compared at once, and threads may read copies of one list.
 template <typename T>
 class SharedList {
 public:
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] const T& front() const { return m_values->front(); }
     [[nodiscard]] const T& back() const { return m_values->back(); }
 
-    /// `how(std::vector<T>&)` changes a copy of the values, which this list then has.
+    /// Copies the values and lets `how(std::vector<T>&)` change the copy. This list then has the changed values.
     template <typename Change>
     void change(Change&& how) {
         std::vector<T> next = values();
@@ -55,7 +55,7 @@ public:
     }
     void clear() { m_values.reset(); }
 
-    /// Whether both are copies of one list that was not changed since.
+    /// Whether both are unchanged copies of one list.
     [[nodiscard]] bool sharesWith(const SharedList& other) const { return m_values == other.m_values; }
     friend bool operator==(const SharedList& one, const SharedList& other) {
         return one.m_values == other.m_values || one.values() == other.values();

@@ -32,15 +32,14 @@ bool isDicomFile(const std::string& path) {
     return beginning && looksLikeDicom(*beginning);
 }
 
-/// What one file says.
 struct Said {
     Patient patient;
     std::string series;
 };
 
-/// The names come in UTF-8 where the file's character set is known, and else as they are stored.
+/// Gives names in UTF-8 if the file's character set is known, else as stored.
 Said saidIn(DcmDataset& dataset) {
-    // DCMTK was built without a library of character sets on some systems: then names stay as they are stored.
+    // On some systems DCMTK has no library of character sets. Names then stay as stored.
     (void)dataset.convertToUTF8();
     return {{.name = dicomText(dataset, {0x0010, 0x0010}),
              .id = dicomText(dataset, {0x0010, 0x0020}),

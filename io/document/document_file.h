@@ -10,40 +10,39 @@
 
 namespace echolucent {
 
-/// The "format" of such a file.
+/// The "format" of a document file.
 inline constexpr std::string_view documentFormatName = "echolucent-document";
-/// The "version" that is written; version 1 is read too.
+/// The "version" that we write; version 1 is read too.
 inline constexpr int documentVersion = 2;
-/// Larger files are refused, and not written, bytes.
+/// Larger files, in bytes, are neither read nor written.
 inline constexpr std::size_t largestDocumentFile = std::size_t{32} << 20;
-/// So many measurements, and strokes in each value of a list, a document in a file has at most.
+/// A document in a file has at most so many measurements, and each of its lists of strokes at most so many strokes.
 inline constexpr std::size_t mostMeasurements = 1000;
 inline constexpr std::size_t mostStrokes = 100'000;
 
-/// {"format": "echolucent-document", "version": 2, ...}: every value of the document, numbers with all their digits.
-/// Equal documents give equal bytes.
+/// {"format": "echolucent-document", "version": 2, ...}, with every value of the document, and numbers with all their
+/// digits. Equal documents give equal bytes.
 [[nodiscard]] std::string jsonOf(const Document& document);
 
-/// The document of a text that jsonOf() wrote: an equal one. Parameters of the method and of the look that the text
-/// does not hold have their defaults; unknown keys are ignored. Another format or version, a missing key and a value
-/// out of range are refused with a sentence that names the key. file: named in that sentence. A text of version 1 gives
-/// what the window showed of it: its view 1, and what that is compared with.
+/// The document that jsonOf() wrote as a text. Missing parameters of the method and the look have their defaults;
+/// unknown keys are ignored. Another format or version, a missing key or a value out of range is refused with a
+/// sentence that names the key and `file`. Of a version 1 text, only what the window showed is read: view 1, and the
+/// views compared with it.
 [[nodiscard]] Result<Document> documentFromJson(std::string_view text, const std::string& file = {});
 
 [[nodiscard]] Result<Document> readDocument(const std::string& path);
 
-/// A pane of a document.
 struct DocumentPane {
     Document document;
     std::size_t pane = firstPane;
 };
-/// The pane of a number from 1 on, the first one where none is given; of version 1 the view of that id, or else the
-/// first one of its list. A view that is compared with others comes with these as its document's panes. A number that
-/// is not there is refused (wrong usage).
+/// The pane with a number from 1 on; without a number, the first pane. Of version 1 the number is the id of a view, and
+/// the first view of the list comes without a number. Views compared with that view become panes of the same document.
+/// An unknown number is refused (wrong usage).
 [[nodiscard]] Result<DocumentPane> documentPaneFromJson(std::string_view text, std::optional<int> number,
                                                         const std::string& file = {});
 [[nodiscard]] Result<DocumentPane> readDocumentPane(const std::string& path, std::optional<int> number);
-/// Fails (unwritable) where the file cannot be written, or could not be read again.
+/// Fails (unwritable) if the file cannot be written, or could not be read again.
 [[nodiscard]] Result<void> writeDocument(const std::string& path, const Document& document);
 
 }  // namespace echolucent

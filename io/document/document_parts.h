@@ -1,5 +1,5 @@
-// The parts of a document that both versions of its JSON write alike. Values that are missing or wrong are told to the
-// problems of the fields (json_fields.h).
+// The parts of a document that both versions of its JSON share. Missing and wrong values are told to the problems of
+// the fields (json_fields.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-/// The largest number of a phase, a tube core, or an id.
+/// The largest number of a phase or a tube core, and the largest id.
 inline constexpr std::int64_t largestNumber = 1'000'000;
 
 /// Of the key "study" in a document's root.

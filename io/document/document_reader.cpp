@@ -83,8 +83,7 @@ Result<nlohmann::json> rootOf(std::string_view text, const std::string& file) {
     return jsonObject(text, file, std::string(documentFormatName), remedyOfDocument, documentVersion);
 }
 
-/// The pane of a number, the first one without a number, of a document of either version; `windows` as
-/// ViewOfVersion1::windows.
+/// The pane with `number`, else the first, of a document of either version; `windows` as in ViewOfVersion1.
 Result<DocumentPane> paneOf(const nlohmann::json& object, const std::string& place, const std::string& file,
                             std::optional<int> number, bool windows = false, int sessionVersion = documentVersion) {
     JsonProblems problems{file, std::nullopt};
@@ -161,7 +160,7 @@ Result<SavedSession> sessionFromJson(std::string_view text, const std::string& f
         snapshot.name = snapshots[i].text("name");
         if (const std::string problem = problemOfSnapshotName(snapshot.name); !problem.empty())
             snapshots[i].wrong("name", problem);
-        (void)snapshots[i].object("document");  // says where it is missing
+        (void)snapshots[i].object("document");  // refuses a missing one
         if (problems.first) break;
         auto read =
             documentOf((*object)["session"]["snapshots"][i]["document"],

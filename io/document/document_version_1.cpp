@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-/// So many values a list that views refer to may hold: what is asked of each pair of them stays quick.
+/// The longest list that views refer to. Checks of each pair of its values stay quick.
 constexpr std::size_t mostEntries = 1000;
 
 /// A value that views refer to by its id.
@@ -23,7 +23,7 @@ struct Listed {
     Value value{};
 };
 
-/// A picture of the study: what it shows of the lists, by id. Views that share an id are linked.
+/// A picture of the study. It refers to the lists by id; views that share an id are linked.
 struct View {
     int id = 1;
     int pose = 1, cut = 1, look = 1, phase = 1;
@@ -71,7 +71,7 @@ std::vector<View> viewsIn(JsonFields& root) {
         views.push_back({idIn(fields), idIn(fields, "pose"), idIn(fields, "cut"), idIn(fields, "look"),
                          idIn(fields, "phase"), fields.choice("curve", &curveKindFromName), idIn(fields, "box"),
                          idIn(fields, "planes"), idIn(fields, "strokes")});
-        // Documents that were written before there were designers have neither.
+        // Documents from before designers have neither.
         if (fields.has("design")) views.back().design = idIn(fields, "design");
         if (fields.has("without_tubes"))
             for (const std::int64_t tube : fields.wholes("without_tubes", 0, largestNumber))
@@ -146,7 +146,7 @@ void checkIds(JsonFields& root, const Lists& lists) {
     }
 }
 
-/// Notes what is wrong with values, those that no view refers to among them.
+/// Notes wrong values, also those that no view refers to.
 void checkValues(JsonFields& root, const Lists& lists) {
     const auto check = [&root](const char* key, std::size_t place, const std::string& problem) {
         if (!problem.empty()) root.wrong((std::string(key) + "[" + std::to_string(place) + "]").c_str(), problem);
@@ -242,7 +242,7 @@ std::optional<DocumentPane> paneInVersion1(JsonFields root, const ViewOfVersion1
     checkIds(root, lists);
     if (root.failed()) return read;
     checkValues(root, lists);
-    // Documents that were written before panes were compared have none.
+    // Documents from before comparisons have none.
     if (root.has("comparison")) document.comparison = comparedIn(root.object("comparison"), lists);
     if (root.failed()) return read;
     const View* view = &lists.views.front();

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Absolute, links resolved as far as the path exists.
+/// The absolute path, with links resolved as far as it exists.
 fs::path whole(const fs::path& path) {
     std::error_code error;
     fs::path found = fs::weakly_canonical(fs::absolute(path, error), error);
@@ -35,7 +35,7 @@ bool liesIn(const fs::path& path, const fs::path& folder) {
 
 bool looksLikeDocument(const std::string& path) {
     constexpr std::size_t looked = 4096;
-    // A pipe would keep whoever asks waiting.
+    // A pipe would block the caller.
     struct stat status {};
     if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
     const auto input = InputFile::open(path);
@@ -82,7 +82,7 @@ namespace {
 
 constexpr std::string_view sessionEnding = ".session.json";
 
-/// Without a slash at its end.
+/// The path without a slash at its end.
 fs::path plainPath(const std::string& study) {
     const fs::path path = fs::path(study).lexically_normal();
     return path.has_filename() ? path : path.parent_path();

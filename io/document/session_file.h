@@ -1,4 +1,4 @@
-// Session files: a document as JSON, with its snapshots, and the study named so that both can move together.
+// Session files: a document as JSON with its snapshots. They name the study so that both can move together.
 #pragma once
 
 #include <optional>
@@ -12,40 +12,40 @@
 
 namespace echolucent {
 
-/// The JSON of the document with one more key: {"session": {"snapshots": [{"name": ..., "document": {...}}]}}, so that
-/// whoever reads documents reads it too. Equal sessions give equal bytes.
+/// The JSON of the document with one more key: {"session": {"snapshots": [{"name": ..., "document": {...}}]}}. A
+/// program that reads documents reads sessions too. Equal sessions give equal bytes.
 [[nodiscard]] std::string jsonOf(const SavedSession& session);
 
-/// The session of a text that jsonOf() wrote: an equal one. A document without the key "session" is one without
-/// snapshots. What is refused is as in documentFromJson(); snapshots are named as problemOfSnapshotName() says, and
-/// there are at most mostSnapshots.
+/// The session that jsonOf() wrote as a text. A document without the key "session" is a session without snapshots.
+/// Refusals are as in documentFromJson(). The names of snapshots obey problemOfSnapshotName(), and there are at most
+/// mostSnapshots.
 [[nodiscard]] Result<SavedSession> sessionFromJson(std::string_view text, const std::string& file = {});
 
-/// Reads the file as it is: paths in it stay as they are written.
+/// Reads the file; paths in it stay as written.
 [[nodiscard]] Result<SavedSession> readSession(const std::string& path);
 /// Writes the file whole or not at all.
 [[nodiscard]] Result<void> writeSession(const std::string& path, const SavedSession& session);
 
-/// Whether the file at `path` says of itself that it is a document; false where it cannot be read.
+/// Whether the file at `path` calls itself a document; false if it cannot be read.
 [[nodiscard]] bool looksLikeDocument(const std::string& path);
 
-/// The session with the study's path as a session file at `file` names it: relative to the file's folder where the
-/// study lies in that folder, below it, or below the folder above it; absolute elsewhere.
+/// The session with the study's path as a session file at `file` names it. The path is relative to the file's folder if
+/// the study lies in that folder, below it, or below the folder above it; else absolute.
 [[nodiscard]] SavedSession asNamedFrom(const std::string& file, SavedSession session);
-/// Where the study of a session file at `file` is: its path, where that is relative, from the file's folder. A relative
-/// path that leads nowhere from there is one from the working folder, if it leads somewhere.
+/// The path of the study of a session file at `file`. A relative `path` starts at the file's folder. If it leads
+/// nowhere from there, but somewhere from the working folder, it starts at the working folder.
 [[nodiscard]] std::string studyPathFrom(const std::string& file, const std::string& path);
 
-/// The study of a session file at `file` where it is there, as studyPathFrom(); else what findStudy() finds in the
-/// file's folder and by `search`. No value where that finds nothing.
+/// The study of a session file at `file`: at studyPathFrom() if it is there, else where findStudy() finds it in the
+/// file's folder and by `search`. No value if it is not found.
 [[nodiscard]] std::optional<std::string> placeOfStudy(const StudyFile& study, const std::string& file,
                                                       StudySearch search = {}, const Progress& progress = {});
 
-/// What names of files begin with that belong to the study or the session at `study`: its own name without its ending,
-/// "heart" of "heart.nii.gz" and of "heart.session.json", and of a folder its whole name.
+/// The beginning of the names of files that belong to the study or session at `study`. Of a folder it is the whole
+/// name. Of a file it is the name without its ending: "heart" of "heart.nii.gz" and of "heart.session.json".
 [[nodiscard]] std::string stemOfStudy(const std::string& study);
-/// Fails (wrong usage) where a session file at `file` would take the place of one of the files that a study was read
-/// from, or would lie in the folder at `study`, where that is a folder.
+/// Fails (wrong usage) if a session file at `file` would replace one of the study's `files`, or would lie in the folder
+/// `study`.
 [[nodiscard]] Result<void> refuseSessionInside(const std::string& study, const std::vector<std::string>& files,
                                                const std::string& file);
 

@@ -18,7 +18,7 @@ json objectIn(std::string_view text) {
     return value.is_object() ? value : json::object();
 }
 
-/// Takes the rows of a table that stand in an object, one by one.
+/// Takes the rows of a table from an object, one by one.
 template <typename Values>
 void takeRows(const json& object, const ParameterTable<Values>& table, Values& values) {
     for (const Parameter<Values>& row : table) {
@@ -29,7 +29,7 @@ void takeRows(const json& object, const ParameterTable<Values>& table, Values& v
     }
 }
 
-/// The motion of an object in which nothing is missing or wrong.
+/// The motion of an object; no value if something is missing or wrong.
 std::optional<MotionChoice> motionOf(const json& object) {
     JsonProblems problems;
     JsonFields fields(object, {}, problems);

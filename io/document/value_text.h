@@ -1,4 +1,4 @@
-// Single values of a document as the JSON that a document has of them, in one line: what settings remember.
+// Single values of a document as its JSON writes them, in one line. The settings remember these.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ namespace echolucent {
 [[nodiscard]] std::string textOf(const MethodChoice& method);
 [[nodiscard]] std::string textOf(const MotionChoice& motion);
 
-/// The value that textOf() wrote. Each row that is missing, of another kind or out of range has its default, and the
-/// others count. A method has the default config if its rows cannot be together. Tube cores that are never placed are
-/// not read: they are a matter of the study.
+/// The value that textOf() wrote. Each row that is missing, of another kind or out of range has its default; the others
+/// count. A method has the default config if its rows contradict each other. Tube cores that are never placed belong to
+/// the study and are not read.
 [[nodiscard]] Look lookFromText(std::string_view text);
 [[nodiscard]] MethodChoice methodFromText(std::string_view text);
 [[nodiscard]] MotionChoice motionFromText(std::string_view text);

@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-// Such a name fits into a sentence.
+// A longer name would not fit into a message.
 constexpr std::size_t longestName = 1000;
 
 tl::unexpected<Failure> wrong(const DataFileKey& key, const std::string& problem,
@@ -21,7 +21,7 @@ tl::unexpected<Failure> wrong(const DataFileKey& key, const std::string& problem
     return fail(FailureKind::unreadable, key.headerPath, key.key, problem, remedy);
 }
 
-/// Whether a name has no way out of the folder that it is looked up in, links apart.
+/// Whether a name stays in or below its folder. Links are not looked at.
 bool staysBelow(const std::string& name) {
     const std::filesystem::path path(name);
     if (name.empty() || path.is_absolute() || name.find('\\') != std::string::npos ||
@@ -31,16 +31,16 @@ bool staysBelow(const std::string& name) {
            path.filename() != ".";
 }
 
-/// Where a path that may lead over links ends. What is not there yet ends at itself.
+/// The path without links. Parts that do not exist stay as they are.
 std::filesystem::path endOf(const std::filesystem::path& path) { return fileAccess().resolved(path.string()); }
 
-/// Whether a path ends below a folder, links resolved.
+/// Whether a path leads into a folder or below it, links followed.
 bool endsBelow(const std::filesystem::path& path, const std::filesystem::path& folder) {
     const auto root = endOf(folder), end = endOf(path);
     return std::mismatch(root.begin(), root.end(), end.begin(), end.end()).first == root.end();
 }
 
-/// The number of a pattern, and what stands before and after it.
+/// The number of a pattern, and the text before and after it.
 struct Pattern {
     std::string before, after;
     std::size_t width = 0;
@@ -86,7 +86,7 @@ std::string nameWith(const Pattern& pattern, std::int64_t number) {
 Result<InputFile> DataFile::open() const {
     if (opened) return *opened;
     auto file = InputFile::open(path);
-    // The name is the header's, which may be cut off within it.
+    // The name stands in the header, which may be cut off within it.
     if (!file)
         file.error().remedy =
             "Put it beside the header with the permission to read it; where the header is cut off, copy both again.";

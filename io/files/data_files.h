@@ -1,4 +1,5 @@
-// The data files that a header names: one, a list, or a pattern with numbers; all in or below the header's own folder.
+// Finds the data files that a header names: one, a list, or a pattern with numbers. All lie in or below the header's
+// own folder.
 #pragma once
 
 #include <cstddef>
@@ -12,44 +13,44 @@
 
 namespace echolucent {
 
-/// No volume lies in more data files than this.
+/// The most data files of one volume.
 constexpr std::size_t mostDataFiles = 10000;
 
 /// One of the files that hold a volume's voxels.
 struct DataFile {
     std::string path;
-    std::optional<InputFile> opened{};  ///< where it is open already, such as the header's own file; else it is opened
-                                        ///< when it is read, since there may be thousands
+    std::optional<InputFile> opened{};  ///< set if it is open already, such as the header's own file; else it is opened
+                                        ///< only when it is read, because there may be thousands
 
-    /// The file, opened. Fails (unreadable) where it cannot be opened.
+    /// Fails (unreadable) if it cannot be opened.
     [[nodiscard]] Result<InputFile> open() const;
 };
 
-/// The numbers of a pattern such as "slice%03d.raw": `first`, `first` + `step`, and so on as far as `last`.
+/// The numbers of a pattern such as "slice%03d.raw": `first`, `first` + `step`, and so on up to `last`.
 struct FileNumbers {
     std::int64_t first = 1;
     std::int64_t last = 1;
     std::int64_t step = 1;
 };
 
-/// Where a header names its data files, for sentences about it.
+/// The header and its key that name data files, for messages.
 struct DataFileKey {
     std::string headerPath;
     std::string key;  ///< "ElementDataFile", "data file"
 };
 
-/// Fails (unreadable) where the file at `path`, which was found beside another one, is a link out of its own folder.
+/// Fails (unreadable) if `path`, which was found beside another file, is a link out of its folder.
 [[nodiscard]] Result<void> requireInItsFolder(const std::string& path);
-/// The data file `name`. Fails (unreadable) where it is no name in or below the header's folder (absolute paths, "..",
-/// and links that lead out of it are none), or is the header itself.
+/// The data file `name`. Fails (unreadable) if it is the header itself, or if it does not lie in or below the header's
+/// folder. Absolute paths, "..", and links out of the folder are refused.
 [[nodiscard]] Result<DataFile> dataFileBeside(const DataFileKey& key, const std::string& name);
-/// The data files of these names, in their order. Fails as dataFileBeside(), and where there are none or more than
+/// The data files of these names, in their order. Fails as dataFileBeside(), and if there are none or more than
 /// mostDataFiles.
 [[nodiscard]] Result<std::vector<DataFile>> dataFilesBeside(const DataFileKey& key,
                                                             const std::vector<std::string>& names);
-/// The names that a pattern stands for. It holds one number as "%d" or, filled up with zeros or spaces, "%03d" or
-/// "%3d". Fails (unreadable) where it holds anything else after a per cent sign, where the numbers never end, and where
-/// they make more than mostDataFiles names.
+/// The names that a pattern stands for. It holds one number: "%d", or "%03d" or "%3d", padded with zeros or spaces.
+/// Fails (unreadable) if anything else follows a per cent sign, if the numbers never end, or if they make more than
+/// mostDataFiles names.
 [[nodiscard]] Result<std::vector<std::string>> namesOfPattern(const DataFileKey& key, const std::string& pattern,
                                                               const FileNumbers& numbers);
 

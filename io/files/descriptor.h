@@ -1,11 +1,11 @@
-// Open files as the operating system numbers them: who closes one, and how all bytes get into it.
+// Owns and closes open files (descriptors of the operating system), and writes to them.
 #pragma once
 
 #include <string_view>
 
 namespace echolucent {
 
-/// An open file, closed with its owner.
+/// An open file. Its destructor closes it.
 class Descriptor {
 public:
     Descriptor() = default;
@@ -16,16 +16,16 @@ public:
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
 
-    [[nodiscard]] int number() const { return m_number; }  ///< -1 where it owns none
+    [[nodiscard]] int number() const { return m_number; }  ///< -1 if it owns none
     [[nodiscard]] explicit operator bool() const { return m_number >= 0; }
-    /// Hands the open file over.
+    /// Gives up the open file: the caller closes it.
     [[nodiscard]] int release();
 
 private:
     int m_number = -1;
 };
 
-/// Writes all bytes, however many calls that takes. Gives 0, or the errno of what went wrong.
+/// Writes all bytes, in as many calls as that takes. Returns 0 or an errno.
 [[nodiscard]] int writeAll(int descriptor, std::string_view bytes);
 
 }  // namespace echolucent

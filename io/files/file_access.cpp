@@ -16,7 +16,7 @@ namespace {
 class DirectFileAccess : public FileAccess {
 public:
     Result<int> open(const std::string& path) override {
-        // O_NONBLOCK keeps a named pipe without a writer from holding the program; regular files ignore it.
+        // O_NONBLOCK keeps a named pipe without a writer from blocking the program. Regular files ignore it.
         const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
         if (number >= 0) return number;
         return fail(FailureKind::unreadable, path, "", "could not be opened: " + inputProblem(errno),
@@ -32,7 +32,7 @@ public:
 
     std::string resolved(const std::string& path) override {
         std::error_code error;
-        // What is missing on a relative path would stay relative otherwise.
+        // Otherwise a relative path with missing parts would stay relative.
         const auto whole = std::filesystem::absolute(path.empty() ? "." : path, error);
         if (error) return path;
         const auto end = std::filesystem::weakly_canonical(whole, error);

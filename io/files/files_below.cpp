@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t mostFiles = 50000;
 constexpr std::size_t mostEntries = 4 * mostFiles;
 
-/// Counts entries of a folder for one sentence.
+/// Counts entries that were left out, for one sentence.
 class LeftOut {
 public:
     void add(const std::filesystem::path& entry) {
@@ -34,12 +34,11 @@ private:
     std::string m_first;
 };
 
-/// Whether `path` lies in `folder` or below it; both are free of links.
+/// Whether `path` lies in `folder` or below it. Neither holds links.
 bool liesBelow(const std::filesystem::path& folder, const std::filesystem::path& path) {
     return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-/// The walk through a folder.
 class Walk {
 public:
     Walk(const std::string& folder, int deepest) : m_folder(folder), m_deepest(deepest) {

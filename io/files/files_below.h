@@ -1,4 +1,4 @@
-// The walk through a folder and those below it: what is looked at, and what is said of the rest.
+// Lists the files in a folder and the folders below it, and says what it left out.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@ namespace echolucent {
 
 /// The files in and below a folder.
 struct FilesBelow {
-    std::vector<std::string> paths;     ///< in the order of their names
-    std::vector<std::string> warnings;  ///< sentences on what was not looked at
+    std::vector<std::string> paths;     ///< sorted
+    std::vector<std::string> warnings;  ///< sentences about what was left out
 };
-/// All files in a folder and in those below it down to `deepest`, 50,000 at most, and those out of it that links lead
-/// to. Links to what lies in the folder are left out, because it is met there anyway, and so are links to other
-/// folders. A warning tells of links that lead out or nowhere, of pipes, sockets and devices, of folders further down
-/// and of those that may not be read. `progress` is polled for cancel at each entry; what was found until then comes
-/// back.
+/// All files in a folder and in those below it down to `deepest`, at most 50,000 files among 200,000 entries. A link to
+/// a file outside counts too. A link to something inside does not, because that is met anyway. Links to folders outside
+/// are not followed. Warnings tell of links out of the folder or to nowhere, and of pipes, sockets and devices. They
+/// also tell of folders that are too deep or may not be read. If `progress` is cancelled, the files found until then
+/// come back.
 [[nodiscard]] FilesBelow walkFilesBelow(const std::string& folder, int deepest, const Progress& progress);
 
-/// The names of files for one sentence, without the folders above them: the first three in quotes, and how many more
-/// there are. `paths` holds one at least.
+/// File names for a sentence, without folders: the first three in quotes, and how many more there are. `paths` holds at
+/// least one.
 [[nodiscard]] std::string filesInWords(const std::vector<std::string>& paths);
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// Text headers: lines, numbers and words, read strictly.
+// Reads lines, numbers and words of text headers, strictly.
 #pragma once
 
 #include <cstdint>
@@ -9,30 +9,31 @@
 
 namespace echolucent {
 
-/// No header of a text format is longer than this many bytes.
+/// The most bytes of a text header.
 constexpr std::size_t headerLimit = std::size_t{1} << 20;
 
 /// The text without white space at its ends.
 [[nodiscard]] std::string trimmed(std::string_view text);
-/// The text with the letters A to Z made small; bytes beyond ASCII stay.
+/// The text with A to Z in lower case. Bytes beyond ASCII stay.
 [[nodiscard]] std::string lowerCase(std::string_view text);
-/// The words that white space separates.
+/// The words between white space.
 [[nodiscard]] std::vector<std::string> wordsOf(std::string_view text);
 
-/// The whole number that `word` is; no value where it is anything else.
+/// A word as a whole number; no value if it is anything else.
 [[nodiscard]] std::optional<std::int64_t> wholeNumber(std::string_view word);
-/// The number that `word` is (decimal, "nan" or "inf"); no value where it is anything else.
+/// A word as a number (decimal, "nan" or "inf"); no value if it is anything else.
 [[nodiscard]] std::optional<double> realNumber(std::string_view word);
-/// The finite number above 0 that `word` is; no value where it is anything else.
+/// A word as a finite number above 0; no value if it is anything else.
 [[nodiscard]] std::optional<double> positiveNumber(std::string_view word);
-/// All words of `text` as numbers; no value where one of them is none.
+/// All words of `text` as numbers; no value if one is no number.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> wholeNumbers(std::string_view text);
 [[nodiscard]] std::optional<std::vector<double>> realNumbers(std::string_view text);
 
-/// The text with control characters and bytes beyond ASCII replaced and at most 60 characters: fit for a sentence.
+/// The text in quotes, fit for a sentence: at most 60 characters, with "?" for control characters and bytes beyond
+/// ASCII.
 [[nodiscard]] std::string quotedText(std::string_view text);
 
-/// Cuts one line (without its end, LF or CR LF) off the front of `rest`; no value where `rest` is empty.
+/// Cuts one line (without its end, LF or CR LF) off the front of `rest`; no value if `rest` is empty.
 [[nodiscard]] std::optional<std::string_view> nextLine(std::string_view& rest);
 
 }  // namespace echolucent

@@ -15,30 +15,30 @@ namespace echolucent {
 
 class Descriptor;
 
-/// a * b, or no value where the product does not fit into 63 bits. Both factors are at least 0.
+/// a * b, or no value if the product does not fit into 63 bits. Both factors are at least 0.
 [[nodiscard]] std::optional<std::int64_t> checkedProduct(std::int64_t a, std::int64_t b);
 
-/// How many bytes of main memory this machine has; 2^40 where the system does not say.
+/// This machine's main memory in bytes; 2^40 if the system does not tell.
 [[nodiscard]] std::uint64_t machineMemoryBytes();
 
-/// Fails (unreadable) with a sentence about `file` and its `element` (a header key or a tag; it may be empty) where
-/// `bytes` is more than this machine's memory.
+/// Fails (unreadable) if `bytes` is more than this machine's memory. The message names `file` and its `element`, a
+/// header key or a tag, which may be empty.
 [[nodiscard]] Result<void> requireMemory(const std::string& file, const std::string& element, std::uint64_t bytes);
 
-/// A regular file opened for reading. Copies share what is open.
+/// A regular file, open for reading. Copies share the open file.
 class InputFile {
 public:
-    /// Opens the file at `path`. Fails (unreadable) where it cannot be opened or is no regular file.
+    /// Fails (unreadable) if the file cannot be opened or is no regular file.
     [[nodiscard]] static Result<InputFile> open(const std::string& path);
-    /// Takes over an open descriptor, and closes it with the last copy; sentences name the file `path`. Fails
-    /// (unreadable) where it is no regular file.
+    /// Takes over an open descriptor and closes it with the last copy. Messages name the file `path`. Fails
+    /// (unreadable) if it is no regular file.
     [[nodiscard]] static Result<InputFile> adopt(const std::string& path, int descriptor);
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] std::uint64_t size() const { return m_size; }
-    /// Fills `bytes` with what the file holds from byte `offset` on. Fails where the file ends before. May be called
-    /// from several threads at once.
+    /// Fills `bytes` from byte `offset` of the file on. Fails (unreadable) if the file ends before. Several threads may
+    /// call it at once.
     [[nodiscard]] Result<void> readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
-    /// The first `limit` bytes of the file, or all of it where it is shorter.
+    /// The first `limit` bytes of the file, or all of a shorter one.
     [[nodiscard]] Result<std::string> beginning(std::size_t limit) const;
 
 private:
@@ -48,7 +48,7 @@ private:
     std::uint64_t m_size = 0;
 };
 
-/// Reads the whole file at `path`. Fails (unreadable) where it is no regular file or holds more than `limit` bytes.
+/// Fails (unreadable) if `path` is no regular file or holds more than `limit` bytes.
 [[nodiscard]] Result<std::string> readWholeFile(const std::string& path, std::size_t limit);
 
 }  // namespace echolucent

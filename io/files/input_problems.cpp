@@ -1,4 +1,3 @@
-// The words for the errors that the system reports of inputs.
 #include "io/files/input_problems.h"
 
 #include <array>

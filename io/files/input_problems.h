@@ -1,18 +1,18 @@
-// Why an input cannot be opened or read and what to do, in words that a person can act on.
+// Says why an input cannot be opened or read and what to do, in words that a person can act on.
 #pragma once
 
 #include <string>
 
 namespace echolucent {
 
-/// What an error number of the system (errno) means for an input, lower case and without full stop: "it does not
-/// exist", "the permission to read it, or to enter a folder above it, is missing".
+/// An error number of the system (errno) in words about an input, lower case, no full stop: "it does not exist", "the
+/// permission to read it, or to enter a folder above it, is missing".
 [[nodiscard]] std::string inputProblem(int errorNumber);
 
-/// What to do with a file that no honest program writes, as in Failure::remedy.
+/// As Failure::remedy, for a file that no honest program writes.
 constexpr const char* doNotOpen = "The file is damaged or made to do harm: do not open it.";
 
-// What to do with a file that cannot be read, as in Failure::remedy.
+// As Failure::remedy, for a file that cannot be read.
 constexpr const char* copyAgain = "Copy or export it again.";
 constexpr const char* incompleteFile = "The file is incomplete: copy or export it again.";
 constexpr const char* damagedFile = "The file is incomplete or damaged: copy or export it again.";

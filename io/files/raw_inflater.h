@@ -1,4 +1,4 @@
-// The bytes behind a raw deflate stream in a file, in order.
+// Unpacks a raw deflate stream in a file.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-/// Inflates a raw deflate stream (no zlib or gzip header), as deflated DICOM files hold it.
+/// Unpacks a raw deflate stream (no zlib or gzip header), as in deflated DICOM files.
 class RawInflater {
 public:
     /// The stream begins at byte `offset` of `file`, which must outlive this object.
@@ -19,9 +19,9 @@ public:
     RawInflater(const RawInflater&) = delete;
     RawInflater& operator=(const RawInflater&) = delete;
 
-    /// Fills `bytes` as far as the stream goes and returns how many bytes that were. Damaged data end the stream.
+    /// Fills `bytes` with the next bytes and returns how many came. Damaged data end the stream.
     std::size_t read(std::span<std::uint8_t> bytes);
-    /// Whether the stream came to the end that it states itself; one that is cut or damaged never does.
+    /// Whether the stream's own end was reached. A cut or damaged stream never reaches it.
     [[nodiscard]] bool isComplete() const;
 
 private:

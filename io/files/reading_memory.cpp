@@ -10,7 +10,7 @@ namespace echolucent {
 std::uint64_t mostReadingMemory(std::uint64_t storedBytes) {
     constexpr std::uint64_t alwaysAllowed = std::uint64_t{896} << 20;
     constexpr std::uint64_t largestRatio = 96;
-    constexpr std::uint64_t largestFile = std::uint64_t{1} << 56;  // beyond which the product could overflow
+    constexpr std::uint64_t largestFile = std::uint64_t{1} << 56;  // the product of a larger one could overflow
     return std::max(alwaysAllowed, std::min(storedBytes, largestFile) * largestRatio);
 }
 

@@ -12,10 +12,10 @@ namespace echolucent {
 
 namespace {
 
-/// What the keys of a sequence say, such as Seq_Frame0012_ProbeToTrackerTransform.
+/// The frames that keys such as Seq_Frame0012_ProbeToTrackerTransform tell of.
 struct SequenceKeys {
-    std::set<std::string> frames, tracked;  ///< the numbers of frames that have any key, and a transform
-    std::string frameKey, transformKey;     ///< the first of each, fit for a sentence
+    std::set<std::string> frames, tracked;  ///< numbers of the frames with any key, and with a transform
+    std::string frameKey, transformKey;     ///< the first key of each, fit for a message
 };
 
 SequenceKeys sequenceKeys(const std::vector<std::string>& keys) {
@@ -51,7 +51,7 @@ tl::unexpected<Failure> refuseCine(const std::string& path, const std::string& k
     return refused;
 }
 
-/// A single slice over time: its phases become slices, along x where the phase is the fastest axis.
+/// Turns the phases of a single slice into slices: along x if the phase is the fastest axis, else along z.
 std::size_t turnPhasesIntoSlices(StoredVolume& stored) {
     VolumeGeometry& geometry = stored.geometry;
     const std::size_t axis = stored.phasesFastest ? 0 : 2;
@@ -67,7 +67,7 @@ std::size_t turnPhasesIntoSlices(StoredVolume& stored) {
     return axis;
 }
 
-/// The frames lie along `axis`; what the scale in them is stays.
+/// Takes the frames along `axis` as slices. The scale within the frames stays.
 void takeAsSlices(StoredVolume& stored, std::size_t axis, const std::string& story) {
     VolumeGeometry& geometry = stored.geometry;
     const bool scaled = geometry.spacingKnown && !stored.spacingSource.empty();

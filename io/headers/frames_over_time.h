@@ -1,4 +1,4 @@
-// 2D frames that a MetaImage, an NRRD or a NIfTI stores as if they were the slices of a volume: cines and tracked
+// Recognises 2D frames that a MetaImage, an NRRD or a NIfTI stores like the slices of a volume: cines and tracked
 // sweeps.
 #pragma once
 
@@ -11,22 +11,22 @@
 
 namespace echolucent {
 
-/// What a header says of its axes and frames.
+/// The words of a header about its axes and frames.
 struct FrameWords {
-    std::array<std::string, 3> kinds;  ///< of x, y and z, in lower case: "domain", "list", "time"; empty where not said
+    std::array<std::string, 3> kinds;  ///< of x, y and z, in lower case: "domain", "list", "time"; empty if not stated
     std::string kindsKey;              ///< "Kinds", "kinds"
-    std::vector<std::string> keys;     ///< all keys of the header, of which Seq_Frame0000_ProbeToTrackerTransform and
-                                       ///< the like tell of frames
+    std::vector<std::string> keys;     ///< all keys of the header; those like Seq_Frame0000_ProbeToTrackerTransform
+                                       ///< tell of frames
 };
 
-/// Whether an axis of that kind (lower case, as NRRD names them) may be one of a volume's, over time or not: space,
-/// time, a list, or nothing that is said. Vectors, colours, matrices and all other kinds are none.
+/// Whether an axis of this kind (lower case, as NRRD names them) may belong to a volume or its phases: space, time, a
+/// list, or no kind. Vectors, colours, matrices and all others may not.
 [[nodiscard]] bool mayBeAxisOfVolume(std::string_view kind);
 
-/// Settles whether `stored` (its size, spacing and phases are read) holds frames, not a volume: one slice over time, an
-/// axis of kind time, or keys of several frames along z. Fails (unreadable) where it
-/// does, with the way out, unless `framesAsSlices` is set: then the frames become slices whose distance is unknown. An
-/// axis of kind list alone, which true volumes carry too, makes the spacing unknown, with a note.
+/// Decides whether `stored` (with its size, spacing and phases) holds frames, not a volume: one slice over time, an
+/// axis of kind time, or keys of several frames along z. If so, it fails (unreadable) and says the way out. But if
+/// `framesAsSlices` is set, the frames become slices at an unknown distance. An axis of kind list alone makes the
+/// spacing unknown, with a note, because true volumes have it too.
 [[nodiscard]] Result<void> settleFrames(StoredVolume& stored, const FrameWords& words, bool framesAsSlices);
 
 }  // namespace echolucent

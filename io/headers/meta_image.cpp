@@ -21,7 +21,7 @@ struct TypeName {
     std::string_view name;
     StoredType type;
 };
-// MET_LONG is 4 bytes in files, whatever the machine's long is.
+// MET_LONG is 4 bytes in files, on every machine.
 constexpr std::array<TypeName, 12> typeNames{{{"MET_UCHAR", StoredType::uint8},
                                               {"MET_CHAR", StoredType::int8},
                                               {"MET_USHORT", StoredType::uint16},
@@ -177,7 +177,7 @@ Result<void> MetaImageHeader::readSpacing() {
 }
 
 void MetaImageHeader::readPhaseTime(const std::vector<double>& spacing) {
-    // MetaImage has no unit for the fourth axis, and 1 is what programs write that know none.
+    // MetaImage has no unit for the fourth axis. Programs that know no time write 1.
     if (spacing.size() < 4 || !std::isfinite(spacing[3]) || spacing[3] <= 0.0 || spacing[3] == 1.0) return;
     m_stored.phaseSeconds = spacing[3];
     m_stored.phaseSource = m_stored.spacingSource + ", assumed to be seconds";
@@ -308,7 +308,7 @@ Result<void> MetaImageHeader::setDataFiles(const std::vector<std::string>& names
 }
 
 Result<void> MetaImageHeader::readFileList(const std::vector<std::string>& words) {
-    // "LIST 2" says that each file holds two dimensions; without a number it is all but the last.
+    // "LIST 2" means that each file holds two dimensions. Without a number, it holds all but the last.
     const auto held = words.size() < 2 ? std::optional(m_dimensions - 1) : wholeNumber(words[1]);
     if (words.size() > 2 || !held || *held < 2 || *held > m_dimensions)
         return wrong("ElementDataFile", fmt::format("must be LIST and the dimensions of each file, 2 to {}, not {}",
@@ -320,7 +320,7 @@ Result<void> MetaImageHeader::readFileList(const std::vector<std::string>& words
 }
 
 Result<void> MetaImageHeader::readFilePattern(const std::vector<std::string>& words) {
-    // "name%03d.raw first last step"; what is missing counts from 1, one file for each index of the last axis.
+    // "name%03d.raw first last step". Missing numbers count from 1, one file for each index of the last axis.
     FileNumbers numbers{1, slowestSize(), 1};
     const std::array<std::int64_t*, 3> places{&numbers.first, &numbers.last, &numbers.step};
     if (words.size() > 4) return wrong("ElementDataFile", "must be a pattern and at most three whole numbers");
@@ -329,7 +329,7 @@ Result<void> MetaImageHeader::readFilePattern(const std::vector<std::string>& wo
         if (!number) return wrong("ElementDataFile", "must count with whole numbers, not " + quotedText(words[i]));
         *places[i - 1] = *number;
     }
-    // Where the sum overflowed, the first number alone is refused.
+    // If the sum would overflow, namesOfPattern() refuses the first number.
     if (words.size() == 2 && numbers.first <= std::numeric_limits<std::int64_t>::max() - slowestSize())
         numbers.last = numbers.first + slowestSize() - 1;
     const auto names = namesOfPattern({m_path, "ElementDataFile"}, words.front(), numbers);

@@ -1,4 +1,4 @@
-// Reads MetaImage (.mha, .mhd): docs/formats-read.md says what is understood and what is refused.
+// Reads MetaImage (.mha, .mhd). docs/formats-read.md says what is understood and what is refused.
 #pragma once
 
 #include "io/stored/stored_volume.h"
@@ -8,8 +8,8 @@ namespace echolucent {
 /// Whether the beginning of a file looks like a MetaImage header.
 [[nodiscard]] bool looksLikeMetaImage(std::string_view beginning);
 
-/// Reads and checks the header of an opened file; no voxel is read. Where `framesAsSlices` is set, 2D frames over time
-/// and tracked sweeps are accepted as a volume of unknown spacing.
+/// Reads and checks the header of an opened file, but no voxel. If `framesAsSlices` is set, 2D frames over time and
+/// tracked sweeps are accepted as a volume of unknown spacing.
 [[nodiscard]] Result<StoredVolume> readMetaImageHeader(const InputFile& file, bool framesAsSlices);
 
 }  // namespace echolucent

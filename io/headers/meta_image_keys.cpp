@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-// Keys that decide how voxels are read; all others are allowed and ignored.
+// Keys that decide how voxels are read. All others are allowed and ignored.
 constexpr std::array<std::string_view, 23> ourKeys{"ObjectType",
                                                    "NDims",
                                                    "BinaryData",
@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 23> ourKeys{"ObjectType",
                                                    "WhiteLevel",
                                                    "ElementDataFile"};
 
-/// Whether two values of keys for the same thing say the same.
+/// Whether the values of two keys for the same thing agree.
 bool saySame(const std::string& one, const std::string& other) {
     const auto numbers = realNumbers(one), others = realNumbers(other);
     return lowerCase(one) == lowerCase(other) || (numbers && others && *numbers == *others);

@@ -15,30 +15,30 @@ namespace echolucent {
 
 /// The "Key = Value" lines of a header.
 struct MetaImageKeys {
-    std::string path;  ///< of the file, for sentences
+    std::string path;  ///< of the file, for messages
     std::map<std::string, std::string> values;
     std::vector<std::string> listed;  ///< the lines after "ElementDataFile = LIST", which end the header
-    std::size_t headerBytes = 0;      ///< length of the header, with the line of ElementDataFile
+    std::size_t headerBytes = 0;      ///< length of the header, including the line of ElementDataFile
 
-    /// The value of a key; null where the header does not hold it.
+    /// The value of a key; null if the header does not hold it.
     [[nodiscard]] const std::string* find(const std::string& key) const;
-    /// The first of several keys for the same thing that the header holds; empty where it holds none of them.
+    /// The first key in the header of several for the same thing; empty if there is none.
     [[nodiscard]] std::string firstOf(std::initializer_list<const char*> keys) const;
-    /// As firstOf(). Fails (unreadable) where two of them say different things.
+    /// As firstOf(), but fails (unreadable) if two of them disagree.
     [[nodiscard]] Result<std::string> onlyOf(std::initializer_list<const char*> keys) const;
-    /// True or False; false where the header does not hold the key. Fails (unreadable) for other values.
+    /// True or False; false if the key is missing. Fails (unreadable) for other values.
     [[nodiscard]] Result<bool> flag(const std::string& key) const;
     /// A failure (unreadable) about one key.
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem,
                                                 const std::string& remedy = correctHeader) const;
 };
 
-/// Whether the value of ElementDataFile says that a list of files follows.
+/// Whether the value of ElementDataFile announces a list of files.
 [[nodiscard]] bool isMetaImageList(const std::string& dataFile);
 
-/// Reads the lines up to ElementDataFile, and the list after it. Fails (unreadable) where a line is no "Key = Value",
-/// where the file ends within a line,
-/// where ElementDataFile is missing, and where a key that decides how voxels are read appears twice.
+/// Reads the lines up to ElementDataFile, and the list after it. Fails (unreadable) if a line is no "Key = Value", or
+/// if the file ends within a line. It also fails if ElementDataFile is missing, or if a key that decides how voxels are
+/// read appears twice.
 [[nodiscard]] Result<MetaImageKeys> readMetaImageKeys(const InputFile& file);
 
 }  // namespace echolucent

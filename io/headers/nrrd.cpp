@@ -67,7 +67,7 @@ private:
     NrrdAxes m_axes;
     std::array<std::size_t, 3> m_spaceAxes{};  // the file's axes that are x, y, z
     std::optional<std::size_t> m_timeAxis;
-    std::vector<double> m_spacings;  // as the header gives them beside directions, which count; else empty
+    std::vector<double> m_spacings;  // as the header gives them beside directions (which take precedence); else empty
     StoredVolume m_stored;
 };
 
@@ -144,7 +144,7 @@ Result<void> NrrdHeader::readSpacing() {
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t fileAxis = m_spaceAxes[static_cast<std::size_t>(axis)];
         double spacing = (*spacings)[fileAxis] * mmOfAxis(fileAxis, "units");
-        // An axis that stands for time has a spacing in seconds or none.
+        // A time axis has a spacing in seconds or none.
         if (m_axes.mayBeNoSpace(fileAxis) && !(std::isfinite(spacing) && spacing > 0)) spacing = 1;
         if (!std::isfinite(spacing) || spacing == 0.0)
             return wrong("spacings", "must be finite and not 0 along the space axes, not " + quotedText(*text));
@@ -252,7 +252,7 @@ Result<void> NrrdHeader::readPhaseTime() {
     const double step = (*spacings)[*m_timeAxis];
     const auto units = find("units") != nullptr ? nrrdQuotedWords(*find("units")) : std::vector<std::string>{};
     const auto seconds = *m_timeAxis < units.size() ? secondsOfUnit(units[*m_timeAxis]) : std::nullopt;
-    // Where there is no unit, 1 is what programs write that know no time.
+    // Without a unit, programs that know no time write 1.
     if (!seconds && step == 1.0) return {};
     m_stored.phaseSeconds = step * seconds.value_or(1.0);
     m_stored.phaseSource = seconds ? "spacings, units" : "spacings, assumed to be seconds";
@@ -317,7 +317,7 @@ Result<void> NrrdHeader::readDataPlace() {
 }
 
 Result<void> NrrdHeader::setDataFiles(const std::vector<std::string>& names, std::optional<std::int64_t> held) {
-    // Each file holds the first `held` axes whole, or, where these are all of them, a slab along the last.
+    // Each file holds the first `held` axes whole. If these are all axes, it holds a slab along the last one.
     const auto count = static_cast<std::int64_t>(names.size());
     const auto axes = static_cast<std::int64_t>(m_axes.sizes.size());
     const std::int64_t whole = held.value_or(axes - 1);
@@ -348,7 +348,7 @@ Result<void> NrrdHeader::readFileList(const std::vector<std::string>& words) {
 }
 
 Result<void> NrrdHeader::readFilePattern(const std::vector<std::string>& words) {
-    // A name with a stray % is no pattern, whatever follows it.
+    // A stray % in a name is refused here, whatever follows the name.
     if (const auto pattern = namesOfPattern({m_path, "data file"}, words.front(), {1, 1, 1}); !pattern)
         return tl::unexpected(pattern.error());
     std::vector<std::int64_t> numbers;

@@ -12,7 +12,7 @@ namespace echolucent {
 
 namespace {
 
-/// Whether a kind is that of a space axis, or says nothing.
+/// Whether a kind means space, or says nothing.
 bool saysSpace(const std::string& kind) {
     return kind.empty() || kind == "domain" || kind == "space" || kind == "???" || kind == "none";
 }
@@ -95,7 +95,7 @@ bool AxesReader::isPlainSpace(std::size_t axis) const {
     return saysSpace(m_axes.kindOf(axis)) && (m_axes.directions.empty() || m_axes.directions[axis]);
 }
 
-/// Refuses an axis that is neither space nor time. One value along it is a scalar, whatever it is called.
+/// Refuses an axis that is neither space nor time. An axis of one value counts as a scalar, whatever its kind.
 Result<void> AxesReader::checkKind(std::size_t axis, const std::string& problem) {
     const std::string kind = m_axes.kindOf(axis);
     if (mayBeAxisOfVolume(kind)) return {};
@@ -128,7 +128,7 @@ Result<void> AxesReader::readFourAxes() {
     std::vector<std::size_t> others;
     for (std::size_t axis = 0; axis < 4; ++axis)
         if (!isPlainSpace(axis)) others.push_back(axis);
-    // Colour and something like time beside two space axes: 2D frames in colour.
+    // Two space axes, a colour axis and a time-like axis are 2D frames in colour.
     const bool colourFrames = others.size() == 2 && isColour(others[0]) && m_axes.mayBeNoSpace(others[1]);
     if (others.size() > 1 && !colourFrames)
         return wrong("kinds", "names more than one axis that is not space", "Save one scalar volume over time.");

@@ -9,24 +9,23 @@
 
 namespace echolucent {
 
-/// What an axis of the file means.
 enum class NrrdAxisRole { space, time, colour };
 
 /// The axes of a file, the fastest first.
 struct NrrdAxes {
     std::vector<std::int64_t> sizes;     ///< three or four, each at least 1
-    std::vector<std::string> kinds;      ///< in lower case; empty where the header says none
-    std::vector<NrrdVector> directions;  ///< steps in space; empty where the header says none
+    std::vector<std::string> kinds;      ///< in lower case; empty if the header states none
+    std::vector<NrrdVector> directions;  ///< steps in space; empty if the header states none
     std::vector<NrrdAxisRole> roles;     ///< three of them are space
-    std::vector<std::string> warnings;   ///< sentences on kinds that play no part
+    std::vector<std::string> warnings;   ///< sentences about kinds that play no part
 
     [[nodiscard]] std::string kindOf(std::size_t axis) const { return kinds.empty() ? "" : kinds[axis]; }
-    /// Whether an axis that counts as space may stand for something else: frames over time, a list.
+    /// Whether an axis that counts as space may really be something else: frames over time, a list.
     [[nodiscard]] bool mayBeNoSpace(std::size_t axis) const { return kindOf(axis) == "time" || kindOf(axis) == "list"; }
 };
 
-/// The axes of the header at `path`, whose voxels are of `type`. Fails (unreadable) where they are none of a volume or
-/// of one over time: 2D pictures, several values a voxel, time in the middle.
+/// The axes of the header at `path`; `type` is the type of its voxels. Fails (unreadable) if they are no axes of a
+/// volume, alone or over time: 2D pictures, several values for a voxel, time in the middle.
 [[nodiscard]] Result<NrrdAxes> readNrrdAxes(const std::string& path, const NrrdFields& fields, StoredType type);
 
 }  // namespace echolucent

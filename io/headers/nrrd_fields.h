@@ -1,4 +1,4 @@
-// The fields of an NRRD header as text, and the small grammars in them.
+// The fields of an NRRD header as text, and the grammars of their values.
 #pragma once
 
 #include <map>
@@ -18,31 +18,31 @@ struct NrrdFields {
     std::map<std::string, std::string> fields;
     std::map<std::string, std::string> keys;
     std::vector<std::string> dataFiles;  ///< the lines after "data file: LIST", which end the header
-    std::size_t headerBytes = 0;         ///< length of the header, with the empty line that ends it
+    std::size_t headerBytes = 0;         ///< length of the header, including the empty line that ends it
     bool ended = false;                  ///< whether that empty line was there
 };
 
-/// Reads the header of an opened file. Fails (unreadable) where the file is no NRRD file or a line breaks the grammar.
+/// Reads the header of an opened file. Fails (unreadable) if it is no NRRD file or a line breaks the grammar.
 [[nodiscard]] Result<NrrdFields> readNrrdFields(const InputFile& file);
 
-/// Whether the field "data file" says that a list of files follows.
+/// Whether the field "data file" announces a list of files.
 [[nodiscard]] bool isNrrdList(const std::string& dataFile);
 
-/// The type behind any of NRRD's names for it, such as "uchar", "unsigned char" and "uint8"; no value where `text`
-/// names no scalar type.
+/// The type behind any of NRRD's names for it, such as "uchar", "unsigned char" and "uint8"; no value if `text` names
+/// no scalar type.
 [[nodiscard]] std::optional<StoredType> nrrdType(const std::string& text);
 
-/// A vector of two to four numbers; no value where the file says "none".
+/// A vector of two to four numbers; no value if the file says "none".
 using NrrdVector = std::optional<std::vector<double>>;
-/// The vectors in `text`, one for each axis; no value where the text does not follow NRRD's grammar.
+/// The vectors in `text`, one for each axis; no value if the text breaks NRRD's grammar.
 [[nodiscard]] std::optional<std::vector<NrrdVector>> nrrdVectors(const std::string& text);
 
-/// The words in double quotes, as NRRD's units have them: "mm" "mm" "mm" "s".
+/// The words in double quotes, as in NRRD's units: "mm" "mm" "mm" "s".
 [[nodiscard]] std::vector<std::string> nrrdQuotedWords(const std::string& text);
 
-/// How many mm one unit of that name is; no value where the name is not known. An empty name means mm.
+/// How many mm one unit of this name is; no value for an unknown name. An empty name means mm.
 [[nodiscard]] std::optional<double> mmOfUnit(const std::string& unit);
-/// How many seconds one unit of that name is; no value where the name is not known.
+/// How many seconds one unit of this name is; no value for an unknown name.
 [[nodiscard]] std::optional<double> secondsOfUnit(const std::string& unit);
 
 }  // namespace echolucent

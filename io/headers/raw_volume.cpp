@@ -15,7 +15,7 @@ namespace echolucent {
 
 namespace {
 
-// As many lines and planes as a geometry may have, each a number on a line of its own.
+// Enough for the most lines and planes of a geometry, each a number on its own line.
 constexpr std::size_t layoutLimit = 2 * static_cast<std::size_t>(mostPolarLines) * 64;
 constexpr const char* formatName = "echolucent-raw-layout";
 constexpr const char* remedyOfLayout =

@@ -1,4 +1,4 @@
-// Headerless raw files, described by a person.
+// Reads raw files without a header, described by a person.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace echolucent {
 
-/// What the name of a raw file's layout adds to the file's own.
+/// Added to a raw file's name, it gives the name of its layout.
 inline constexpr std::string_view rawLayoutEnding = ".echolucent.json";
-/// Where the layout of the raw file at `path` is kept: FILE.echolucent.json beside it.
+/// The path of the layout of the raw file at `path`: FILE.echolucent.json beside it.
 [[nodiscard]] std::string rawLayoutPath(const std::string& path);
 
-/// Checks the `layout` of an opened raw file; no voxel is read. `source` says where the layout came from: it is
-/// "--raw-size" or the name of the file that holds it. Fails (unreadable) where the layout makes no sense.
+/// Checks the `layout` of an opened raw file; no voxel is read. `source` tells where the layout came from: "--raw-size"
+/// or the name of its file. Fails (unreadable) if the layout makes no sense.
 [[nodiscard]] Result<StoredVolume> storedVolumeFromLayout(const InputFile& file, const RawLayout& layout,
                                                           const std::string& source);
 

@@ -26,7 +26,7 @@ void writeMore(const KindlmannConfig& config, ordered_json& object) {
     object["drawn"] = nodes;
 }
 
-/// A curve of any form, by "kind".
+/// A curve of any kind; "kind" names it.
 ordered_json curveJson(const OpacityCurve& curve) {
     if (const auto* manual = std::get_if<ManualCurve>(&curve))
         return {{"kind", "manual"}, {"nodes", manualCurveJson(*manual)}};

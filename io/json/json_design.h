@@ -1,4 +1,4 @@
-// Configs of OTF designers as JSON.
+// Reads and writes configs of OTF designers as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,10 +8,10 @@
 
 namespace echolucent {
 
-/// "designer", its name, and "parameters", its table; of Kindlmann and Durkin's also "drawn", pairs of position and
-/// opacity, and of a template's "reference": "name", "histogram", 256 shares, and "curve", by its "kind".
+/// "designer", its name, and "parameters", its table. Kindlmann and Durkin's has "drawn" too, pairs of position and
+/// opacity. A template has "reference" too: "name", "histogram" (256 shares), and "curve" (by its "kind").
 [[nodiscard]] nlohmann::ordered_json designJson(const DesignerConfig& config);
-/// Parameters that are missing have their defaults, and so have "drawn" and "reference".
+/// Missing parameters get their defaults, and so do "drawn" and "reference".
 [[nodiscard]] DesignerConfig designIn(JsonFields& fields);
 
 }  // namespace echolucent

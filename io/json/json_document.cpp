@@ -57,7 +57,7 @@ CurveSet curvesIn(JsonFields fields) {
 
 ordered_json methodJson(const MethodChoice& method) {
     ordered_json parameters = parametersJson(methodParameters(), method.config);
-    parameters.erase("opacity_scale");  // of the initial function, which stands beside the config
+    parameters.erase("opacity_scale");  // belongs to the initial function, which stands beside the config
     if (const auto& without = method.config.grid.withoutTubes; !without.empty()) parameters[withoutTubesKey] = without;
     ordered_json object = parametersJson(initialFunctionParameters(), method);
     object["parameters"] = parameters;

@@ -1,4 +1,4 @@
-// Values that stand both in documents and in files of presets.
+// Reads and writes values that both documents and preset files hold.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,18 +11,18 @@
 namespace echolucent {
 
 [[nodiscard]] nlohmann::ordered_json lookJson(const Look& look);
-/// What is missing is that of lookAtStart().
+/// Missing parameters are those of lookAtStart().
 [[nodiscard]] Look lookIn(JsonFields& fields);
 
-/// The largest opacity scale and slope that a curve in a file may have, that of the method's opacity scale.
+/// The largest opacity scale and slope of a curve in a file: that of the method's opacity scale.
 [[nodiscard]] double largestScale();
 
 [[nodiscard]] nlohmann::ordered_json curvesJson(const CurveSet& curves);
 [[nodiscard]] CurveSet curvesIn(JsonFields fields);
 
-/// All but the direction. Where all tube cores are placed, no key says so.
+/// The method without its direction. If all tube cores are placed, the key of those left out is missing.
 [[nodiscard]] nlohmann::ordered_json methodJson(const MethodChoice& method);
-/// The direction stays as by default.
+/// Leaves the direction at its default.
 [[nodiscard]] MethodChoice methodIn(JsonFields& fields);
 
 }  // namespace echolucent

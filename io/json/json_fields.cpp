@@ -23,7 +23,7 @@ std::string rangeText(double least, double largest) {
     return least > 0 && least < 1e-300 ? "must be above 0" : fmt::format("must be {} or more", textOf(least));
 }
 
-/// Three finite numbers, where a value is a list of them.
+/// Three finite numbers; no value if `value` is no list of them.
 std::optional<Vec3> vectorOf(const json& value) {
     if (!value.is_array() || value.size() != 3) return std::nullopt;
     Vec3 vector;
@@ -34,8 +34,8 @@ std::optional<Vec3> vectorOf(const json& value) {
     return vector;
 }
 
-/// Whether lists and objects stand in each other deeper than any file of this program has them. What asks a value for
-/// its parts calls itself for each, so that deeper ones would exhaust the stack.
+/// Whether lists and objects nest deeper than in any file of this program. Values are read recursively, so deeper ones
+/// would exhaust the stack.
 bool nestsTooDeep(std::string_view text) {
     constexpr int deepest = 64;
     int depth = 0;
@@ -104,7 +104,7 @@ std::string JsonFields::shortened(const std::string& text) {
     constexpr std::size_t longest = 60;
     if (text.size() <= longest) return text;
     std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // no letter is cut in two
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // cut before a letter, not within
     return text.substr(0, end) + "...";
 }
 

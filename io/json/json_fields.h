@@ -1,4 +1,4 @@
-// Checked access to the values of a JSON object; the first that is wrong is kept as a failure that names its key.
+// Checked access to the values of a JSON object. The first wrong value is kept as a failure that names its key.
 #pragma once
 
 #include <array>
@@ -16,29 +16,27 @@
 
 namespace echolucent {
 
-/// The JSON object that a text holds. A text that is no JSON object (the sentence names the line where it breaks), that
-/// holds a number too large for a double, that nests deeper than any of this program's files, or whose "format" and
-/// "version" are not the given format and from 1 to `newest`, is refused. The file is named in that sentence, which
-/// ends with the remedy.
+/// The JSON object in a text. It fails if the text is none, naming the line where it breaks. It also fails if a number
+/// is too large for a double, or if the object nests deeper than any of this program's files. "format" must be
+/// `format`, and "version" 1 to `newest`. The message names the file and ends with the remedy.
 [[nodiscard]] Result<nlohmann::json> jsonObject(std::string_view text, const std::string& file,
                                                 const std::string& format, const std::string& remedy, int newest = 1);
 
-/// What went wrong while a file was read.
+/// The first problem of reading a file.
 struct JsonProblems {
     std::string file;
     std::optional<Failure> first;
-    /// The first problem with what to do about it; there must be one.
+    /// The first problem with its remedy. There must be one.
     [[nodiscard]] tl::unexpected<Failure> refused(const std::string& remedy) const;
 };
 
-/// The values of one object. A value that is missing or wrong is told to the problems, which outlive this, and read as
-/// the least that is allowed (0 where nothing is), false, an empty text, (0, 0, 0), an object or a list without
-/// entries.
+/// The values of one object. A missing or wrong value is told to the problems, which must outlive this. Instead, one
+/// reads the least allowed value (0 if there is no least), false, (0, 0, 0), or an empty text, object or list.
 class JsonFields {
 public:
     static constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
 
-    /// `place` holds the keys from the file's root to this object ("poses[0]"), and is empty for the root itself.
+    /// `place` holds the keys from the file's root to this object ("poses[0]"); it is empty for the root.
     JsonFields(const nlohmann::json& object, std::string place, JsonProblems& problems);
 
     [[nodiscard]] bool has(const char* key) const;
@@ -51,7 +49,6 @@ public:
     std::int64_t whole(const char* key, std::int64_t least, std::int64_t largest);
     /// A whole number from 0 to 2^64 - 1.
     std::uint64_t seed(const char* key);
-    /// True or false.
     bool flag(const char* key);
     std::string text(const char* key);
     /// Three finite numbers.
@@ -60,18 +57,17 @@ public:
     std::vector<Vec3> vectors(const char* key);
     /// A list of whole numbers in [least, largest].
     std::vector<std::int64_t> wholes(const char* key, std::int64_t least, std::int64_t largest);
-    /// Finite numbers, as many as there are.
+    /// A list of finite numbers.
     std::vector<double> numbers(const char* key);
-    /// A list of at most so many pairs of finite numbers.
+    /// A list of at most `most` pairs of finite numbers.
     std::vector<std::array<double, 2>> pairs(const char* key, std::size_t most = anyNumber);
     /// The object under a key.
     JsonFields object(const char* key);
-    /// The objects of a list of at most so many entries.
+    /// The objects of a list of at most `most` entries.
     std::vector<JsonFields> list(const char* key, std::size_t most = anyNumber);
-    /// Three whole numbers from 1 to `largest`: the size of a volume, voxels. Whoever makes the volume checks the
-    /// product.
+    /// The size of a volume, voxels: three whole numbers from 1 to `largest`. The product is not checked here.
     std::array<std::int64_t, 3> size(const char* key, double largest = 1e6);
-    /// A choice by name; `named` gives none for an unknown name.
+    /// A choice by name. `named` gives no value for an unknown name.
     template <typename Choice>
     Choice choice(const char* key, std::optional<Choice> (*named)(std::string_view)) {
         const std::string name = text(key);
@@ -79,18 +75,18 @@ public:
         if (!found) wrong(key, "must not be " + shortened("\"" + name + "\""));
         return found.value_or(Choice{});
     }
-    /// The parameters of a table that stand here; what is not here stays. A table holds each choice before the
-    /// parameters that have a meaning by it.
+    /// Reads the parameters of a table; those missing here stay as they are. In the table, a choice stands before the
+    /// parameters that depend on it.
     template <typename Values>
     void parameters(const ParameterTable<Values>& table, Values& values) {
         for (const Parameter<Values>& row : table) take(row, values);
     }
-    /// Whether anything was wrong so far, in this object or in others of the same problems.
+    /// Whether anything was wrong so far, here or in other objects with the same problems.
     [[nodiscard]] bool failed() const { return m_problems->first.has_value(); }
-    /// Notes that a key holds something wrong; `problem` is lower case and has no full stop.
+    /// Notes a problem with a key, in lower case without full stop.
     void wrong(const char* key, const std::string& problem);
 
-    /// What a file says, as long as a sentence can bear.
+    /// A text from a file, cut to the length that a message can bear.
     [[nodiscard]] static std::string shortened(const std::string& text);
 
 private:
@@ -105,11 +101,10 @@ private:
             wrong(key.c_str(), "must be " + textOf(row.range.least) + " to " + textOf(row.range.largest));
     }
     const nlohmann::json* find(const char* key);
-    /// The value of a key that is there as a parameter's value of the kind that `like` has, or nothing where it is no
-    /// such value.
+    /// The value of an existing key as a parameter's value of the same type as `like`; no value if it has another type.
     [[nodiscard]] std::optional<ParameterValue> parameterValue(const char* key,
                                                                const std::optional<ParameterValue>& like) const;
-    /// The value of a key that is there as JSON.
+    /// The value of an existing key as JSON text.
     [[nodiscard]] std::string written(const char* key) const;
 
     const nlohmann::json* m_object;

@@ -1,4 +1,4 @@
-// The values of a table of parameters as JSON.
+// Writes the values of a table of parameters as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// What a table says of values; rows that mean nothing in them are left out.
+/// The values of a table's rows. Rows without a meaning for these values are left out.
 template <typename Values>
 nlohmann::ordered_json parametersJson(const ParameterTable<Values>& table, const Values& values) {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();

@@ -75,7 +75,7 @@ ordered_json rawLayoutJson(const RawLayout& layout) {
 
 RawLayout rawLayoutIn(JsonFields& fields) {
     RawLayout layout;
-    constexpr double largestEdge = 1e15;  // as --raw-size; the file's own size limits the product
+    constexpr double largestEdge = 1e15;  // as for --raw-size; the file's own size limits the product
     layout.size = fields.size("size", largestEdge);
     if (fields.has("type")) layout.type = fields.text("type");
     if (fields.has("byte_order")) {

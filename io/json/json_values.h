@@ -1,4 +1,4 @@
-// Values that stand in more than one kind of JSON file.
+// Reads and writes values that more than one kind of JSON file holds.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,21 +11,19 @@ namespace echolucent {
 
 /// The nodes of a manual curve as a list of {"intensity": ..., "opacity": ...}.
 [[nodiscard]] nlohmann::ordered_json manualCurveJson(const ManualCurve& curve);
-/// The curve whose nodes stand under a key: at least one, intensities and opacities in [0,1], no intensity below the
-/// one before it.
+/// The curve with the nodes under a key: at least one, intensities and opacities in [0,1], intensities never falling.
 [[nodiscard]] ManualCurve manualCurveIn(JsonFields& fields, const char* key);
 
-/// {"range_start_mm": ..., "range_step_mm": ..., "lines": {...}, "planes": {...}}, where lines and planes are
+/// {"range_start_mm": ..., "range_step_mm": ..., "lines": {...}, "planes": {...}}. Lines and planes are
 /// {"positions_mm": [...]} or {"angles_radians": [...], "radius_mm": ...}.
 [[nodiscard]] nlohmann::ordered_json polarJson(const PolarGeometry& polar);
-/// The geometry that an object holds, of so many samples. Whether it makes sense is asked where it is used
-/// (problemOf()).
+/// The geometry in an object, for this number of samples. It is checked only where it is used (problemOf()).
 [[nodiscard]] PolarGeometry polarIn(JsonFields fields, std::int64_t samples);
 
 /// {"size": [x, y, z], "type": ..., "byte_order": ..., "header_bytes": ..., "spacing_mm": [...], "spacing_known": ...},
-/// and "polar" (polarJson()) where the voxels are samples along beams.
+/// and "polar" (polarJson()) if the voxels are samples along beams.
 [[nodiscard]] nlohmann::ordered_json rawLayoutJson(const RawLayout& layout);
-/// The layout that an object holds. Only the size must be there; what else is missing has its default.
+/// The layout in an object. Only the size is needed; anything else has a default.
 [[nodiscard]] RawLayout rawLayoutIn(JsonFields& fields);
 
 }  // namespace echolucent

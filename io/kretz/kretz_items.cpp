@@ -55,7 +55,7 @@ Result<KretzItems> KretzItems::walk(KretzSource source, const Progress& progress
         const std::span part(header.data(), static_cast<std::size_t>(std::min(rest, headerBytes)));
         if (auto read = bytes.read(offset, part); !read) return tl::unexpected(read.error());
         if (rest < headerBytes) {
-            // A DICOM element is filled up with zeros.
+            // A DICOM element is padded with zeros.
             if (std::all_of(part.begin(), part.end(), [](std::uint8_t byte) { return byte == 0; })) break;
             return fail(FailureKind::unreadable, bytes.path, bytes.element,
                         fmt::format("ends within the header of an item, at byte {}", offset), incompleteFile);

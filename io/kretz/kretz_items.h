@@ -18,15 +18,15 @@
 
 namespace echolucent {
 
-/// What every Kretz volume begins with.
+/// The beginning of every Kretz volume.
 constexpr std::string_view kretzSignature = "KRETZFILE 1.0   ";
 
 /// The bytes of a Kretz volume: a file of its own, or an element of a DICOM file.
 struct KretzSource {
-    std::string path;     ///< file that holds them, for sentences
-    std::string element;  ///< tag of the DICOM element that holds them; empty where the file is theirs
+    std::string path;     ///< the file that holds them, for messages
+    std::string element;  ///< tag of the DICOM element that holds them; empty for a Kretz file
     std::uint64_t size = 0;
-    /// Fills `bytes` with what stands from byte `offset` on; fails where that cannot be read.
+    /// Fills `bytes` from byte `offset` on. Fails if they cannot be read.
     std::function<Result<void>(std::uint64_t offset, std::span<std::uint8_t> bytes)> read;
 };
 [[nodiscard]] KretzSource kretzSource(const InputFile& file);
@@ -34,36 +34,33 @@ struct KretzSource {
 /// One item; its value lies in the source.
 struct KretzItem {
     KretzTag tag;
-    std::uint64_t offset = 0;  ///< of the value's first byte
+    std::uint64_t offset = 0;  ///< offset of the value's first byte
     std::uint64_t length = 0;  ///< bytes of the value
 };
 
-/// No scanner writes more items.
+/// More than any scanner writes.
 constexpr std::size_t mostKretzItems = 100000;
 
-/// The items of a source, and their values.
 class KretzItems {
 public:
-    /// Walks over the items without reading their values. Fails (unreadable) where the source does not begin with the
-    /// signature, where an item is longer than what follows, or where there are too many; (cancelled) where the person
-    /// ended it.
+    /// Lists the items without reading their values. Fails (unreadable) if the source does not begin with the
+    /// signature, if an item is longer than the rest, or if there are too many; (cancelled) if the person ended it.
     [[nodiscard]] static Result<KretzItems> walk(KretzSource source, const Progress& progress);
 
     [[nodiscard]] const KretzSource& source() const { return m_source; }
     [[nodiscard]] const std::vector<KretzItem>& all() const { return m_items; }
-    /// Whether the list of items has the end that it must have; what was cut off between two items has none.
+    /// Whether the list has its end item. If the file was cut between two items, it has none.
     [[nodiscard]] bool ended() const { return m_ended; }
     /// The items of a tag, in the order of the file.
     [[nodiscard]] std::vector<KretzItem> allOf(KretzTag tag) const;
     [[nodiscard]] bool has(KretzTag tag) const { return !allOf(tag).empty(); }
 
-    // Each of these fails (unreadable) where the item stands twice or its value has another length; there is no value
-    // where the item is missing.
+    // These fail (unreadable) if the item appears twice or its value has another length. A missing item gives no value.
     /// A whole number of two bytes.
     [[nodiscard]] Result<std::optional<std::int64_t>> wholeNumber(KretzTag tag) const;
-    /// A number of eight bytes; it may be anything but finite.
+    /// A number of eight bytes, which may be infinite or NaN.
     [[nodiscard]] Result<std::optional<double>> number(KretzTag tag) const;
-    /// Exactly `count` numbers of eight bytes; `what` they are stands in the sentence.
+    /// Exactly `count` numbers of eight bytes. `what` names them in messages.
     [[nodiscard]] Result<std::optional<std::vector<double>>> numbers(KretzTag tag, std::int64_t count,
                                                                      const std::string& what) const;
     /// A failure of this source: "PATH: TAG problem."
@@ -72,7 +69,7 @@ public:
 
 private:
     explicit KretzItems(KretzSource source) : m_source(std::move(source)) {}
-    /// The bytes of the only item of a tag, of which there must be `length`.
+    /// The value of the only item of a tag. It must hold `length` bytes.
     [[nodiscard]] Result<std::optional<std::vector<std::uint8_t>>> value(KretzTag tag, std::uint64_t length,
                                                                          const std::string& what) const;
 

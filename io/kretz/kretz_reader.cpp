@@ -23,7 +23,7 @@ struct StoredPhases {
     std::vector<std::uint64_t> offsets;
     std::uint64_t bytes = 0;  ///< of one phase
     std::string source;
-    bool onePerItem = false;  ///< whether each phase is an item of its own, which the format does not explain
+    bool onePerItem = false;  ///< if true, each phase is an item of its own, which the format does not explain
 };
 
 class KretzReader {
@@ -39,7 +39,7 @@ private:
     Result<void> checkLength(const KretzItem& item, std::uint64_t bytes, const Size& size) const;
     [[nodiscard]] tl::unexpected<Failure> compressed() const;
     [[nodiscard]] bool saysCompressed() const;
-    /// What to do where an item is missing.
+    /// The remedy if an item is missing.
     [[nodiscard]] std::string missingRemedy() const {
         return m_items.ended() ? copyAgain
                                : "The file is incomplete, since its items have no end: copy or export it again.";
@@ -90,7 +90,7 @@ Result<void> KretzReader::checkLength(const KretzItem& item, std::uint64_t bytes
 }
 
 Result<StoredPhases> KretzReader::findPhases(const Size& size) const {
-    // Three numbers of 16 bits cannot overflow.
+    // The product of three numbers of 16 bits cannot overflow here.
     StoredPhases phases;
     phases.bytes = static_cast<std::uint64_t>(size[0] * size[1] * size[2]);
     const auto sequences = m_items.allOf(kretz::sequenceVoxels), volumes = m_items.allOf(kretz::voxels);
@@ -184,7 +184,7 @@ Result<std::optional<PolarGeometry>> KretzReader::readGeometry(const Size& size)
     polar.planes.radiusMm = (*firstSample + *planesAxis) * polar.rangeStepMm;
     polar.lines.values = **lines;
     for (double& angle : polar.lines.values) angle -= kretz::straightOn;
-    // The file counts the angles of planes the other way round.
+    // The file counts the angles of planes in the opposite direction.
     polar.planes.values = **planes;
     for (double& angle : polar.planes.values) angle = kretz::straightOn - angle;
     return std::optional(polar);

@@ -30,7 +30,7 @@ std::vector<int> codesOf(EcholucentMovieCodec codec) {
 // No exception may leave a C function.
 void* echolucentOpenMovie(const char* path, EcholucentMovieCodec codec, int width, int height, double framesPerSecond) {
     try {
-        // What goes wrong is said in one sentence by the caller.
+        // OpenCV stays silent: the caller reports a failure in one sentence.
         cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
         auto encoder = std::make_unique<Encoder>();
         encoder->size = cv::Size(width, height);
@@ -47,7 +47,7 @@ void* echolucentOpenMovie(const char* path, EcholucentMovieCodec codec, int widt
 int echolucentAddPicture(void* encoder, const std::uint8_t* rgb) {
     try {
         auto& movie = *static_cast<Encoder*>(encoder);
-        // OpenCV takes bytes it promises not to change through a pointer that could.
+        // OpenCV does not change these bytes, but takes no pointer to const.
         const cv::Mat picture(movie.size, CV_8UC3, const_cast<std::uint8_t*>(rgb));
         cv::Mat blueFirst;
         cv::cvtColor(picture, blueFirst, cv::COLOR_RGB2BGR);
@@ -62,7 +62,7 @@ void echolucentCloseMovie(void* encoder) {
     try {
         delete static_cast<Encoder*>(encoder);
     } catch (...) {
-        // The pictures are counted afterwards: a file that is not whole is seen there.
+        // An incomplete file is found afterwards, when the pictures are counted.
     }
 }
 

@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-/// From voxel indices to mm in NIfTI's frame (x to the right, y to the front, z up).
+/// Maps voxel indices to mm in NIfTI's frame (x to the right, y to the front, z up).
 struct Affine {
     Mat3 steps = Mat3::eye();  ///< columns: the step from one voxel to the next along x, y, z
     Vec3 origin{0, 0, 0};
@@ -51,7 +51,7 @@ private:
 
     const NiftiHeader& m_header;
     StoredVolume& m_stored;
-    double m_mm = 1.0;  // that the header's unit of length is long
+    double m_mm = 1.0;  // length of the header's unit
     std::string m_unit;
 };
 
@@ -97,7 +97,7 @@ Result<Affine> Placement::fromQform() const {
     if (!hasVoxelSizes()) return wrong("pixdim", "must be finite and not 0 along x, y and z where qform_code is set");
     const double qfac = m_header.pixdim[0];
     if (!std::isfinite(qfac)) return wrong("pixdim[0]", "must be 1 or -1 where qform_code is set");
-    // Half turns have a = 0, of which rounding of b, c and d would make a turn of some hundredths of a degree.
+    // Half turns have a = 0. Rounding of b, c and d would turn them by some hundredths of a degree.
     const double rounding = 3.0 * (m_header.version == 1 ? static_cast<double>(std::numeric_limits<float>::epsilon())
                                                          : std::numeric_limits<double>::epsilon());
     const double a = rest < rounding ? 0.0 : std::sqrt(rest);
@@ -116,7 +116,7 @@ Result<Affine> Placement::fromQform() const {
     return affine;
 }
 
-/// Says by how far a qform that plays no part would have put the volume's corners elsewhere.
+/// Notes how far a qform that does not count would have moved the volume's corners.
 void Placement::compareForms(const Affine& sform) {
     if (m_header.qformCode <= 0) return;
     const auto qform = fromQform();
@@ -138,8 +138,7 @@ void Placement::compareForms(const Affine& sform) {
         note(fmt::format("qform and sform put the volume's corners up to {:.3g} mm apart; sform counts.", farthest));
 }
 
-/// The voxel sizes as they are stored, where the affine's steps agree with them but for rounding; else the steps'
-/// lengths.
+/// Takes the stored voxel sizes if the affine's steps agree with them but for rounding; else the steps' lengths.
 void Placement::setSpacing(const Affine& affine, const std::string& key) {
     Vec3& spacing = m_stored.geometry.spacing;
     bool agrees = hasVoxelSizes();

@@ -8,10 +8,9 @@
 
 namespace echolucent {
 
-/// Sets size, spacing, origin and direction of `stored` from a header whose first three dimensions are whole numbers
-/// above 0, and adds the facts and notes on them. sform counts where its code is above 0, else qform where its code is,
-/// else the voxel sizes alone, which know no patient. Fails (unreadable, naming the field) where what counts is no
-/// geometry.
+/// Sets size, spacing, origin and direction of `stored`, and adds facts and notes. The first three dimensions of the
+/// header must be whole numbers above 0. sform counts if its code is above 0; else qform if its code is; else the voxel
+/// sizes alone, without a patient frame. Fails (unreadable, naming the field) if the one that counts is no geometry.
 [[nodiscard]] Result<void> placeNifti(const NiftiHeader& header, StoredVolume& stored);
 
 }  // namespace echolucent

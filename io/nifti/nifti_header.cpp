@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t bytesOfOne = shortestNiftiHeader, bytesOfTwo = niftiHeaderBytes;
 constexpr std::string_view magicOfTwo("+2\0\r\n\x1a\n", 7);
 
-/// Values in a header's bytes, in the order that it was written in.
+/// Reads values from a header's bytes, in the byte order of the file.
 class HeaderReader {
 public:
     HeaderReader(std::string_view bytes, bool bigEndian) : m_bytes(bytes), m_bigEndian(bigEndian) {}
@@ -30,7 +30,7 @@ public:
         std::memcpy(&value, raw.data(), sizeof(T));
         return value;
     }
-    /// Fills `values` with a row of T that begins there.
+    /// Fills `values` with consecutive values of type T from `offset` on.
     template <typename T, typename Values>
     void fill(std::size_t offset, Values& values) const {
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -90,7 +90,7 @@ NiftiHeader headerOfTwo(const HeaderReader& bytes) {
     return header;
 }
 
-/// The order in which a file of such a header was written; no value where its first number is not that length.
+/// Whether a file with a header of this length is big endian; no value if its first number is not the length.
 std::optional<bool> bigEndianOf(std::string_view beginning, std::size_t headerBytes) {
     if (beginning.size() < headerBytes) return std::nullopt;
     for (const bool big : {false, true})
@@ -98,7 +98,7 @@ std::optional<bool> bigEndianOf(std::string_view beginning, std::size_t headerBy
     return std::nullopt;
 }
 
-/// Whether the magic says that the voxels lie apart ("ni") or in the same file ("n+"); no value for other bytes.
+/// Whether the magic puts the voxels into their own file ("ni") or the same file ("n+"); no value for other bytes.
 std::optional<bool> apartOf(std::string_view magic, int version) {
     if (version == 1 && magic.substr(0, 4) == std::string_view("n+1\0", 4)) return false;
     if (version == 1 && magic.substr(0, 4) == std::string_view("ni1\0", 4)) return true;

@@ -9,11 +9,11 @@
 
 namespace echolucent {
 
-/// What the header holds, under NIfTI's own names. Nothing of it has been checked yet.
+/// The fields of the header, under NIfTI's own names. Nothing is checked yet.
 struct NiftiHeader {
     int version = 1;           ///< 1 or 2
-    bool bigEndian = false;    ///< of header and voxels
-    bool voxelsApart = false;  ///< whether the voxels lie in a file of their own (.img)
+    bool bigEndian = false;    ///< byte order of header and voxels
+    bool voxelsApart = false;  ///< whether the voxels lie in their own file (.img)
     std::array<std::int64_t, 8> dim{};
     std::int64_t intentCode = 0;
     std::int64_t datatype = 0;
@@ -31,22 +31,22 @@ struct NiftiHeader {
     std::array<std::array<double, 4>, 3> srow{};  ///< srow_x, srow_y, srow_z
 };
 
-/// The description (descrip) that says white: "Echolucent white level 65535 of uint16". The display range of NIfTI
-/// (cal_max) may be any program's choice of contrast; this is no choice.
+/// The description (descrip) that states the white level: "Echolucent white level 65535 of uint16". cal_max alone is
+/// not enough, because any program may have set this display range as it likes.
 [[nodiscard]] std::string niftiWhiteText(double whiteLevel, std::string_view typeName);
 
-/// How many bytes of a file's beginning the header takes at least.
+/// The length of the shortest header, bytes.
 constexpr std::size_t shortestNiftiHeader = 348;
-/// How many bytes of a file's beginning the header takes at most.
+/// The length of the longest header, bytes.
 constexpr std::size_t niftiHeaderBytes = 540;
 
-/// Whether the beginning of a file is a NIfTI header: its own length and its magic stand where they must.
+/// Whether a file begins with a NIfTI header: with the header's length, and the magic in its place.
 [[nodiscard]] bool looksLikeNifti(std::string_view beginning);
-/// Whether it is an Analyze 7.5 header, the like of NIfTI without its magic and without an orientation.
+/// Whether it is an Analyze 7.5 header, which resembles NIfTI but has no magic and no orientation.
 [[nodiscard]] bool looksLikeAnalyze(std::string_view beginning);
-/// Whether bytes that end early may be the first of a NIfTI or Analyze header: they begin with its length.
+/// Whether bytes that end early may begin a NIfTI or Analyze header: they begin with its length.
 [[nodiscard]] bool beginsLikeNifti(std::string_view beginning);
-/// The header in the beginning of a file; no value where looksLikeNifti() says that it is none.
+/// The header at the beginning of a file; no value unless looksLikeNifti().
 [[nodiscard]] std::optional<NiftiHeader> niftiHeaderIn(std::string_view beginning);
 
 }  // namespace echolucent

@@ -35,7 +35,7 @@ constexpr std::array<TypeCode, 10> typeCodes{{{2, StoredType::uint8},
                                               {1280, StoredType::uint64}}};
 constexpr std::int64_t rgb24 = 128;
 
-/// A kind of data by its code, and what it is in words.
+/// The code of a kind of data, and its words.
 struct CodeWords {
     std::int64_t code;
     const char* words;
@@ -117,7 +117,7 @@ Result<StoredVolume> NiftiReader::read(bool framesAsSlices, const Progress& prog
 Result<void> NiftiReader::readShape() {
     auto& dim = m_header.dim;
     if (dim[0] < 1 || dim[0] > 7) return wrong("dim[0]", fmt::format("must be 1 to 7, not {}", dim[0]));
-    // What lies beyond dim[0] has no meaning.
+    // Sizes beyond dim[0] have no meaning.
     for (std::size_t axis = static_cast<std::size_t>(dim[0]) + 1; axis < dim.size(); ++axis) dim[axis] = 1;
     for (std::size_t axis = 1; axis < dim.size(); ++axis)
         if (dim[axis] < 1)
@@ -192,7 +192,7 @@ Result<void> NiftiReader::readTime() {
     if (unitGiven && std::isfinite(m_header.toffset) && m_header.toffset != 0)
         m_stored.facts.push_back(
             {"time of the first phase", fmt::format("{:.9g} s", m_header.toffset * seconds), "toffset"});
-    // Where there is no unit, 1 is what programs write that know no time.
+    // Without a unit, programs that know no time write 1.
     if (!std::isfinite(step) || step <= 0 || (!unitGiven && step == 1.0)) return {};
     m_stored.phaseSeconds = step * seconds;
     m_stored.phaseSource = source;
@@ -218,8 +218,8 @@ Result<void> NiftiReader::readScale() {
     return {};
 }
 
-/// Whether the description names the upper end of the display range, from 0 on, as the white level of voxels that are
-/// stored as they are here. A program that changed the voxels or their range left it behind otherwise.
+/// Whether the description states that calMax is the white level of these voxels, which are stored as they are here. If
+/// another program changed the voxels or the range, the description no longer fits them.
 bool NiftiReader::saysWhite() const {
     return m_header.calMin == 0 && m_header.calMax > 0 && !m_stored.rescale &&
            m_header.descrip == niftiWhiteText(m_header.calMax, nameOf(m_stored.type));
@@ -237,7 +237,7 @@ void NiftiReader::readWindow() {
                         "cal_min, cal_max"};
         return;
     }
-    // Eight bits are white at 255 wherever they come from, and so are they on the file's line.
+    // Eight bits are always white at 255, also on the file's line.
     if (!m_stored.rescale || m_stored.type != StoredType::uint8) return;
     const double white = m_stored.rescale->of(255.0);
     if (m_stored.rescale->slope < 0 || white <= 0) return;
@@ -248,13 +248,13 @@ void NiftiReader::readWindow() {
 Result<std::int64_t> NiftiReader::offsetOfVoxels() const {
     const double offset = m_header.voxOffset;
     const double least = m_header.voxelsApart ? 0.0 : m_header.version == 1 ? 352.0 : 544.0;
-    constexpr double largest = 4.5e15;  // below which doubles tell whole numbers apart
+    constexpr double largest = 4.5e15;  // up to here doubles hold every whole number
     if (!(offset >= least && offset <= largest) || offset != std::floor(offset))
         return wrong("vox_offset", fmt::format("must be a whole number of {} or more, not {:.9g}", least, offset));
     return static_cast<std::int64_t>(offset);
 }
 
-/// The name of the file of voxels beside a header: "a.img" for "a.hdr", and "A.IMG" for "A.HDR".
+/// The name of the voxels' file beside a header: "a.img" for "a.hdr", and "A.IMG" for "A.HDR".
 std::string imageBeside(const std::string& header) {
     const std::filesystem::path plain = withoutGzipEnding(header);
     const std::string ending = plain.extension().string();

@@ -1,4 +1,4 @@
-// Reads NIfTI (.nii, or .hdr with .img; either packed with gzip): docs/formats-read.md says what is understood.
+// Reads NIfTI (.nii, or .hdr with .img; either packed with gzip). docs/formats-read.md says what is understood.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace echolucent {
 
-/// Reads and checks the header of an opened file for which looksLikeNifti() is true; no voxel is read, but an .img.gz
-/// is unpacked. Where `framesAsSlices` is set, 2D frames over time are accepted as a volume of unknown spacing.
+/// Reads and checks the header of an opened file with looksLikeNifti(). No voxel is read, but an .img.gz is unpacked.
+/// If `framesAsSlices` is set, 2D frames over time are accepted as a volume of unknown spacing.
 [[nodiscard]] Result<StoredVolume> readNiftiHeader(const InputFile& file, bool framesAsSlices,
                                                    const Progress& progress);
 
-/// The .hdr or .hdr.gz that lies beside the .img or .img.gz at `path`, under the same name; no value where there is
-/// none, or where `path` ends otherwise.
+/// The .hdr or .hdr.gz of the same name beside the .img or .img.gz at `path`; no value if there is none, or if `path`
+/// ends otherwise.
 [[nodiscard]] std::optional<std::string> niftiHeaderBeside(const std::string& path);
 
 }  // namespace echolucent

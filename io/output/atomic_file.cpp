@@ -17,14 +17,14 @@ namespace echolucent {
 
 namespace {
 
-/// Whether a file could be made that has no name; then `problem` is 0, or the errno of what went wrong.
+/// Whether a nameless file is possible here and, if so, 0 or the errno of writing it.
 struct Nameless {
     bool possible = false;
     int problem = 0;
 };
 
-/// Gives a file without a name that of the place. A file that is there can only be replaced by one that has a name, so
-/// that it has one of its own for a moment. Gives 0, or an errno.
+/// Gives a nameless file its place. Only a file with a name can replace an existing one, so it gets another name for a
+/// moment. Returns 0 or an errno.
 int putInPlace(const std::string& nameless, const OutputPlace& place) {
     const auto linkTo = [&](const std::string& name) {
         return linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
@@ -45,15 +45,15 @@ int putInPlace(const std::string& nameless, const OutputPlace& place) {
     return EEXIST;
 }
 
-/// Whatever ends the program while the bytes are written, nothing is left of a file that has no name yet. Some file
-/// systems have no such files.
+/// A file without a name leaves nothing behind if the program ends while it is written. Some file systems have no such
+/// files.
 Nameless writeNameless(const OutputPlace& place, std::string_view bytes) {
     const Descriptor file(open(place.folder().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
     if (file.number() < 0) return {};
     const std::string itself = "/proc/self/fd/" + std::to_string(file.number());
     if (access(itself.c_str(), F_OK) != 0) return {};
     if (const int problem = writeAll(file.number(), bytes)) return {true, problem};
-    // A crash of the machine leaves no empty file behind the new name.
+    // fsync() before the naming: a crash of the machine leaves no empty file under the new name.
     if (fchmod(file.number(), place.mode) != 0 || fsync(file.number()) != 0) return {true, errno};
     return {true, putInPlace(itself, place)};
 }

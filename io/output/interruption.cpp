@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::array endingSignals{SIGINT, SIGTERM, SIGHUP};
 
-/// Whoever holds it may read and change `unfinished`. Its owner holds signals back, so that one that waits for it waits
-/// for another thread.
+/// Its holder may read and change `unfinished`, and holds signals back. So a signal handler only ever waits for another
+/// thread.
 std::atomic_flag stepUnderWay = ATOMIC_FLAG_INIT;
 pid_t owningProcess = 0;
 
-/// Never destroyed: a signal may come while the process ends.
+/// Never destroyed, because a signal may come while the process ends.
 std::set<std::string>& unfinished() {
     static auto& names = *new std::set<std::string>;
     return names;
@@ -30,9 +30,9 @@ void beginStep() {
     while (stepUnderWay.test_and_set(std::memory_order_acquire)) nanosleep(&moment, nullptr);
 }
 
-/// It calls nothing but what may be called while a signal is handled. No step begins after it.
+/// Calls only what a signal handler may call. No step begins after it.
 void endBySignal(int signal) {
-    // A child that was forked has its parent's handler, and a copy of its names.
+    // A forked child has its parent's handler and a copy of its names, but must not remove its files.
     if (getpid() == owningProcess) {
         beginStep();
         for (const std::string& name : unfinished()) unlink(name.c_str());

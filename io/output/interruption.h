@@ -1,4 +1,4 @@
-// What a signal that ends the program leaves: files that are not finished are removed first.
+// Removes unfinished files if a signal ends the program.
 #pragma once
 
 #include <csignal>
@@ -6,13 +6,12 @@
 
 namespace echolucent {
 
-/// From here on SIGINT, SIGTERM and SIGHUP remove all files that noteUnfinished() was told of, and then end the process
-/// as they do by themselves, so that its parent sees the signal. A signal that is ignored stays ignored. It is called
-/// once, where a program begins.
+/// From here on SIGINT, SIGTERM and SIGHUP first remove all files of noteUnfinished(). Then they end the process as
+/// usual, so that its parent sees the signal. Ignored signals stay ignored. Call it once, when a program begins.
 void removeUnfinishedOnSignals();
 
-/// A few system calls that no such signal comes between; a signal waits for their end. Steps of several threads come
-/// one after the other. A step never begins within another one of its own thread.
+/// A few system calls that no such signal interrupts: it waits until they are done. Threads take steps one after
+/// another. A thread never begins a step within its own step.
 class UninterruptedStep {
 public:
     UninterruptedStep();
@@ -20,13 +19,13 @@ public:
     UninterruptedStep(const UninterruptedStep&) = delete;
     UninterruptedStep& operator=(const UninterruptedStep&) = delete;
 
-    /// The file at `name` is removed where a signal ends the program.
+    /// A signal that ends the program removes the file at `name`.
     void noteUnfinished(const std::string& name);
-    /// It is finished, or no longer there.
+    /// The file is finished, or no longer there.
     void forgetUnfinished(const std::string& name);
 
 private:
-    sigset_t m_signals{};  ///< that were held back before
+    sigset_t m_signals{};  ///< the signals held back before
 };
 
 }  // namespace echolucent

@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* elsewhere = "Choose another folder or name.";
 
-/// The permissions of a new file, as the person's umask has them. The umask belongs to the whole process and can only
-/// be read by setting it, so that it is read before there are threads.
+/// The permissions of a new file, by the person's umask. The umask belongs to the whole process and can only be read by
+/// setting it, so it is read before other threads begin.
 const mode_t modeOfNewFiles = [] {
     const mode_t mask = umask(0);
     umask(mask);
@@ -30,7 +30,7 @@ tl::unexpected<Failure> isNoPlace(const std::string& path, const std::string& wh
     return fail(FailureKind::unwritable, path, "", "could not be written: " + why, elsewhere);
 }
 
-/// The descriptor that a path names; no value where it names none.
+/// The descriptor that a path names; no value if it names none.
 std::optional<int> descriptorNamed(std::string_view path) {
     if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
     if (path == "/dev/stderr") return STDERR_FILENO;
@@ -50,7 +50,7 @@ const char* kindOfFile(mode_t mode) {
     return "a device";
 }
 
-/// Fails where no file can be made in the folder of `path`.
+/// Fails if no file can be made in the folder of `path`.
 Result<void> checkFolder(const std::string& path, const std::string& folder) {
     struct stat there {};
     if (stat(folder.c_str(), &there) != 0) {
@@ -84,7 +84,7 @@ Result<OutputPlace> placeOfOutput(const std::string& path, OutputKind kind) {
     if (exists && !S_ISREG(present.st_mode))
         return isNoPlace(path, std::string("it is ") + kindOfFile(present.st_mode));
     if (auto allowed = refuseToOverwriteKept(path, kind); !allowed) return tl::unexpected<Failure>(allowed.error());
-    // The file that a link points to is replaced, so that a link stays a link.
+    // The file that a link points to is replaced, so that the link stays.
     std::error_code error;
     const auto resolved = std::filesystem::canonical(path, error);
     place.target = error ? path : resolved.string();

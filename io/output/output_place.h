@@ -1,4 +1,4 @@
-// Where an output goes, and what may not be written.
+// Where an output goes, and where none may go.
 #pragma once
 
 #include <sys/types.h>
@@ -10,20 +10,20 @@
 
 namespace echolucent {
 
-/// A file that is made or replaced, or a descriptor that this process was started with.
+/// A file to write or replace, or a descriptor that this process was started with.
 struct OutputPlace {
-    std::string target;   ///< the file, with the links to it followed; empty where bytes go to `descriptor`
-    mode_t mode = 0;      ///< permissions that the finished file gets: its own where it is there, else the umask's
-    int descriptor = -1;  ///< for "-" and /dev/stdout, /dev/stderr, /dev/fd/N, /proc/self/fd/N; never to be closed
+    std::string target;   ///< the file, with links followed; empty if bytes go to `descriptor`
+    mode_t mode = 0;      ///< permissions of the finished file: those of the existing file, else by the umask
+    int descriptor = -1;  ///< for "-" and /dev/stdout, /dev/stderr, /dev/fd/N, /proc/self/fd/N; never close it
 
-    /// Of the target, "." where its name alone was given.
+    /// The target's folder; "." if the target is only a name.
     [[nodiscard]] std::string folder() const;
 };
 
-/// Every output asks it before the first byte is written. Fails (unwritable, with what is there) where `path` is a
-/// folder, a device, a named pipe or a socket, or a link to one, where its folder is not there or may not be looked
-/// into or written into, or where a descriptor is not open for writing; and (wrong usage) where a file of this kind
-/// would take the place of a kept one (KeptFiles). It never waits for anybody.
+/// Ask it before the first byte of any output. Fails (unwritable, with the reason) if `path` is, or links to, a folder,
+/// a device, a named pipe or a socket; if its folder is missing, or may not be entered or written; or if a descriptor
+/// is not open for writing. Fails (wrong usage) if a file of this kind would take the place of a kept one (KeptFiles).
+/// It never blocks.
 [[nodiscard]] Result<OutputPlace> placeOfOutput(const std::string& path, OutputKind kind = OutputKind::other);
 
 /// "x.png: could not be written: No space left on device. …" for an errno.

@@ -24,7 +24,7 @@ struct Kept {
     OutputKind kind = OutputKind::other;
 };
 
-/// What the process keeps, whichever of its threads writes.
+/// The kept files of the process, for all threads.
 struct AllKept {
     std::mutex mutex;
     std::vector<std::weak_ptr<const Kept>> list;
@@ -41,7 +41,7 @@ Result<void> refuseToOverwrite(const std::vector<std::string>& inputs, const std
     std::map<Identity, std::string> present;
     for (const std::string& output : outputs)
         if (const auto identity = identityOf(output)) present.emplace(*identity, output);
-    // A folder of slices may hold thousands: they are looked at only where an output is there already.
+    // There may be thousands of inputs, slices in a folder. They are compared only if an output exists already.
     if (present.empty()) return {};
     for (const std::string& input : inputs) {
         const auto identity = identityOf(input);
@@ -63,7 +63,7 @@ KeptFiles::KeptFiles(std::vector<std::string> files, OutputKind kind) {
 }
 
 void keepFromOverwriting(std::vector<std::string> files, OutputKind kind) {
-    // Never destroyed: a thread may write until the process ends.
+    // Never destroyed, because a thread may write until the process ends.
     static auto& forGood = *new std::vector<KeptFiles>;
     static std::mutex mutex;
     const std::lock_guard lock(mutex);

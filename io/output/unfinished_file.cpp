@@ -21,7 +21,7 @@ namespace {
 
 using OpenFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// Gives 0, or the errno of what went wrong.
+/// Returns 0 or an errno.
 int copyInto(int descriptor, const std::string& from) {
     const OpenFile source(std::fopen(from.c_str(), "rb"), &std::fclose);
     if (!source) return errno;
@@ -35,8 +35,8 @@ int copyInto(int descriptor, const std::string& from) {
     return std::ferror(source.get()) == 0 ? 0 : EIO;
 }
 
-/// Gives the file its permissions and brings what was written to the disk, so that a crash leaves no empty file behind
-/// the rename. Gives 0, or an errno.
+/// Sets the permissions and flushes the bytes to the disk, so that a crash leaves no empty file after the rename.
+/// Returns 0 or an errno.
 int complete(const std::string& name, mode_t mode) {
     const int descriptor = open(name.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return errno;
@@ -45,7 +45,7 @@ int complete(const std::string& name, mode_t mode) {
     return problem;
 }
 
-/// Gives 0, or an errno.
+/// Returns 0 or an errno.
 int renameTo(const std::string& target, const std::string& name) {
     UninterruptedStep step;
     if (std::rename(name.c_str(), target.c_str()) != 0) return errno;

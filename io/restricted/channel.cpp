@@ -16,15 +16,15 @@ namespace echolucent::restricted {
 
 namespace {
 
-/// What stands at the beginning of every packet.
+/// The beginning of every packet.
 struct PacketHead {
     std::uint32_t kind = 0;
-    std::uint32_t inMemory = 0;  // whether the bytes are in shared memory, which is the packet's last file then
+    std::uint32_t inMemory = 0;  // whether the bytes are in shared memory, the packet's last file
     std::uint64_t bytes = 0;
 };
 
 constexpr std::size_t mostPacketBytes = std::size_t{32} << 10;
-// One more for the bytes themselves.
+// One more, for shared memory.
 constexpr std::size_t mostPacketFiles = mostMessageFiles + 1;
 
 int waitFor(int socket, short what, std::chrono::milliseconds patience) {
@@ -35,7 +35,7 @@ int waitFor(int socket, short what, std::chrono::milliseconds patience) {
     return ready;
 }
 
-/// The bytes in the memory that a packet brought. The sender may still change them, so that they are copied.
+/// Copies the bytes from a packet's memory, as the sender may still change them.
 bool readAll(int file, std::uint64_t size, std::string& bytes) {
     struct stat status {};
     if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || static_cast<std::uint64_t>(status.st_size) < size)

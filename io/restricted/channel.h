@@ -1,5 +1,5 @@
-// The pipe between the workstation and its reader process: messages with open files, in order, each whole or not at
-// all.
+// The pipe between the workstation and its reader process. Messages with open files arrive in order, each whole or not
+// at all.
 #pragma once
 
 #include <chrono>
@@ -13,40 +13,40 @@
 
 namespace echolucent::restricted {
 
-/// What a message is about. Questions and answers come in turn; progress comes at any time.
+/// The kind of a message. Questions and answers alternate; progress comes at any time.
 enum class MessageKind : std::uint32_t {
-    request,      ///< to the reader: what is to be read; its first message and the only one of its kind
+    request,      ///< to the reader: what to read; the first message and the only one of its kind
     openFile,     ///< from the reader: a path; the answer brings the open file
     fileKind,     ///< from the reader: a path; the answer says what is there
     resolvePath,  ///< from the reader: a path; the answer has no links in it
     listFolder,   ///< from the reader: a folder; the answer lists the files below it
     answer,       ///< to the reader
-    confined,     ///< from the reader: what the kernel holds it to
+    confined,     ///< from the reader: its confinement
     progress,     ///< from the reader: the share done
-    coarse,       ///< from the reader, once and only where the request wants it: what a coarse grid shows, as a study
+    coarse,       ///< from the reader, once, if the request wants it: what a coarse grid shows, as a study
     result,       ///< from the reader: its last message
 };
 
-/// One message. Bytes that are too many for a packet travel in memory that both sides share.
+/// One message. If its bytes are too many for a packet, they travel in shared memory.
 struct Message {
     MessageKind kind = MessageKind::request;
     std::string bytes;
     std::vector<Descriptor> files;
 };
 
-/// No message is longer: what lists 50,000 files of the longest paths is shorter.
+/// The longest message; a list of 50,000 files with the longest paths is shorter.
 constexpr std::uint64_t mostMessageBytes = std::uint64_t{256} << 20;
-/// No message brings more open files.
+/// The most open files of a message.
 constexpr std::size_t mostMessageFiles = 2;
 
 /// One end of the pipe. send() may be called from several threads at once.
 class Channel {
 public:
     explicit Channel(Descriptor socket) : m_socket(std::move(socket)) {}
-    /// Two ends that belong together; no value where the system gives none.
+    /// Two ends that belong together; no value if the system gives none.
     [[nodiscard]] static std::optional<std::pair<Descriptor, Descriptor>> pair();
 
-    /// False where the other end is gone or takes nothing within `patience` (negative: for ever).
+    /// False if the other end is gone or takes nothing within `patience` (negative: for ever).
     [[nodiscard]] bool send(MessageKind kind, const std::string& bytes, const std::vector<int>& files = {},
                             std::chrono::milliseconds patience = std::chrono::milliseconds(-1));
 
@@ -62,8 +62,8 @@ private:
     std::mutex m_sending;
 };
 
-/// Memory of `bytes` bytes without a name that both ends can share, opened for reading and writing; it may be sealed.
-/// Not open where the system has no more.
+/// Memory of `bytes` bytes without a name that both ends can share, opened for reading and writing. It may be sealed.
+/// Not open if the system has no more.
 [[nodiscard]] Descriptor sharedMemory(std::uint64_t bytes);
 
 }  // namespace echolucent::restricted

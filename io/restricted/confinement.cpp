@@ -22,8 +22,8 @@ namespace echolucent::restricted {
 
 namespace {
 
-/// The rules of seccomp, which libseccomp turns into a program for the kernel. What no rule allows fails with EPERM, so
-/// that libraries that ask for what they can do without go on.
+/// The rules of seccomp; libseccomp compiles them for the kernel. A call without a rule fails with EPERM, so that
+/// libraries that only test for it go on.
 class SystemCallFilter {
 public:
     SystemCallFilter() : m_context(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release) {}
@@ -48,7 +48,7 @@ public:
 
 private:
     void add(std::uint32_t action, int call, const std::optional<scmp_arg_cmp>& argument) {
-        // A call that this machine's architecture does not have has a number below 0 and needs no rule.
+        // A call that this machine's architecture lacks has a number below 0 and needs no rule.
         if (call < 0 || !m_context) return;
         const int added = argument ? seccomp_rule_add_array(m_context.get(), action, call, 1, &*argument)
                                    : seccomp_rule_add_array(m_context.get(), action, call, 0, nullptr);
@@ -73,29 +73,28 @@ bool filterSystemCalls() {
         .allow({SCMP_SYS(exit), SCMP_SYS(exit_group), SCMP_SYS(getrandom), SCMP_SYS(sysinfo), SCMP_SYS(uname),
                 SCMP_SYS(getrusage), SCMP_SYS(clock_gettime), SCMP_SYS(clock_getres), SCMP_SYS(gettimeofday),
                 SCMP_SYS(clock_nanosleep), SCMP_SYS(nanosleep), SCMP_SYS(time)});
-    // The status of what is open already, which glibc asks for by an empty name.
+    // glibc asks for the status of open files with an empty name.
     filter.allowWhere(SCMP_SYS(newfstatat), 3, AT_EMPTY_PATH);
     filter.allowWhere(SCMP_SYS(mmap), 2, PROT_EXEC, 0).allowWhere(SCMP_SYS(mprotect), 2, PROT_EXEC, 0);
-    // Threads are started, processes are not. The arguments of clone3 cannot be seen from here; glibc goes back to
-    // clone.
+    // Threads may start, processes may not. The arguments of clone3 cannot be seen here; glibc falls back to clone.
     filter.allowWhere(SCMP_SYS(clone), 0, CLONE_THREAD, CLONE_THREAD).refuse(SCMP_SYS(clone3), ENOSYS);
     filter.allowWhere(SCMP_SYS(tgkill), 0, static_cast<std::uint64_t>(getpid()));  // abort()
     filter.allowWhere(SCMP_SYS(prctl), 0, PR_SET_NAME);
     for (const int command : {F_GETFL, F_GETFD, F_SETFD}) filter.allowWhere(SCMP_SYS(fcntl), 1, command);
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    // The sanitizers' runtime writes an object's memory into a pipe of its own to learn whether it can be read; without
-    // the pipe it calls a good object broken.
+    // The sanitizers' runtime writes memory into its own pipe to test whether it can be read. Without the pipe it calls
+    // good objects broken.
     filter.allow({SCMP_SYS(pipe), SCMP_SYS(pipe2)});
 #endif
     return filter.load();
 }
 
-/// Gives up the file system by Landlock; returns its version, 0 where there is none.
+/// Gives up the file system by Landlock. Returns its version, 0 if there is none.
 int giveUpFiles() {
     const long version = syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
     if (version < 1) return 0;
     landlock_ruleset_attr rules{};
-    // All that the first version knows; what it does not name stays as it is, and seccomp closes it.
+    // All accesses that Landlock's first version knows; seccomp closes the others.
     rules.handled_access_fs = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;
     const long ruleset = syscall(SYS_landlock_create_ruleset, &rules, sizeof rules, 0);
     if (ruleset < 0) return 0;
@@ -108,9 +107,9 @@ int giveUpFiles() {
 
 Confinement confine() {
     const rlimit none{0, 0};
-    setrlimit(RLIMIT_CORE, &none);  // no file of a crash holds what was read
+    setrlimit(RLIMIT_CORE, &none);  // no crash file holds what was read
     Confinement confinement;
-    // Without this neither can be asked for by a person's process.
+    // Without privileges, a process needs this for Landlock and seccomp.
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement;
     confinement.landlock = giveUpFiles();
     confinement.systemCalls = filterSystemCalls();

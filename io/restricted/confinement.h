@@ -1,24 +1,24 @@
-// What a process that reads strangers' bytes gives up before it reads the first: opening files, writing, the network,
-// other processes.
+// What a process gives up before it reads a stranger's first byte: opening files, writing, the network, other
+// processes.
 #pragma once
 
 #include <string>
 
 namespace echolucent::restricted {
 
-/// What the kernel holds this process to.
+/// What the kernel enforces on this process.
 struct Confinement {
-    /// Whether system calls are filtered (seccomp): nothing can be opened, no process started, no socket made, no code
-    /// be mapped; only shared memory without a name can be written to.
+    /// Whether system calls are filtered (seccomp). The process can then open nothing, start no process, make no socket
+    /// and map no code. It can write only to shared memory without a name.
     bool systemCalls = false;
-    int landlock = 0;  ///< version of the kernel's Landlock that closes the file system a second time; 0: it has none
+    int landlock = 0;  ///< version of the kernel's Landlock, a second lock on the file system; 0: none
     friend bool operator==(const Confinement&, const Confinement&) = default;
 };
 
-/// Confines the process that calls it, for ever. To be called while it has one thread. Threads can still be started.
+/// Confines the calling process for ever. Call it while the process has one thread. Threads can still be started.
 [[nodiscard]] Confinement confine();
 
-/// A sentence on what holds: "System calls are filtered; the kernel has no Landlock, ...".
+/// A sentence on the confinement: "System calls are filtered; the kernel has no Landlock, ...".
 [[nodiscard]] std::string inWords(const Confinement& confinement);
 
 }  // namespace echolucent::restricted

@@ -1,4 +1,4 @@
-// How the values that cross between the workstation and its reader process are written and read, member by member.
+// Describes the values that cross between the workstation and its reader process, member by member.
 #pragma once
 
 #include "io/dicom/patient.h"
@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-// These stand beside the types that they describe, where a message finds them.
+// The functions stand in the namespace of their types, where a message finds them.
 using restricted::Described;
 
 template <typename Archive, Described<PolarAxis> Value>

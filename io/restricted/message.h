@@ -1,6 +1,6 @@
-// Values as the bytes of a message between the workstation and its reader process, and back. The same description of a
-// type writes and reads it. What is read is distrusted: it never reaches beyond the bytes, and takes no more memory
-// than they hold.
+// Turns values into the bytes of a message between the workstation and its reader process, and back. The same
+// description of a type writes and reads it. A reader of messages trusts none: it never reaches beyond the bytes, and
+// takes no more memory than they hold.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace echolucent::restricted {
 
-/// A type, or the same type const: a description (describe()) takes a value to be written or to be read.
+/// A type, or the same type const: describe() takes a value to write or to read.
 template <typename Value, typename Type>
 concept Described = std::same_as<std::remove_const_t<Value>, Type>;
 
@@ -30,7 +30,7 @@ public:
     void operator()(const Values&... values) {
         (write(values), ...);
     }
-    /// An enumeration whose last value is `last`.
+    /// Writes a value of an enumeration, as MessageReader::choice() reads it.
     template <typename Choice>
     void choice(const Choice& value, Choice) {
         write(static_cast<std::int32_t>(value));
@@ -90,13 +90,13 @@ public:
     /// The bytes must outlive this.
     explicit MessageReader(std::span<const std::uint8_t> bytes) : m_rest(bytes) {}
 
-    /// Whether all values were there so far. Once it is false, all further values stay as they are.
+    /// Whether all values were there so far. After the first failure, all further values stay as they are.
     [[nodiscard]] bool good() const { return m_good; }
     /// Whether all values were there, and nothing follows them.
     [[nodiscard]] bool complete() const { return m_good && m_rest.empty(); }
-    /// What follows the values that were read.
+    /// The bytes behind the values that were read.
     [[nodiscard]] std::span<const std::uint8_t> rest() const { return m_rest; }
-    /// Says that a value that was read makes no sense.
+    /// Marks the message as bad, because a value makes no sense.
     void reject() { m_good = false; }
 
     template <typename... Values>
@@ -154,7 +154,7 @@ private:
     void read(Mat3& matrix) {
         for (double& value : matrix.val) raw(value);
     }
-    /// A number of things that follow, each of at least one byte.
+    /// The number of things that follow, each of at least one byte.
     std::size_t count() {
         std::uint64_t number = 0;
         raw(number);

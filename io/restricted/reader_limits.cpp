@@ -15,7 +15,7 @@ namespace echolucent::restricted {
 
 ReaderLimits limitsFor(std::uint64_t bytes) {
     constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
-    // Stacks of threads and what the allocator keeps at hand; most of it is never touched.
+    // For stacks of threads and the allocator's reserves; most of it is never touched.
     constexpr std::uint64_t besideVoxels = 256 * mebibyte;
     constexpr std::uint64_t secondsAtLeast = 20, secondsAMebibyte = 2;
     const std::uint64_t counted = std::min(bytes, machineMemoryBytes());
@@ -25,7 +25,7 @@ ReaderLimits limitsFor(std::uint64_t bytes) {
 
 void holdTo(const ReaderLimits& limits, int process, std::uint64_t baseBytes) {
     const auto hold = [process](auto resource, std::uint64_t most) {
-        // What the machine's owner allows stays the most.
+        // Never exceed the limit that the machine's owner set.
         rlimit limit{};
         if (prlimit(process, resource, nullptr, &limit) != 0) return;
         limit.rlim_cur = std::min<rlim_t>(most, limit.rlim_max);

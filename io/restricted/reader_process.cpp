@@ -28,11 +28,11 @@ namespace echolucent::restricted {
 namespace {
 
 constexpr int readerSocket = 3;
-// Behind the threads that make its picture.
+// Lower priority than the threads that make the picture.
 constexpr int niceAfterCoarse = 10;
-// Cancel is looked at this often.
+// How often cancel is checked.
 constexpr std::chrono::milliseconds lookEvery(20);
-// A disk that sleeps takes seconds; a reader that says nothing for so long never will.
+// A sleeping disk takes seconds. A reader silent for so long never answers.
 constexpr std::chrono::minutes longestSilence(5);
 
 struct ProgramPath {
@@ -44,7 +44,7 @@ ProgramPath& programPath() {
     return path;
 }
 
-/// What a new process finds open and how it begins.
+/// The open files and signals of a new process.
 class SpawnPlan {
 public:
     explicit SpawnPlan(int socket) {
@@ -53,7 +53,7 @@ public:
         posix_spawn_file_actions_addopen(&m_files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&m_files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-        // Libraries may write what they read, names among it.
+        // Libraries may print what they read, also names.
         posix_spawn_file_actions_addopen(&m_files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
 #endif
         posix_spawn_file_actions_adddup2(&m_files, socket, readerSocket);
@@ -63,7 +63,7 @@ public:
         sigfillset(&all);
         posix_spawnattr_setsigmask(&m_attributes, &none);
         posix_spawnattr_setsigdefault(&m_attributes, &all);
-        // In a group of its own, Ctrl-C reaches the program that a person runs, which ends the reader.
+        // In its own group, the reader gets no Ctrl-C. The program that a person runs gets it and ends the reader.
         posix_spawnattr_setflags(&m_attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
     }
     ~SpawnPlan() {
@@ -82,7 +82,7 @@ private:
     posix_spawnattr_t m_attributes{};
 };
 
-/// Hands over the coarse volume that a message brought. False where it is none, or none was wanted.
+/// Hands over the coarse volume of a message. False if it is none, or if none was wanted.
 bool tellCoarse(const Message& message, const Progress& progress) {
     if (!progress.coarse || message.files.size() != 1) return false;
     const auto coarse = takeCoarse({reinterpret_cast<const std::uint8_t*>(message.bytes.data()), message.bytes.size()},
@@ -191,7 +191,7 @@ Result<ReaderProcess::Answer> ReaderProcess::serve(FileBroker& broker, const std
             if (!reader.complete()) return noAnswer();
             continue;
         }
-        // Nothing that a file says reaches a reader that is not confined.
+        // An unconfined reader must not see anything of a file.
         if (!m_hasBegun) return noAnswer();
         if (message.kind == MessageKind::result) {
             static_cast<void>(end(true));
@@ -210,7 +210,7 @@ Result<ReaderProcess::Answer> ReaderProcess::serve(FileBroker& broker, const std
         if (message.kind == MessageKind::coarse) {
             if (coarseIsThere || !tellCoarse(message, progress)) return noAnswer();
             coarseIsThere = true;
-            // A person waits for its picture first.
+            // The coarse picture comes first.
             setpriority(PRIO_PROCESS, static_cast<id_t>(m_process), niceAfterCoarse);
             continue;
         }

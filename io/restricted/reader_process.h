@@ -1,4 +1,4 @@
-// The reader process from outside: starting it, talking with it, ending it.
+// The reader process from outside: starting it, talking with it and ending it.
 #pragma once
 
 #include <memory>
@@ -12,39 +12,38 @@
 
 namespace echolucent::restricted {
 
-/// A reader process, ended with this object whatever it does.
+/// A reader process. It ends with this object, whatever it does.
 class ReaderProcess {
 public:
-    /// Starts one; `loadsAhead` as ReaderStart says. Fails (unreadable) where its program is missing or cannot be run.
+    /// Starts one; `loadsAhead` as in ReaderStart. Fails (unreadable) if its program is missing or cannot be run.
     [[nodiscard]] static Result<std::unique_ptr<ReaderProcess>> start(bool loadsAhead);
     ~ReaderProcess();
     ReaderProcess(const ReaderProcess&) = delete;
     ReaderProcess& operator=(const ReaderProcess&) = delete;
 
-    /// Hands the request over. False where the process has ended before.
+    /// Hands the request over. False if the process has already ended.
     [[nodiscard]] bool request(const std::string& bytes);
 
-    /// What serve() came to.
     struct Answer {
         std::string bytes;
         std::vector<Descriptor> files;
-        std::set<std::string> asked;      ///< the names of files that the reader could have read (FileBroker::asked())
+        std::set<std::string> asked;      ///< the names of files that the reader may have read (FileBroker::asked())
         bool systemCallsFiltered = true;  ///< whether the kernel held the reader to its filter
     };
-    /// Answers the reader's questions until its result is there; the process has ended then. `file` is what the person
-    /// opened, which sentences name. Fails (cancelled) within 100 ms where progress.cancel is raised, (unreadable)
-    /// where the reader ends without a result, says what is none, or says nothing for minutes.
+    /// Answers the reader's questions until its result is there; the process has ended then. Sentences name `file`,
+    /// which the person opened. Fails (cancelled) within 100 ms after progress.cancel is raised; (unreadable) if the
+    /// reader ends without a result, sends nonsense, or says nothing for minutes.
     [[nodiscard]] Result<Answer> serve(FileBroker& broker, const std::string& file, const Progress& progress);
 
-    /// Whether the reader has begun: it gave up what could do harm. One that waited and ended before could not be at
-    /// fault.
+    /// Whether the reader has confined itself and begun. A process that ended before, while it waited, was not ended by
+    /// the file.
     [[nodiscard]] bool hasBegun() const { return m_hasBegun; }
-    /// The process's number, for tests that end it.
+    /// The process's number. Tests end the process by it.
     [[nodiscard]] int number() const { return m_process; }
 
 private:
     ReaderProcess(int process, Descriptor socket) : m_process(process), m_channel(std::move(socket)) {}
-    /// Ends the process and waits until it is gone; returns its status as waitpid() gives it.
+    /// Ends the process and waits until it is gone. Returns its status as waitpid() gives it.
     int end(bool kill);
     [[nodiscard]] tl::unexpected<Failure> died(const std::string& file);
 
@@ -54,7 +53,7 @@ private:
     bool m_hasBegun = false;
 };
 
-/// The path of the reader's program: beside this one, else where it is installed. Tests set another.
+/// The path of the reader's program: beside this program, else where it is installed. Tests set another.
 [[nodiscard]] std::string readerProgram();
 void useReaderProgram(const std::string& path);
 

@@ -36,7 +36,7 @@ constexpr std::size_t pageSize = 4096;
 
 [[noreturn]] void leave() { _exit(1); }
 
-/// Tells the workstation how far reading is, now and then.
+/// Tells the workstation the progress of reading, now and then.
 class ProgressSender {
 public:
     explicit ProgressSender(Channel& channel) : m_channel(channel) {}
@@ -55,7 +55,7 @@ private:
     std::chrono::steady_clock::time_point m_last{};
 };
 
-/// Reading may take minutes, and nobody waits for it any more once the workstation is gone.
+/// Ends the process when the workstation is gone, as nobody waits for the minutes that reading may take.
 void endWithTheWorkstation(int socket) {
     std::thread([socket] {
         pollfd gone{socket, POLLRDHUP, 0};
@@ -65,7 +65,6 @@ void endWithTheWorkstation(int socket) {
     }).detach();
 }
 
-/// Sends why nothing was read, or else what was.
 template <typename Value>
 bool sendOutcome(Channel& channel, const Result<Value>& done) {
     MessageWriter writer;
@@ -82,13 +81,13 @@ bool sendStudy(Channel& channel, Result<Study> read, SharedVoxelMemory& memory) 
     return channel.send(MessageKind::result, writer.bytes() + shared->bytes, {shared->voxels.number()});
 }
 
-/// Sends what there is to be seen before the study is read. What cannot be shared is left out: the study follows.
+/// Sends what can be seen before the study is read. If it cannot be shared, it is left out, as the study follows.
 void sendCoarse(Channel& channel, const CoarseVolume& coarse) {
     const Result<SharedStudy> shared = shareCoarse(coarse);
     if (shared && !channel.send(MessageKind::coarse, shared->bytes, {shared->voxels.number()})) leave();
 }
 
-/// Reads in this process: not what restricted_reader.h declares under the same names.
+/// Reads in this process, unlike the functions of restricted_reader.h with the same names.
 bool perform(Channel& channel, const Request& request, SharedVoxelMemory& memory, const Progress& progress) {
     switch (request.task) {
         case Task::readStudy:
@@ -108,7 +107,7 @@ bool perform(Channel& channel, const Request& request, SharedVoxelMemory& memory
     return false;
 }
 
-/// Where memory ran out outside of what readStudy() catches.
+/// The failure if memory runs out outside of readStudy().
 Failure tooLarge(const Request& request) {
     return fail(FailureKind::unreadable, request.path.empty() ? request.list.path : request.path, "",
                 "needs more memory than a file of its size may take", doNotOpen)
@@ -149,7 +148,7 @@ int serveReader(const ReaderStart& start) {
     } catch (const std::length_error&) {
         sent = sendOutcome(channel, Result<bool>(tl::unexpected(tooLarge(request))));
     }
-    // What reading left in memory is given back by the kernel, faster than piece by piece.
+    // The kernel frees all memory at once, faster than piece by piece.
     _exit(sent ? 0 : 1);
 }
 
@@ -178,7 +177,7 @@ int tryWhatIsForbidden() {
     tried("starting a process", child > 0);
     if (child > 0) waitpid(child, nullptr, 0);
     tried("running a program", execv(arguments[0], arguments.data()) == 0);
-    std::thread([] {}).join();  // threads are needed, and have to start
+    std::thread([] {}).join();  // threads are needed and must start
     return allRefused ? 0 : 1;
 }
 

@@ -34,7 +34,7 @@ public:
         m_always = false;
         m_waiting.reset();
     }
-    /// The one that waits, or null.
+    /// The waiting process, or null.
     std::unique_ptr<ReaderProcess> take() {
         const std::lock_guard alone(m_access);
         return std::exchange(m_waiting, nullptr);
@@ -67,7 +67,6 @@ Request requestFor(Task task, const std::string& path = {}) {
     return request;
 }
 
-/// What a reader process answers to a request.
 Result<ReaderProcess::Answer> ask(const Request& request, FileBroker broker, const std::string& file,
                                   const Progress& progress) {
     if (progress.cancelled()) return fail(FailureKind::cancelled, file, "", "was not read: cancelled");
@@ -77,12 +76,12 @@ Result<ReaderProcess::Answer> ask(const Request& request, FileBroker broker, con
         const bool counts = answer || waiting->hasBegun() || answer.error().kind == FailureKind::cancelled;
         waiting.reset();
         spare().refill();
-        // One that ended while it waited had read nothing, so that another is asked.
+        // A process may end while it waits. It has read nothing then, so ask another.
         if (counts) return answer;
     }
     auto started = ReaderProcess::start(false);
     if (!started) return tl::unexpected(started.error());
-    // A process that has ended since is found where its answer is waited for.
+    // If the process has ended since, serve() finds out.
     static_cast<void>((*started)->request(bytes));
     auto answer = (*started)->serve(broker, file, progress);
     spare().refill();
@@ -94,7 +93,6 @@ tl::unexpected<Failure> noSense(const std::string& file) {
                 "was not read: the process that reads files answered what makes no sense", doNotOpen);
 }
 
-/// Why a reader refused a file.
 tl::unexpected<Failure> refused(Failure failure) {
     makeHarmless(failure);
     return tl::unexpected(std::move(failure));
@@ -104,8 +102,7 @@ MessageReader readerOf(const ReaderProcess::Answer& answer) {
     return MessageReader({reinterpret_cast<const std::uint8_t*>(answer.bytes.data()), answer.bytes.size()});
 }
 
-/// Whether the files that a reader names are such as it asked for. Others would be opened later in its name: a checksum
-/// is taken of them, and what patient they are of is read.
+/// Whether the reader asked for all these files. The workstation later opens them, for a checksum or for their patient.
 bool haveBeenAskedFor(const std::vector<std::string>& files, const std::set<std::string>& asked) {
     return std::ranges::all_of(files, [&](const std::string& file) { return asked.contains(file); });
 }
@@ -130,7 +127,7 @@ Result<Value> valueOf(const Result<ReaderProcess::Answer>& answer, const std::st
     return std::move(*value);
 }
 
-/// `listed` are files that an earlier reader asked for: those of a series stand for all of its folder.
+/// `listed` are files that an earlier reader asked for. The files of a series stand for its folder.
 Result<Study> studyOf(const Result<ReaderProcess::Answer>& answer, const std::string& file,
                       const std::vector<std::string>& listed = {}) {
     if (!answer) return tl::unexpected(answer.error());
@@ -152,13 +149,13 @@ Result<Study> studyOf(const Result<ReaderProcess::Answer>& answer, const std::st
     return std::move(*study);
 }
 
-/// The first bytes of a file; empty where they cannot be read.
+/// The first bytes of a file; empty if they cannot be read.
 std::string beginningOf(const std::string& path) {
     const auto input = InputFile::open(path);
     return input ? input->beginning(4096).value_or("") : "";
 }
 
-/// Whether a file or folder may be DICOM, whose tables have to be loaded before anything is read.
+/// Whether a file or folder may be DICOM, so that DICOM's tables must be loaded before reading.
 bool mayBeDicom(const std::string& path) {
     if (fileAccess().kindOf(path) != FileKind::file) return true;
     const FileFormat* format = formatFromContent(beginningOf(path));
@@ -190,7 +187,7 @@ Result<SeriesList> listSeries(const std::string& path, const Progress& progress)
 }
 
 bool holdsSeries(const std::string& path) {
-    // What a folder or another kind of file is can be told without reading it.
+    // Folders and other kinds of files need no reader.
     const FileKind kind = fileAccess().kindOf(path);
     if (kind != FileKind::file) return kind == FileKind::folder;
     if (!mayBeDirectory(beginningOf(path))) return false;

@@ -1,5 +1,5 @@
-// The readers of io/ as the workstation and the command line call them: each runs in a process that can do nothing but
-// read what it is given, and whatever happens there ends in a sentence.
+// The readers of io/ for the workstation and the command line. Each runs in a process that can only read what it is
+// given. Whatever happens there ends in a sentence.
 #pragma once
 
 #include <string>
@@ -11,19 +11,19 @@
 
 namespace echolucent::restricted {
 
-/// How long ahead a reader process is started.
+/// How far ahead a reader process is started.
 enum class Readiness {
-    once,    ///< one, for a program that reads once
-    always,  ///< the next as soon as one is used, with all that DICOM needs, for a program that stays
+    once,    ///< one process, for a program that reads once
+    always,  ///< for a program that stays: the next as soon as one is used, with DICOM's tables
 };
 /// Starts a reader process before it is needed, so that nobody waits for it.
 void prepareReader(Readiness readiness);
 /// Ends the process that waits.
 void dismissReader();
 
-// Each takes, gives and fails as the function of its name in io/ does. Beyond that each fails (unreadable) where the
-// reader process cannot be started, ends before it has answered, uses more memory or time than files of that size may,
-// or answers what makes no sense; and (cancelled) within 100 ms where progress.cancel is raised.
+// Each function takes, gives and fails as its namesake in io/. It also fails (unreadable) if the reader process cannot
+// be started, ends before it answers, or answers nonsense. So it does if the reader uses more memory or time than files
+// of that size may. It fails (cancelled) within 100 ms after progress.cancel is raised.
 [[nodiscard]] Result<Study> readStudy(const std::string& path, const ReadOptions& options = {},
                                       const Progress& progress = {});
 [[nodiscard]] Result<SeriesList> listSeries(const std::string& path, const Progress& progress = {});

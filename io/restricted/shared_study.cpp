@@ -21,7 +21,7 @@ namespace echolucent::restricted {
 
 namespace {
 
-/// Where voxels or a mask lie in shared memory.
+/// The place of voxels or a mask in shared memory.
 struct Extent {
     std::int32_t type = 0;     // index of the alternative of Voxels
     std::uint64_t offset = 0;  // bytes from the beginning, a multiple of a page
@@ -37,7 +37,7 @@ struct SharedVolume {
     VolumeGeometry geometry;
     Extent voxels;
     double whiteLevel = 1.0;
-    std::int32_t mask = -1;  // index of the list of masks; -1 where all voxels are data
+    std::int32_t mask = -1;  // index in the list of masks; -1 if all voxels are data
     DataBox box;
 };
 
@@ -46,7 +46,7 @@ void describe(Archive& archive, Value& volume) {
     archive(volume.geometry, volume.voxels, volume.whiteLevel, volume.mask, volume.box);
 }
 
-/// The volumes of a study, and the masks that they share.
+/// The volumes of a study, and their shared masks.
 struct SharedVolumes {
     std::vector<SharedVolume> phases;
     std::vector<Extent> masks;
@@ -57,10 +57,10 @@ void describe(Archive& archive, Value& volumes) {
     archive(volumes.phases, volumes.masks);
 }
 
-// No volume is longer, in units, and a coarse grid has at least one voxel.
+// No volume is longer, in units. A coarse grid has at least one voxel.
 constexpr double mostUnitsOfCoarse = 100'000;
 
-/// Memory that both processes see. Voxels that lie in it keep it.
+/// Memory that both processes see. Voxels in it keep it alive.
 class Mapping {
 public:
     Mapping(int file, std::uint64_t bytes, int protection)
@@ -74,8 +74,8 @@ public:
     [[nodiscard]] bool isOpen() const { return m_start != MAP_FAILED; }
     [[nodiscard]] std::uint8_t* start() const { return static_cast<std::uint8_t*>(m_start); }
     [[nodiscard]] std::uint64_t size() const { return m_bytes; }
-    /// Has the kernel map all pages of a part at once, which takes less time than to map them as they are touched. The
-    /// part begins at a page; its pages have to be there, since others would take memory.
+    /// Lets the kernel map all pages of a part at once, which is faster than mapping each at its first touch. The part
+    /// begins at a page. Its pages must be there, as others would take memory.
     void mapPart(std::uint64_t offset, std::uint64_t bytes) const {
         madvise(start() + offset, static_cast<std::size_t>(bytes), MADV_POPULATE_READ);
     }
@@ -85,11 +85,11 @@ private:
     void* m_start;
 };
 
-/// Lays values out in shared memory. Those that lie there already stay in their place.
+/// Lays values out in shared memory. Values that lie there already stay in place.
 class Placing {
 public:
     explicit Placing(SharedVoxelMemory& memory) : m_memory(memory) {}
-    /// Throws std::bad_alloc where there is no more memory.
+    /// Throws std::bad_alloc if memory runs out.
     template <typename Value>
     Extent place(std::int32_t type, const VoxelArray<Value>& values) {
         const std::size_t bytes = values.size() * sizeof(Value);
@@ -101,7 +101,7 @@ public:
         return {type, *m_memory.offsetOf(copy), values.size()};
     }
 
-    /// Gives the copies back, when the memory is handed over.
+    /// Gives the copies back after the memory was handed over.
     void end() {
         for (const auto& [copy, bytes] : std::exchange(m_copies, {})) m_memory.deallocate(copy, bytes);
     }
@@ -111,7 +111,7 @@ private:
     std::vector<std::pair<void*, std::size_t>> m_copies;
 };
 
-/// The values at an extent; no value where they do not lie in the memory.
+/// The values at an extent; no value if they do not lie in the memory.
 template <typename Value>
 std::optional<VoxelArray<Value>> valuesAt(const std::shared_ptr<const Mapping>& memory, const Extent& extent) {
     if (extent.offset % sharedPageBytes != 0 || extent.offset > memory->size() ||
@@ -127,8 +127,8 @@ struct Part {
     std::uint64_t bytes = 0;
 };
 
-/// Maps those parts whose pages are all there; whatever a message says, no more than there is. The system looks for
-/// holes page by page, so that each page is looked at once, however many parts there are.
+/// Maps those parts whose pages are all there, whatever the message says. The system looks for holes page by page, so
+/// each page is looked at once, however many parts there are.
 void mapAhead(const Mapping& memory, const Descriptor& file, std::vector<Part> parts) {
     std::ranges::sort(parts, {}, &Part::offset);
     std::uint64_t mapped = 0, hole = 0;
@@ -161,7 +161,7 @@ bool isFinite(const Vec3& vector) {
     return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
 }
 
-/// Whether a size, a probe and directions are such as readers give them; the rest is asked by checkGeometry().
+/// Whether a size, a probe and directions are plausible. checkGeometry() checks the rest.
 bool isSensible(const SharedVolume& volume) {
     const VolumeGeometry& geometry = volume.geometry;
     std::optional<std::int64_t> voxels = 1;
@@ -186,7 +186,7 @@ bool isSensible(const Study& study) {
            (!study.phaseSeconds || (*study.phaseSeconds > 0 && std::isfinite(*study.phaseSeconds)));
 }
 
-/// Whether the phases are those of one study: of one size and type, and no more than any study has.
+/// Whether phases can be of one study: one size and type, and at most mostPhases.
 bool belongTogether(const std::vector<SharedVolume>& phases) {
     return !phases.empty() && phases.size() <= static_cast<std::size_t>(mostPhases) &&
            std::all_of(phases.begin(), phases.end(), [&](const SharedVolume& phase) {
@@ -195,7 +195,7 @@ bool belongTogether(const std::vector<SharedVolume>& phases) {
            });
 }
 
-/// Whether a mask marks no voxel as data that is not finite.
+/// Whether a mask marks only finite voxels as data.
 bool marksFiniteOnly(const DataMask& mask, const DataMask& finite) {
     return finite.empty() ||
            std::equal(mask.begin(), mask.end(), finite.begin(), finite.end(),
@@ -236,7 +236,7 @@ Result<SharedStudy> shareStudy(Study study, SharedVoxelMemory& memory) {
 
 namespace {
 
-/// As takeStudy(); no value either where the memory is larger than `mostBytes`, or a size than `longest` voxels.
+/// As takeStudy(); also no value if the memory is larger than `mostBytes`, or a size than `longest` voxels.
 std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const Descriptor& voxels,
                                      std::int64_t mostBytes, std::int64_t longest) {
     Study study;
@@ -246,7 +246,7 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
     if (!reader.complete() || !isSensible(study) || !belongTogether(shared.phases) ||
         std::ranges::max(shared.phases.front().geometry.size) > longest)
         return std::nullopt;
-    // Only memory without a name can be sealed: what is sealed is no file, and neither shrinks nor changes any more.
+    // Only memory without a name can be sealed. Sealed memory is no file, and neither shrinks nor changes.
     struct stat status {};
     if (fcntl(voxels.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) != 0 ||
         fstat(voxels.number(), &status) != 0 || status.st_size <= 0 || status.st_size > mostBytes)

@@ -1,4 +1,4 @@
-// A study on its way out of the reader process: what it says as a message, its voxels in shared memory.
+// A study on its way out of the reader process: a message, and the voxels in shared memory.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +19,16 @@ struct SharedStudy {
     Descriptor voxels;
 };
 
-/// Puts those of a study's voxels and masks into shared memory that do not lie there yet, and hands the memory over.
-/// The study is gone then: the workstation takes no memory that anyone could still write to. Fails (unreadable) where
-/// the system has no more of it.
+/// Puts those voxels and masks of a study into shared memory that are not there yet, and hands the memory over. The
+/// study is gone then, because the workstation takes no memory that others could still write to. Fails (unreadable) if
+/// the system has no more memory.
 [[nodiscard]] Result<SharedStudy> shareStudy(Study study, SharedVoxelMemory& memory);
 
-/// Takes a study out of what a reader sent, which may still run. Nobody trusts what it gave: memory that could still
-/// change, sizes that do not agree and numbers that no reader gives are refused. No value then.
+/// Takes a study from a reader's message. The reader may still run, and nobody trusts it. No value if the memory could
+/// still change, if sizes disagree, or if a number is one that no reader gives.
 [[nodiscard]] std::optional<Study> takeStudy(std::span<const std::uint8_t> bytes, const Descriptor& voxels);
 
-/// The same of what a coarse grid shows. No value either for one that is larger than a coarse grid can be.
+/// The same for what a coarse grid shows. Also no value if it is larger than a coarse grid can be.
 [[nodiscard]] Result<SharedStudy> shareCoarse(const CoarseVolume& coarse);
 [[nodiscard]] std::optional<CoarseVolume> takeCoarse(std::span<const std::uint8_t> bytes, const Descriptor& voxels);
 

@@ -10,7 +10,7 @@ namespace echolucent::restricted {
 
 namespace {
 
-// Where the kernel gives pages so large, it gives one in place of 512.
+// A large page replaces 512 small ones, if the kernel has them.
 constexpr std::uint64_t largePageBytes = std::uint64_t{2} << 20;
 
 std::uint64_t roundedUp(std::uint64_t bytes, std::uint64_t unit) { return (bytes + unit - 1) / unit * unit; }
@@ -34,8 +34,8 @@ void* SharedVoxelMemory::do_allocate(std::size_t bytes, std::size_t) {
     if (start == MAP_FAILED) throw std::bad_alloc();
     if (isLarge) {
         madvise(start, piece.bytes, MADV_HUGEPAGE);
-        // The kernel gives all pages at once: to trap into it at the first touch of each takes up to ten times as long.
-        // Where it cannot do so it gives them one by one.
+        // Ask for all pages at once. A trap into the kernel at each page's first touch takes up to ten times as long.
+        // If the kernel cannot do so, it gives them one by one.
         madvise(start, piece.bytes, MADV_POPULATE_WRITE);
     }
     m_size = piece.offset + piece.bytes;

@@ -1,4 +1,4 @@
-// Memory without a name that the reader process puts voxels into, so that the workstation sees them without a copy.
+// Memory without a name for the reader's voxels. The workstation sees them without a copy.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,16 @@ inline constexpr std::uint64_t sharedPageBytes = 4096;
 class SharedVoxelMemory : public std::pmr::memory_resource {
 public:
     SharedVoxelMemory() = default;
-    /// Where pieces are mapped that nobody gave back.
+    /// Unmaps the pieces that nobody gave back.
     ~SharedVoxelMemory() override;
     SharedVoxelMemory(const SharedVoxelMemory&) = delete;
     SharedVoxelMemory& operator=(const SharedVoxelMemory&) = delete;
 
-    /// Bytes from the beginning of the memory to `address`; no value where that lies in none of the pieces.
+    /// Bytes from the beginning of the memory to `address`; no value if no piece holds it.
     [[nodiscard]] std::optional<std::uint64_t> offsetOf(const void* address) const;
     /// Bytes from its beginning to its end.
     [[nodiscard]] std::uint64_t size() const;
-    /// The memory, to be sent to the workstation. What is given back from now on keeps what it holds. Not open where
-    /// no piece was taken.
+    /// The memory, for the workstation. Pieces given back later keep their values. Not open if no piece was taken.
     [[nodiscard]] Descriptor handOver();
 
 private:

@@ -1,4 +1,4 @@
-// What a reader process says in words, made harmless before anybody sees it.
+// Makes the words of a reader process harmless before anybody sees them.
 #pragma once
 
 #include "io/dicom/patient.h"
@@ -7,18 +7,18 @@
 
 namespace echolucent::restricted {
 
-/// No list of sentences or facts that a reader sends is longer.
+/// The longest list of sentences or facts of a reader.
 constexpr std::size_t mostTakenLines = 200;
-/// No sentence or other text that a reader sends is longer, in bytes.
+/// The longest text of a reader, in bytes.
 constexpr std::size_t longestTakenLine = 2000;
 
-/// Makes each text one line (oneLine()) of at most longestTakenLine bytes, and each list as long as
-/// mostTakenLines at most; the last of warnings says how many there were. Paths stay as they are: they name files.
+/// Makes each text one line (oneLine()) of at most longestTakenLine bytes, and cuts facts and warnings to
+/// mostTakenLines. The last of cut warnings says how many more there are. Paths stay, since they name files.
 void makeHarmless(Failure& failure);
 void makeHarmless(Study& study);
 void makeHarmless(SeriesList& list);
 void makeHarmless(Patient& patient);
-/// What holds no words.
+/// These hold no words.
 inline void makeHarmless(SmallPicture&) {}
 inline void makeHarmless(bool&) {}
 

@@ -10,18 +10,18 @@ namespace echolucent {
 
 namespace {
 
-// Rows are read together with those between them as long as they fit: it takes fewer calls, and little memory.
+// Several rows are read with those between them, up to this size: it takes fewer calls, and little memory.
 constexpr std::int64_t rowsPieceBytes = std::int64_t{1} << 20;
 constexpr std::int64_t mostRowBytes = std::int64_t{1} << 22;
 
-/// Takes every n-th voxel of a row, each of so many bytes.
+/// Takes every n-th voxel of a row. A voxel has `voxelBytes` bytes.
 template <typename Count>
 void takeVoxels(const std::uint8_t* row, const CoarseGrid& grid, Count voxelBytes, std::uint8_t* to) {
     for (std::int64_t x = 0; x < grid.geometry.size[0]; ++x, to += voxelBytes)
         std::memcpy(to, row + static_cast<std::size_t>(grid.voxelOf(0, x)) * voxelBytes, voxelBytes);
 }
 
-/// The same, faster by far where the compiler knows the number of bytes.
+/// The same, much faster because the compiler knows common numbers of bytes.
 void takeRow(const std::uint8_t* row, const CoarseGrid& grid, std::size_t voxelBytes, std::uint8_t* to) {
     switch (voxelBytes) {
         case 1: return takeVoxels(row, grid, std::integral_constant<std::size_t, 1>{}, to);
@@ -35,7 +35,7 @@ void takeRow(const std::uint8_t* row, const CoarseGrid& grid, std::size_t voxelB
 
 std::optional<CoarseGrid> coarseGridOf(const StoredVolume& stored) {
     if (stored.extent.encoding != VoxelEncoding::raw || stored.phasesFastest || stored.polar) return std::nullopt;
-    // What is refused when all is read is no matter of a coarse picture.
+    // A volume that the full reading will refuse gets no coarse picture.
     const bool sensible = isSensibleSpacing(stored.geometry.spacing) &&
                           stored.geometry.size[0] * bytesOf(stored.type) * stored.channels <= mostRowBytes;
     return sensible ? coarseGridOf(stored.geometry) : std::nullopt;

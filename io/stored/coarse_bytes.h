@@ -1,4 +1,4 @@
-// The bytes of every n-th voxel, out of files that store voxels raw.
+// Reads every n-th voxel of files that store voxels raw.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@
 namespace echolucent {
 
 /// The coarse grid of a stored volume whose voxels can be read at any place: stored raw, phase after phase, on a
-/// Cartesian grid of a spacing that scanners have. No value for all others.
+/// Cartesian grid with a spacing that scanners have. No value for all others.
 [[nodiscard]] std::optional<CoarseGrid> coarseGridOf(const StoredVolume& stored);
 
-/// The bytes of the first phase's voxels on a coarse grid, as they are stored. No more is read than the slices that the
-/// grid takes. Fails (unreadable) where a file cannot be read, (cancelled) where the person ended it.
+/// The stored bytes of the first phase's voxels on a coarse grid. Only the slices of the grid are read. Fails
+/// (unreadable) if a file cannot be read, (cancelled) if the person ended it.
 [[nodiscard]] Result<VoxelBytes> readCoarseBytes(const StoredVolume& stored, StoredBytes& source,
                                                  const CoarseGrid& grid, const Progress& progress);
 

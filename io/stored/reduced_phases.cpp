@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    /// Reads what comes next in the file: a slice, or the same slice of all phases.
+    /// Reads the file's next slice, or the next slice of all phases together.
     Result<void> readStep(std::int64_t step) {
         m_bytes.resize(m_voxels * m_voxelBytes * m_together);
         constexpr double shareOfReading = 0.8;
@@ -68,7 +68,7 @@ private:
     std::size_t m_voxels = 0;      // of a slice
     std::size_t m_voxelBytes = 0;  // all channels
     std::size_t m_together = 1;    // phases whose voxels are interleaved
-    std::int64_t m_steps = 0;      // reads of the whole file
+    std::int64_t m_steps = 0;      // reads for the whole file
     VoxelBytes m_bytes;
 };
 
@@ -79,7 +79,7 @@ Result<std::vector<VoxelBytes>> readReducedPhases(const StoredVolume& stored, St
     const auto slice =
         checkedProduct(bytesOf(stored.type) * stored.channels * (stored.phasesFastest ? stored.phases : 1),
                        stored.geometry.size[0] * stored.geometry.size[1]);
-    // The slice as it is stored, apart, and the sums of its columns.
+    // The slice as stored, the slice of each phase apart, and the sums of its columns.
     constexpr std::uint64_t timesTheSlice = 4;
     constexpr std::uint64_t countable = std::uint64_t{1} << 60;
     const std::uint64_t bytes = slice ? std::min(static_cast<std::uint64_t>(*slice), countable) : countable;

@@ -1,4 +1,4 @@
-// The phases of a stored volume that is too large to be kept: means of blocks, read slice by slice.
+// Reads the phases of a volume that is too large to be kept, slice by slice, as means of blocks.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,9 @@
 
 namespace echolucent {
 
-/// Reads all phases of `stored` from `source` and keeps their means, one value a voxel, in this machine's byte order;
-/// colour is reduced to luma. Beside the means, memory is taken for the slices at one place along z only: one, or as
-/// many as there are phases where these are interleaved. Fails as StoredBytes::read(), and (unreadable) where the
-/// machine has no memory for these slices.
+/// Reads all phases of `stored` from `source` and keeps their means, one value for each voxel, in this machine's byte
+/// order. Colour is reduced to luma. Beside the means, memory holds one slice only, or that slice of all phases if they
+/// are interleaved. Fails as StoredBytes::read(), and (unreadable) if the machine has no memory for that.
 [[nodiscard]] Result<std::vector<VoxelBytes>> readReducedPhases(const StoredVolume& stored, StoredBytes& source,
                                                                 const Reduction& reduction, const Progress& progress);
 

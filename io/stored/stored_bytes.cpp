@@ -14,19 +14,19 @@ namespace echolucent {
 
 namespace {
 
-// Deflate cannot shrink data below this: 258 bytes take at least two bits.
+// Deflate shrinks at most this many times: 258 bytes take at least two bits.
 constexpr std::uint64_t deflateRatio = 1032;
 // Above this ratio the decompressed bytes are counted before memory is taken for them.
 constexpr std::uint64_t plausibleRatio = 32;
-// Compressed bytes are decoded to their end for the sake of their checksum, but not for longer than this.
+// Compressed bytes are decoded to their end, which verifies their checksum, but for no more bytes than this.
 constexpr std::uint64_t mostBeyond = std::uint64_t{256} << 20;
 
-/// The least encoded bytes that can stand for so many bytes of voxels.
+/// The fewest encoded bytes that can stand for this many bytes of voxels.
 std::uint64_t leastEncoded(const StoredVolume& stored, std::uint64_t bytes) {
     switch (stored.extent.encoding) {
         case VoxelEncoding::raw: return bytes;
         case VoxelEncoding::zlib: return bytes / deflateRatio;
-        case VoxelEncoding::bzip2: return 0;  // runs of zeros shrink a million times
+        case VoxelEncoding::bzip2: return 0;  // it shrinks zeros a million times
         case VoxelEncoding::text: return 2 * (bytes / static_cast<std::uint64_t>(bytesOf(stored.type))) - 1;
         case VoxelEncoding::hex: return 2 * bytes;
     }
@@ -70,7 +70,7 @@ Result<VoxelExtent> StoredBytes::extentIn(const InputFile& file) const {
     const auto offset = skippedLines(file);
     if (!offset) return tl::unexpected(offset.error());
     extent.offset = *offset;
-    // Bytes to skip are skipped before voxels that are written as text, and after decompression of others.
+    // In compressed data, bytes are skipped after unpacking; in all others, here.
     if (!isCompressed(extent.encoding)) extent.offset += std::exchange(extent.skipBytes, 0);
     return extent.encoding == VoxelEncoding::raw ? extentOfRaw(file, extent) : extentOfEncoded(file, extent);
 }
@@ -78,7 +78,7 @@ Result<VoxelExtent> StoredBytes::extentIn(const InputFile& file) const {
 Result<VoxelExtent> StoredBytes::extentOfRaw(const InputFile& file, VoxelExtent extent) const {
     const std::string name = nameFromPath(file.path());
     if (m_stored.dataAtEnd) {
-        // What stands before the offset is header, or lines to skip, and never voxels.
+        // Bytes before the offset are header or skipped lines, never voxels.
         const std::uint64_t left = file.size() - std::min(extent.offset, file.size());
         if (m_part > left)
             return tooShort(
@@ -114,7 +114,7 @@ Result<VoxelExtent> StoredBytes::extentOfEncoded(const InputFile& file, VoxelExt
 
 Result<void> StoredBytes::checkDecoded(const InputFile& file, const VoxelExtent& extent,
                                        const Progress& progress) const {
-    // Without trusting the declaration: whether the compressed bytes can give the declared ones.
+    // The declaration may lie: count whether the compressed bytes give as many as declared.
     const std::uint64_t needed = m_part + extent.skipBytes;
     if (needed / plausibleRatio <= extent.length) return {};
     const auto counted = VoxelSource(file, extent, m_stored.type).countBytes(needed, progress);
@@ -186,7 +186,7 @@ Result<void> StoredBytes::beginNext(const Progress& progress) {
 
 Result<void> StoredBytes::endFile(const Progress& progress) {
     const VoxelEncoding encoding = m_stored.extent.encoding;
-    if (encoding == VoxelEncoding::raw) return {};  // check() has said what is left
+    if (encoding == VoxelEncoding::raw) return {};  // check() has told of the rest
     const bool compressed = isCompressed(encoding);
     const auto more = m_source->skipRest(compressed ? mostBeyond : 0, progress);
     if (!more && (compressed || more.error().kind == FailureKind::cancelled)) return tl::unexpected(more.error());
@@ -199,7 +199,7 @@ Result<void> StoredBytes::endFile(const Progress& progress) {
         return fail(FailureKind::unreadable, m_file, "",
                     "ends within its compressed data, so that their checksum cannot be verified", damagedFile);
     if (more && *more == 0) {
-        // A file that was cut there and one whose writer ends it so look alike.
+        // A file cut there looks like one whose writer ends it so.
         if (m_mayBeCut)
             m_warnings.push_back(nameFromPath(m_file) +
                                  " ends directly after its last number, which may have been cut: compare its last "

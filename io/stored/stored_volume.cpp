@@ -22,7 +22,7 @@ std::uint64_t memoryToRead(const StoredVolume& stored, const ByteCounts& counts)
     const double onePhase = 1.0 / static_cast<double>(stored.phases);
     const bool staysAsItIs = stored.type == StoredType::uint8 && !stored.rescale;
     const bool isShort = stored.type == StoredType::uint16 && !stored.rescale;
-    // Phase by phase the bytes are given free as the voxels take their place.
+    // Phase by phase, voxels take the place of bytes, which are freed.
     const double kept = voxels * (staysAsItIs ? 1 : isShort ? 2 : 4);
     const double converting = staysAsItIs ? all : std::max(all + kept * onePhase, kept + all * onePhase);
     const double apart = stored.phasesFastest ? 2 * all : 0;

@@ -16,7 +16,7 @@ namespace echolucent {
 
 namespace {
 
-/// Takes apart phases that are interleaved voxel by voxel.
+/// Separates phases that are interleaved voxel by voxel.
 std::vector<VoxelBytes> splitPhases(const VoxelBytes& all, std::size_t phases, std::size_t voxelBytes) {
     std::vector<VoxelBytes> split(phases, VoxelBytes(all.size() / phases));
     const std::size_t voxels = all.size() / phases / voxelBytes;
@@ -27,7 +27,7 @@ std::vector<VoxelBytes> splitPhases(const VoxelBytes& all, std::size_t phases, s
     return split;
 }
 
-/// How the voxels are to be reduced. Voxels along beams are not: their conversion has a limit of its own.
+/// Chooses how the voxels are reduced. Voxels along beams are not: their conversion has its own limit.
 Result<std::optional<ChosenReduction>> reductionOf(const StoredVolume& stored, const ByteCounts& counts,
                                                    const ReadOptions& options) {
     if (!stored.polar)
@@ -80,7 +80,7 @@ void addStorageFacts(const StoredVolume& stored, StudyParts& parts) {
     }
 }
 
-/// Turns voxels as they are stored into one value each, in this machine's byte order.
+/// Turns stored voxels into one value each, in this machine's byte order.
 void toValues(const StoredVolume& stored, std::vector<VoxelBytes>& phases) {
     for (auto& bytes : phases) {
         toMachineByteOrder(bytes, stored.type, stored.bigEndian);
@@ -88,7 +88,7 @@ void toValues(const StoredVolume& stored, std::vector<VoxelBytes>& phases) {
     }
 }
 
-/// The study that voxels make which are one value each, one vector a phase; `chosen` says how they were reduced.
+/// Makes the study of voxels that are one value each, one vector for each phase. `chosen` says how they were reduced.
 Result<Study> studyOf(const StoredVolume& stored, std::vector<VoxelBytes> phases,
                       const std::optional<ChosenReduction>& chosen, const std::vector<std::string>& warnings,
                       const ReadOptions& options, const Progress& progress) {
@@ -126,8 +126,7 @@ Result<Study> studyOf(const StoredVolume& stored, std::vector<VoxelBytes> phases
     return assembleStudy(std::move(parts), options, progress);
 }
 
-/// Hands over what a coarse grid shows, where that can be read soon. What is wrong with the volume is said when all of
-/// it is read.
+/// Hands over the coarse volume, if it can be read soon. Problems of the volume are left to the full reading.
 void offerCoarse(const StoredVolume& stored, StoredBytes& source, const std::optional<ChosenReduction>& chosen,
                  const ReadOptions& options, const Progress& progress) {
     if (!progress.coarse) return;
@@ -144,7 +143,7 @@ void offerCoarse(const StoredVolume& stored, StoredBytes& source, const std::opt
     const auto study = studyOf(coarse, std::move(phases), {}, {}, options, Progress{{}, progress.cancel});
     if (!study) return;
     CoarseVolume volume = coarseVolumeOf(*grid, *study->phases.front());
-    // Opacities will be given per unit of the volume that is kept.
+    // Opacities will be given per unit of the reduced volume.
     if (chosen)
         volume.units = std::max(
             1.0, volume.units * stored.geometry.unit() / reducedGeometry(stored.geometry, chosen->reduction).unit());

@@ -1,4 +1,4 @@
-// From the header of a MetaImage, an NRRD, a NIfTI or a raw layout to the study that its voxels make.
+// Reads the study that the header of a MetaImage, an NRRD, a NIfTI or a raw layout describes.
 #pragma once
 
 #include "io/stored/stored_volume.h"
@@ -6,8 +6,8 @@
 
 namespace echolucent {
 
-/// Reads the voxels that `stored` describes. The declared size is compared with what the file can hold before memory is
-/// taken. Fails (unreadable) where the file holds fewer voxels or is damaged. `progress` is polled for cancel.
+/// Reads the voxels that `stored` describes. Before memory is taken, the declared size is compared with the files.
+/// Fails (unreadable) if they hold fewer voxels or are damaged. `progress` is polled for cancel.
 [[nodiscard]] Result<Study> readStoredVolume(const StoredVolume& stored, const ReadOptions& options,
                                              const Progress& progress);
 

@@ -1,4 +1,4 @@
-// The import report as a person reads it: what the reader says, and which way sound travelled.
+// The import report as a person reads it: what the reader says, and the direction of sound.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace echolucent {
 
-/// The facts of a study, followed by its beam axis and why that was taken. Where the file says where the probe was, the
-/// facts hold the beam already.
+/// The facts of a study, followed by its beam axis and why that was taken. If the file states the place of the probe,
+/// the facts hold the beam already.
 [[nodiscard]] std::vector<ImportFact> importReport(const Study& study, const BeamGuess& beam);
 
-/// What is to be said before a picture or movie of the study is saved: that it may show names, where its pictures are
-/// not free of text drawn into them. An empty text where they are.
+/// The note before a picture or movie of the study is saved: it may show names, if its pictures may have text drawn
+/// into them. Empty if they are free of text.
 [[nodiscard]] std::string burnedInTextNote(const Study& study);
 
 }  // namespace echolucent

@@ -58,8 +58,8 @@ std::int64_t bytesPerVoxel(const Voxels& voxels) {
     return std::visit([](const auto& values) { return static_cast<std::int64_t>(sizeof(values[0])); }, voxels);
 }
 
-/// Refuses a grid that is one voxel thick, whatever made it so thin: the distance of the beams, or a memory limit that
-/// widened the spacing beyond it.
+/// Refuses a grid one voxel thick. Its cause may be the distance of the beams, or a memory limit that widened the
+/// spacing beyond the distance.
 Result<void> checkThickness(const std::string& path, const ConversionGrid& grid, const PolarSources& sources) {
     const auto& size = grid.geometry.size;
     const auto thin = std::find(size.begin(), size.end(), std::int64_t{1}) - size.begin();

@@ -1,4 +1,4 @@
-// The step between a reader of polar voxels and the study: scan conversion, with its part of the import report.
+// The step from a reader's polar voxels to a study: scan conversion, with its part of the import report.
 #pragma once
 
 #include <string>
@@ -8,25 +8,23 @@
 
 namespace echolucent {
 
-/// The keys, items or options that gave the numbers of a polar geometry, for the import report and for refusals.
+/// The keys, items or options of the numbers of a polar geometry, for the import report and for refusals.
 struct PolarSources {
     std::string size;       ///< samples, lines and planes
-    std::string range;      ///< where the first sample lies, and how far one is from the next
+    std::string range;      ///< place of the first sample, and distance of samples
     std::string lines;      ///< angles or positions of the lines, and the radius of their axis
     std::string planes;     ///< the same of the planes
-    std::string assumed{};  ///< what the reader assumes of distances, for the report: "the first sample lies on the
-                            ///< probe's face"; empty where the file says all
+    std::string assumed{};  ///< assumption on distances: "the first sample lies on the probe's face"; may be empty
 };
 
-/// Fails (unreadable) where the geometry makes no sense or is not that of `size` samples, lines and planes. `path` and
-/// `sources` are named in the sentence.
+/// Fails (unreadable) if the geometry makes no sense or does not have `size` samples, lines and planes. The sentence
+/// names `path` and `sources`.
 [[nodiscard]] Result<void> checkPolar(const std::string& path, const PolarGeometry& polar,
                                       const std::array<std::int64_t, 3>& size, const PolarSources& sources);
 
-/// Replaces the voxels of all phases, which are those of a polar volume in its index order, by those of a Cartesian
-/// grid within the memory that the options allow. Sets geometry, probe, mask and spacing source, and adds facts. The
-/// geometry has been checked with checkPolar(). Fails (unreadable) where the machine has too little memory, (cancelled)
-/// where the person ended it.
+/// Replaces the polar voxels of all phases by those of a Cartesian grid, within the memory that the options allow. Sets
+/// geometry, probe, mask and spacing source, and adds facts. Call checkPolar() before. Fails (unreadable) if the
+/// machine has too little memory, (cancelled) if the person ended it.
 [[nodiscard]] Result<void> scanConvert(StudyParts& parts, const PolarGeometry& polar, const PolarSources& sources,
                                        const ReadOptions& options, const Progress& progress);
 

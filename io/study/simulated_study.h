@@ -1,4 +1,4 @@
-// The scan that the program makes itself, as a study.
+// The program's own simulated scan as a study.
 #pragma once
 
 #include "io/study/study.h"
@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// The simulated scan as a study of one phase. Fails (cancelled) where the person ended it.
+/// The simulated scan as a study of one phase. Fails (cancelled) if the person ended it.
 [[nodiscard]] Result<Study> simulatedStudy(const SimulatedScan& scan, const Progress& progress = {});
 
 }  // namespace echolucent

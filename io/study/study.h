@@ -1,4 +1,4 @@
-// What a reader hands over: the volumes of a study and the story of how they were read.
+// The result of a reader: the volumes of a study and the report of how they were read.
 #pragma once
 
 #include <array>
@@ -15,51 +15,50 @@
 
 namespace echolucent {
 
-/// One line of the import report: a fact, its value and where it came from.
+/// One line of the import report: a fact, its value and its source.
 struct ImportFact {
     std::string name;    ///< "spacing", "white level", "lossy compression"
     std::string value;   ///< "0.30 x 0.30 x 0.30 mm"
     std::string source;  ///< "ElementSpacing", "(0018,0088)", "assumed"
 };
 
-/// Whether voxels were ever compressed with loss, as far as a file tells. In rising order: what holds for several files
-/// together is the largest.
+/// Whether voxels were ever compressed with loss, as far as a file tells. In rising order: the largest value holds for
+/// several files together.
 enum class LossyCompression { no, unknown, yes };
 
-/// Whether pictures have text drawn into their pixels, as far as a file tells; it may name the patient. In rising
-/// order: what holds for several files together is the largest.
+/// Whether pictures have text drawn into their pixels, as far as a file tells. It may name the patient. In rising
+/// order: the largest value holds for several files together.
 enum class BurnedInText {
-    no,       ///< it declares to be free of it, is of a kind that holds no text, or its format has no entry for it
+    no,       ///< the file declares none, is of a kind without text, or its format has no entry for it
     unknown,  ///< a DICOM file of pictures that does not say
-    yes,      ///< it declares that there is text
+    yes,      ///< the file declares text
 };
 
-/// A study: one volume, or the phases of a 4D one. Never empty once read. No patient name or identifier in it.
+/// A study: one volume, or the phases of a 4D one. Never empty once read. It holds no patient name or identifier.
 struct Study {
     std::string name;  ///< name of the file or folder, for the window's title
-    /// Every file the study was read from (header, voxels, layout kept beside a raw file, all DICOM files of a folder),
-    /// as paths that can be opened; empty where it was not read from files. No output may be one of them
-    /// (refuseToOverwrite()).
+    /// Every file of the study (header, voxels, layout kept beside a raw file, all DICOM files of a folder), as paths
+    /// that can be opened. Empty if it was not read from files. No output may be one of them (refuseToOverwrite()).
     std::vector<std::string> files;
     std::vector<std::shared_ptr<const Volume>> phases;
-    std::optional<double> phaseSeconds;  ///< seconds between phases, above 0; no value where they are unknown
+    std::optional<double> phaseSeconds;  ///< seconds between phases, above 0; no value if unknown
     LossyCompression lossyCompression = LossyCompression::unknown;
     BurnedInText burnedInText = BurnedInText::no;
     std::vector<ImportFact> facts;
     std::vector<std::string> warnings;  ///< sentences for the person: assumptions, conversions, unknown spacing
 };
 
-/// Writes FILE.echolucent.json beside a headerless raw file, so that readStudy() opens it without a layout next
-/// time. Fails (unwritable) where the folder cannot be written into.
+/// Writes FILE.echolucent.json beside a headerless raw file, so that readStudy() opens it without a layout next time.
+/// Fails (unwritable) if the folder cannot be written into.
 [[nodiscard]] Result<void> rememberRawLayout(const std::string& path, const RawLayout& layout);
-/// The layout kept beside the raw file at `path`; no value where there is none. Fails (unreadable) where
-/// FILE.echolucent.json is there but does not describe a layout.
+/// The layout kept beside the raw file at `path`; no value if there is none. Fails (unreadable) if FILE.echolucent.json
+/// is there but describes no layout.
 [[nodiscard]] Result<std::optional<RawLayout>> recalledRawLayout(const std::string& path);
 
-/// Reads a volume from the file or DICOM folder at `path`. The format is told by the content, then by the name. Every
-/// size is checked against the file before memory is taken. `progress` is polled for cancel every few MB, between files
-/// and between the elements of a DICOM file. Fails (unreadable) where there is no volume to be read, (cancelled) where
-/// the person ended it.
+/// Reads a volume from the file or DICOM folder at `path`. The content tells the format, else the name. Every size is
+/// checked against the file before memory is taken. `progress` is polled for cancel every few MB, between files and
+/// between the elements of a DICOM file. Fails (unreadable) if there is no readable volume, (cancelled) if the person
+/// ended it.
 [[nodiscard]] Result<Study> readStudy(const std::string& path, const ReadOptions& options = {},
                                       const Progress& progress = {});
 

@@ -19,7 +19,7 @@ namespace echolucent {
 
 namespace {
 
-/// The stored value of white, where one is known, and what gave it.
+/// The stored value of white, if it is known, and its source.
 struct ChosenWhite {
     std::optional<double> level;
     std::string source;
@@ -46,8 +46,8 @@ ChosenWhite whiteFromData(const WhiteLevel& measured, std::vector<std::string>& 
     return white;
 }
 
-/// The white level of all phases: what the file declares as such, 255 for 8 bits, the file's window where it suits the
-/// voxels, else what the voxels say.
+/// The white level of all phases: what the file declares, 255 for 8 bits, the file's window if it suits the voxels,
+/// else what the voxels say.
 ChosenWhite chooseWhite(const StudyParts& parts, std::vector<std::string>& warnings) {
     if (parts.whiteLevel) return {parts.whiteLevel, parts.whiteLevelSource};
     if (std::holds_alternative<VoxelArray<std::uint8_t>>(parts.voxels.phases.front()))
@@ -62,8 +62,7 @@ ChosenWhite chooseWhite(const StudyParts& parts, std::vector<std::string>& warni
     return whiteFromData(measured, warnings);
 }
 
-/// The volume with the mask that its format knows, else with a guess where one is wanted. What is not finite is no data
-/// in any case.
+/// The volume with the format's mask, else with a guess if one is wanted. Voxels that are not finite are never data.
 Volume withMask(const Volume& volume, const StudyParts& parts, const ReadOptions& options) {
     if (parts.dataMask) {
         if (volume.dataMask().empty()) return volume.withDataMask(parts.dataMask);
@@ -74,7 +73,6 @@ Volume withMask(const Volume& volume, const StudyParts& parts, const ReadOptions
     return options.guessNoData ? volume.withDataMask(guessDataMask(volume, voxelMemory())) : volume;
 }
 
-/// Sets every voxel of some slices.
 template <typename T>
 void fillSlices(std::vector<T>& values, const std::vector<std::size_t>& slices, const VolumeGeometry& geometry,
                 T value) {
@@ -83,9 +81,9 @@ void fillSlices(std::vector<T>& values, const std::vector<std::size_t>& slices, 
         std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(slice) * count, count, value);
 }
 
-/// The same where slices are missing.
+/// As withMask(), if slices are missing.
 Volume withoutMissing(const Volume& volume, const StudyParts& parts, const ReadOptions& options) {
-    // Zeros of a slice that is missing would join fluid to what lies outside.
+    // Zeros of a missing slice would join fluid to the outside.
     Voxels filled = std::visit(
         [&]<typename T>(const VoxelArray<T>& given) -> Voxels {
             std::vector<T> all = given.toVector();
@@ -110,7 +108,7 @@ std::string vectorText(const Vec3& vector) {
     return fmt::format("({:.4g}, {:.4g}, {:.4g})", vector[0], vector[1], vector[2]);
 }
 
-/// What the file says of the probe, in words. What the echo says is found after reading.
+/// Adds what the file says of the probe. What the echo says is found after reading.
 void addProbeFacts(const StudyParts& parts, Study& study) {
     const auto& probe = parts.geometry.probe;
     if (!probe) return;
@@ -125,7 +123,7 @@ void addProbeFacts(const StudyParts& parts, Study& study) {
             {"apex of the beams", vectorText(*probe->apexMm) + " mm from the first voxel", parts.probeSource});
 }
 
-/// One box for all phases, so that the picture of a beating heart keeps still.
+/// Gives all phases one box, so that the picture of a beating heart keeps still.
 void shareDataBox(std::vector<std::shared_ptr<const Volume>>& phases) {
     if (phases.size() < 2) return;
     DataBox box = phases.front()->dataBox();
@@ -180,7 +178,7 @@ std::string nameFromPath(const std::string& path) {
 
 bool isPosition(const Vec3& position) {
     constexpr double farthestMm = 1e7;
-    // Each coordinate is asked whether it lies inside, because every comparison with NaN is false.
+    // Every comparison with NaN is false, so NaN is refused.
     return std::abs(position[0]) <= farthestMm && std::abs(position[1]) <= farthestMm &&
            std::abs(position[2]) <= farthestMm;
 }
@@ -191,7 +189,7 @@ constexpr double largestSpacingRatio = 1000;
 
 bool areLengthsOfVoxels(const Vec3& spacing) {
     constexpr double smallestMm = 1e-4, largestMm = 1e4;
-    // Each spacing is asked whether it lies inside, because every comparison with NaN is false.
+    // Every comparison with NaN is false, so NaN is refused.
     return std::all_of(spacing.val, spacing.val + 3, [](double mm) { return mm >= smallestMm && mm <= largestMm; });
 }
 
@@ -233,8 +231,8 @@ std::string skewWarning(const Mat3& direction) {
 
 namespace {
 
-/// Refuses a line of voxels: along it rays and tube cores would have millions of samples, and around it the packed
-/// voxels of the ray caster would take a hundred times the memory of the volume.
+/// Refuses a line of voxels. Rays and tube cores along it would have millions of samples, and the ray caster's packed
+/// voxels would take a hundred times the volume's memory.
 Result<void> checkLength(const StudyParts& parts) {
     constexpr double mostUnits = 100'000;
     const auto& [size, spacing] = std::tie(parts.geometry.size, parts.geometry.spacing);
@@ -251,7 +249,7 @@ Result<void> checkLength(const StudyParts& parts) {
     return {};
 }
 
-/// Refuses more phases than are taken, a spacing that no scanner has, and an origin that is no position.
+/// Refuses too many phases, a spacing that no scanner has, and an origin that is no position.
 Result<void> checkGeometry(const StudyParts& parts) {
     if (auto few = requirePhases(parts.path, parts.phasesSource.empty() ? parts.sizeSource : parts.phasesSource,
                                  static_cast<std::int64_t>(parts.voxels.phases.size()));
@@ -283,7 +281,7 @@ Result<void> checkWhite(const StudyParts& parts) {
                 "Correct the white level or leave it out.");
 }
 
-/// What a file says of itself may hold any bytes, and any number of them; a line of the report has so many at most.
+/// The longest fact in the report. A file may say anything of itself, at any length.
 constexpr std::size_t longestFact = 300;
 
 void addLossFact(const StudyParts& parts, Study& study) {
@@ -294,7 +292,7 @@ void addLossFact(const StudyParts& parts, Study& study) {
         {"lossy compression", value, parts.lossSource.empty() ? "the format has no entry for it" : parts.lossSource});
 }
 
-/// Only formats that have an entry for burnt-in text tell of it in the report.
+/// Adds the fact on burnt-in text, if the format has an entry for it.
 void addBurnedInTextFact(const StudyParts& parts, Study& study) {
     if (parts.burnedInTextSource.empty()) return;
     const char* value = "unknown";
@@ -320,7 +318,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     Study study;
     study.name = nameFromPath(parts.path);
     study.files = std::move(parts.files);
-    // Times that are far apart overflow; no time is better than one that no clock can wait for.
+    // Times far apart overflow. No time is better than one that no clock can wait for.
     if (parts.phaseSeconds && !(*parts.phaseSeconds > 0 && std::isfinite(*parts.phaseSeconds)))
         parts.phaseSeconds.reset();
     study.phaseSeconds = parts.phaseSeconds;

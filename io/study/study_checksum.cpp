@@ -41,7 +41,7 @@ Result<Digest> digestOf(const InputFile& file, const Progress& progress) {
     return canonical(XXH3_128bits_digest(state.get()));
 }
 
-/// The regular files in and below a folder; none where there are more than so many.
+/// The regular files in and below a folder; empty if there are more than `most`.
 std::vector<std::string> filesBelow(const fs::path& folder, std::size_t most) {
     std::vector<std::string> files;
     std::error_code error;
@@ -64,20 +64,19 @@ std::int64_t bytesOfFiles(const std::vector<std::string>& files) {
     return bytes;
 }
 
-/// Looks at one path after the other, each once.
+/// Checks paths one after the other, each once.
 class Search {
 public:
     Search(const StudyFile& study, const Progress& progress)
         : m_study(study), m_name(fs::path(study.path).filename()), m_progress(progress) {}
 
-    /// Whether what lies at a path is the study.
     bool isStudy(const fs::path& path) {
         if (!m_asked.insert(path.lexically_normal().string()).second) return false;
         std::error_code error;
         const fs::file_status status = fs::status(path, error);
         if (error || m_progress.cancelled()) return false;
         if (fs::is_directory(status)) {
-            // What was a header with its voxels is opened by the header.
+            // A header with its voxels is opened by the header, not by the folder.
             if (m_study.files < 2 || fs::is_regular_file(path / m_name, error)) return false;
             return hasItsBytes(filesBelow(path, static_cast<std::size_t>(m_study.files)));
         }
@@ -102,7 +101,7 @@ public:
     }
 
 private:
-    /// Of folders that hold nothing but another one, the last.
+    /// The innermost of folders that only hold one folder each.
     static std::string innermost(fs::path path) {
         std::error_code error;
         for (fs::directory_iterator only(path, error);
@@ -115,7 +114,7 @@ private:
         return path.string();
     }
 
-    /// Whether a header, together with its voxels, is the study.
+    /// Whether a header and its voxels are the study.
     bool isHeaderOfStudy(const fs::path& header) const {
         std::vector<std::string> ofItsStem{header.string()};
         std::error_code error;
@@ -124,7 +123,8 @@ private:
             std::error_code unknown;
             const fs::path& path = entry->path();
             if (path.filename() == header.filename() || !entry->is_regular_file(unknown)) continue;
-            if (hasItsBytes({header.string(), path.string()})) return true;  // of two, each is named as it likes
+            if (hasItsBytes({header.string(), path.string()}))
+                return true;  // the second of two files may have any name
             if (path.filename().string().starts_with(header.stem().string())) ofItsStem.push_back(path.string());
         }
         return hasItsBytes(ofItsStem);
@@ -174,7 +174,7 @@ StudyFile withChecksum(StudyFile study, const StudyChecksum& checksum) {
 
 std::string changeOf(const StudyFile& study, const StudyChecksum& now) {
     if (study.checksum.empty() || study.checksum == now.text) return {};
-    // Another algorithm's checksum cannot be compared; a number of bytes can.
+    // Checksums of another algorithm cannot be compared, numbers of bytes can.
     const bool comparable = study.checksum.starts_with("xxh3-128:");
     if (study.files > 0 && study.files != now.files)
         return fmt::format("is read from {} files, and was read from {} when the session was saved", now.files,

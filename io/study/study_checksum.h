@@ -1,4 +1,4 @@
-// What tells one study's bytes from another's: their checksum, and where a study went that is no longer in its place.
+// Tells one study's bytes from another's by a checksum, and finds a study that is no longer in its place.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace echolucent {
 
-/// Of all bytes of some files.
+/// The checksum of all bytes of some files.
 struct StudyChecksum {
     std::string text;  ///< "xxh3-128:" and 32 hexadecimal digits
     std::int64_t bytes = 0;
@@ -20,30 +20,28 @@ struct StudyChecksum {
     friend bool operator==(const StudyChecksum&, const StudyChecksum&) = default;
 };
 
-/// The checksum of files: of one file XXH3-128 of its bytes, of several XXH3-128 of theirs in rising order, so that
-/// neither their names nor their order play a part. Fails (unreadable) where one of them cannot be read, (cancelled)
-/// where the person ended it; `progress` is asked every few MB.
+/// The checksum of files. Of one file it is XXH3-128 of its bytes. Of several it is XXH3-128 of their checksums in
+/// rising order, so that names and order of files play no part. Fails (unreadable) if one of them cannot be read,
+/// (cancelled) if the person ended it. `progress` is polled every few MB.
 [[nodiscard]] Result<StudyChecksum> checksumOf(const std::vector<std::string>& files, const Progress& progress = {});
 
-/// The study with what is known of its bytes.
 [[nodiscard]] StudyFile withChecksum(StudyFile study, const StudyChecksum& checksum);
 
-/// What differs between the bytes that a study had when its checksum was taken and those that were read now, lower
-/// case, no full stop ("has 12 bytes, and had 10 when the session was saved"); an empty text where nothing differs, or
-/// where its checksum is not known.
+/// The difference between the saved and the present bytes of a study, lower case, no full stop ("has 12 bytes, and had
+/// 10 when the session was saved"). Empty if nothing differs, or if no checksum was saved.
 [[nodiscard]] std::string changeOf(const StudyFile& study, const StudyChecksum& now);
 
 /// Where to look for a study that is no longer in its place.
 struct StudySearch {
-    std::vector<std::string> folders;  ///< looked through with the folders in them, four deep
-    std::vector<std::string> paths;    ///< files and folders that may be the study themselves
+    std::vector<std::string> folders;  ///< searched with their subfolders, four deep
+    std::vector<std::string> paths;    ///< files and folders that may be the study
 };
 
-/// A file or folder with the bytes of a study whose checksum is known. Only what has its number of bytes is read, and
-/// of one folder at most 20,000 entries are looked at. A study of several files that is no folder (a header with its
-/// voxels) is found where a file of its header's name is: with one other file of that folder or, where it was read from
-/// more than two, with all those that begin with the header's stem. No value where it is not found, where its checksum
-/// is not known, or where the person ended it.
+/// Finds the file or folder with the bytes of a study whose checksum is known. It reads only files of the same number
+/// of bytes, and looks at no more than 20,000 entries of a folder. A study of several files may be a header with its
+/// voxels, no folder. It is then found by a file with the header's name. A study of two files may have any other file
+/// of that folder. A larger study has all files there whose names begin with the header's stem. No value if it is not
+/// found, if its checksum is unknown, or if the person ended it.
 [[nodiscard]] std::optional<std::string> findStudy(const StudyFile& study, const StudySearch& search,
                                                    const Progress& progress = {});
 

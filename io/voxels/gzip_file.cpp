@@ -22,7 +22,7 @@ constexpr std::uint64_t alwaysUnpacked = std::uint64_t{256} << 20;
 constexpr std::uint64_t largestUnpackedRatio = 32;
 constexpr std::size_t unpackedPieceBytes = std::size_t{1} << 20;
 
-/// A file in memory that is written from its beginning on.
+/// A file in memory, written from its beginning on.
 class MemoryFile {
 public:
     MemoryFile() : m_descriptor(memfd_create("echolucent-unpacked", MFD_CLOEXEC)) {}
@@ -32,7 +32,7 @@ public:
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
 
-    /// False where there is not enough memory.
+    /// False if there is not enough memory.
     [[nodiscard]] bool write(std::span<const std::uint8_t> bytes) {
         while (m_descriptor >= 0 && !bytes.empty()) {
             const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());
@@ -42,7 +42,7 @@ public:
         }
         return m_descriptor >= 0;
     }
-    /// Hands the descriptor over.
+    /// Gives up the descriptor: the caller closes it.
     [[nodiscard]] int release() { return std::exchange(m_descriptor, -1); }
 
 private:
@@ -73,7 +73,7 @@ Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress) 
     VoxelSource source(packed, {.offset = 0, .length = packed.size(), .encoding = VoxelEncoding::zlib, .skipBytes = 0},
                        StoredType::uint8);
     MemoryFile memory;
-    // What is not written is not cleared either: most packed files are far smaller.
+    // The piece is not cleared first, because most packed files are far smaller.
     const auto memoryOfPiece = std::make_unique_for_overwrite<std::uint8_t[]>(unpackedPieceBytes);
     const std::span piece(memoryOfPiece.get(), unpackedPieceBytes);
     for (std::uint64_t given = 0; true;) {

@@ -1,4 +1,4 @@
-// Files that are compressed with gzip as a whole, unpacked into memory.
+// Unpacks files that are packed with gzip as a whole, into memory.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,18 @@
 
 namespace echolucent {
 
-/// What gzip files begin with.
+/// The beginning of gzip files.
 constexpr std::string_view gzipSignature = "\x1f\x8b\x08";
-/// Whether a file begins as gzip files do.
 [[nodiscard]] bool looksLikeGzip(std::string_view beginning);
-/// The path without ".gz" or ".gzip" at its end; the path itself where it ends otherwise.
+/// The path without ".gz" or ".gzip" at its end; any other path as it is.
 [[nodiscard]] std::string withoutGzipEnding(const std::string& path);
-/// The most bytes that a file of so many packed bytes is unpacked to: 256 MiB or 32 times the packed bytes, whichever
-/// is more, but no more than half of this machine's memory. Echo packs to a half or a third.
+/// The most bytes that may come out of a file of `packedBytes`: 256 MiB or 32 times the packed bytes, whichever is
+/// more, but at most half of this machine's memory. (Compression shrinks echo only to a half or a third.)
 [[nodiscard]] std::uint64_t mostUnpackedBytes(std::uint64_t packedBytes);
 
-/// What a gzip file holds, as a file in memory that keeps the name of the packed one. All its members are unpacked, and
-/// their checksums and lengths verified. Fails (unreadable) where the file is damaged, ends too early or unpacks to
-/// more than mostUnpackedBytes(); (cancelled) where the person ended it. `progress` reports shares from 0 to 1.
+/// Unpacks a gzip file to a file in memory with the same name. All its members are unpacked, and their checksums and
+/// lengths verified. Fails (unreadable) if the file is damaged, ends too early or unpacks to more than
+/// mostUnpackedBytes(); (cancelled) if the person ended it. `progress` reports shares from 0 to 1.
 [[nodiscard]] Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress);
 
 }  // namespace echolucent

@@ -31,7 +31,7 @@ Result<std::optional<ChosenReduction>> chooseReduction(const std::string& file, 
     const std::uint64_t bytes = mostStudyBytes(options);
     const auto keptBytes = static_cast<std::uint64_t>(mostKeptBytes(declared.type, declared.rescaled));
     const auto inMemory = static_cast<std::int64_t>(bytes / (keptBytes * static_cast<std::uint64_t>(declared.phases)));
-    // Whoever names a limit knows the machine.
+    // A person who names a limit knows the machine.
     const std::int64_t ofPhase = options.studyMebibytes ? mostPhaseVoxels : mostVoxelsOfPhase(machineMemoryBytes());
     const std::int64_t most = std::min(inMemory, ofPhase);
     if (voxels && *voxels <= most) return std::optional<ChosenReduction>();

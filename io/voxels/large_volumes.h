@@ -1,4 +1,4 @@
-// Which volumes are too large to be kept as they are stored, and by how much these are reduced while they are read.
+// Decides which volumes are too large to be kept as stored, and by how much reading reduces them.
 #pragma once
 
 #include <array>
@@ -13,32 +13,32 @@
 
 namespace echolucent {
 
-/// A phase keeps no more voxels than this on any machine: 512 Mi, half of a cube of 1024.
+/// The most voxels that are kept of a phase on any machine: 512 Mi, half of a cube of 1024.
 constexpr std::int64_t mostPhaseVoxels = std::int64_t{1} << 29;
-/// The window takes about so many times the memory of a study's voxels once it is at rest: quiet voxels, masks, the
-/// voxels that the ray caster packs, and planes stand beside them (docs/loading.md).
+/// A window at rest takes about this many times the memory of its study's voxels: quiet voxels, masks, packed voxels of
+/// the ray caster and planes come on top (docs/loading.md).
 constexpr std::uint64_t memoryPerVoxels = 6;
-/// A phase is kept whole where the machine has so many bytes for each of its voxels. For bytes the window takes 7 of
-/// them while speckle is taken away (docs/loading.md); other types and a second pass need more.
+/// A phase is kept whole if the machine has this many bytes for each voxel. While speckle is taken away, voxels of one
+/// byte take 7 of them (docs/loading.md); other types and a second pass need more.
 constexpr std::uint64_t workingBytesPerVoxel = 18;
 
-/// The most bytes that the voxels of all phases may take: ReadOptions::studyMebibytes, else what fits into this
-/// machine's memory memoryPerVoxels times.
+/// The most bytes for the voxels of all phases: ReadOptions::studyMebibytes, else this machine's memory over
+/// memoryPerVoxels.
 [[nodiscard]] std::uint64_t mostStudyBytes(const ReadOptions& options);
 
-/// The most voxels that a phase may keep on a machine of so many bytes of memory: mostPhaseVoxels, or what can be
-/// worked on there.
+/// The most voxels that are kept of a phase on a machine with this much memory: mostPhaseVoxels, or fewer if it cannot
+/// work on so many.
 [[nodiscard]] std::int64_t mostVoxelsOfPhase(std::uint64_t machineBytes);
 
-/// What a file declares of its voxels.
+/// The voxels that a file declares.
 struct DeclaredVoxels {
     std::array<std::int64_t, 3> size{1, 1, 1};  ///< of a phase; each at least 1
     std::int64_t phases = 1;                    ///< at least 1
     StoredType type = StoredType::uint8;
-    bool rescaled = false;  ///< they are put on a line, which makes them float32
+    bool rescaled = false;  ///< whether a Rescale makes them float32
 };
 
-/// The most bytes that one voxel of a stored type takes in memory, whatever its values are.
+/// The most bytes that one voxel of a stored type takes in memory, whatever the values.
 [[nodiscard]] std::int64_t mostKeptBytes(StoredType type, bool rescaled);
 
 /// How a volume is reduced, and why.
@@ -47,15 +47,15 @@ struct ChosenReduction {
     std::string reason;  ///< "at most 536870912 voxels are kept of a phase", for the report
 };
 
-/// How the voxels are to be reduced while they are read; no value where they are kept as they are. Fails (unreadable,
-/// about `file` and the key, tag or option `element` that gave the size) where no factor makes them small enough. To be
-/// asked when it is known that the file holds what it declares, and before memory is taken.
+/// How to reduce the voxels while they are read; no value if they are kept as they are. Fails (unreadable, about `file`
+/// and the key, tag or option `element` that gave the size) if no factor is large enough. Ask it after the file is
+/// known to hold what it declares, and before memory is taken.
 [[nodiscard]] Result<std::optional<ChosenReduction>> chooseReduction(const std::string& file,
                                                                      const std::string& element,
                                                                      const DeclaredVoxels& declared,
                                                                      const ReadOptions& options);
 
-/// The sentence for the person whose volume was reduced.
+/// Tells the person that the volume was reduced.
 [[nodiscard]] std::string reductionWarning(const ChosenReduction& chosen);
 
 }  // namespace echolucent

@@ -22,7 +22,7 @@ struct PhaseSlices::Means {
 
 template <typename T>
 struct PhaseSlices::Means::Of : Means {
-    // Vectors of bytes begin where any value may.
+    // The memory of byte vectors is aligned for every type.
     Of(const Reduction& reduction, std::span<std::uint8_t> reduced)
         : mean(reduction, {reinterpret_cast<T*>(reduced.data()), reduced.size() / sizeof(T)}) {}
     void add(const VoxelBytes& slice) override {

@@ -1,4 +1,4 @@
-// The slices of one phase on their way into memory: as they are stored, or as means of blocks.
+// Brings the slices of one phase into memory: as they are stored, or as means of blocks.
 #pragma once
 
 #include <array>
@@ -14,34 +14,34 @@
 
 namespace echolucent {
 
-/// Takes the slices of a volume one after the other, along z. Where the volume is reduced, memory is taken for the
-/// means and for one slice only.
+/// Takes the slices of a volume one after another, along z. If the volume is reduced, memory holds only the means and
+/// one slice.
 class PhaseSlices {
 public:
-    /// `size` counts the voxels of the stored volume, each at least 1; it is the reduction's storedSize where there is
+    /// `size` is the stored volume's size, voxels, each at least 1; the same as the reduction's storedSize if there is
     /// one.
     PhaseSlices(StoredType type, const std::array<std::int64_t, 3>& size, const std::optional<Reduction>& reduction);
     PhaseSlices(PhaseSlices&&) noexcept;
     PhaseSlices& operator=(PhaseSlices&&) noexcept;
     ~PhaseSlices();
 
-    /// The place for the bytes of the next slice, in this machine's byte order; it is good until endSlice().
+    /// Room for the bytes of the next slice, in this machine's byte order. It is valid until endSlice().
     [[nodiscard]] std::span<std::uint8_t> nextSlice();
-    /// The place that nextSlice() gave holds the slice now.
+    /// The room that nextSlice() gave is filled.
     void endSlice();
-    /// Passes over the next slice, which nobody could read: its voxels are 0, and do not count in means.
+    /// Passes over the next slice, which could not be read. Its voxels are 0 and do not count in means.
     void skipSlice();
 
-    /// What was gathered, when every slice has come: the bytes of the volume, or of its means, of the same type.
+    /// The bytes of the volume, or of its means, of the same type. Ask it after the last slice.
     [[nodiscard]] VoxelBytes take() { return std::move(m_bytes); }
 
 private:
     struct Means;
     std::size_t m_sliceBytes;
-    std::size_t m_slice = 0;         // slices that came by
+    std::size_t m_slice = 0;         // slices so far
     VoxelBytes m_bytes;              // what is kept
-    VoxelBytes m_stored;             // one slice, where the volume is reduced
-    std::unique_ptr<Means> m_means;  // null where it is not
+    VoxelBytes m_stored;             // one slice, if the volume is reduced
+    std::unique_ptr<Means> m_means;  // null if it is not
 };
 
 }  // namespace echolucent

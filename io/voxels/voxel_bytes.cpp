@@ -7,7 +7,7 @@ namespace echolucent {
 
 namespace {
 
-/// This process's own memory. The system gives large pieces as zeros, which nobody then writes once more.
+/// This process's own memory. The system hands out large pieces as zeros, so nothing writes zeros again.
 class ZeroedHeap : public std::pmr::memory_resource {
     void* do_allocate(std::size_t bytes, std::size_t) override {
         void* const memory = std::calloc(bytes, 1);
@@ -21,7 +21,7 @@ class ZeroedHeap : public std::pmr::memory_resource {
 };
 
 std::atomic<std::pmr::memory_resource*>& chosenMemory() {
-    // Voxels may be given free after everything else has ended, so their memory never ends.
+    // Never destroyed, because voxels may be freed after everything else.
     static auto* const heap = new ZeroedHeap;
     static std::atomic<std::pmr::memory_resource*> memory{heap};
     return memory;

@@ -1,5 +1,5 @@
-// The bytes that readers put voxels into. They become voxels without a copy, and the reader process lets them lie in
-// memory that it shares with the workstation.
+// The bytes that readers put voxels into. They become voxels without a copy. The reader process puts them into memory
+// that it shares with the workstation.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@
 
 namespace echolucent {
 
-/// Where VoxelBytes are taken from; what it gives is all 0. It is this process's own memory where nobody set another.
+/// The memory of VoxelBytes: this process's own, unless another was set. New memory is all 0.
 [[nodiscard]] std::pmr::memory_resource& voxelMemory();
-/// Lets VoxelBytes that begin from now on lie elsewhere; `memory` outlives them all, and what it gives is all 0.
+/// Sets the memory of VoxelBytes made from now on. `memory` must outlive them all and give only zeros.
 void setVoxelMemory(std::pmr::memory_resource& memory);
 
-/// Takes from voxelMemory(). New elements are left as they are there: a pass that writes 0 over 0 would cost as much
-/// time as reading the voxels.
+/// Allocates from voxelMemory(). New elements are not cleared again: writing 0 over 0 would take as long as reading the
+/// voxels.
 template <typename Value>
 class VoxelAllocator {
 public:
@@ -53,10 +53,10 @@ private:
     std::pmr::memory_resource* m_memory;
 };
 
-/// Bytes of voxels. Those that a new one begins with are 0.
+/// Bytes of voxels. The first ones of a new vector are 0.
 using VoxelBytes = std::vector<std::uint8_t, VoxelAllocator<std::uint8_t>>;
 
-/// The values that bytes hold, in this machine's order of bytes, without a copy.
+/// The values in `bytes`, in this machine's byte order, without a copy.
 template <typename Value>
 [[nodiscard]] VoxelArray<Value> voxelsIn(VoxelBytes bytes) {
     auto owner = std::make_shared<const VoxelBytes>(std::move(bytes));

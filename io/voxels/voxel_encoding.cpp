@@ -22,7 +22,7 @@ using Step = VoxelDecoder::Step;
 using Problem = VoxelDecoder::Problem;
 using Decoded = tl::expected<Step, Problem>;
 
-/// The failure of compressed bytes, of which `detail` says what is wrong.
+/// The failure of compressed bytes. `detail` says what is wrong.
 tl::unexpected<Problem> damagedBy(std::string detail) {
     Problem problem;
     problem.what = "has damaged compressed data";
@@ -30,10 +30,10 @@ tl::unexpected<Problem> damagedBy(std::string detail) {
     return tl::unexpected<Problem>(std::move(problem));
 }
 
-// What a member of gzip or bzip2 begins with. Files may hold several, one behind the other.
+// The beginning of a member of gzip or bzip2. Files may hold several, one after another.
 constexpr std::string_view gzipMagic = "\x1f\x8b", bzip2Magic = "BZh";
 
-/// What zlib found wrong, in words that need no knowledge of zlib.
+/// zlib's error in words that need no knowledge of zlib.
 const char* zlibProblem(int status, const char* message, bool isGzip) {
     const std::string_view says = message != nullptr ? message : "";
     if (status == Z_NEED_DICT) return "they need a dictionary that the file does not hold";
@@ -47,7 +47,7 @@ const char* zlibProblem(int status, const char* message, bool isGzip) {
     return "a block cannot be decoded";
 }
 
-/// What bzip2 found wrong, in words that need no knowledge of bzip2.
+/// bzip2's error in words that need no knowledge of bzip2.
 const char* bzip2Problem(int status) {
     return status == BZ_DATA_ERROR_MAGIC ? "they do not begin like bzip2"
                                          : "a block cannot be decoded, or its checksum (CRC) does not match";
@@ -60,7 +60,7 @@ std::string_view asText(std::span<const std::uint8_t> bytes) {
 class ZlibDecoder : public VoxelDecoder {
 public:
     ZlibDecoder() {
-        // The window has 15 bits; 32 more let zlib tell its own format and gzip apart by the data.
+        // 15 bits for the window; 32 more let zlib tell its own format from gzip.
         if (inflateInit2(&m_stream, 15 + 32) != Z_OK) throw std::bad_alloc();
     }
     ~ZlibDecoder() override { inflateEnd(&m_stream); }
@@ -133,7 +133,7 @@ public:
     }
 
 private:
-    /// bzip2 knows no reset; what it is given and where it puts it stays.
+    /// bzip2 has no reset. Input and output places stay.
     void beginAnother() {
         const bz_stream places = m_stream;
         BZ2_bzDecompressEnd(&m_stream);
@@ -150,7 +150,7 @@ private:
     bool m_between = false;  // a member has ended; another one may follow
 };
 
-/// The value that a word is; no value where it is no number of this type.
+/// A word as a value; no value if it is no number of this type.
 template <typename T>
 std::optional<T> valueFrom(std::string_view word) {
     if constexpr (!std::is_floating_point_v<T>) {
@@ -163,7 +163,7 @@ std::optional<T> valueFrom(std::string_view word) {
     if constexpr (std::is_floating_point_v<T>) {
         return static_cast<T>(*number);
     } else {
-        // Programs that know doubles only write whole numbers as 12.0 or 1.2e1.
+        // Programs that know only doubles write whole numbers as 12.0 or 1.2e1.
         constexpr double high = static_cast<double>(std::numeric_limits<T>::max());
         constexpr double low = static_cast<double>(std::numeric_limits<T>::min());
         const bool fits = sizeof(T) == 8 ? *number < high : *number <= high;

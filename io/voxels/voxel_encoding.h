@@ -1,4 +1,4 @@
-// How files encode the bytes of voxels, and the way back.
+// Decodes the bytes of voxels from the encodings that files use.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@
 
 namespace echolucent {
 
-/// `zlib` stands for zlib and gzip, which are told apart by the bytes themselves. `text` is decimal numbers between
-/// white space and commas, `hex` two hexadecimal digits a byte.
+/// `zlib` is zlib or gzip; the bytes tell which. `text` is decimal numbers between white space and commas, `hex` two
+/// hexadecimal digits for each byte.
 enum class VoxelEncoding { raw, zlib, bzip2, text, hex };
 
 /// The compression in words, for the import report: "none", "zlib/gzip, lossless", "none, written as decimal text".
 [[nodiscard]] std::string_view compressionWords(VoxelEncoding encoding);
-/// Whether so many encoded bytes may stand for almost any number of bytes.
+/// Whether a few encoded bytes may stand for almost any number of bytes.
 [[nodiscard]] bool isCompressed(VoxelEncoding encoding);
 
-/// Whether a byte stands between two numbers that are written as text, and in none.
+/// Whether a byte separates numbers that are written as text.
 [[nodiscard]] bool separatesNumbers(std::uint8_t byte);
 
 /// Decodes a stream of bytes piece by piece.
 class VoxelDecoder {
 public:
-    /// What one step came to.
+    /// The result of one step.
     struct Step {
-        std::size_t taken = 0;  ///< bytes of the input that are used up
-        std::size_t given = 0;  ///< bytes of the output that are filled
-        bool ended = false;     ///< whether the stream is over
+        std::size_t taken = 0;  ///< bytes of the input used up
+        std::size_t given = 0;  ///< bytes of the output filled
+        bool ended = false;     ///< whether the stream has ended
     };
     /// What is wrong with the bytes: "has damaged compressed data", "a block cannot be decoded".
     struct Problem {
@@ -41,13 +41,13 @@ public:
     };
 
     virtual ~VoxelDecoder() = default;
-    /// Decodes what it can of `input` into `output`, which holds whole values. `isLast` says that no more input
+    /// Decodes as much of `input` as it can into `output`, which holds whole values. `isLast` means that no more input
     /// follows.
     [[nodiscard]] virtual tl::expected<Step, Problem> decode(std::span<const std::uint8_t> input, bool isLast,
                                                              std::span<std::uint8_t> output) = 0;
 };
 
-/// The decoder of an encoding, for values of `type`, which text gives in this machine's byte order; null for `raw`.
+/// The decoder of an encoding; null for `raw`. Text becomes values of `type` in this machine's byte order.
 [[nodiscard]] std::unique_ptr<VoxelDecoder> makeVoxelDecoder(VoxelEncoding encoding, StoredType type);
 
 }  // namespace echolucent

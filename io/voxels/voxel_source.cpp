@@ -98,14 +98,14 @@ Result<void> VoxelSource::read(std::span<std::uint8_t> bytes, const Progress& pr
 }
 
 Result<std::uint64_t> VoxelSource::skipRest(std::uint64_t most, const Progress& progress) {
-    // Mostly nothing comes, for which nothing need be cleared.
+    // Mostly nothing comes, so the memory is not cleared.
     constexpr std::size_t scratchBytes = std::size_t{1} << 20;
     const auto memory = std::make_unique_for_overwrite<std::uint8_t[]>(scratchBytes);
     const std::span scratch(memory.get(), scratchBytes);
     std::uint64_t total = 0;
     while (total <= most) {
         if (progress.cancelled()) return cancelled(m_file.path());
-        // Whole values of any type, and one of them is enough to tell that there is more.
+        // A multiple of 8 holds whole values of any type. One value is enough to show that there is more.
         const auto piece = std::min<std::uint64_t>(scratch.size(), std::max<std::uint64_t>(most / 8 * 8, 8));
         const auto count = readSome(scratch.first(static_cast<std::size_t>(piece)));
         if (!count) return tl::unexpected(count.error());

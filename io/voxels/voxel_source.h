@@ -1,5 +1,4 @@
-// The bytes of voxels, or of a file that was packed as a whole, read in order from one file, stored as they are or
-// encoded.
+// Reads the bytes of voxels, or of a file packed as a whole, in order from one file, raw or encoded.
 #pragma once
 
 #include <cstdint>
@@ -12,42 +11,41 @@
 
 namespace echolucent {
 
-/// Where in a file the voxels lie.
+/// Where the voxels lie in a file.
 struct VoxelExtent {
     std::uint64_t offset = 0;  ///< first byte in the file
-    std::uint64_t length = 0;  ///< bytes from there that belong to the voxels, as they are encoded
+    std::uint64_t length = 0;  ///< bytes of the encoded voxels from there
     VoxelEncoding encoding = VoxelEncoding::raw;
     std::uint64_t skipBytes = 0;  ///< bytes to skip after decoding
 };
 
-/// Gives the bytes of an extent in their order.
+/// Gives the bytes of an extent in order.
 class VoxelSource {
 public:
-    /// `type` is that of the values, which text needs to know.
+    /// `type` is the type of the values; only text needs it.
     VoxelSource(InputFile file, const VoxelExtent& extent, StoredType type);
     ~VoxelSource();
     VoxelSource(const VoxelSource&) = delete;
     VoxelSource& operator=(const VoxelSource&) = delete;
 
-    /// Fills `bytes`, which holds whole values, with what comes next, polls progress.cancel every few MB and reports
-    /// shares from `from` to `to`. Fails (unreadable, with both numbers) where there are fewer bytes than asked for.
+    /// Fills `bytes`, which holds whole values, with the next bytes. Polls progress.cancel every few MB and reports
+    /// shares from `from` to `to`. Fails (unreadable, with both numbers) if there are fewer bytes.
     [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
 
-    /// Fills `bytes`, which holds whole values, as far as there are more, and returns how many bytes that were; 0 at
-    /// the end. Fails (unreadable) where the bytes are damaged.
+    /// Fills `bytes`, which holds whole values, as far as it can, and returns how many bytes came; 0 at the end. Fails
+    /// (unreadable) if the bytes are damaged.
     [[nodiscard]] Result<std::size_t> readSome(std::span<std::uint8_t> bytes);
-    /// Whether an encoding that says where it ends has said so: compressed bytes that are cut off never do.
+    /// Whether the encoding's own end was reached. Compressed bytes that are cut off never reach it.
     [[nodiscard]] bool ended() const { return m_ended; }
-    /// The share of the extent that was taken from the file, in [0,1].
+    /// The share of the extent that was read from the file, in [0,1].
     [[nodiscard]] double shareTaken() const;
 
-    /// Reads on without keeping what comes, to the end or until `most` bytes have come, and returns how many did (where
-    /// there are more than `most`, up to 1 MiB more than that). Where ended() is true then, the checksums of compressed
-    /// bytes have been verified. Fails (unreadable) where what follows is damaged or no voxels.
+    /// Reads on and drops the bytes, to the end or until `most` have come. Returns how many came, up to 1 MiB above
+    /// `most`. If ended() is true then, the checksums of compressed bytes are verified. Fails (unreadable) if the
+    /// following bytes are damaged or no voxels.
     [[nodiscard]] Result<std::uint64_t> skipRest(std::uint64_t most, const Progress& progress);
 
-    /// How many bytes there are to be read, counted up to `limit` without keeping them. To be called before the first
-    /// read().
+    /// How many bytes can be read, counted up to `limit` without keeping them. Ask it before the first read().
     [[nodiscard]] Result<std::uint64_t> countBytes(std::uint64_t limit, const Progress& progress);
 
 private:

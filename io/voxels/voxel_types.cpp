@@ -59,7 +59,7 @@ Range<T> rangeOf(const std::vector<Bytes>& phases) {
     return range;
 }
 
-/// Puts each value through `become`, which gives a To. They stay where they are where a To is no larger.
+/// Converts each value with `become`. The values stay in their memory if a To is no larger than a From.
 template <typename From, typename To, typename Become>
 VoxelArray<To> mapped(Bytes bytes, const Become& become) {
     const std::size_t count = bytes.size() / sizeof(From);
@@ -92,7 +92,7 @@ void convertAll(std::vector<Bytes>& phases, ConvertedVoxels& result) {
     }
 }
 
-/// Integers are kept whole where they fit into 8 or 16 unsigned bits, else as float32.
+/// Keeps integers whole if they fit into 8 or 16 unsigned bits, else as float32.
 template <typename T>
 ConvertedVoxels convertIntegers(std::vector<Bytes> phases, std::string_view name) {
     ConvertedVoxels result;
@@ -115,7 +115,7 @@ ConvertedVoxels convertIntegers(std::vector<Bytes> phases, std::string_view name
     return result;
 }
 
-/// A sentence where the voxels, which are float32, hold values below 0; else empty.
+/// A sentence if float32 voxels hold values below 0; else empty.
 std::string warningOfNegatives(const std::vector<Voxels>& phases) {
     float low = 0;
     for (const Voxels& voxels : phases)
@@ -134,7 +134,7 @@ void rescaleAll(std::vector<Bytes>& phases, const Rescale& rescale, ConvertedVox
     }
 }
 
-/// The smallest and the largest finite value; no value where there is none.
+/// The smallest and the largest finite value; no value if there is none.
 template <typename T>
 std::optional<std::array<double, 2>> finiteRange(const std::vector<Bytes>& phases) {
     T low = std::numeric_limits<T>::infinity(), high = -low;
@@ -224,7 +224,7 @@ std::optional<std::string> problemOfFloats(const std::vector<VoxelBytes>& phases
     const auto [low, high] = *range;
     constexpr double most = std::numeric_limits<float>::max();
     if (std::abs(rescale.of(low)) <= most && std::abs(rescale.of(high)) <= most) {
-        // Voxels that are all the same are so before and after.
+        // Voxels that were all the same before may stay so.
         if (low == high || rescale.isIdentity() || !problemOf(rescale, low, high)) return std::nullopt;
         return fmt::format("makes one value of all voxels, which are stored from {:.6g} to {:.6g}", low, high);
     }

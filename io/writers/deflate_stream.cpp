@@ -10,7 +10,7 @@
 namespace echolucent {
 
 namespace {
-// Speckle hardly compresses: higher levels cost much time and win little.
+// Speckle hardly compresses: higher levels cost much time and gain little.
 constexpr int compressionLevel = 3;
 // The window has 15 bits; 16 more make zlib write gzip.
 constexpr int zlibWindow = 15, gzipWindow = 15 + 16, memoryLevel = 8;

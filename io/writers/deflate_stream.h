@@ -1,4 +1,4 @@
-// Bytes compressed for a file, piece by piece.
+// Compresses bytes for a file, piece by piece.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace echolucent {
 
 enum class DeflateFormat { zlib, gzip };
 
-/// Compresses what is added. The same bytes give the same stream at any time: gzip names neither file nor date.
+/// Compresses the added bytes. The same bytes always give the same stream: gzip names neither file nor date.
 class DeflateStream {
 public:
     explicit DeflateStream(DeflateFormat format);
@@ -18,7 +18,7 @@ public:
     DeflateStream& operator=(const DeflateStream&) = delete;
 
     void add(const std::uint8_t* bytes, std::size_t count);
-    /// Ends the stream and gives it; nothing may be added afterwards.
+    /// Ends the stream and returns it. Nothing may be added afterwards.
     [[nodiscard]] std::string finish();
 
 private:

@@ -1,4 +1,4 @@
-// Puts attributes into a DICOM data set that is being made. DCMTK's types are only named here, never seen.
+// Puts attributes into a new DICOM data set. DCMTK's types are only declared here, not included.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,16 @@ namespace echolucent {
 /// A new unique identifier.
 [[nodiscard]] std::string newDicomUid();
 
-/// A number as DICOM's decimal string, which has at most 16 characters: as many digits as fit.
+/// A number as DICOM's decimal string: as many digits as fit into 16 characters.
 [[nodiscard]] std::string decimalString(double number);
 
-/// One data set or item of a sequence, which must outlive this object. Each function throws std::logic_error where the
+/// One data set or item of a sequence, which must outlive this object. Each function throws std::logic_error if the
 /// attribute cannot hold such values.
 class DicomItemWriter {
 public:
     explicit DicomItemWriter(DcmItem& item) : m_item(&item) {}
 
-    void text(const DcmTagKey& attribute, const std::string& value);  ///< backslashes stand between several values
+    void text(const DcmTagKey& attribute, const std::string& value);  ///< several values are separated by backslashes
     void decimals(const DcmTagKey& attribute, const std::vector<double>& values);
     void doubles(const DcmTagKey& attribute, const std::vector<double>& values);
     void word(const DcmTagKey& attribute, std::uint16_t value);
@@ -31,7 +31,7 @@ public:
     void pixels(const std::vector<std::uint8_t>& values);
     void pixels(const std::vector<std::uint16_t>& values);
     void emptySequence(const DcmTagKey& sequence);
-    /// A new item at the end of a sequence, which is made where it is missing.
+    /// A new item at the end of a sequence. A missing sequence is made.
     [[nodiscard]] DicomItemWriter newItem(const DcmTagKey& sequence);
 
 private:

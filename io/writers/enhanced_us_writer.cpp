@@ -19,7 +19,7 @@ namespace {
 
 using Phases = std::vector<std::shared_ptr<const Volume>>;
 
-/// What all parts of the object share.
+/// Identifiers and time that all parts of the object share.
 struct ObjectIdentity {
     std::string volumeFrame = newDicomUid();
     std::string dimensions = newDicomUid();
@@ -140,7 +140,7 @@ void EnhancedUsObject::putDimension(const DcmTagKey& attribute, const DcmTagKey&
     item.text(DCM_DimensionDescriptionLabel, label);
 }
 
-/// PS3.3 C.8.24.3.3 wants these three, in this order, for every object.
+/// PS3.3 C.8.24.3.3 demands these three, in this order, for every object.
 void EnhancedUsObject::putDimensions() {
     m_root.newItem(DCM_DimensionOrganizationSequence).text(DCM_DimensionOrganizationUID, m_identity.dimensions);
     m_root.text(DCM_DimensionOrganizationType, m_phases.size() > 1 ? "3D_TEMPORAL" : "3D");
@@ -182,7 +182,7 @@ void EnhancedUsObject::putCode(const DcmTagKey& sequence, const char* scheme, co
     code.text(DCM_CodeMeaning, meaning);
 }
 
-/// What a scanner did and where. The standard wants a view and a transducer also where nobody was scanned.
+/// The scan's anatomy, view and transducer. The standard demands them even if nobody was scanned.
 void EnhancedUsObject::putScan() {
     putCode(DCM_AnatomicRegionSequence, "DCM", "113681", "Phantom");
     putCode(DCM_ViewCodeSequence, "SCT", "62824007", "Transverse");
@@ -213,7 +213,7 @@ void EnhancedUsObject::putWindow(DicomItemWriter window) const {
 void EnhancedUsObject::putSharedGroups() {
     DicomItemWriter groups = m_root.newItem(DCM_SharedFunctionalGroupsSequence);
     DicomItemWriter measures = groups.newItem(DCM_PixelMeasuresSequence);
-    measures.decimals(DCM_PixelSpacing, {m_geometry.spacing[1], m_geometry.spacing[0]});  // between rows comes first
+    measures.decimals(DCM_PixelSpacing, {m_geometry.spacing[1], m_geometry.spacing[0]});  // between rows first
     measures.decimals(DCM_SliceThickness, {m_geometry.spacing[2]});
     measures.decimals(DCM_SpacingBetweenSlices, {m_geometry.spacing[2]});
     groups.newItem(DCM_PlaneOrientationVolumeSequence).doubles(DCM_ImageOrientationVolume, orientation());
@@ -268,13 +268,13 @@ void EnhancedUsObject::putPixels() {
     m_root.pixels(pixels);
 }
 
-/// The bytes of the file, so that it can be written whole or not at all.
+/// The bytes of the file, for writing it whole or not at all.
 std::string bytesOfFile(DcmFileFormat& file) {
     std::string bytes;
     std::vector<char> buffer(std::size_t{1} << 20);
     DcmOutputBufferStream stream(buffer.data(), static_cast<offile_off_t>(buffer.size()));
     DcmWriteCache cache;
-    OFCondition done = EC_StreamNotifyClient;  // which DCMTK gives where the buffer is full
+    OFCondition done = EC_StreamNotifyClient;  // DCMTK returns this if the buffer is full
     file.transferInit();
     while (done == EC_StreamNotifyClient) {
         done = file.write(stream, EXS_LittleEndianExplicit, EET_ExplicitLength, &cache);

@@ -12,7 +12,7 @@ namespace echolucent {
 
 namespace {
 
-/// Appends the lowest `count` bytes of a number, the lowest first.
+/// Appends the lowest `count` bytes of a number, lowest first.
 void append(std::string& bytes, std::uint64_t number, int count) {
     for (int i = 0; i < count; ++i) bytes.push_back(static_cast<char>(number >> (8 * i) & 0xFF));
 }
@@ -55,7 +55,7 @@ void requireWritable(const PolarGeometry& polar, const std::vector<std::vector<s
 std::string kretzBytes(const PolarGeometry& polar, const std::vector<std::vector<std::uint8_t>>& phases) {
     requireWritable(polar, phases);
     const auto size = polar.size();
-    // The file counts from the axis of the lines, in samples, and knows no face of the probe.
+    // The file counts in samples from the axis of the lines. It knows no face of the probe.
     const double firstSample = (polar.lines.radiusMm + polar.rangeStartMm) / polar.rangeStepMm;
     const double planesAxis = (polar.planes.radiusMm - polar.lines.radiusMm) / polar.rangeStepMm;
     std::vector<double> lines = polar.lines.values, planes = polar.planes.values;

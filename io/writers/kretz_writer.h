@@ -9,13 +9,12 @@
 
 namespace echolucent {
 
-/// The bytes of a Kretz volume: the voxels of each phase in the index order of the geometry. Several phases stand in
-/// the item of a sequence, the first of them in that of a volume too. Throws std::invalid_argument where there is no
-/// phase, where a phase has another size, where the geometry has a problem or more than 65,535 samples, lines or
-/// planes, or where its lines or planes do not stand at angles, which the format always does.
+/// The bytes of a Kretz volume; each phase's voxels are in the geometry's index order. Several phases become a sequence
+/// item, and the first one a volume item too. Throws std::invalid_argument if there is no phase, or if one has another
+/// size. The geometry must have no problem, lines and planes at angles, and at most 65,535 samples, lines and planes.
 [[nodiscard]] std::string kretzBytes(const PolarGeometry& polar, const std::vector<std::vector<std::uint8_t>>& phases);
 
-/// Writes kretzBytes() to `path`, whole or not at all; fails (unwritable) where it cannot be written.
+/// Writes kretzBytes() to `path`, whole or not at all. Fails (unwritable) if it cannot be written.
 [[nodiscard]] Result<void> writeKretz(const std::string& path, const PolarGeometry& polar,
                                       const std::vector<std::vector<std::uint8_t>>& phases);
 

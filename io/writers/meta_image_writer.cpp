@@ -35,7 +35,7 @@ std::string compressed(const std::vector<std::shared_ptr<const Volume>>& phases)
     return compressor.finish();
 }
 
-/// The transform matrix as text: its rows are the directions of the grid axes; a time axis stands alone.
+/// The transform matrix as text: its rows are the grid axes' directions. A time axis is independent of them.
 std::string matrixText(const Mat3& direction, int dimensions) {
     std::string text;
     for (int axis = 0; axis < dimensions; ++axis)
@@ -46,7 +46,7 @@ std::string matrixText(const Mat3& direction, int dimensions) {
     return text;
 }
 
-/// `compressedBytes` is not set where the voxels are plain.
+/// `compressedBytes` is not set for plain voxels.
 std::string headerText(const Volume& volume, std::size_t phases, std::optional<std::size_t> compressedBytes) {
     constexpr std::array<const char*, 3> types{"MET_UCHAR", "MET_USHORT", "MET_FLOAT"};
     const VolumeGeometry& geometry = volume.geometry();

@@ -10,12 +10,12 @@
 
 namespace echolucent {
 
-/// How voxels are written: compressed, or as they stand in memory, which other programs can map.
+/// Voxels are compressed, or plain as in memory, so that other programs can map the file.
 enum class MetaImageVoxels { compressed, plain };
 
-/// Writes one volume, or the phases of a 4D one, to `path` as an .mha, whole or not at all. The white level
-/// is kept in the key WhiteLevel, which readStudy() honours. Throws std::invalid_argument where there is no phase or
-/// where the phases differ in size or type; fails (unwritable) where the file cannot be written.
+/// Writes one volume, or the phases of a 4D one, to `path` as an .mha, whole or not at all. The key WhiteLevel keeps
+/// the white level for readStudy(). Throws std::invalid_argument if there is no phase, or if phases differ in size or
+/// type. Fails (unwritable) if the file cannot be written.
 [[nodiscard]] Result<void> writeMetaImage(const std::string& path,
                                           const std::vector<std::shared_ptr<const Volume>>& phases,
                                           MetaImageVoxels voxels = MetaImageVoxels::compressed);

@@ -19,12 +19,12 @@ namespace {
 
 constexpr int largestEdge = 16384;
 constexpr double highestFrameRate = 1000;
-/// The most bytes an AVI may have, because it counts in 32 bits.
+/// The largest AVI, bytes: it counts in 32 bits.
 constexpr std::uintmax_t largestAvi = 2'000'000'000;
 constexpr std::string_view aviEnding = ".avi";
 
-/// The module's functions; null where it is not there. The module is never unloaded, because OpenCV's threads may
-/// outlive the movie.
+/// The module's functions; null if it is missing. The module is never unloaded, because OpenCV's threads may outlive
+/// the movie.
 struct Encoder {
     decltype(&echolucentOpenMovie) open = nullptr;
     decltype(&echolucentAddPicture) add = nullptr;
@@ -41,8 +41,7 @@ void resolve(void* module, const char* name, Function& function) {
 
 Encoder loadEncoder() {
     Encoder encoder;
-    // The program's run path says where the module lies: beside the program, or in the library folder it is installed
-    // to.
+    // The program's run path leads to the module: beside the program, or in the library folder of the installation.
     void* const module = dlopen(ECHOLUCENT_MOVIE_MODULE, RTLD_NOW | RTLD_LOCAL);
     if (!module) return encoder;
     resolve(module, "echolucentOpenMovie", encoder.open);
@@ -127,7 +126,7 @@ Result<void> MovieFile::check(const std::string& path, int width, int height) {
                     "would have " + std::to_string(width) + " x " + std::to_string(height) +
                         " pixels, but those of movies are counted in twos",
                     "Take an even width and height.");
-    // This is said before minutes of rendering.
+    // Failing here saves minutes of rendering.
     if (const auto place = placeOfOutput(path); !place) return tl::unexpected<Failure>(place.error());
     return {};
 }
@@ -174,7 +173,7 @@ Result<void> MovieFile::finish(const Progress& progress) {
     const std::uintmax_t bytes = std::filesystem::file_size(m_parts->file->name(), error);
     if (m_parts->container.ending == aviEnding && !error && bytes > largestAvi)
         return failed(m_parts->path, "could not be made a movie: it is longer than 2 GB, which AVI cannot hold");
-    // OpenCV does not say where a write failed.
+    // OpenCV does not report a failed write, so the pictures are read back.
     const auto wasCancelled = [](const void* asked) {
         return static_cast<const Progress*>(asked)->cancelled() ? 1 : 0;
     };

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t headerBytes = 348, voxelOffset = 352;
 constexpr std::int16_t scannerFrame = 1;
 
-/// A header whose fields are put at their bytes, little endian as this machine is.
+/// A header whose fields are written at byte offsets, little endian like this machine.
 class HeaderWriter {
 public:
     template <typename T>
@@ -30,7 +30,7 @@ public:
         std::memcpy(m_bytes.data() + offset, &value, sizeof value);
     }
     void putFloat(std::size_t offset, double value) { put(offset, static_cast<float>(value)); }
-    /// A text of less than 80 bytes.
+    /// Writes a text of less than 80 bytes.
     void putText(std::size_t offset, const std::string& text) { m_bytes.replace(offset, text.size(), text); }
     [[nodiscard]] std::string text() const { return m_bytes; }
 
@@ -41,7 +41,7 @@ private:
 /// The unit quaternion (a, b, c, d) of a rotation, a at least 0.
 std::array<double, 4> quaternionOf(const Mat3& rotation) {
     const auto r = [&](int row, int column) { return rotation(row, column); };
-    // The largest of the four is taken first, so that nothing is divided by a small number.
+    // The largest of the four is found first, so that nothing is divided by a small number.
     const std::array<double, 4> squares{1 + r(0, 0) + r(1, 1) + r(2, 2), 1 + r(0, 0) - r(1, 1) - r(2, 2),
                                         1 - r(0, 0) + r(1, 1) - r(2, 2), 1 - r(0, 0) - r(1, 1) + r(2, 2)};
     const auto largest = static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
@@ -65,7 +65,7 @@ void putFrame(HeaderWriter& header, const VolumeGeometry& geometry) {
     const Mat3 rasFromLps = Mat3::diag({-1, -1, 1});
     Mat3 direction = rasFromLps * geometry.direction;
     const Vec3 origin = rasFromLps * geometry.origin;
-    // A quaternion holds no skew: only sform says where the voxels are then.
+    // A quaternion holds no skew, so only sform is written then.
     const bool skew = !skewWarning(geometry.direction).empty();
     header.put(252, static_cast<std::int16_t>(skew ? 0 : scannerFrame));
     header.put(254, scannerFrame);
@@ -78,7 +78,7 @@ void putFrame(HeaderWriter& header, const VolumeGeometry& geometry) {
         header.putFloat(268 + 4 * place, origin[row]);
     }
     if (skew) return;
-    // A quaternion turns and does not mirror: qfac tells that the third axis is turned round.
+    // A quaternion cannot mirror: qfac -1 reverses the third axis.
     const double qfac = cv::determinant(direction) < 0 ? -1.0 : 1.0;
     for (int row = 0; row < 3; ++row) direction(row, 2) *= qfac;
     const auto quaternion = quaternionOf(direction);

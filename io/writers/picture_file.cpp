@@ -11,7 +11,7 @@ namespace echolucent {
 
 namespace {
 
-/// The palette may be null where the format has none.
+/// The palette may be null if the format has none.
 std::string encoded(png_image& image, const void* pixels, const void* palette) {
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
     std::string bytes(size, '\0');

@@ -16,7 +16,7 @@ struct AdaptedCurve {
     double trust = 1.0;  ///< with RampRule: the tubes' share of the curve, [0,1]; the rest is the initial function's
 };
 
-/// The curve at `count` (>= 2) intensities. Where no tube core has a weight the curve is the initial function.
+/// The curve at `count` (>= 2) intensities. If no tube core has a weight, it is the initial function.
 [[nodiscard]] AdaptedCurve adaptedCurve(const CurveRule& rule, const OpacityCurve& initial,
                                         std::span<const TubeCore> tubes, int count);
 

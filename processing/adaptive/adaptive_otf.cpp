@@ -34,7 +34,7 @@ AdaptiveOtf unrun(const VolumeGeometry& geometry, const Viewpoint& view, const A
     return otf;
 }
 
-/// A tube core that was read, before a surface is looked for.
+/// A tube core after reading, before the search for its surface.
 TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const CellStatistics& cells) {
     TubeCore tube;
     tube.column = axis.column;
@@ -48,13 +48,13 @@ TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const Cell
     return tube;
 }
 
-/// The curve for the voxels that are shown; nothing where the run was cancelled.
+/// The curve for the shown voxels; empty if the work was cancelled.
 std::optional<AdaptedCurve> curveFor(const Volume& volume, const QuietVoxels& shown,
                                      std::span<const TubeSamples> samples, AdaptiveOtf& otf, const Progress& progress) {
     const AdaptiveOtfConfig& config = otf.config;
     if (otf.reduction == SpeckleReduction::off || otf.tubesWithWeight == 0)
         return adaptedCurve(config.curve, config.initial, otf.tubes, AdaptiveOtf::sampleCount);
-    // The surfaces stand where the voxels that were read have data, which the shown ones may know otherwise.
+    // The surfaces stand where the voxels read have data; the shown voxels may have another mask.
     const auto& mask = volume.dataMask();
     const auto quiet = shown.volume->dataMask() == mask
                            ? readQuiet(*shown.volume, config, samples, otf.tubes, progress)
@@ -66,7 +66,7 @@ std::optional<AdaptedCurve> curveFor(const Volume& volume, const QuietVoxels& sh
     return adaptedCurve(quiet->curve, config.initial, quiet->tubes, AdaptiveOtf::sampleCount);
 }
 
-/// Why the curve is the initial function, as a sentence; an empty text where it is not.
+/// Why the curve is the initial function, as a sentence; empty if it is not.
 std::string messageFor(const AdaptiveOtf& otf) {
     const std::string consequence = ": the initial function is used.";
     if (otf.tubesWithWeight > 0) return {};
@@ -81,7 +81,7 @@ std::string messageFor(const AdaptiveOtf& otf) {
     if (found == 0) return "No surface found" + consequence;
     if (usable == 0) return "No surface found that stands out from the speckle" + consequence;
     if (otf.dMax == 0.0) return "The strength is 0" + consequence;
-    // Ranks compare tubes with each other: one tube, or tubes that are all equal, weigh nothing.
+    // Ranks compare tubes with each other, so a single tube or all equal tubes weigh nothing.
     return "The surfaces found do not differ enough to weigh them (" + std::to_string(usable) + " found)" + consequence;
 }
 
@@ -129,7 +129,7 @@ std::optional<AdaptiveOtf> adaptToData(const Volume& volume, const Viewpoint& vi
     weighTubes(otf.tubes, otf.dMax, detection->leastEdgeToNoise(), config.weights);
     otf.tubesWithWeight = tubesWithWeight(otf.tubes);
 
-    // The curve (eqs. 4 to 7, or the mean ramp), for the voxels that are shown.
+    // The curve (eqs. 4 to 7, or the mean ramp), for the shown voxels.
     if (!run.begin(curveStage)) return std::nullopt;
     auto adapted = curveFor(volume, shown, samples, otf, progress);
     if (!adapted) return std::nullopt;
@@ -158,14 +158,14 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     auto mask = dataMaskWithoutGuess(volume);
     if (mask == volume.dataMask()) return otf;
 
-    Progress silent = progress;  // it has been reported to its end, and never falls
+    Progress silent = progress;  // its progress already stands at the end, and must not fall
     silent.report = nullptr;
     auto begun = adaptToData(volume.withDataMask(std::move(mask)), view, config, silent, {});
     if (!begun) return std::nullopt;
     if (begun->tubesWithWeight == 0) return otf;
     begun->surfacesWhereDataBegin = true;
     begun->reduction = otf->reduction;
-    // What they see before it is no fluid of the scan: its intensities make no curve.
+    // No fluid of the scan lies before these surfaces, so their intensities make no curve.
     begun->logOpacity = std::move(otf->logOpacity);
     begun->curve = std::move(otf->curve);
     begun->trust = otf->trust;

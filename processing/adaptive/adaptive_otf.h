@@ -1,5 +1,4 @@
-// The adaptive opacity transfer function of Petersch et al. 2005, section 4, as docs/method.md defines it: values in,
-// the curve and everything that led to it out.
+// The adaptive opacity transfer function of Petersch et al. 2005, section 4, as docs/method.md defines it.
 #pragma once
 
 #include <optional>
@@ -13,13 +12,14 @@
 
 namespace echolucent {
 
-/// Runs the method on a volume, seen from a viewpoint. Where no tube core finds a surface behind fluid, and a guess has
-/// taken zeros for no data, it looks once more with these zeros as data, dark as fluid: the surfaces are then where the
-/// data begin (AdaptiveOtf::surfacesWhereDataBegin). The result is empty only where progress.cancel was raised, and
-/// has the same bits for any number of threads.
-/// Where the picture is taken from other voxels than the volume's, `shown` is what they are, and the curve is meant for
-/// them; surfaces and weights are the volume's. Without them the curve is meant for the volume's own voxels.
-/// It throws std::invalid_argument where problemOf(config) is not empty, or where the shown voxels have another grid.
+/// Runs the method on a volume, seen from a viewpoint. The result is empty only if progress.cancel was raised. Its bits
+/// are the same for any number of threads.
+/// If no tube core finds a surface behind fluid, and a guess has masked zeros as no data, the method runs again with
+/// these zeros as data, dark as fluid. The surfaces found then are where the data begin
+/// (AdaptiveOtf::surfacesWhereDataBegin).
+/// If the picture shows other voxels than the volume's, pass them as `shown`: the curve is meant for them; surfaces and
+/// weights are still the volume's. Throws std::invalid_argument if problemOf(config) is not empty or the shown voxels
+/// have another grid.
 [[nodiscard]] std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view,
                                                       const AdaptiveOtfConfig& config, const Progress& progress = {},
                                                       const QuietVoxels& shown = {});

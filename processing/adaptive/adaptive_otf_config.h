@@ -11,18 +11,17 @@
 
 namespace echolucent {
 
-/// a of the initial function where nobody asks for another: opacity at full intensity, before the clamp. Chosen by
-/// looking.
+/// The default of a, the initial function's opacity at full intensity before the clamp. Chosen by looking.
 inline constexpr double defaultOpacityScale = 1.0;
 
-/// One rule for each stage. Every parameter with its range and source stands in methodParameters().
+/// One rule for each stage. methodParameters() holds the range and source of every parameter.
 struct AdaptiveOtfConfig {
-    TubeGrid grid{};                                            ///< where the tube cores lie
-    CellRule cells{};                                           ///< how they are read
-    DetectionRule detection = RatioRule{};                      ///< what tells tissue from fluid
-    SurfaceRule surface{};                                      ///< how I_L, I_H and slope are read around a surface
-    WeightRule weights{};                                       ///< how the tube cores are weighed
-    CurveRule curve = RampRule{};                               ///< what the tube cores make of the initial function
+    TubeGrid grid{};                        ///< where the tube cores lie
+    CellRule cells{};                       ///< how they are read
+    DetectionRule detection = RatioRule{};  ///< what tells tissue from fluid
+    SurfaceRule surface{};                  ///< how I_L, I_H and slope are read around a surface
+    WeightRule weights{};                   ///< how the tube cores are weighed
+    CurveRule curve = RampRule{};           ///< what curve the tube cores make from the initial function
     OpacityCurve initial = PowerCurve{2, defaultOpacityScale};  ///< the initial function; its scale is a
     friend bool operator==(const AdaptiveOtfConfig&, const AdaptiveOtfConfig&) = default;
 };

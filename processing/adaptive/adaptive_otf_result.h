@@ -16,14 +16,13 @@
 
 namespace echolucent {
 
-/// Around the surface of a tube core, in the quiet voxels that the curve is meant for. No values without a surface; of
-/// a tube core that says nothing of these voxels the values of TubeCore.
+/// Intensities around a tube core's surface, in the quiet voxels for which the curve is meant. They are TubeCore's
+/// values if the tube core has no weight or these voxels show no rise; empty without a surface.
 struct QuietInterface {
     std::optional<double> low{}, high{}, fluidSpread{};  ///< I_L, I_H and the fluid's spread, as in TubeCore
 };
 
-/// The adaptive curve, the tube cores it was made of and what the run found out on the way. Units are those of
-/// processing/tube_core/tube_core.h.
+/// The adaptive curve, its tube cores and all that the run found. Units are those of processing/tube_core/tube_core.h.
 struct AdaptiveOtf {
     static constexpr int sampleCount = 256;
     /// The normalised intensity of a sample, [0, sampleCount).
@@ -37,29 +36,29 @@ struct AdaptiveOtf {
     double tubeLengthUnit = 1.0;   ///< mm per unit
     int tubesMeetingVolume = 0;    ///< T and N: tube cores that meet the volume's data
     int tubesWithWeight = 0;       ///< status surface and d > 0
-    /// No surface stands behind fluid: the surfaces are where the data begin, seen from outside the scanned sector, and
+    /// No surface stands behind fluid. The surfaces are where the data begin, seen from outside the scanned sector, and
     /// the curve is the initial function.
     bool surfacesWhereDataBegin = false;
     double dMax = 0.0;                    ///< strengthOf(config.curve) / T
     std::vector<TubeCore> tubes;          ///< row-major: index = row * config.grid.columns + column
-    std::optional<double> leastContrast;  ///< with RatioRule: a boundary counted from this contrast on
-    /// With RatioRule: means below it counted as fluid. It is not set where no boundary tells.
+    std::optional<double> leastContrast;  ///< with RatioRule: the least contrast of a boundary that counts
+    /// With RatioRule: means below it count as fluid. Empty if no boundary tells.
     std::optional<double> fluidIntensity;
-    SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels that the curve is meant for
-    double speckleLeft = 1.0;                            ///< in these, see QuietReading; 1 where nothing was reduced
+    SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels for which the curve is meant
+    double speckleLeft = 1.0;                            ///< in these voxels, see QuietReading; 1 without reduction
     std::vector<QuietInterface> quiet{};  ///< of each tube core; empty if the curve is meant for the voxels read
     double trust = 1.0;  ///< with RampRule the curve is trust * ramp + (1 - trust) * initial function, [0,1]
-    /// sampleCount values: ln of the curve before any clamp; with ProductRule ln initial(x) + sum over the tubes of
+    /// sampleCount values: ln of the curve before any clamp. With ProductRule: ln initial(x) + sum over the tubes of
     /// ln(1+d) g(x).
     std::vector<double> logOpacity;
-    SampledCurve curve;   ///< min(1, exp(logOpacity))
-    std::string message;  ///< a sentence where something could not be done ("No surface found: the initial
-                          ///< function is used."); else empty
+    SampledCurve curve;  ///< min(1, exp(logOpacity))
+    /// A sentence if something could not be done ("No surface found: the initial function is used."); else empty.
+    std::string message;
     StageTimes times;
 };
 
-/// Intensities before and at the surfaces that were found: means over the tube cores, weighted by what each brings to
-/// the curve (TubeCore::d). Both are 0 where no tube core has weight.
+/// Intensities before and at the surfaces found: means over the tube cores, weighted by TubeCore::d, their weight in
+/// the curve. Both are 0 if no tube core has a weight.
 struct MeanInterface {
     double low = 0.0, high = 0.0;  ///< I_L and I_H, normalised
 };

@@ -32,12 +32,12 @@ constexpr std::array kernelEnds{Choice{true, "zero"}, Choice{false, "cut"}};
 constexpr std::array coarsestMaxima{Choice{true, "needed"}, Choice{false, "any"}};
 constexpr std::array priorCells{Choice{true, "overlapping"}, Choice{false, "apart"}};
 
-/// What a number's control moves by; a number without it has none in the panel.
+/// How far a number's control moves in one step; a number without steps has no control in the panel.
 constexpr ParameterSteps byOne{1, 0};
 constexpr ParameterSteps bySteps(double step) { return {step, 2}; }
 
-/// Sets how many tube cores lie across or down. If that changes, an index means another tube core: none is left out any
-/// more.
+/// Sets how many tube cores lie across or down. If that changes, each index means another tube core, so none is left
+/// out any more.
 template <auto member>
 bool setTubeCount(AdaptiveOtfConfig& config, const ParameterValue& value) {
     const int before = config.grid.*member;
@@ -53,7 +53,7 @@ Row tubeCount(const Words& words) {
     return row;
 }
 
-/// a of the initial function if it has one: of a power its scale, of a linear curve its slope.
+/// a of the initial function, if it has one: a power's scale, or a linear curve's slope.
 template <typename Curve>
 auto* scaleOf(Curve& initial) {
     auto* power = std::get_if<PowerCurve>(&initial);
@@ -330,7 +330,7 @@ std::vector<Row> allRows() {
     append(curveByProduct());
     append(curveByRamp());
     append({opacityScale()});
-    // Of so many parameters the panel offers the choices of rules and those that say how a hand moves them.
+    // The panel offers only choices of rules and parameters with steps; all would be too many.
     for (Row& row : all) row.inPanels = row.steps.has_value() || row.name == "form" || row.name == "interface_function";
     return all;
 }
@@ -351,7 +351,7 @@ std::string problemWithLeftOut(const TubeGrid& grid) {
     return {};
 }
 
-/// What two parameters must be to each other.
+/// What is wrong between two parameters.
 std::string problemBetweenRows(const AdaptiveOtfConfig& config) {
     constexpr int mostTubes = 1 << 18;
     if (config.grid.columns * config.grid.rows > mostTubes)

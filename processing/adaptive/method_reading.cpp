@@ -17,8 +17,7 @@ std::optional<MethodReading> methodReadingFromName(std::string_view name) {
 AdaptiveOtfConfig configOf(MethodReading reading) {
     AdaptiveOtfConfig config;
     if (reading == MethodReading::standard) return config;
-    // Every open point and every part of the numerics stands here by its value, so that these two readings stay what
-    // they are when defaults change.
+    // These two readings spell out every open point and all numerics, so that they stay the same if defaults change.
     VarianceRule variance{.coarsestScale = 7,
                           .finestScale = 3,
                           .sigmaPerKernelSize = 0.25,
@@ -34,8 +33,8 @@ AdaptiveOtfConfig configOf(MethodReading reading) {
     config.cells = {.size = 5, .sampling = Interpolation::trilinear, .precision = Precision::single32};
     config.surface = {.lowReach = 0, .highReach = 0, .slopeHalfStep = 5, .priorCellsMayOverlap = false};
     config.weights = {.rankBins = 0};
-    // d_max = 0.03 at the paper's 225 tube cores. A d_max that stays 0.03 at any T would be a strength of 0.03 T; at
-    // 225 both are the same.
+    // d_max = 0.03 at the paper's 225 tube cores. A d_max of 0.03 at any T would be a strength of 0.03 T; at 225 both
+    // are equal.
     config.curve = ProductRule{.strength = paperStrength};
     config.initial = PowerCurve{2, 1.0};
     if (reading == MethodReading::asPublished) {

@@ -11,15 +11,15 @@ namespace echolucent {
 enum class MethodReading {
     asPublished,  ///< the paper's words taken literally, with the erratum of eq. 5 and d_max 0.03
     settled,      ///< the paper's open points settled by experiment (docs/experiments.md, "Three readings")
-    standard,     ///< what the program uses where nobody asks for another
+    standard,     ///< the program's defaults
 };
 /// "published", "settled", "default".
 [[nodiscard]] std::string_view nameOf(MethodReading reading);
 [[nodiscard]] std::optional<MethodReading> methodReadingFromName(std::string_view name);
 /// The config of a reading; `standard` is AdaptiveOtfConfig{}.
 [[nodiscard]] AdaptiveOtfConfig configOf(MethodReading reading);
-/// The reading that a config is, whatever its tube grid and initial function, which belong to no reading. Nothing
-/// where the config is no reading.
+/// The reading that a config is; empty if it is none. Tube grid and initial function belong to no reading and may
+/// differ.
 [[nodiscard]] std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config);
 
 }  // namespace echolucent

@@ -11,12 +11,12 @@ namespace echolucent {
 
 namespace {
 
-/// How far the ends of a ramp move where no speckle is left, shares of the way from I_L to I_H. Chosen on phantoms,
-/// looked at on real volumes (docs/speckle.md).
+/// How far the ends of a ramp move if no speckle is left, as shares of the way from I_L to I_H. Chosen on phantoms and
+/// checked on real volumes (docs/speckle.md).
 constexpr double beginRises = 0.16;
 constexpr double endFalls = 0.5;
 
-/// A tube as the quiet voxels have it; as it was where they show no rise.
+/// A tube read in the quiet voxels; unchanged if they show no rise.
 TubeCore readAnew(const TubeCore& found, const CellStatistics& cells, const AdaptiveOtfConfig& config,
                   const Detection& detection) {
     TubeCore quiet = found;
@@ -53,7 +53,7 @@ CurveRule quieterRule(const CurveRule& rule, double speckleLeft) {
 std::optional<QuietReading> readQuiet(const Volume& quiet, const AdaptiveOtfConfig& config,
                                       std::span<const TubeSamples> samples, std::span<const TubeCore> tubes,
                                       const Progress& progress) {
-    // The stage that this is a part of is too short to report from.
+    // Too short a part of its stage to report progress.
     const Progress silent{{}, progress.cancel};
     StageTimes times;
     StageRunner run(silent, times);

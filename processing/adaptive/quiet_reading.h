@@ -1,5 +1,5 @@
-// What the tube cores say of quiet voxels: where the picture is taken from voxels with less speckle than those on which
-// the surfaces were found, the curve is meant for the quiet ones.
+// Reads tube cores in quiet voxels. The picture may show voxels with less speckle than those in which the surfaces were
+// found. The curve is then meant for the quiet voxels.
 #pragma once
 
 #include <optional>
@@ -14,30 +14,31 @@
 
 namespace echolucent {
 
-/// The voxels that the picture is taken from.
+/// The voxels that the picture shows.
 struct QuietVoxels {
     const Volume* volume = nullptr;  ///< null: those in which the surfaces are found
     SpeckleReduction reduction = SpeckleReduction::off;
 };
 
-/// What the curve is to be made of.
+/// What the curve is made from.
 struct QuietReading {
     std::vector<TubeCore>
-        tubes;                 ///< surfaces and weights as found; I_L, I_H and the fluid's spread of the quiet voxels
-    CurveRule curve;           ///< for the quiet voxels, see quieterRule()
-    double speckleLeft = 1.0;  ///< the fluid's spread in the quiet voxels over that in those read, [0,1]: means
-                               ///< weighted by d; 1 where the detection measures no spread
+        tubes;        ///< surfaces and weights as found; I_L, I_H and the fluid's spread of the quiet voxels
+    CurveRule curve;  ///< for the quiet voxels, see quieterRule()
+    /// The fluid's spread in the quiet voxels over that in the voxels read, [0,1]: means weighted by d; 1 if the
+    /// detection measures no spread.
+    double speckleLeft = 1.0;
 };
 
-/// Reads the quiet voxels along the same samples, at the surfaces that were found in the voxels as they were read. The
-/// result is empty only where the run was cancelled.
+/// Reads the quiet voxels along the same samples, at the surfaces already found. The result is empty only if the work
+/// was cancelled.
 [[nodiscard]] std::optional<QuietReading> readQuiet(const Volume& quiet, const AdaptiveOtfConfig& config,
                                                     std::span<const TubeSamples> samples,
                                                     std::span<const TubeCore> tubes, const Progress& progress);
 
-/// The rule where this share of the speckle is left. What is quiet needs no ramp that tells speckle from surface by
-/// being flat: it begins later, above haze and partial volume, and is full sooner. With all speckle left it is the rule
-/// itself. The product of basis functions stays as it is.
+/// The rule if this share of the speckle is left. A ramp is flat to tell speckle from surface, and quiet voxels do not
+/// need that. So their ramp begins later, above haze and partial volume, and is full sooner. With all speckle left, the
+/// rule stays as it is, and so does the product of basis functions.
 [[nodiscard]] CurveRule quieterRule(const CurveRule& rule, double speckleLeft);
 
 }  // namespace echolucent

@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// Reads the tube cores, row by row on all threads, and has the detection keep what it needs. `samples` are row-major,
+/// Reads the tube cores, row by row on all threads, and lets the detection keep what it needs. `samples` are row-major,
 /// with `columns` tubes in a row.
 void readTubeCores(const Volume& volume, std::span<const TubeSamples> samples, int columns, const CellRule& rule,
                    Detection& detection, StageRunner& run);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr ChoiceNames<4> evidenceNames{"none", "sector shape", "echo", "file"};
 
-// The thresholds stand between what scans with a known beam reach and what scans without any trace of it reach;
+// The thresholds lie between the figures of scans with a known beam and those of scans without any trace of it;
 // docs/beam.md has both.
 constexpr double sureConfidence = 0.4;
 constexpr double leastTissueFall = 0.3;   ///< natural logarithm over the whole extent
@@ -24,7 +24,7 @@ constexpr double leastTypicalFall = 1.5;  ///< likewise
 constexpr double leastShadow = 0.06;      ///< difference of the correlations behind and before
 constexpr double leastShadowSteadiness = 0.5;
 
-/// What speaks for an axis.
+/// Evidence for an axis.
 struct Lead {
     BeamAxis axis = BeamAxis::plusZ;
     double confidence = 0.0;
@@ -54,13 +54,13 @@ struct Falls {
             std::max_element(fall.begin(), fall.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
         return static_cast<std::size_t>(found - fall.begin());
     }
-    /// How much the slices agree, [0,1], below 0 where most of them contradict the fall.
+    /// How much the slices agree, [0,1]; below 0 if most of them contradict the fall.
     [[nodiscard]] double steadiness(std::size_t axis) const {
         return (fall[axis] > 0.0 ? 2.0 : -2.0) * (share[axis] - 0.5);
     }
 };
 
-/// A fall counts by how steady it is and by how far it stands out of those along the other axes.
+/// A fall counts by its steadiness and by how far it exceeds those along the other axes.
 Lead leadOfFalls(const Falls& falls, double least, const char* reason) {
     const std::size_t axis = falls.largest();
     const double own = std::abs(falls.fall[axis]);
@@ -73,7 +73,7 @@ Lead leadOfFalls(const Falls& falls, double least, const char* reason) {
             own >= least && confidence >= sureConfidence, reason};
 }
 
-/// Shadows count only where the echo of one tissue falls the same way: either alone can be anatomy.
+/// Shadows count only if the echo of one tissue falls the same way: either alone can be anatomy.
 Lead leadOfShadows(const CoarseEcho& coarse, const Falls& tissue) {
     const std::size_t axis = tissue.largest();
     const double steadiness = tissue.steadiness(axis);

@@ -29,7 +29,7 @@ std::vector<std::int64_t> sampledRows(std::int64_t first, std::int64_t end) {
     return rows;
 }
 
-/// What the voxels of a cell add up to.
+/// Sums over the voxels of a cell.
 struct CellSum {
     double echo = 0.0;
     std::int32_t echoes = 0, data = 0, voxels = 0;
@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    /// One row of cells along x.
+    /// Reads one row of cells along x.
     void readRow(int cellY, int cellZ) {
         const auto y = static_cast<std::size_t>(cellY), z = static_cast<std::size_t>(cellZ);
         std::vector<CellSum> sums(static_cast<std::size_t>(m_coarse.size[0]));

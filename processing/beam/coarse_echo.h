@@ -1,4 +1,4 @@
-// A volume in a few thousand cells: enough for what concerns the whole scan, and quickly made.
+// A volume in a few thousand cells: made fast, and enough for questions about the whole scan.
 #pragma once
 
 #include <array>
@@ -16,10 +16,10 @@ struct CoarseEcho {
     std::array<int, 3> size{0, 0, 0};  ///< cells along x, y, z; at most CoarseEcho::mostCells
     Vec3 cellMm{1, 1, 1};              ///< edges of a cell, mm
     std::vector<float> dataShare;      ///< share of the sampled voxels of a cell that are data, [0,1]
-    std::vector<float> echo;           ///< mean stored value of its data voxels above 0; 0 where it has none
+    std::vector<float> echo;           ///< mean stored value of its data voxels above 0; 0 if it has none
 
     static constexpr int mostCells = 48;           ///< along an axis
-    static constexpr float leastDataShare = 0.5F;  ///< from that share on a cell counts as data
+    static constexpr float leastDataShare = 0.5F;  ///< a cell of at least this share counts as data
 
     /// Distance in the arrays between neighbours along an axis.
     [[nodiscard]] std::size_t stride(int axis) const {
@@ -28,8 +28,8 @@ struct CoarseEcho {
     }
 };
 
-/// Reads every voxel along x, and at most four rows and four slices of each cell. The result is the same for any number
-/// of threads, and empty only where the run was cancelled.
+/// Reads every voxel along x, but at most four rows and four slices of each cell. The result is the same for any number
+/// of threads, and empty only if the work was cancelled.
 [[nodiscard]] std::optional<CoarseEcho> coarseEchoOf(const Volume& volume, const Progress& progress = {});
 
 }  // namespace echolucent

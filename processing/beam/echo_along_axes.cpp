@@ -11,16 +11,16 @@ namespace echolucent {
 namespace {
 
 constexpr double brightQuantile = 0.98;  ///< of the cells: echo 1
-constexpr float faintest = 0.004F;       ///< echoes below that share of the bright ones count as that share
-constexpr float oneTissue = 0.35F;       ///< natural logarithm: echoes that differ by less are of one tissue
-constexpr int tissueStep = 3;            ///< cells between the places whose fall within one tissue is taken
-constexpr int typicalStep = 6;           ///< cells between any places whose fall is taken
+constexpr float faintest = 0.004F;       ///< fainter echoes count as this share of the bright ones
+constexpr float oneTissue = 0.35F;       ///< natural logarithm: one tissue, if echoes differ by less
+constexpr int tissueStep = 3;            ///< cells between the two places of a fall within one tissue
+constexpr int typicalStep = 6;           ///< cells between the two places of any fall
 constexpr std::size_t fewestPairs = 50;  ///< of a slice
 constexpr std::size_t fewestSlicesWithPairs = 8;
-constexpr int shadowGap = 3;  ///< cells that neither count before nor behind: a place is not its own shadow
+constexpr int shadowGap = 3;  ///< cells left out before and behind: a place is not its own shadow
 constexpr std::array<int, 3> shadowOffsets{2, 3, 4};  ///< cells between neighbours across the axis
 
-/// The echo as logarithm, and which cells hold any.
+/// The logarithm of the echo, and the cells that hold echo.
 struct LogEcho {
     std::vector<float> value;      ///< natural logarithm of the share of the bright echo
     std::vector<float> linear;     ///< that share, [0,1]
@@ -54,7 +54,7 @@ LogEcho logEchoOf(const CoarseEcho& coarse) {
     return log;
 }
 
-/// One axis of the cells, and the two across it.
+/// One axis of the cells, and the two axes across it.
 struct Course {
     int cells = 0;
     std::size_t step = 0;
@@ -89,7 +89,7 @@ std::vector<float> stepsOf(const LogEcho& log, const Course& course, int slice, 
     return steps;
 }
 
-/// The mean step within one tissue of a slice; NaN where the slice has too few.
+/// The mean step within one tissue of a slice; NaN if the slice has too few.
 float tissueStepOf(std::vector<float>& steps) {
     double sum = 0.0;
     std::size_t count = 0;
@@ -109,7 +109,7 @@ struct Fall {
     double fall = 0.0, share = 0.5;
 };
 
-/// The median over the slices of what `ofSlice` makes of their steps, for the whole extent.
+/// The median over the slices of the step that `ofSlice` computes for each, scaled to the whole extent.
 Fall fallOf(const LogEcho& log, const Course& course, int apart,
             const std::function<float(std::vector<float>&)>& ofSlice) {
     std::vector<float> perSlice;
@@ -124,8 +124,8 @@ Fall fallOf(const LogEcho& log, const Course& course, int apart,
     return {-medianOf(perSlice) * course.cells / apart, share};
 }
 
-/// The echo that sound has passed on its way to each cell, from the first or from the last slice on; the cells within
-/// the gap do not count.
+/// The echo that sound has passed on its way to each cell, from the first or the last slice on. Cells within the gap do
+/// not count.
 std::vector<float> passedEcho(const LogEcho& log, const Course& course, bool fromFirst) {
     std::vector<float> passed(log.value.size(), 0.0F);
     for (int v = 0; v < course.across[1]; ++v)

@@ -1,4 +1,4 @@
-// The view from the probe, where a file says where the probe was.
+// The view from the probe, if a file says where the probe was.
 #pragma once
 
 #include "processing/viewpoint/viewpoint.h"
@@ -6,8 +6,8 @@
 
 namespace echolucent {
 
-/// The view along the mean direction of sound with the probe's own "down" at the bottom of the picture, relative to the
-/// grid axis that lies nearest to that direction. Angles that are less than a millionth of a degree are 0.
+/// The view along the mean direction of sound, relative to the grid axis nearest to it. The probe's own "down" is at
+/// the bottom of the picture. Angles below a millionth of a degree become 0.
 [[nodiscard]] Viewpoint viewFromProbe(const StatedProbe& probe);
 
 }  // namespace echolucent

@@ -9,14 +9,14 @@ namespace echolucent {
 
 namespace {
 
-/// Where the edges of a slice lie: that share of its cells is left out on each side, so that a stray cell is no edge.
+/// This share of a slice's cells lies outside each of its edges, so that a stray cell is no edge.
 constexpr double edgeQuantile = 0.03;
-/// The sector is as wide as it gets from the first slice on that reaches this share of its largest width.
+/// A slice of this share of the largest width is nearly as wide as the sector gets.
 constexpr double nearlyWidest = 0.97;
 constexpr double leastWideningDepth = 0.4;  ///< share of the depth
 constexpr double leastSlope = 0.05;         ///< of each edge against the axis
 constexpr double leastBalance = 0.2;        ///< slope of one edge as a share of the other's
-constexpr double fullGrowth = 0.3;          ///< a sector that widens by that share of its width has the full score
+constexpr double fullGrowth = 0.3;          ///< a sector that widens by this share of its width has the full score
 constexpr double largestBend = 0.05;        ///< root mean square distance of the edges from lines, share of the width
 constexpr double largestShrinking = 0.15;   ///< of the sector across its fan, share of the width
 constexpr int fewestSectorSlices = 10;
@@ -102,7 +102,7 @@ std::size_t wideningSlices(const std::vector<Edges>& edges) {
     return static_cast<std::size_t>(reached - edges.begin()) + 1;
 }
 
-/// The score of one fan, seen from the front of its slices on.
+/// The score of one fan, seen from its first slice.
 double fanScore(const std::vector<Edges>& edges, double sliceMm) {
     if (edges.size() < fewestSectorSlices) return 0.0;
     const std::size_t widening = wideningSlices(edges);
@@ -119,7 +119,7 @@ double fanScore(const std::vector<Edges>& edges, double sliceMm) {
     return share * straight * std::min(1.0, (last - first) / last / fullGrowth);
 }
 
-/// Whether the sector, seen from the front on, gets narrower across the fan.
+/// Whether the sector, seen from its first slice, gets narrower across the fan.
 bool shrinks(const std::vector<Edges>& edges) {
     if (edges.size() < fewestSectorSlices) return true;
     const Line width = lineThrough(edges.size(), [&](std::size_t i) { return edges[i].width(); });

@@ -7,9 +7,9 @@
 
 namespace echolucent {
 
-/// How much the shape of the data speaks for each beam axis, in the order of BeamAxis, [0,1]: how far the data widen
-/// along it between two straight edges, over what share of the depth, less the same for the opposite way. A box, an
-/// ellipsoid and a slanted box have 0 everywhere.
+/// How strongly the shape of the data points to each beam axis, in the order of BeamAxis, [0,1]. A score combines how
+/// far the data widen along the axis between two straight edges, and over what share of the depth. The score of the
+/// opposite way is taken off. A box, an ellipsoid and a slanted box have 0 everywhere.
 [[nodiscard]] std::array<double, 6> sectorScores(const CoarseEcho& coarse);
 
 }  // namespace echolucent

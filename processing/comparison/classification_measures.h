@@ -1,4 +1,4 @@
-// What stands under a picture that is compared with others: how well it sets surfaces off, and where its light is from.
+// The measures under a compared picture: how well it sets surfaces off, and where its light comes from.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,24 @@
 
 namespace echolucent {
 
-/// The rays along the axes of the tube cores that have a surface and a weight, in the order of the tube cores, with the
-/// surface that each found in the place of the true one. What the view cuts off (near cut, cut surface, box) is not
-/// shown. `geometry` is that of the volume that the tube cores read.
+/// The rays along the axes of the tube cores with a surface and a weight, in the order of the tube cores. The surface
+/// found stands in for the true one. What the view cuts off (near cut, cut surface, box) is not shown. `geometry` is
+/// that of the volume that the tube cores read.
 [[nodiscard]] std::vector<SurfaceRay> tubeCoreRays(const VolumeGeometry& geometry, const AdaptiveOtf& otf);
 
 /// Measures of a classification on a volume whose true surfaces nobody knows.
 ///
-/// They take the surfaces that the tube cores found for true, and look along the tube cores alone. That favours the
-/// adaptive OTF, which is made of these very surfaces; it says nothing of surfaces that the tube cores missed, and
-/// where they took speckle for a surface it praises whoever shows speckle. Values compare classifications on one
-/// volume, from one view, with one set of tube cores, and nothing else (docs/comparison.md).
+/// They take the surfaces that the tube cores found for true, and look only along the tube cores. That favours the
+/// adaptive OTF, which is made from these surfaces. They say nothing about surfaces that the tube cores missed. If tube
+/// cores took speckle for a surface, the measures praise whatever shows speckle. Compare values only on one volume,
+/// from one view, with one set of tube cores (docs/comparison.md).
 struct ClassificationMeasures {
     SurfaceContrast contrast;  ///< CNR_S with the tube cores' surfaces, over tubeCoreRays()
     SurfaceLight light;        ///< the share of a ray's light that comes from near them
 };
-/// One a classification, in their order; without a ray where no tube core has a surface and a weight. `shown` is what
-/// the picture is made of, on the grid of the volume that the tube cores read: it is sampled along the rays, and
-/// gradient magnitudes are taken of it. The result is empty only where progress.cancel was raised, and has the same
-/// bits for any number of threads.
+/// One a classification, in order; without rays if no tube core has a surface and a weight. `shown` holds the picture's
+/// voxels, on the grid of the volume that the tube cores read: samples and gradient magnitudes come from it. The result
+/// is empty only if progress.cancel was raised. Its bits are the same for any number of threads.
 [[nodiscard]] std::optional<std::vector<ClassificationMeasures>> measuresOf(
     const Volume& shown, const AdaptiveOtf& otf, std::span<const Classification> classifications,
     const Progress& progress = {});

@@ -1,5 +1,5 @@
-// These are intensities along straight lines through the volume, in double, and what a classification makes of them.
-// The measures of a picture are made from them; they are slower and plainer than the ray caster.
+// Intensities along straight lines through the volume, in double precision, and what a classification makes of them.
+// The measures of a picture are made from them. They are slower and simpler than the ray caster.
 #pragma once
 
 #include <cmath>
@@ -14,26 +14,25 @@
 
 namespace echolucent {
 
-/// Normalised intensities at firstVoxel + i * stepVoxel (voxel index space) as VolumeSampler takes them by trilinear
-/// interpolation; NaN where it gives none or the position lies outside the volume's box.
+/// Normalised intensities at firstVoxel + i * stepVoxel (voxel index space), by trilinear interpolation of
+/// VolumeSampler. NaN if it gives none or the position lies outside the volume's box.
 void sampleLine(const Volume& volume, const Vec3& firstVoxel, const Vec3& stepVoxel, std::span<double> intensities);
 
-/// Where a line is within the volume's box: the parameters of pointMm + t * directionMm (grid mm) at which it enters
-/// and leaves it; nothing where it misses the box.
+/// The parameters t at which pointMm + t * directionMm (grid mm) enters and leaves the volume's box; empty if it misses
+/// the box.
 struct LineSpan {
     double from = 0.0, to = 0.0;
 };
 [[nodiscard]] std::optional<LineSpan> spanInBox(const VolumeGeometry& geometry, const Vec3& pointMm,
                                                 const Vec3& directionMm);
 
-/// Opacity per unit: a curve as 256 samples, linear between them, or a two-dimensional OTF as it is. The measures
-/// composite with it.
+/// Opacity per unit for the measures: a curve as 256 samples, linear between them, or a two-dimensional OTF as it is.
 class OpacityTable {
 public:
     explicit OpacityTable(const Classification& classification);
-    /// Whether it asks the gradient magnitude.
+    /// Whether at() needs the gradient magnitude.
     [[nodiscard]] bool isTwoDimensional() const { return m_twoDimensional != nullptr; }
-    /// The opacity at an intensity in [0,1]; a curve does not look at the gradient magnitude.
+    /// The opacity at an intensity in [0,1]; a curve ignores the gradient magnitude.
     [[nodiscard]] double at(double intensity, double gradient) const;
 
 private:
@@ -43,17 +42,16 @@ private:
 [[nodiscard]] std::vector<OpacityTable> tablesOf(std::span<const Classification> classifications);
 [[nodiscard]] bool anyTwoDimensional(std::span<const OpacityTable> tables);
 
-/// What is read along one ray, from front to back, one unit apart.
+/// Samples along one ray, from front to back, one unit apart.
 struct RaySamples {
-    std::vector<double> intensities;  ///< normalised; NaN where there is no data
-    std::vector<double> gradients;    ///< gradient magnitudes of the same places, or empty where none were asked for
+    std::vector<double> intensities;  ///< normalised; NaN without data
+    std::vector<double> gradients;    ///< gradient magnitudes at the same places; empty if not asked for
 };
 
-/// Reads rays of one volume.
 class RaySampler {
 public:
-    /// The volume must outlive it. Where gradient magnitudes are asked for, voxels without data beside data are filled
-    /// first (filledVoxels()), which takes a few passes over a volume that lacks data somewhere.
+    /// The volume must outlive it. With gradient magnitudes, voxels without data beside data are filled first
+    /// (filledVoxels()). That takes a few passes if the volume lacks data somewhere.
     RaySampler(const Volume& volume, bool withGradients);
     RaySampler(const RaySampler&) = delete;
     RaySampler& operator=(const RaySampler&) = delete;
@@ -68,8 +66,8 @@ private:
     std::optional<GradientMagnitude> m_gradients;
 };
 
-/// Composites front to back (Petersch 2005, eq. 3) with white for full intensity on a black ground: calls light(i,
-/// contribution) for every sample with data, in order. Contributions are normalised. It ends where no more than
+/// Composites front to back (Petersch 2005, eq. 3), white for full intensity, on a black ground. Calls light(i,
+/// contribution) for every sample with data, in order; contributions are normalised. Ends once at most
 /// `leastTransmittance` comes through, and returns what still comes through, [0,1].
 template <typename Light>
 double compositeAlong(const RaySamples& ray, const OpacityTable& table, double leastTransmittance, const Light& light) {

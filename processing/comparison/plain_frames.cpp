@@ -17,7 +17,7 @@ namespace echolucent {
 
 namespace {
 
-/// The samplers of the phases, made where a frame first needs them.
+/// The samplers of the phases; each is made when a frame first needs it.
 class Samplers {
 public:
     explicit Samplers(std::span<const std::shared_ptr<const Volume>> phases) : m_phases(phases.begin(), phases.end()) {}
@@ -33,7 +33,7 @@ private:
     std::map<std::pair<int, bool>, std::unique_ptr<RaySampler>> m_samplers;
 };
 
-/// One ray a tube core of one sample's width: the grid of tube cores knows what a view shows.
+/// Each ray is a tube core one sample wide, because the grid of tube cores knows what a view shows.
 TubeGrid raysOver(const VolumeGeometry& geometry, const Viewpoint& view, double raySpacing) {
     const OrientedBox box = view.box.value_or(orientedBoxOf(DataBox(geometry)));
     const ViewFrame frame = frameOf(view);

@@ -11,9 +11,9 @@ namespace echolucent {
 
 namespace {
 
-constexpr double unitsBefore = 2.0, unitsBehind = 6.0;  // what counts as the surface's light
+constexpr double unitsBefore = 2.0, unitsBehind = 6.0;  // the light from here is the surface's
 constexpr double levels = 255.0;
-/// A hundred millionth of white can still come through, which is less than any figure shows.
+/// At most a hundred millionth of white can still come through, less than any figure shows.
 constexpr double leastTransmittance = 1e-8;
 
 /// Light of one ray, levels of 255.
@@ -21,8 +21,8 @@ struct RayLight {
     double surface = 0.0, rest = 0.0;
 };
 
-/// The lattice of the picture's rays: one unit apart, half a unit inside the box's outermost corner, as the ray caster
-/// puts its samples: on a view along a grid axis they pass through voxel centres.
+/// The lattice of the picture's rays: one unit apart, half a unit inside the box's outermost corner, like the ray
+/// caster's samples. In a view along a grid axis they pass through voxel centres.
 struct RayLattice {
     double firstRight, firstDown;
     int columns, rows;
@@ -51,11 +51,10 @@ private:
     }
 };
 
-/// The depth of the ray's first interface where that leads into what is asked for.
+/// The depth of the ray's first interface, if it leads into `into`.
 std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointMm, const Vec3& forward,
                                    double nearPlane, double unit, InterfaceInto into) {
-    // The place is far enough behind the boundary to be beyond the doubt about where it is, and near enough to be in
-    // what it bounds.
+    // Far enough behind the boundary to be certainly behind it, and near enough to be in what it bounds.
     constexpr double justBehind = 1e-3;  // units
     const auto surface = truth.firstInterfacePoint(pointMm, forward, nearPlane);
     if (!surface) return std::nullopt;
@@ -65,7 +64,7 @@ std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointM
     return forward.dot(*surface);
 }
 
-/// The samples of a ray with the depth of the first, the near plane, the box and what is shown of it respected.
+/// The samples of a ray and the depth of the first. Near plane, box and the ray's shown range limit them.
 class SampledRay {
 public:
     SampledRay(const RaySampler& sampler, const SurfaceRay& ray, const Vec3& forward, double nearPlane)
@@ -103,7 +102,7 @@ private:
     RaySamples m_samples;
 };
 
-/// Of every stride-th value from `first` on.
+/// The contrast of every stride-th value from `first` on.
 SurfaceContrast contrastOf(const std::vector<RayLight>& lights, std::size_t first, std::size_t stride) {
     SurfaceContrast contrast;
     for (std::size_t i = first; i < lights.size(); i += stride) {
@@ -167,7 +166,7 @@ std::vector<SurfaceContrast> surfaceContrasts(const RaySampler& sampler, std::sp
             for (std::size_t c = 0; c < tables.size(); ++c) lights[r * tables.size() + c] = ray.lightOf(tables[c]);
         }
     });
-    // Each ray has its place and the sums are made in one order, so that any number of threads gives the same bits.
+    // Each ray has its place, and sums have one order, so that any number of threads gives the same bits.
     std::vector<SurfaceContrast> contrasts;
     for (std::size_t c = 0; c < tables.size(); ++c) contrasts.push_back(contrastOf(lights, c, tables.size()));
     return contrasts;

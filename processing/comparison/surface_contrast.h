@@ -15,47 +15,47 @@
 
 namespace echolucent {
 
-/// The light of rays whose surface is known: of a simulated scan those whose first interface
+/// The light of rays whose surface is known. In a simulated scan these are the rays whose first interface
 /// (PhantomTruth::firstInterface) leads from fluid into object.
 struct SurfaceContrast {
-    double meanSurface = 0.0;  ///< mean over these rays of the composited intensity that comes from 2 units before to 6
-                               ///< units behind the surface; levels of 255
-    double meanRest = 0.0;     ///< mean of the composited intensity from before and behind; levels of 255
+    /// Mean composited intensity from 2 units before to 6 units behind the surface, over these rays; levels of 255.
+    double meanSurface = 0.0;
+    double meanRest = 0.0;  ///< the same from elsewhere
     double varianceSurface = 0.0, varianceRest = 0.0;
     int rays = 0;
-    /// (meanSurface - meanRest) / sqrt(varianceSurface + varianceRest); nothing without such a ray or without variance.
+    /// (meanSurface - meanRest) / sqrt(varianceSurface + varianceRest); empty without rays or without variance.
     [[nodiscard]] std::optional<double> contrastToNoise() const;
 };
 
-/// Rays are parallel, one per unit across the view; samples lie one unit apart, are trilinear and not shaded. Light is
-/// composited by eq. 3 with white for full intensity on a black ground (docs/experiments.md, "The curve").
+/// Rays are parallel, one per unit across the view. Samples lie one unit apart, are trilinear and not shaded. Light is
+/// composited by eq. 3, white for full intensity, on a black ground (docs/experiments.md, "The curve").
 [[nodiscard]] SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const Viewpoint& view,
                                               const Classification& classification);
 
-/// A ray whose surface is known, and what a picture shows of it. Depths are mm along the view's forward, from the
-/// grid's origin.
+/// A ray whose surface is known, and the part of it that a picture shows. Depths are mm along the view's forward, from
+/// the grid's origin.
 struct SurfaceRay {
     Vec3 pointMm{0, 0, 0};        ///< a point of the ray, grid mm; its direction is the view's forward
     double surfaceDepthMm = 0.0;  ///< depth of the surface
-    /// Nothing before and behind is shown; the near cut and the volume's box may leave less.
+    /// Only this range is shown; the near cut and the volume's box may leave less.
     double fromDepthMm = -std::numeric_limits<double>::infinity();
     double toDepthMm = std::numeric_limits<double>::infinity();
 };
-/// What a ray's first interface may lead into: a fetus is all skin, with its bones behind.
+/// What a ray's first interface may lead into. A fetus is all skin, with its bones behind.
 enum class InterfaceInto { object, objectOrTissue };
-/// The rays that surfaceContrast() looks at, row by row, so that the truth is asked once for many curves; or those
-/// whose first interface leads into tissue, too.
+/// The rays of surfaceContrast(), row by row, so that many curves need the truth only once. With objectOrTissue also
+/// those whose first interface leads into tissue.
 [[nodiscard]] std::vector<SurfaceRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth,
                                                  const Viewpoint& view, InterfaceInto into = InterfaceInto::object);
 /// The contrast of each classification on given rays; each equals surfaceContrast()'s, bit for bit. The volume is
-/// sampled once. Gradient magnitudes, where a classification asks for them, are those of `volume`.
+/// sampled once. Gradient magnitudes, if a classification needs them, come from `volume`.
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const SurfaceRay> rays,
                                                             const Viewpoint& view,
                                                             std::span<const Classification> classifications);
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const SurfaceRay> rays,
                                                             const Viewpoint& view,
                                                             std::span<const OpacityCurve> curves);
-/// The same on a sampler that other measures share. It must read gradient magnitudes where a table asks for them.
+/// The same on a sampler that other measures share. It must read gradient magnitudes if a table needs them.
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const RaySampler& sampler, std::span<const SurfaceRay> rays,
                                                             const Viewpoint& view,
                                                             std::span<const OpacityTable> tables);

@@ -21,7 +21,7 @@ struct TubeLight {
     double share = 0.0, intensity = 0.0;
 };
 
-/// The ray along a tube core's axis, from the tube's first sample on, and where its surface is.
+/// The ray along a tube core's axis, from the tube's first sample on, and the place of its surface.
 struct TubeRay {
     RaySamples samples;
     double surface = 0.0;  ///< samples behind the first
@@ -48,7 +48,7 @@ struct TubeRay {
     }
 };
 
-/// Of every stride-th value from `first` on.
+/// The light of every stride-th value from `first` on.
 SurfaceLight surfaceLightOf(const std::vector<TubeLight>& lights, std::size_t first, std::size_t stride) {
     std::vector<double> shares, intensities;
     for (std::size_t i = first; i < lights.size(); i += stride) {
@@ -64,7 +64,7 @@ SurfaceLight surfaceLightOf(const std::vector<TubeLight>& lights, std::size_t fi
     return light;
 }
 
-/// How many samples a view's box or cut surface leaves of each tube core; else as many as there are.
+/// How many samples of each tube core a view's box or cut surface leaves; without either, no limit.
 std::vector<std::size_t> samplesShown(const VolumeGeometry& geometry, const AdaptiveOtf& otf,
                                       std::span<const TubeAxis> axes) {
     std::vector<std::size_t> shown(axes.size(), std::numeric_limits<std::size_t>::max());

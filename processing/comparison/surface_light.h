@@ -11,24 +11,23 @@
 
 namespace echolucent {
 
-/// Each tube core with a surface and a weight has a ray along its axis. Its share is that of the composited intensity
-/// which comes from within 3 units of the surface found (0 where the ray has no light at all). The rays begin at the
-/// tube core's first sample and are sampled where it is, one unit apart, trilinear, without shading, as far as the view
-/// shows the axis.
-/// Where tube cores found no true surface, light near "surfaces" is no merit. docs/comparison.md says more.
+/// Each tube core with a surface and a weight has a ray along its axis. A ray's share is the part of its composited
+/// intensity from within 3 units of the surface found (0 if the ray has no light). Rays begin at the tube core's first
+/// sample and end where the view stops showing the axis. Samples lie one unit apart, are trilinear and not shaded. If
+/// tube cores found no true surface, light near "surfaces" is no merit. docs/comparison.md says more.
 struct SurfaceLight {
     double meanShare = 0.0;  ///< mean over these rays, [0,1]
     double medianShare = 0.0;
     double meanIntensity = 0.0;  ///< mean composited intensity, [0,1]
     int rays = 0;
 };
-/// `volume` is what the picture is made of, on the grid of the volume that the tube cores read.
+/// `volume` holds the picture's voxels, on the grid of the volume that the tube cores read.
 [[nodiscard]] SurfaceLight surfaceLight(const Volume& volume, const AdaptiveOtf& otf,
                                         const Classification& classification);
-/// The same of several classifications; each equals surfaceLight()'s, bit for bit. The volume is sampled once.
+/// The same for several classifications; each equals surfaceLight()'s, bit for bit. The volume is sampled once.
 [[nodiscard]] std::vector<SurfaceLight> surfaceLights(const Volume& volume, const AdaptiveOtf& otf,
                                                       std::span<const Classification> classifications);
-/// The same on a sampler that other measures share. It must read gradient magnitudes where a table asks for them.
+/// The same on a sampler that other measures share. It must read gradient magnitudes if a table needs them.
 [[nodiscard]] std::vector<SurfaceLight> surfaceLights(const RaySampler& sampler, const AdaptiveOtf& otf,
                                                       std::span<const OpacityTable> tables);
 

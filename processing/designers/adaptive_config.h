@@ -5,8 +5,8 @@
 
 namespace echolucent {
 
-/// The adaptive designer has no parameter of its own: DesignerInput::method holds them all, the tube cores that are
-/// never placed among them (TubeGrid::withoutTubes). docs/designers/adaptive.md says more.
+/// The adaptive designer has no parameter of its own. DesignerInput::method holds them all, also the tube cores that
+/// are never placed (TubeGrid::withoutTubes). docs/designers/adaptive.md says more.
 struct AdaptiveConfig {
     static constexpr DesignerWords words{"adaptive", "Adaptive"};
     [[nodiscard]] static constexpr bool readsTubeCores() { return true; }

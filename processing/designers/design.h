@@ -1,4 +1,4 @@
-// What an OTF designer is given, and what it gives: a classification and why it is so.
+// What an OTF designer takes, and what it gives: a classification and why it is so.
 #pragma once
 
 #include <memory>
@@ -16,12 +16,12 @@ namespace echolucent {
 
 struct AdaptiveOtf;
 
-/// What designers may look at. The volumes outlive the call.
+/// All that designers may read. The volumes outlive the call.
 struct DesignerInput {
-    const Volume& raw;    ///< as it was read: tube cores read it
-    const Volume& shown;  ///< what the picture is made of, on the same grid: designers read it for all else
+    const Volume& raw;    ///< as read from the file: tube cores read it
+    const Volume& shown;  ///< the picture's voxels, on the same grid: designers read them for all else
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of `shown`
-    Viewpoint view{};                                    ///< along which tube cores are placed
+    Viewpoint view{};                                    ///< tube cores lie along it
     AdaptiveOtfConfig method{};                          ///< how tube cores are read and weighed
 };
 
@@ -34,24 +34,24 @@ struct DesignFact {
     friend bool operator==(const DesignFact&, const DesignFact&) = default;
 };
 
-/// A function over the intensity that a designer looked at, to be plotted.
+/// A function over the intensity, for a plot.
 struct DesignPlot {
     std::string name;   ///< key in JSON: "position", "area"
     std::string label;  ///< for a person: "Position p(v)"
     std::string unit{};
     std::vector<double> intensities;  ///< ascending, [0,1]
-    std::vector<double> values;       ///< one an intensity; NaN where the function is not known
+    std::vector<double> values;       ///< one an intensity; NaN if the function is not known there
 };
 
 /// What a designer made of a volume.
 struct Design {
     Classification classification;
-    /// Sentences, in order, that say to a person what was found and why the OTF is as it is, with numbers.
+    /// Sentences for a person, in order, with numbers: what was found, and why the OTF is as it is.
     std::vector<std::string> explanation{};
     std::vector<DesignFact> facts{};
     std::vector<DesignPlot> plots{};
-    /// A sentence where something could not be done, and what is shown in place; else empty. It is no part of the
-    /// explanation.
+    /// If something could not be done, a sentence that says so and what is shown instead; else empty. It is no part of
+    /// the explanation.
     std::string message{};
     /// What the tube cores saw, if the designer is the adaptive method; else null.
     std::shared_ptr<const AdaptiveOtf> tubeCores{};

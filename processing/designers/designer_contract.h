@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// Throws std::invalid_argument, its text after "`configName`: ", where problemIn() finds something or the volumes
+/// Throws std::invalid_argument, with "`configName`: " before its text, if problemIn() finds something or the volumes
 /// of the input have different grids.
 template <typename Config>
 void requireDesignable(std::string_view configName, const ParameterTable<Config>& table, const Config& config,
@@ -23,7 +23,7 @@ void requireDesignable(std::string_view configName, const ParameterTable<Config>
     if (!problem.empty()) throw std::invalid_argument(std::string(configName) + ": " + problem);
 }
 
-/// A number as sentences of designers write it: with at most three decimals.
+/// A number as designers write it in sentences: at most three decimals.
 [[nodiscard]] inline std::string inWords(double number) { return textOf(std::round(number * 1e3) / 1e3); }
 
 /// The same, rounded to a multiple of `step`, above 0.
@@ -31,7 +31,7 @@ void requireDesignable(std::string_view configName, const ParameterTable<Config>
     return textOf(std::round(number / step) * step);
 }
 
-/// A share as sentences of designers write it: "37.5 %".
+/// A share as designers write it in sentences: "37.5 %".
 [[nodiscard]] inline std::string percentInWords(double share) { return textOf(std::round(share * 1e3) / 1e1) + " %"; }
 
 }  // namespace echolucent

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double lowOpacity = 0.2, highOpacity = 0.8, fullOpacity = 0.95;
 
-/// Appends the part within [0,1] of the line from the last node to the next one.
+/// Appends the part within [0,1] of the line from the last node to the next.
 void appendWithin(ManualCurve& curve, CurveNode& last, const CurveNode& next) {
     const auto opacityAtEdge = [&](double edge) {
         return last.opacity +
@@ -41,7 +41,7 @@ ManualCurve echoRamp(const EchoRampConfig& config) {
     return curve;
 }
 
-/// The curve as it is, and what it shows of the voxels.
+/// The curve unchanged, and the share of voxels that it shows.
 Design presetDesign(ManualCurve curve, const Volume& shown, const std::string& name) {
     const IntensityCounts counts = intensityCounts(shown);
     Design design{std::move(curve)};

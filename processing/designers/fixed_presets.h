@@ -1,5 +1,5 @@
-// Curves that users of 3D Slicer know, as OTF designers: what they show follows from no voxel (docs/designers/
-// fetal-preset.md and docs/designers/echo-ramp.md).
+// Curves that users of 3D Slicer know, as OTF designers. They depend on no voxel (docs/designers/fetal-preset.md and
+// docs/designers/echo-ramp.md).
 #pragma once
 
 #include <optional>
@@ -15,13 +15,12 @@ namespace echolucent {
 [[nodiscard]] const ParameterTable<FetalPresetConfig>& parametersOf(const FetalPresetConfig&);
 [[nodiscard]] const ParameterTable<EchoRampConfig>& parametersOf(const EchoRampConfig&);
 
-/// The same curve for every volume. How many voxels of input.shown it shows is a fact; where it shows none, the message
-/// says so. The result is empty only where progress.cancel was raised. Throws std::invalid_argument where the volumes
-/// have different grids.
+/// The same curve for every volume. A fact tells how many voxels of input.shown it shows; if it shows none, the message
+/// says so. The result is empty only if progress.cancel was raised. Throws std::invalid_argument if the volumes have
+/// different grids.
 [[nodiscard]] std::optional<Design> design(const FetalPresetConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
-/// The same for the echo ramp: what of it lies beyond 0 or 1 is cut off there. It throws, too, where a parameter is out
-/// of its range.
+/// The same for the echo ramp, cut off at 0 and 1. It also throws if a parameter is out of range.
 [[nodiscard]] std::optional<Design> design(const EchoRampConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

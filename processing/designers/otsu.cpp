@@ -14,14 +14,14 @@ namespace echolucent {
 
 namespace {
 
-/// Sums over the intensities before an index, which are the dark class of a threshold there.
+/// Sums over the intensities before an index: the dark class of a threshold there.
 class Splits {
 public:
     explicit Splits(const IntensityCounts& counts) : m_counts(counts) {
         for (std::size_t i = 0; i < counts.counts.size(); ++i)
             m_sum += static_cast<double>(counts.counts[i]) * counts.intensities[i];
     }
-    /// Moves the next intensity into the dark class, and gives the variance between the classes.
+    /// Moves the next intensity into the dark class and returns the variance between the classes.
     double next() {
         m_darkVoxels += static_cast<double>(m_counts.counts[m_index]);
         m_darkSum += static_cast<double>(m_counts.counts[m_index]) * m_counts.intensities[m_index];

@@ -20,26 +20,26 @@ struct IntensityClass {
     friend bool operator==(const IntensityClass&, const IntensityClass&) = default;
 };
 
-/// The split into two classes whose means differ most for their sizes.
+/// The split into the two classes with the largest variance between them.
 struct OtsuClasses {
     double threshold = 0.0;  ///< half way between the largest intensity of `dark` and the smallest of `bright`
     IntensityClass dark{}, bright{};
-    double betweenVariance = 0.0;  ///< product of the shares times the square of the difference of the means: the
-                                   ///< largest of any threshold
+    /// The largest of any threshold: product of the shares times the square of the difference of the means.
+    double betweenVariance = 0.0;
     friend bool operator==(const OtsuClasses&, const OtsuClasses&) = default;
 };
 
-/// Nothing where fewer than two intensities were counted. Of thresholds that are equally good the lowest counts.
+/// Empty for fewer than two intensities. Of equally good thresholds the lowest counts.
 [[nodiscard]] std::optional<OtsuClasses> otsuClasses(const IntensityCounts& counts);
 
 /// Its table; the argument only selects it.
 [[nodiscard]] const ParameterTable<OtsuConfig>& parametersOf(const OtsuConfig&);
 
-/// A curve that is clear below the ramp and rises in a straight line from the threshold minus the spread of the dark
-/// class to the threshold plus that of the bright class, both within [0,1]. It reads input.shown; voxels without data
-/// do not count. Where all data have one value, or there are none, the curve is x^2, and the message says so.
-/// The result is empty only where progress.cancel was raised, and has the same bits for any number of threads. Throws
-/// std::invalid_argument where a parameter is out of its range or the volumes have different grids.
+/// A curve that is clear below the ramp. The ramp is straight from the threshold minus the dark class's spread to the
+/// threshold plus the bright class's, both within [0,1]. It reads input.shown; voxels without data do not count. If all
+/// data have one value, or there are none, the curve is x^2, and the message says so. The result is empty only if
+/// progress.cancel was raised. Its bits are the same for any number of threads. Throws std::invalid_argument if a
+/// parameter is out of its range or the volumes have different grids.
 [[nodiscard]] std::optional<Design> design(const OtsuConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

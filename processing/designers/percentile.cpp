@@ -44,7 +44,7 @@ Ramp rampOf(const IntensityCounts& counts, const PercentileConfig& config) {
             shared + "below it alone give the lower end."};
 }
 
-/// The share of the voxels that an intensity is not exceeded by, at 256 intensities.
+/// The share of voxels that do not exceed an intensity, at 256 intensities.
 DesignPlot sharesUpTo(const IntensityCounts& counts) {
     DesignPlot plot{"share_up_to", "Voxels up to an intensity", "share", {}, {}};
     std::uint64_t reached = 0;

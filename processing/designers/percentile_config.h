@@ -9,7 +9,7 @@ namespace echolucent {
 struct PercentileConfig {
     static constexpr DesignerWords words{"percentile", "Percentile ramp"};
     double clear = 60.0;   ///< opacity is 0 up to this percentile of the voxels with data, %
-    double full = 95.0;    ///< and full from this one on, %; where it is not above `clear`, the ramp is a step
+    double full = 95.0;    ///< opacity is full from this one on, %; if not above `clear`, the ramp is a step
     double opacity = 1.0;  ///< full opacity, per unit
     friend bool operator==(const PercentileConfig&, const PercentileConfig&) = default;
 };

@@ -42,7 +42,7 @@ const CellStatistics& DetectionByRatio::cellsOf(std::size_t tube, CellStatistics
 std::vector<float> DetectionByRatio::interfaceFunctionOf(std::size_t tube, const CellStatistics& cells) const {
     std::vector<float> ofCells(cells.means.size(), 0.0f);
     const auto contrasts = m_contrasts->contrasts(tube);
-    // Contrast 0 belongs to the boundary behind the first leastFluid slabs; a cell's contrast is that at its middle.
+    // Contrast 0 belongs to the boundary behind the first leastFluid slabs. A cell has the contrast at its middle.
     const auto shift = static_cast<std::size_t>(cells.firstCell + std::max(0, m_rule.leastFluid - m_cellSize / 2));
     for (std::size_t i = 0; i < contrasts.size() && i + shift < ofCells.size(); ++i) ofCells[i + shift] = contrasts[i];
     return ofCells;

@@ -8,8 +8,8 @@
 
 namespace echolucent {
 
-/// The interface indicating function is the contrast on the speckle's own scale. All tubes are read before one is
-/// judged, because they say together how strong speckle is and where fluid ends.
+/// The interface indicating function is the contrast on the speckle's own scale. All tubes are read before any is
+/// judged: only together they tell how strong speckle is and where fluid ends.
 class DetectionByRatio final : public Detection {
 public:
     DetectionByRatio(const RatioRule& rule, std::span<const TubeSamples> samples, int cellSize);
@@ -28,7 +28,7 @@ private:
     RatioRule m_rule;
     int m_cellSize;
     TubeProfiles m_profiles;
-    // From computeInterfaceFunction() on.
+    // Set by computeInterfaceFunction().
     std::optional<SpeckleScale> m_scale;
     std::optional<TubeContrasts> m_contrasts;
     RatioThresholds m_thresholds;

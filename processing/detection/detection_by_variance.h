@@ -32,7 +32,7 @@ private:
     VarianceRule m_rule;
     int m_cellSize;
     ScaleSpace m_scaleSpace;
-    std::vector<TubeSlabs> m_slabs;       ///< of each tube, until its cells are made of them
+    std::vector<TubeSlabs> m_slabs;       ///< of each tube, until its cells are made
     std::vector<CellStatistics> m_cells;  ///< of each tube
     PerThread<Tracker> m_trackers;
 };

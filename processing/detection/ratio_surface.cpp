@@ -13,10 +13,10 @@ namespace echolucent {
 
 namespace {
 
-/// Tubes that one task takes at least.
+/// Each task takes at least so many tubes.
 constexpr std::size_t tubesPerTask = 64;
 
-/// Half of slabsBehind, rounded up: what must at least lie behind a boundary.
+/// Half of slabsBehind, rounded up: so many slabs at least must lie behind a boundary.
 int leastBehind(const RatioRule& rule) { return (rule.slabsBehind + 1) / 2; }
 
 double meanOf(std::span<const float> values) {
@@ -32,7 +32,7 @@ std::span<const float> slabs(std::span<const float> profile, int first, int last
     return profile.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
 }
 
-/// Counts |contrast| of all tubes, finely enough for a quantile.
+/// Counts |contrast| of all tubes in bins fine enough for a quantile.
 class ContrastCounts {
 public:
     void add(std::span<const float> contrasts) {
@@ -40,7 +40,7 @@ public:
             ++m_bins[static_cast<std::size_t>(std::min(std::abs(contrast) * perContrast, bins - 1.0f))];
         m_count += contrasts.size();
     }
-    /// The standard deviation of normal noise with this lower quartile of its absolute values.
+    /// The standard deviation of normal noise whose absolute values have this lower quartile.
     [[nodiscard]] double spread() const {
         constexpr double quartileOfNormal = 0.318639;
         const double quarter = static_cast<double>(m_count) / 4.0;
@@ -69,7 +69,7 @@ void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::s
     const int size = static_cast<int>(scaled.size());
     const int first = rule.leastFluid, last = size - leastBehind(rule);
     if (contrasts.empty()) return;
-    // Boundaries with all slabs on both sides; the few with less, at the ends, one by one.
+    // Boundaries with all slabs on both sides go together; the few at the ends go one by one.
     const int firstWhole = std::max(first, rule.slabsBefore), lastWhole = std::min(last, size - rule.slabsBehind);
     const auto at = [first](int boundary) { return static_cast<std::size_t>(boundary - first); };
     if (firstWhole <= lastWhole)
@@ -97,7 +97,7 @@ Strongest strongestAt(std::span<const float> scaled, int boundary, float contras
     return {boundary, contrast, before + contrast / 2.0};
 }
 
-/// The first of the largest values; not empty. In lanes: the compiler makes a vector of them.
+/// The index of the first of the largest values; not empty. It works in lanes, so that the compiler vectorises it.
 std::size_t placeOfLargest(std::span<const float> values) {
     std::array<float, 8> largest;
     largest.fill(values[0]);
@@ -117,8 +117,8 @@ double quantileOf(std::vector<double>& values, double share) {
     return *place;
 }
 
-/// Level and contrast of the stronger boundaries, their medians. Fluid is so much darker than anything else that the
-/// boundaries of tissue against brighter tissue are the weaker ones.
+/// The medians of level and contrast of the stronger boundaries. Fluid is much darker than anything else, so boundaries
+/// of tissue against brighter tissue are weaker.
 void readLevels(const std::vector<Strongest>& strongest, RatioThresholds& thresholds) {
     std::vector<double> contrasts, middles;
     for (const Strongest& boundary : strongest)
@@ -165,7 +165,7 @@ namespace {
 bool mayBeFluid(const RatioThresholds& thresholds, const SpeckleScale& scale, const RatioRule& rule) {
     const double fluid = scale.intensityAt(thresholds.fluid), tissue = scale.intensityAt(thresholds.tissue);
     if (fluid <= 0.0 || tissue >= rule.leastRatio * fluid) return true;
-    // Compressed: over a quarter of the range of brightness the spread grows clearly less than the mean.
+    // Compressed echo: over a quarter of the range of brightness the spread grows clearly less than the mean.
     constexpr double darker = 0.25, inProportion = 0.75;
     const double bright = scale.brightMean();
     return scale.spreadAt(bright) * darker < inProportion * scale.spreadAt(darker * bright);
@@ -206,8 +206,8 @@ RatioThresholds ratioThresholds(const TubeContrasts& tubes, const SpeckleScale& 
 
 namespace {
 
-/// Where the running mean of `cellSize` slabs first rises through the half between the levels on both sides of a
-/// boundary, nearest to it: the middle of the ramp, in intensity.
+/// The middle of a boundary's ramp, in intensity. There the running mean of `cellSize` slabs rises through the half
+/// between the levels on both sides. Of several such places the one nearest to the boundary counts.
 int cellAtHalf(std::span<const float> means, int boundary, const RatioRule& rule, int cellSize) {
     const double low = meanOf(slabs(means, boundary - rule.slabsBefore, boundary - rule.rampSlabs));
     const double high = meanOf(slabs(means, boundary + rule.rampSlabs, boundary + rule.rampSlabs + rule.slabsBehind));
@@ -229,8 +229,8 @@ int cellAtHalf(std::span<const float> means, int boundary, const RatioRule& rule
     return best;
 }
 
-/// The contrast, a difference of logarithms, is highest on the dark side of a wide ramp: from there the levels on both
-/// sides are read anew where the half was found, until it stays.
+/// The contrast, a difference of logarithms, is highest on the dark side of a wide ramp. So this reads the levels again
+/// on both sides of the half found, until it stays.
 int surfaceCellAt(std::span<const float> means, int boundary, const RatioRule& rule, int cellSize) {
     int cell = cellAtHalf(means, boundary, rule, cellSize);
     constexpr int mostRounds = 3;

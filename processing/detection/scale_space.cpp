@@ -53,7 +53,7 @@ void ScaleSmoother::begin(std::span<const double> function) {
     if (count == 0) return;
     std::size_t length = count;
     if (m_space.border() == TubeBorder::mirrorThenZero) {
-        // Zeros as wide as a kernel, so that what wraps around meets zeros.
+        // The zeros are as wide as a kernel: only they meet what wraps around.
         const std::size_t mirrored = std::min(radius, count);
         length = static_cast<std::size_t>(cv::getOptimalDFTSize(static_cast<int>(mirrored + count + radius)));
         continueFunction(mirrored, length);
@@ -93,7 +93,7 @@ void ScaleSmoother::continueFunction(std::size_t before, std::size_t length) {
 void ScaleSmoother::convolve(const GaussianKernel& kernel, std::vector<double>& result) const {
     const std::size_t count = m_function.size();
     result.resize(wholeBlocks(count));
-    // Every result is the same sequence of operations, whatever its place, so that equal surroundings give equal bits.
+    // Each result is the same sequence of operations at any place, so that equal surroundings give equal bits.
     echolucent::convolve(m_continued.data() + m_before, kernel.weights(), result);
     result.resize(count);
 }
@@ -106,7 +106,7 @@ void ScaleSmoother::transformKernels(std::size_t length) {
         std::vector<double> wrapped(length, 0.0);
         wrapped[0] = kernel.weight(0);
         for (int distance = 1; distance <= kernel.radius(); ++distance) {
-            // Where the kernel is longer than the function, it goes around more than once.
+            // If the kernel is longer than the function, it goes around more than once.
             const std::size_t after = static_cast<std::size_t>(distance) % length;
             wrapped[after] += kernel.weight(distance);
             wrapped[(length - after) % length] += kernel.weight(distance);

@@ -12,9 +12,8 @@ namespace echolucent {
 /// A sampled Gaussian, cut and renormalised: symmetric, odd, its weights sum to 1.
 class GaussianKernel {
 public:
-    /// `sigma` is in samples, above 0; the kernel ends at cut * sigma. Where endsAtZero, it is lowered before it is
-    /// renormalised, so that it ends at zero. A kernel that ends in a step makes a false maximum where its end passes
-    /// over a peak.
+    /// `sigma` is in samples, above 0; the kernel ends at cut * sigma. If endsAtZero, the kernel is lowered to end at
+    /// zero and then renormalised. A kernel that ends in a step makes a false maximum if its end passes over a peak.
     GaussianKernel(double sigma, double cut, bool endsAtZero = true);
     [[nodiscard]] int radius() const { return static_cast<int>(m_weights.size()) - 1; }
     /// Weight at distance 0 ... radius().
@@ -25,13 +24,13 @@ private:
     std::vector<double> m_weights;
 };
 
-/// The scales of a rule, coarsest first, and how a function is continued and convolved there. Lengths are in samples of
-/// the function, which are units along the tube core.
+/// The scales of a rule, coarsest first, and how a function is continued and convolved. Lengths are in samples of the
+/// function, which are units along the tube core.
 class ScaleSpace {
 public:
     explicit ScaleSpace(const VarianceRule& rule);
     [[nodiscard]] std::size_t scales() const { return m_sigmas.size(); }
-    /// The standard deviation of the kernel of a scale, samples; scale 0 is the coarsest.
+    /// The standard deviation of a scale's kernel, samples; scale 0 is the coarsest.
     [[nodiscard]] double sigma(std::size_t scale) const { return m_sigmas[scale]; }
     [[nodiscard]] const GaussianKernel& kernel(std::size_t scale) const { return m_kernels[scale]; }
     /// The radius of the coarsest kernel, samples.
@@ -46,18 +45,20 @@ private:
     std::vector<GaussianKernel> m_kernels;
 };
 
-/// Smooths one function after the other. Each thread needs one of its own.
+/// Smooths one function after the other. Each thread needs its own.
 ///
-/// Borders: mirrorThenZero is mirrored in front of the first sample (f(-1 - i) = f(i), once), zero before the mirror
-/// image and behind the last sample; circular is the function again on both sides. Routes: direct adds up products and
-/// gives equal surroundings equal bits, so that a constant stays the same to the last bit as far as the zero is out of
-/// reach; fourier multiplies spectra (cv::dft; padded for mirrorThenZero, not for circular) and equals it to rounding.
+/// Borders: mirrorThenZero mirrors the function once before its first sample (f(-1 - i) = f(i)), and is zero before the
+/// mirror image and behind the last sample. circular repeats the function on both sides.
+///
+/// Routes: direct adds up products and gives equal surroundings equal bits; so a constant stays the same to the last
+/// bit, out of reach of the zeros. fourier multiplies spectra (cv::dft; padded for mirrorThenZero, not for circular)
+/// and equals direct to rounding.
 class ScaleSmoother {
 public:
     explicit ScaleSmoother(const ScaleSpace& space) : m_space(space) {}
     explicit ScaleSmoother(const ScaleSpace&&) = delete;
     [[nodiscard]] const ScaleSpace& space() const { return m_space; }
-    /// The function to be smoothed next; it must stay where it is until the last smooth().
+    /// Takes the next function to smooth. It must stay in place until the last smooth().
     void begin(std::span<const double> function);
     /// The function at a scale.
     void smooth(std::size_t scale, std::vector<double>& result);
@@ -70,10 +71,10 @@ private:
 
     const ScaleSpace& m_space;
     std::span<const double> m_function;
-    std::vector<double> m_continued;  ///< the function with what lies beyond its ends
+    std::vector<double> m_continued;  ///< the function and its continuation beyond both ends
     std::size_t m_before = 0;         ///< samples in front of the function in m_continued
     std::vector<double> m_spectrum, m_product;
-    std::vector<std::vector<double>> m_kernelSpectra;  ///< of the last length: the tubes of a view are mostly equal
+    std::vector<std::vector<double>> m_kernelSpectra;  ///< for the last length; most tubes of a view share it
 };
 
 }  // namespace echolucent

@@ -12,18 +12,17 @@ namespace {
 
 constexpr int meanBins = 64;
 constexpr int spreadBins = 128;
-/// Spreads are counted in bins that grow by the same factor, from the least to the largest a slab can have (0.5).
+/// Bins of spreads grow by one factor, from the least to the largest spread that a slab can have (0.5).
 constexpr double leastSpread = 0.001;
 constexpr double largestSpread = 0.5;
-/// A bin of means speaks where it holds at least this share of the slabs of the fullest bin near it. The rarer means
-/// are those of slabs with a boundary in them, of tube cores that graze a wall above all, whose spread is not that of
-/// speckle.
+/// A bin of means counts if it holds at least this share of the slabs of the fullest bin near it. Rarer means belong to
+/// slabs with a boundary in them, above all of tube cores that graze a wall. Their spread is not that of speckle.
 constexpr double leastShare = 0.25;
 constexpr int nearBins = 8;
 constexpr std::uint32_t leastSlabs = 16;
 
-/// A spread below this share of the mean is not speckle but the lack of it. It is kept above 0, so that a difference
-/// is a ratio also where there is no noise at all.
+/// A spread below this share of the mean is no speckle. It stays above 0, so that a difference is a ratio even without
+/// noise.
 constexpr double leastShareOfMean = 0.05;
 
 struct Knot {
@@ -49,9 +48,9 @@ struct SpreadCounts {
 std::array<SpreadCounts, meanBins> countSpreads(const TubeProfiles& profiles) {
     std::array<SpreadCounts, meanBins> counts;
     const float perFactor = spreadBins / static_cast<float>(std::log(largestSpread / leastSpread));
-    // Neighbouring slabs share their speckle: every second one says as much.
+    // Neighbouring slabs share their speckle: every second one tells as much.
     constexpr std::size_t stride = 2;
-    // Neighbours mostly share a bin: two sums in turns, so that one addition does not wait for the other.
+    // Neighbours mostly share a bin. Two sums take turns, so that no addition waits for the one before.
     std::array<std::array<double, meanBins>, 2> sumsOfMeans{};
     for (std::size_t t = 0; t < profiles.tubes(); ++t) {
         const auto means = profiles.means(t), spreads = profiles.spreads(t);
@@ -82,8 +81,8 @@ std::vector<Knot> knotsOf(const std::array<SpreadCounts, meanBins>& counts) {
             knots.push_back({here.sumOfMeans / here.count, here.medianSpread()});
     }
     if (knots.empty()) knots.push_back({0.5, leastSpread});
-    // Speckle multiplies and scanners compress: the spread never grows faster than the mean. What does is a wall that a
-    // tube core straddles along its whole length.
+    // Speckle multiplies and scanners compress, so its spread never grows faster than the mean. A faster growth is a
+    // wall that a tube core straddles along its whole length.
     for (std::size_t i = 1; i < knots.size(); ++i)
         if (knots[i - 1].mean > 0.0)
             knots[i].spread = std::min(
@@ -91,7 +90,7 @@ std::vector<Knot> knotsOf(const std::array<SpreadCounts, meanBins>& counts) {
     return knots;
 }
 
-/// The mean that all but the brightest fiftieth of the slabs stay below.
+/// All but the brightest fiftieth of the slabs stay below this mean.
 double brightMeanOf(const std::array<SpreadCounts, meanBins>& counts) {
     std::uint64_t all = 0, above = 0;
     for (const SpreadCounts& bin : counts) all += bin.count;
@@ -102,8 +101,8 @@ double brightMeanOf(const std::array<SpreadCounts, meanBins>& counts) {
     return 0.0;
 }
 
-/// Linear between the knots, constant above the last; below the first in proportion to the mean, as echo without any
-/// offset has it, but not to nothing: the darkest voxels are rounded.
+/// Linear between the knots and constant above the last. Below the first it is proportional to the mean, as in echo
+/// without an offset, but never less than half of the first knot's: the darkest voxels are rounded.
 double spreadFrom(const std::vector<Knot>& knots, double mean) {
     const auto above = std::find_if(knots.begin(), knots.end(), [mean](const Knot& knot) { return knot.mean > mean; });
     if (above == knots.end()) return knots.back().spread;

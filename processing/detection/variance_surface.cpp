@@ -9,7 +9,6 @@ namespace {
 
 double at(std::span<const double> function, int i) { return function[static_cast<std::size_t>(i)]; }
 
-/// The plateau of equal values around i.
 IndexRange plateauAround(std::span<const double> function, int i) {
     IndexRange plateau{i, i};
     const int last = static_cast<int>(function.size()) - 1;

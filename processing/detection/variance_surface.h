@@ -1,5 +1,5 @@
-// Finding the surface in the interface indicating function by tracking a maximum from coarse to fine (Petersch 2005,
-// section 4.1 and Fig. 4; what the paper leaves open as docs/method.md settles it).
+// Finds the surface in the interface indicating function by tracking a maximum from coarse to fine (Petersch 2005,
+// section 4.1 and Fig. 4; docs/method.md settles what the paper leaves open).
 #pragma once
 
 #include <optional>
@@ -16,17 +16,17 @@ struct IndexRange {
     int last = -1;
 };
 
-/// The first local maximum within the range that is at least `significance` times the function's largest value there.
-/// A plateau counts once, at its middle; the function's first and last sample are never maxima.
+/// The first local maximum in the range that is at least `significance` times the largest value there. A plateau counts
+/// once, at its middle. The function's first and last sample are never maxima.
 [[nodiscard]] std::optional<int> firstSignificantMaximum(std::span<const double> function, IndexRange range,
                                                          double significance);
 
-/// From the valley before `position` to the valley behind it: as far as the function does not rise.
+/// From the valley before `position` to the valley behind it: the function does not rise on the way to either.
 [[nodiscard]] IndexRange valleyToValley(std::span<const double> function, int position);
 
-/// What exceeds the function's floor: its quantile (share of values below, [0,1]) is taken off, and what lies below
-/// counts 0. Where speckle lifts the whole function (log-compressed data above all), a share of the largest value alone
-/// holds nothing back, and the zero behind the far end is a fall. A quantile of 0 takes nothing off.
+/// The function less its floor; values below the floor become 0. The floor is the function's `quantile` (share of
+/// values below, [0,1]); 0 takes nothing off. Speckle can lift the whole function, above all in log-compressed data.
+/// Then a share of the largest value alone rejects nothing, and the zeros behind the far end are a fall.
 void takeOffFloor(std::span<const double> function, double quantile, std::vector<double>& result);
 
 /// Scratch of trackSurface(), reused between tubes.
@@ -34,12 +34,14 @@ struct DetectionScratch {
     std::vector<double> aboveFloor, smoothed;
 };
 
-/// Where the maximum was at each scale, coarsest first, the unsmoothed function last; indices into the function. Unless
-/// the coarsest must have one, it begins at the coarsest scale that has a significant maximum: a peak nearer to the
-/// front than sigma and its mirror image are one hill at the border, and a short tube has no room for the coarsest
-/// kernels. A later scale without a maximum in the range keeps position and range. It is empty where there is no
-/// surface, because no scale has a maximum, or the function itself has none (a constant, a ramp, a step: there a coarse
-/// maximum is only the border's or rounding's, and the original scale has no place for it).
+/// The place of the maximum at each scale, as indices into the function: coarsest first, the unsmoothed function last.
+/// It begins at the coarsest scale with a significant maximum, unless coarsestMustHaveMaximum. The coarsest may have
+/// none: a peak nearer to the front than sigma makes one hill with its mirror image, and short tubes have no room for
+/// the kernel. A later scale without a maximum in the range keeps position and range.
+///
+/// It is empty if there is no surface: no scale has a maximum, or the function itself has none (a constant, a ramp, a
+/// step). A coarse maximum of such a function comes from the border or from rounding, and the original scale has no
+/// place for it.
 [[nodiscard]] std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
                                             const VarianceRule& rule, DetectionScratch& scratch);
 

@@ -8,8 +8,7 @@
 
 namespace echolucent {
 
-/// Counts of the voxels with data by normalised intensity: bin i counts [i/256, (i+1)/256), and the last one counts 1
-/// too.
+/// Counts of the voxels with data by normalised intensity. Bin i counts [i/256, (i+1)/256); the last bin counts 1 too.
 struct IntensityHistogram {
     std::array<std::uint64_t, 256> counts{};
     std::uint64_t total = 0;  ///< sum of the counts

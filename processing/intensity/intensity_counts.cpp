@@ -18,11 +18,11 @@ namespace {
 constexpr std::size_t pieces = 8;
 constexpr std::size_t floatIntensities = 1 << 16;
 
-/// Counts the places of all voxels with data; `placeOf(voxel)` is below `places`, or not below where none is counted.
+/// Counts the places of all voxels with data. If `placeOf(voxel)` is not below `places`, the voxel does not count.
 template <typename Value, typename PlaceOf>
 std::vector<std::uint64_t> countPlaces(const VoxelArray<Value>& voxels, const std::uint8_t* mask, std::size_t places,
                                        const PlaceOf& placeOf) {
-    // Neighbours often hold one byte, and a count cannot go on before the one before it is stored.
+    // Neighbours often hold one byte, and a count must be stored before it can grow again. So they count in turns.
     constexpr std::size_t tables = sizeof(Value) == 1 ? 4 : 1;
     std::array<std::vector<std::uint64_t>, pieces> counted;
     parallelFor(std::size_t{0}, pieces, [&](std::size_t piece) {
@@ -43,7 +43,7 @@ std::vector<std::uint64_t> countPlaces(const VoxelArray<Value>& voxels, const st
     return sums;
 }
 
-/// Appends an intensity that is not below those before it.
+/// Appends an intensity that is not below the last one.
 void append(double intensity, std::uint64_t times, IntensityCounts& counts) {
     if (times == 0) return;
     if (counts.intensities.empty() || counts.intensities.back() < intensity) {

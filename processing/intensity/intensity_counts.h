@@ -8,9 +8,9 @@
 
 namespace echolucent {
 
-/// The intensities of the voxels with data, and how often each occurs. Bytes and words count at their own intensity,
-/// float voxels at the nearest of 65536 equidistant ones from 0 to 1; what is below 0 counts as 0, what is above the
-/// white level as 1.
+/// The intensities of the voxels with data, and how often each occurs. Bytes and words count at their own intensity.
+/// Float voxels count at the nearest of 65536 equidistant intensities from 0 to 1. Values below 0 count as 0, values
+/// above the white level as 1.
 struct IntensityCounts {
     std::vector<double> intensities;    ///< normalised, [0,1], ascending, each once
     std::vector<std::uint64_t> counts;  ///< one an intensity, each above 0
@@ -21,8 +21,8 @@ struct IntensityCounts {
 /// Float voxels that are not finite never count, whatever the mask says.
 [[nodiscard]] IntensityCounts intensityCounts(const Volume& volume);
 
-/// The least intensity that at least `percent` % of the voxels do not exceed (the nearest rank); the smallest intensity
-/// for 0 %. Throws std::invalid_argument where no voxel was counted or the percentage is not within 0 and 100.
+/// The least intensity that at least `percent` % of the voxels do not exceed (the nearest rank); for 0 % the smallest
+/// intensity. Throws std::invalid_argument if no voxel was counted or the percentage is not within 0 and 100.
 [[nodiscard]] double percentileOf(const IntensityCounts& counts, double percent);
 
 }  // namespace echolucent

@@ -1,5 +1,3 @@
-// How the outside of the scanned sector is told from true fluid.
-
 #include "processing/intensity/no_data.h"
 
 #include <algorithm>
@@ -16,10 +14,10 @@ namespace echolucent {
 
 namespace {
 
-/// Below this share of the volume a region is not worth the risk of taking fluid for no data.
+/// A smaller share of the volume is not worth the risk of taking fluid for no data.
 constexpr double smallestShare = 0.02;
-/// The outside of a sector is solid: that share of the zeros that reach the border survives thinning by thinnest voxels
-/// and growing back. Fluid that is partly clipped to zero is riddled with echoes and does not survive.
+/// The outside of a sector is solid. This share of the zeros that reach the border survives thinning by `thinnest`
+/// voxels and growing back. Fluid partly clipped to zero is riddled with echoes and does not survive.
 constexpr double solidShare = 0.7;
 constexpr int thinnest = 2;
 
@@ -52,7 +50,7 @@ std::uint64_t zeroBytes(const std::uint8_t* voxels) {
     return bits;
 }
 
-/// Voxels that are exactly 0 or carry no data already.
+/// Voxels that are exactly 0, not finite, or no data already.
 BitGrid blankVoxels(const Volume& volume) {
     const VolumeGeometry& geometry = volume.geometry();
     BitGrid blank(geometry.size);
@@ -76,7 +74,7 @@ BitGrid blankVoxels(const Volume& volume) {
     return blank;
 }
 
-/// A sector does not reach all corners of the box around it.
+/// Whether a region holds a corner of the grid. A sector does not reach all corners.
 bool holdsCorner(const BitGrid& region) {
     const auto& size = region.size();
     for (int corner = 0; corner < 8; ++corner)
@@ -85,7 +83,7 @@ bool holdsCorner(const BitGrid& region) {
     return false;
 }
 
-/// The parts of the blank region that stay when it is thinned and grown back: tongues into dark fluid fall off.
+/// The parts of the blank region that survive thinning and growing back. Tongues into dark fluid fall off.
 BitGrid solidPart(const BitGrid& outside) {
     BitGrid core = outside;
     for (int i = 0; i < thinnest; ++i) core = core.eroded();
@@ -129,10 +127,10 @@ DataMask guessDataMask(const Volume& volume, std::pmr::memory_resource& memory) 
     const auto solidCount = static_cast<double>(solid.count());
     if (solidCount < smallestShare * voxels || solidCount < solidShare * outsideCount || !holdsCorner(solid))
         return volume.dataMask();
-    // Echoes that are thinner than the outside between them are wires in water, no sector.
+    // If echoes are thinner than the outside between them, they are wires in water and no sector.
     const BitGrid closed = solid.dilated().eroded();
     if (static_cast<double>(closed.count()) == voxels) return volume.dataMask();
-    // Frayed edges belong to it, echoes never do.
+    // Frayed edges belong to the outside; echoes never do.
     return maskWithout(closed & outside, volume, memory);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double levelsAbove = 254.0;
 
-/// Opacity per unit of each byte that stands for a voxel, and 256 times nothing for those that are no data.
+/// Opacity per unit of each byte that stands for a voxel, then 256 zeros for bytes of no data.
 using ByteOpacities = std::array<float, 512>;
 
 /// Opacity per unit of a level: 0 is no data.
@@ -24,8 +24,8 @@ float levelOpacity(const OpacityCurve& curve, std::uint8_t level) {
     return level == 0 ? 0.0f : static_cast<float>(opacityAt(curve, static_cast<double>(level - 1) / levelsAbove));
 }
 
-/// Extinction per mm over opacity per unit, linear between entries. Opacity 1 counts as a little less: a place of it
-/// lets nothing through that a byte could hold.
+/// Extinction per mm over opacity per unit, linear between entries. Opacity 1 counts as a little less: less light
+/// passes than a byte can hold.
 class ExtinctionTable {
 public:
     explicit ExtinctionTable(double unitMm) {
@@ -43,13 +43,13 @@ public:
 
 private:
     static constexpr int intervals = 4096;
-    std::array<float, intervals + 2> m_entries{};  ///< the last one once more
+    std::array<float, intervals + 2> m_entries{};  ///< the last entry stands twice
 };
 
 /// A row of bytes that stand for voxels.
 struct ByteRow {
     const std::uint8_t* bytes;
-    const std::uint8_t* mask;  ///< 0 is no data; null where all are data, or where bytes say so themselves
+    const std::uint8_t* mask;  ///< 0 is no data; null if all are data, or if byte 0 is no data
 };
 
 template <bool isMasked>
@@ -60,8 +60,7 @@ float opacityOf(const ByteRow& row, std::size_t at, const ByteOpacities& opaciti
         return opacities[row.bytes[at]];
 }
 
-/// Adds the opacities of a row of voxels to the sums of its places. A whole place of few voxels is added up in
-/// registers.
+/// Adds the opacities of a row of voxels to the sums of its places. It sums a whole place of few voxels in registers.
 template <int voxels, bool isMasked>
 void addWholePlaces(const ByteRow& row, std::size_t places, const ByteOpacities& opacities, float* sums) {
     for (std::size_t place = 0; place < places; ++place) {
@@ -92,7 +91,7 @@ void addRow(const ByteRow& row, std::size_t count, std::size_t voxels, const Byt
 
 template <typename Voxel>
 std::uint8_t levelOf(Voxel value, float perWhite) {
-    // Written so that NaN becomes 0 intensity; no-data voxels are set apart by the caller.
+    // NaN becomes intensity 0. The caller sets no data apart.
     const float share = static_cast<float>(value) * perWhite;
     const float inside = share > 0.0f ? std::min(share, 1.0f) : 0.0f;
     return static_cast<std::uint8_t>(1.5f + inside * static_cast<float>(levelsAbove));
@@ -169,7 +168,7 @@ void CoarseExtinction::make(std::vector<float>& extinctions, const RowMarks& row
     if (gradients.bytes.size() != static_cast<std::size_t>(m_size[0] * m_size[1] * m_size[2]) ||
         gradients.largest != otf.largestGradient)
         throw std::invalid_argument("CoarseExtinction: the gradients are of another grid or scale");
-    // One opacity for each byte of a gradient and each that stands for a voxel, these fastest.
+    // One opacity for each gradient byte and each byte of a voxel; the voxel's byte is fastest.
     constexpr std::size_t levels = 256;
     std::vector<float> opacities(levels * levels);
     parallelFor(std::size_t{0}, levels, [&](std::size_t gradient) {

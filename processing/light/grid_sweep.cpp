@@ -30,7 +30,7 @@ struct Slices {
     [[nodiscard]] std::size_t planeStride() const { return static_cast<std::size_t>(size[0]) + 2 + spareFloats; }
 };
 
-/// A direction's two planes: what has passed the slice before, and what has passed this one.
+/// A direction's two planes: the light behind the slice before, and the light behind this slice.
 class SweptPlanes {
 public:
     explicit SweptPlanes(const Slices& slices)

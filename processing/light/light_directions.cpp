@@ -39,7 +39,7 @@ std::vector<DiscPlace> placesOf(DirectionRule rule) {
     return places;
 }
 
-/// Two unit vectors across a unit axis that turn with it smoothly (Duff et al. 2017).
+/// Two unit vectors across a unit axis; they turn smoothly with it (Duff et al. 2017).
 struct Across {
     Vec3 right, down;
     explicit Across(const Vec3& axis) {
@@ -71,7 +71,7 @@ std::vector<WeightedDirection> directionsWithin(const Vec3& axis, double halfAng
 }
 
 std::vector<WeightedDirection> denseDirectionsWithin(const Vec3& axis, double halfAngleDegrees, int rings) {
-    // Ring i of n lies between the radii i / n and (i + 1) / n and has 2 i + 1 times three places.
+    // Ring i of n lies between the radii i / n and (i + 1) / n and has 3 (2 i + 1) places.
     std::vector<DiscPlace> places;
     const double weight = 1.0 / (3.0 * rings * rings);
     for (int ring = 0; ring < rings; ++ring) {

@@ -9,14 +9,14 @@
 
 namespace echolucent::light {
 
-/// Places over a volume, each of `voxels` voxels along each axis from the grid's low corner on; the last places of an
+/// Places over a volume from the grid's low corner on, each of `voxels` voxels along each axis. The last places of an
 /// axis may reach beyond the volume.
 struct LightGrid {
     std::array<int, 3> voxels{1, 1, 1};  ///< along x, y, z in a place
     std::array<int, 3> size{1, 1, 1};    ///< places along x, y, z
     Vec3 firstMm, spacingMm;             ///< grid mm of the centre of place (0,0,0); from place to place
 
-    /// `coarseness` units from place to place, as whole voxels, at least one, along each axis.
+    /// Places `coarseness` units apart along each axis, rounded to whole voxels, at least one.
     LightGrid(const VolumeGeometry& geometry, int coarseness);
     [[nodiscard]] std::size_t places() const {
         return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *

@@ -60,7 +60,7 @@ void check(const LightScene& scene) {
 }
 
 /// One light: its bundles, and the sum of what they have swept so far. The sum fits: all light is 255 * 256, and a
-/// bundle rounds by half at most. Whole numbers are added, in whatever order the bundles end.
+/// bundle rounds by at most a half. Whole numbers have the same sum in whatever order the bundles end.
 class SweptLight {
 public:
     SweptLight(std::vector<light::DirectionBundle> given, const light::LightGrid& grid)
@@ -68,7 +68,7 @@ public:
 
     std::vector<light::DirectionBundle> bundles;
 
-    /// Adds what one of the bundles has swept. It may be called from several threads.
+    /// Adds what a bundle has swept. Several threads may call it.
     void add(const light::DirectionBundle& bundle, const std::vector<std::uint16_t>& swept) {
         const std::lock_guard alone(*m_access);
         std::vector<std::uint16_t>& sum = bundle.alongX() ? m_yFastest : m_xFastest;
@@ -97,7 +97,7 @@ public:
 private:
     const light::LightGrid& m_grid;
     std::unique_ptr<std::mutex> m_access = std::make_unique<std::mutex>();
-    std::vector<std::uint16_t> m_xFastest, m_yFastest;  ///< empty where no bundle was swept in that order
+    std::vector<std::uint16_t> m_xFastest, m_yFastest;  ///< empty if no bundle was swept in that order
 };
 
 /// Both lights as bytes, rounded from 256ths.
@@ -155,10 +155,10 @@ private:
         Classification otf;
         int coarseness;
         std::vector<float> extinctions;  ///< and spareFloats more
-        RowMarks stale;                  ///< rows of voxels of which the extinctions know another cut
+        RowMarks stale;                  ///< rows of voxels whose extinctions are those of another cut
     };
 
-    /// Makes the first of m_classified that of the OTF. False where it was cancelled.
+    /// Puts the extinctions of the OTF first in m_classified. False if the work was cancelled.
     bool classify(const LightOtf& given, int coarseness, const light::LightGrid& grid, const Progress& progress) {
         const Classification& otf = given.classification;
         const auto found = std::ranges::find(m_classified, coarseness, &Classified::coarseness);
@@ -181,7 +181,7 @@ private:
         return true;
     }
 
-    /// False where it was cancelled before any was made.
+    /// False if the work was cancelled before any was made.
     bool makeExtinctions(const LightOtf& otf, Classified& kept, const light::LightGrid& grid,
                          const Progress& progress) const {
         if (!otf.classification.isTwoDimensional()) {
@@ -223,7 +223,7 @@ private:
         });
     }
 
-    /// What is left of the extinctions of the whole volume where a part of it is rendered only.
+    /// The extinctions that remain if only a part of the volume is rendered.
     [[nodiscard]] std::vector<float> renderedExtinctions(const RenderedShares& shares,
                                                          const light::LightGrid& grid) const {
         std::vector<float> rendered = m_classified.front().extinctions;
@@ -240,7 +240,7 @@ private:
 
     light::CoarseExtinction m_extinction;
     std::list<Classified> m_classified;       ///< the newest first, each of another coarseness
-    std::optional<LightScene> m_aroundScene;  ///< that m_around is of, without a key light
+    std::optional<LightScene> m_aroundScene;  ///< the scene of m_around, without its key light
     std::vector<std::uint16_t> m_around;      ///< 256ths of a level
 };
 

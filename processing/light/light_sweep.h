@@ -1,4 +1,4 @@
-// Light volumes: how much light reaches each place of a volume through the opacities before it (docs/light.md).
+// Light volumes: how much light reaches each place of a volume through the opacities on its way (docs/light.md).
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,17 @@
 
 namespace echolucent {
 
-/// What a light volume depends on beside voxels and curve.
+/// What a light volume depends on besides voxels and OTF.
 struct LightScene {
     Vec3 towardsKey{0, 0, -1};         ///< grid mm, any length above 0
     Vec3 towardsViewer{0, 0, -1};      ///< grid mm, any length above 0
-    double keyHalfAngleDegrees = 8.0;  ///< [0, 45]: half the angle under which the key light is seen; 0 has no penumbra
+    double keyHalfAngleDegrees = 8.0;  ///< [0, 45]: half the angle of the key light's cone; 0 has no penumbra
     RenderedPart rendered;
-    /// [1, 16]: units (smallest spacing) from place to place, as whole voxels, at least one, along each axis.
+    /// [1, 16]: units (smallest spacing) from place to place along each axis, rounded to whole voxels, at least one.
     /// lightSceneOf() chooses it for a picture.
     int coarseness = 2;
-    /// (0,1]: the share of the curve's extinction that attenuates light. Below 1, because most light in tissue is
-    /// scattered forwards; with 1, what is seen of a surface would be half dark before anything stood before it: it
-    /// lies as deep as a ray sees.
+    /// (0,1]: the share of the curve's extinction that attenuates light. It is below 1, because tissue scatters most
+    /// light forwards. With 1, a surface would be half dark with nothing before it, because rays see some way into it.
     double attenuation = 0.5;
     light::DirectionRule keyDirections = light::DirectionRule::four;      ///< that stand for the key light's cone
     light::DirectionRule aroundDirections = light::DirectionRule::seven;  ///< that stand for the hemisphere
@@ -38,18 +37,18 @@ struct LightScene {
 /// The least coarseness with which a light volume has at most `places` places, or the coarsest.
 [[nodiscard]] int coarsenessWithin(const VolumeGeometry& geometry, std::int64_t places);
 
-/// The scene of a picture of a grid: its light (settings.shading, or the default light where it is not set), its viewer
-/// and what it renders. Its coarseness is the least with which it has no more places than the light of a volume of
-/// usualVolumeEdge^3 voxels has at settings.lightCoarseness: light of a small volume is finer, that of a large one
-/// coarser, and both cost about the same. Directions are LightScene's own.
+/// The light scene of a picture of a grid: its light (settings.shading, or the default light if not set), its viewer
+/// and the part that it renders. Its coarseness is the least within this number of places: as many as a volume of
+/// usualVolumeEdge^3 voxels has at settings.lightCoarseness. So small volumes have finer light than large ones, and all
+/// cost about the same. The directions are LightScene's defaults.
 [[nodiscard]] LightScene lightSceneOf(const RayCastSettings& settings, const VolumeGeometry& geometry);
 inline constexpr int usualVolumeEdge = 216;  ///< a little more than the paper's scans have
 
 /// What attenuates light.
 struct LightOtf {
     Classification classification;
-    /// Of the scan, with the largest gradient of a two-dimensional OTF, where somebody has them; where it is null, they
-    /// are made where they are needed. A curve asks for none.
+    /// The gradients of the scan up to the OTF's largest, if somebody has them. If null, they are made for a
+    /// two-dimensional OTF; a curve needs none.
     const GradientLevels* gradients = nullptr;
 
     template <typename Otf>
@@ -57,15 +56,14 @@ struct LightOtf {
         : classification(std::move(otf)), gradients(levels) {}
 };
 
-/// Makes light volumes of one volume again and again, and keeps what they have in common: the coarse opacities while
-/// the curve stays (of two coarsenesses, since pictures of the hand and at rest come in turn), and, where only the key
-/// light changed, the light around the viewer. Only one thread at a time may use it.
+/// Makes light volumes of one volume again and again, and keeps what they share. It keeps coarse extinctions while the
+/// OTF stays, for two coarsenesses: pictures of the moving hand and at rest alternate. If only the key light changes,
+/// it keeps the light around the viewer. Only one thread at a time may use it.
 ///
-/// A place's light is the mean over a fixed set of directions: for the key light directions within its half-angle, for
-/// the light around the viewer directions of the hemisphere before him, by the cosine. Along each the light is swept
-/// from slice to slice of the grid. Light is attenuated by the curve's opacities,
-/// per unit of length, by the share that LightScene::attenuation says; no data and what lies outside the
-/// volume attenuate nothing, nor does what is cut away.
+/// The light of a place is a mean over a fixed set of directions. The key light's directions lie within its half-angle.
+/// Those around the viewer lie in the hemisphere before the viewer and count by the cosine. Light is swept along each
+/// direction from slice to slice of the grid. The OTF's opacities attenuate it per unit of length, by
+/// LightScene::attenuation. No data, the outside of the volume and what is cut away attenuate nothing.
 class LightSweep {
 public:
     explicit LightSweep(std::shared_ptr<const Volume> volume);
@@ -74,12 +72,12 @@ public:
     LightSweep& operator=(LightSweep&&) noexcept;
 
     [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
-    /// Follows another cut of the same scan, which marks the given rows otherwise (rowsMaskedOtherwise()): what is kept
-    /// is worked out anew there alone.
+    /// Follows another cut of the same scan. The cuts differ in the marked rows only (rowsMaskedOtherwise()), and only
+    /// these are computed anew.
     void setCut(std::shared_ptr<const Volume> volume, const RowMarks& masked);
-    /// The result is empty only where progress.cancel was raised (it is polled in every slice). The work is done in the
-    /// calling thread's oneTBB arena, and the bytes are the same for any number of threads. Throws
-    /// std::invalid_argument for a scene out of range.
+    /// The result is empty only if progress.cancel was raised; it is polled in every slice. The work runs in the
+    /// calling thread's oneTBB arena. The bytes are the same for any number of threads. Throws std::invalid_argument
+    /// for a scene out of range.
     [[nodiscard]] std::optional<LightVolume> lightVolume(const LightOtf& otf, const LightScene& scene,
                                                          const Progress& progress = {});
 

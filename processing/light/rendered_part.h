@@ -1,4 +1,4 @@
-// What is rendered of a volume, as light asks for it: what is cut away attenuates no light.
+// The part of a volume that is rendered. Light asks for it, because what is cut away attenuates no light.
 #pragma once
 
 #include <limits>
@@ -10,9 +10,9 @@
 
 namespace echolucent {
 
-/// What is rendered of a volume, as RayCastSettings says it.
+/// The part of a volume that is rendered, as RayCastSettings says it.
 struct RenderedPart {
-    Vec3 forward{0, 0, 1};  ///< grid mm, unit: the direction along which the near plane's depth is counted
+    Vec3 forward{0, 0, 1};  ///< grid mm, unit: the near plane's depth is counted along it
     double nearPlaneDepthMm = -std::numeric_limits<double>::infinity();  ///< from the grid origin along `forward`
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
@@ -20,23 +20,23 @@ struct RenderedPart {
     friend bool operator==(const RenderedPart&, const RenderedPart&) = default;
 };
 
-/// The share of a place that is rendered, for many places. A face that passes through a place takes as much of it as if
-/// it stood across, so that light does not jump from place to place along an oblique face.
+/// The share of each place that is rendered. The share rises linearly along a face's normal over the place's thickness,
+/// so that light does not jump from place to place along an oblique face.
 class RenderedShares {
 public:
-    /// `placeMm` is the size of a place along x, y, z, each above 0. Throws std::invalid_argument for a plane without
+    /// `placeMm` is the size of a place along x, y, z, each above 0. Throws std::invalid_argument for a plane without a
     /// normal.
     RenderedShares(const RenderedPart& part, const Vec3& placeMm);
 
     [[nodiscard]] bool everywhere() const { return m_faces.empty() && !m_surface; }
-    /// Multiplies `count` values by the shares of the places at firstMm, firstMm + (stepMm,0,0), ... This is where
-    /// light asks whether something is rendered, and nowhere else.
+    /// Multiplies `count` values by the shares of the places at firstMm, firstMm + (stepMm,0,0), ... Only here light
+    /// asks whether something is rendered.
     void multiplyRow(const Vec3& firstMm, double stepMm, int count, float* values) const;
     /// Whether a place in grid mm is rendered, exactly.
     [[nodiscard]] bool contains(const Vec3& gridMm) const;
 
 private:
-    /// It is rendered where normal . place >= depth; mm.
+    /// A place is rendered if normal . place >= depth; mm.
     struct Face {
         Vec3 normal;
         double depth;

@@ -24,9 +24,8 @@ HWY_INLINE FloatVector faded(FloatVector x) {
     return hn::Mul(square, square);
 }
 
-/// What leaves a place has gone through half of it twice; what counts as reaching it has gone through a quarter of it:
-/// places smear a surface towards the light, and counted in their middle its lit side would be too dark
-/// (docs/light.md).
+/// Light that leaves a place has passed half of it twice. Light that counts as reaching it has passed a quarter of it.
+/// Places smear a surface towards the light, so at their middle its lit side would be too dark (docs/light.md).
 HWY_INLINE void sweepRow(const SliceJob& job, const SweptDirection& direction, const float* extinctions, int row) {
     const Floats floats;
     const auto stride = static_cast<std::ptrdiff_t>(job.planeStride);

@@ -7,11 +7,11 @@
 
 namespace echolucent::light {
 
-/// One of the directions that are swept together. Planes have a rim of one place on all sides, in which all light
-/// reaches: place (column, row) stands at (row + 1) * planeStride + column + 1.
+/// One of the directions that are swept together. Planes have a rim of one place on all sides, which all light reaches.
+/// Place (column, row) stands at (row + 1) * planeStride + column + 1.
 struct SweptDirection {
-    float taps[4];       ///< shares of places (0,0), (1,0), (0,1), (1,1) from (column, row) on
-    int column, row;     ///< -1 or 0: the first of these places in the plane before, from a place's own on
+    float taps[4];       ///< shares of the places at (column, row) + (0,0), (1,0), (0,1), (1,1)
+    int column, row;     ///< -1 or 0: from a place to the first of these in the plane before
     float halfLengthMm;  ///< half the way from slice to slice
     float weight;
     const float* before;  ///< light behind the slice before
@@ -20,12 +20,12 @@ struct SweptDirection {
 
 struct SliceJob {
     const float* extinctions;  ///< per mm, of place (0,0) of the slice
-    std::size_t rowStride;     ///< between rows of extinctions and of `reaching`
+    std::size_t rowStride;     ///< between rows of extinctions, and between rows of `reaching`
     int columns, rows;
     std::size_t planeStride;
     std::span<const SweptDirection> directions;
     float* sums;              ///< room for a row of the plane
-    std::uint16_t* reaching;  ///< the weighted sum of what reaches the places, as shares of `scale`
+    std::uint16_t* reaching;  ///< the weighted sum of light that reaches the places; `scale` is all light
     float scale;
 };
 

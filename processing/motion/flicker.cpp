@@ -32,7 +32,7 @@ void addPixels(const Picture& newest, const Picture& before, const Picture* seco
     }
 }
 
-/// Of OTFs of either kind.
+/// For either kind of OTF.
 template <typename Otf, typename Renderer>
 std::optional<PictureFlicker> flickerOf(std::span<const SweepFrame> frames, std::span<const Otf> otfs,
                                         const Renderer& render, const Progress& progress) {
@@ -40,7 +40,7 @@ std::optional<PictureFlicker> flickerOf(std::span<const SweepFrame> frames, std:
     if (std::ranges::adjacent_find(otfs, std::not_equal_to<>()) == otfs.end()) return PictureFlicker{};
     SquareSum changes, flickers;
     for (std::size_t k = 1; k < frames.size(); ++k) {
-        // Equal OTFs give equal pictures: nothing to render where an OTF stands still.
+        // Equal OTFs give equal pictures, so each OTF is rendered once.
         const auto newest = render(frames[k], otfs[k]);
         const auto before = otfs[k] == otfs[k - 1] ? newest : render(frames[k], otfs[k - 1]);
         if (!newest || !before) return std::nullopt;
@@ -77,8 +77,7 @@ FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phase
     double heightMm = 0.0;
     for (const SweepFrame& frame : frames)
         heightMm = std::max(heightMm, defaultCamera(volumeOf(frame).dataBox(), frame.view, aspect).heightMm);
-    // Casters are made where a frame first needs them; a caster keeps the samples of a view that is rendered with
-    // several OTFs.
+    // Each caster is made when a frame first needs it. It keeps the samples of a view for several OTFs.
     auto casters = std::make_shared<std::vector<std::optional<RayCaster>>>(phases.size());
     return [volumes = std::vector(phases.begin(), phases.end()), casters, heightMm, aspect, settings, progress](
                const SweepFrame& frame, const SampledCurve& otf) {
@@ -88,7 +87,7 @@ FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phase
         if (!caster) caster.emplace(volumes[phase]);
         RayCastSettings ofFrame = settings;
         ofFrame.camera = defaultCamera(volume.dataBox(), frame.view, aspect);
-        // A box that grew and shrank with its outline would seem to come and go.
+        // One scale for all: otherwise the box would seem to come and go as its outline grows and shrinks.
         ofFrame.camera.heightMm = heightMm;
         ofFrame = limitedTo(frame.view, volume.geometry(), ofFrame);
         return caster->cast(otf, ofFrame, {{}, progress.cancel});

@@ -1,4 +1,4 @@
-// The choices of the motion mode: what moves, and which OTF its frames show.
+// What moves in the motion mode, and which OTF its frames show.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace echolucent {
 
-/// About which axis of the view's frame the view turns: x changes the elevation, y the azimuth, z the roll.
+/// The axis of the view's frame about which the view turns: x changes the elevation, y the azimuth, z the roll.
 enum class MotionAxis { x, y, z };
 
-/// The range of the motion, whole degrees from the view in which it was started.
+/// The range of the motion, in whole degrees from the view in which it began.
 inline constexpr int firstMotionAngle = -45;
 inline constexpr int lastMotionAngle = 45;
 
@@ -36,7 +36,7 @@ enum class MotionOtf {
 inline constexpr std::array allMotionOtfs{MotionOtf::oneOtf, MotionOtf::eachView, MotionOtf::mean,
                                           MotionOtf::movingLeastSquares, MotionOtf::leastFlicker};
 
-/// How the OTFs of a motion are smoothed; no value where one OTF serves all frames.
+/// How the OTFs of a motion are smoothed; empty for oneOtf.
 [[nodiscard]] std::optional<OtfSmoothing> smoothingOf(MotionOtf otf);
 
 /// "x", "y", "z".

@@ -15,11 +15,11 @@ constexpr ChoiceNames<4> smoothingNames{"none", "mean", "mls", "least-flicker"};
 constexpr std::size_t framesOfPaper = 5;
 constexpr std::size_t orderOfPaper = 2;
 
-/// The taps, newest first. Over their sum they have the least second difference of all weights that are never negative
-/// and have a mean age of two frames (docs/motion.md derives them; a test proves the optimum).
+/// The taps, newest first. Of all non-negative weights with a mean age of two frames, they have the least second
+/// difference over their sum (docs/motion.md derives them; a test proves the optimum).
 constexpr std::array<double, 6> leastFlickerTaps{63, 114, 124, 96, 51, 14};
 
-/// What is left of a power of time once the lower ones are taken out, relative to it, must exceed this.
+/// A power of time, less the lower powers, must keep more than this share of its length.
 constexpr double leastRemainder = 1e-10;
 
 using Column = std::vector<double>;
@@ -30,8 +30,8 @@ double dot(const Column& left, const Column& right) {
     return sum;
 }
 
-/// Times from the newest back, in [0,1] of the history's span. Differences are taken first and in extended range, so
-/// that epoch milliseconds keep every digit and no span overflows or underflows.
+/// Times from the newest back, as shares of the history's span in [0,1]. Differences come first and in extended
+/// precision: epoch milliseconds keep every digit, and no span overflows or underflows.
 std::vector<double> sharesOfSpan(std::span<const double> times) {
     const long double newest = times.back(), span = newest - static_cast<long double>(times.front());
     std::vector<double> shares;
@@ -42,7 +42,7 @@ std::vector<double> sharesOfSpan(std::span<const double> times) {
 }
 
 std::vector<double> polynomialWeights(std::span<const double> times) {
-    // Ages from -1 (newest) to 1: there the powers are least alike.
+    // Ages from -1 (newest) to 1: in this range the powers differ most.
     Column centred = sharesOfSpan(times);
     for (double& age : centred) age = 2.0 * age - 1.0;
     std::vector<Column> orthonormal;
@@ -50,7 +50,7 @@ std::vector<double> polynomialWeights(std::span<const double> times) {
     for (std::size_t order = 0; order <= std::min(orderOfPaper, times.size() - 1); ++order) {
         Column column = power;
         const double before = std::sqrt(dot(column, column));
-        // Gram-Schmidt twice is orthogonal to rounding (Giraud 2005).
+        // Two passes of Gram-Schmidt are orthogonal to rounding (Giraud 2005).
         for (int pass = 0; pass < 2; ++pass)
             for (const Column& earlier : orthonormal) {
                 const double share = dot(earlier, column);
@@ -62,7 +62,7 @@ std::vector<double> polynomialWeights(std::span<const double> times) {
         orthonormal.push_back(column);
         for (std::size_t i = 0; i < power.size(); ++i) power[i] *= centred[i];
     }
-    // The newest row of Q Q^T; R is not needed, so nothing is divided by it.
+    // The newest row of Q Q^T needs no R, so nothing is divided by R.
     std::vector<double> weights(times.size(), 0.0);
     for (const Column& column : orthonormal)
         for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += column.back() * column[i];
@@ -76,7 +76,8 @@ double leastFlickerTapAt(double age) {
     return std::lerp(leastFlickerTaps[before], leastFlickerTaps[after], age - static_cast<double>(before));
 }
 
-/// How much of the time each frame stands for: half-way to its neighbours, the outermost as far outwards as inwards.
+/// How much of the time each frame stands for: half-way to its neighbours. The outermost reach as far outwards as
+/// inwards.
 std::vector<double> heldShares(const std::vector<double>& ages) {
     const std::size_t count = ages.size();
     std::vector<double> held(count, 1.0);
@@ -146,7 +147,7 @@ SmoothingGains gainsOf(std::span<const double> weights) {
         if (i < count) gains.delay += at(i) * static_cast<double>(count - 1 - i);
         if (i < count) gains.leastWeight = std::min(gains.leastWeight, at(i));
     }
-    // The second difference of independent noise alone has the variance 1 + 4 + 1.
+    // The second difference of independent noise has the variance 1 + 4 + 1.
     constexpr double unsmoothedSquares = 6.0;
     gains.noise = std::sqrt(squares);
     gains.flicker = std::sqrt(squaredDifferences / unsmoothedSquares);
@@ -175,7 +176,7 @@ SampledCurve OtfHistory::add(double time, const SampledCurve& unsmoothed) {
     const std::vector<double> weights = smoothingWeights(m_smoothing, times);
     const std::vector<double>& newest = m_frames.back().opacities;
     SampledCurve shown{newest};
-    // Changes against the newest, so that equal frames give exactly themselves.
+    // Adds differences to the newest, so that equal frames give exactly the same OTF.
     for (std::size_t frame = 0; frame + 1 < m_frames.size(); ++frame)
         for (std::size_t i = 0; i < newest.size(); ++i)
             shown.opacities[i] += weights[frame] * (m_frames[frame].opacities[i] - newest[i]);

@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// How the OTF of a frame follows from those of the frames before (docs/motion.md tells delay and gains).
+/// How the OTF of a frame follows from the OTFs of the frames before it (docs/motion.md tells delay and gains).
 enum class OtfSmoothing {
     none,                ///< each frame has its own OTF
     mean,                ///< the mean of the newest five, the present one included
@@ -22,27 +22,27 @@ enum class OtfSmoothing {
 [[nodiscard]] std::string_view nameOf(OtfSmoothing smoothing);
 [[nodiscard]] std::optional<OtfSmoothing> otfSmoothingFromName(std::string_view name);
 
-/// How many frames a smoothing looks at, the present one included.
+/// How many frames a smoothing uses, the present one included.
 [[nodiscard]] std::size_t framesUsed(OtfSmoothing smoothing);
 
-/// What the frames at these times weigh in the OTF of the newest of them. `times` are 1 to framesUsed() times, oldest
-/// first, strictly ascending, finite, of any unit and origin. The weights are in the same order; their sum is 1, and
-/// only those of movingLeastSquares can be negative.
+/// How much each frame weighs in the OTF of the newest. `times` holds 1 to framesUsed() times, oldest first, strictly
+/// ascending, finite, of any unit and origin. The weights have the same order and sum to 1. Only those of
+/// movingLeastSquares can be negative.
 ///   mean                Each of n frames weighs 1/n.
-///   movingLeastSquares  The weights are the newest time's row of the projection onto the polynomials of order
-///                       min(2, n - 1), by QR on centred, scaled times; where times lie too close to tell the powers
-///                       apart, the order is lower.
-///   leastFlicker        The weights are the taps of docs/motion.md, read at each frame's age in mean intervals (linear
-///                       between taps), times the time the frame stands for, over their sum. At equal intervals
-///                       these are the taps themselves, or the newest n of them over their sum.
+///   movingLeastSquares  The newest time's row of the projection onto the polynomials of order min(2, n - 1), by QR on
+///                       centred, scaled times. If times are too close to tell the powers apart, the order is lower.
+///   leastFlicker        The taps of docs/motion.md, linear between taps at each frame's age in mean intervals. Each is
+///                       multiplied by the time its frame stands for, and divided by the sum of all. At equal intervals
+///                       these are the newest n taps over their sum.
+/// Throws std::invalid_argument for other times.
 [[nodiscard]] std::vector<double> smoothingWeights(OtfSmoothing smoothing, std::span<const double> times);
 
-/// What weights do to a course whose frames follow each other at equal intervals.
+/// What weights do to a motion whose frames follow each other at equal intervals.
 struct SmoothingGains {
-    double delay = 0.0;        ///< mean age of the weights: by how many frames a steady change is shown late
+    double delay = 0.0;        ///< mean age of the weights: frames by which a steady change is shown late
     double noise = 1.0;        ///< gain of independent noise: root of the sum of the squared weights
     double flicker = 1.0;      ///< gain of the second temporal difference of independent noise
-    double leastWeight = 1.0;  ///< where it is below 0, opacities can overshoot and become negative
+    double leastWeight = 1.0;  ///< if below 0, opacities can overshoot and become negative
 };
 /// The gains of weights that are given oldest first and sum to 1.
 [[nodiscard]] SmoothingGains gainsOf(std::span<const double> weights);
@@ -55,12 +55,12 @@ public:
     explicit OtfHistory(OtfSmoothing smoothing = OtfSmoothing::leastFlicker) : m_smoothing(smoothing) {}
 
     [[nodiscard]] OtfSmoothing smoothing() const { return m_smoothing; }
-    /// Takes the unsmoothed OTF of a new frame and returns the one to show: opacities in [0,1], as many samples as
-    /// `unsmoothed`. Times are of any unit and origin and never descend; a frame at the time of the newest one replaces
-    /// it. Where frames are equal, so is the result, to the bit. Opacities outside [0,1] are clamped, NaN counts as 0.
-    /// Throws std::invalid_argument where time descends or is not finite, or the number of samples changes.
+    /// Takes the unsmoothed OTF of a new frame and returns the OTF to show, with as many samples, in [0,1]. Times have
+    /// any unit and origin. A frame at the time of the newest replaces it. Equal frames give the same OTF, to the bit.
+    /// Opacities outside [0,1] are clamped, NaN counts as 0. Throws std::invalid_argument if the time descends or is
+    /// not finite, or if the number of samples changes.
     [[nodiscard]] SampledCurve add(double time, const SampledCurve& unsmoothed);
-    /// Forgets the past, so that the next frame has no history (another volume is shown, the view has jumped).
+    /// Forgets the past: the next frame has no history. Call it if another volume is shown or the view jumps.
     void clear() { m_frames.clear(); }
 
 private:

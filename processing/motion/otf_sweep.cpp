@@ -15,9 +15,9 @@ namespace echolucent {
 
 namespace {
 
-/// A sweep of more frames is a slip of the step, not a wish.
+/// More frames come from a mistyped step, not from a wish.
 constexpr double mostFrames = 1e6;
-/// Slack for a range that is a whole number of steps but for rounding.
+/// Slack for rounding if the range is a whole number of steps.
 constexpr double stepRounding = 1e-9;
 
 struct FrameOtf {
@@ -36,8 +36,8 @@ bool sameOtf(const SweepFrame& left, const SweepFrame& right) {
     return left.phase == right.phase && left.view == right.view;
 }
 
-/// For each frame the first one with the same phase and view. Frames come by the thousand, so they are sorted and not
-/// compared pairwise.
+/// For each frame the first one with the same phase and view. There may be thousands of frames, so it sorts instead of
+/// comparing all pairs.
 std::vector<std::size_t> firstOfEqual(std::span<const SweepFrame> frames) {
     std::vector<std::size_t> order(frames.size()), first(frames.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -60,7 +60,7 @@ void check(std::span<const std::shared_ptr<const Volume>> phases, std::span<cons
             throw std::invalid_argument("sweepOtfs: a frame's phase is not there");
 }
 
-/// Computes the frames named in `wanted` side by side. False where the run was cancelled.
+/// Computes the frames named in `wanted` side by side. False if the work was cancelled.
 bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,
                    std::span<const std::size_t> wanted, const AdaptiveOtfConfig& config, const Progress& progress,
                    std::span<const QuietVoxels> shown, std::span<FrameOtf> results) {
@@ -72,8 +72,7 @@ bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::s
             const auto phase = static_cast<std::size_t>(frame.phase);
             const Volume& volume = *phases[phase];
             const QuietVoxels meantFor = shown.empty() ? QuietVoxels{} : shown[phase];
-            // A thread that waits for a frame's tubes must not begin another frame meanwhile: frames would pile up on
-            // its stack.
+            // A thread that waits for a frame's tubes must not begin another frame: frames would pile up on its stack.
             const auto otf = tbb::this_task_arena::isolate(
                 [&] { return adaptOpacity(volume, frame.view, config, quiet, meantFor); });
             if (!otf) return;
@@ -110,7 +109,7 @@ std::vector<SweepFrame> sweepFrames(const Viewpoint& start, MotionAxis axis, dou
     if (!(steps < mostFrames)) throw std::invalid_argument("sweepFrames: more than a million frames");
     std::vector<SweepFrame> frames;
     for (int i = 0; i <= static_cast<int>(steps); ++i) {
-        // Angles are not summed up, so that a sweep of a hundred steps of 0.1 ends where it should.
+        // Each angle is computed from the first, not summed up: a hundred steps of 0.1 must end where they should.
         const double degrees = from + (to < from ? -step : step) * i;
         frames.push_back({static_cast<double>(i), degrees, i % phases, turned(start, axis, degrees)});
     }

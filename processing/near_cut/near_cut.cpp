@@ -21,21 +21,21 @@ namespace {
 
 constexpr ChoiceNames<3> answerNames{"fluid at the front", "wall before fluid", "no fluid"};
 
-/// Shares of the tissue's intensity below which a sample may be fluid. Blood full of echo needs the highest, and at
-/// the lowest a chamber is not yet joined with what is only dim.
+/// Shares of the tissue's intensity below which a sample may be fluid. Blood full of echo needs the highest share. At
+/// the lowest share, a chamber is not yet joined with merely dim tissue.
 constexpr std::array fluidLevels{0.35, 0.45, 0.55};
 constexpr double leastCavityEdge = 6.4;  // samples, a tenth of the data's extent
-constexpr double leastFluid = 0.004;     // of the data
+constexpr double leastFluid = 0.004;     // of the data's samples
 constexpr double mostlyAtFront = 0.5;    // of the tube cores that meet data
-constexpr double someAtFront = 0.1;  // of the tube cores that meet data, and far more than are in fluid behind a wall:
-constexpr double farMoreAtFront = 12.0;  // dim tissue may begin at the front too,
-constexpr double moreAtFront = 3.0;      // clear fluid is no dim tissue
+constexpr double someAtFront = 0.1;      // of the tube cores that meet data; also far more than a cut would open:
+constexpr double farMoreAtFront = 12.0;  // dim tissue may begin at the front too
+constexpr double moreAtFront = 3.0;      // enough for clear fluid, which is no dim tissue
 constexpr double clearFrontContrast = 1.3;
-constexpr double mostlySurrounded = 0.5;  // of the tube cores that a cut would open: they begin in fluid
-constexpr double clearFluid = 0.03;       // of the data: so much is beyond doubt
-constexpr double faintContrast = 0.47, clearContrast = 0.77;  // ln 1.6, which every wall has, and ln 2.16
+constexpr double mostlySurrounded = 0.5;  // of the tube cores that a cut would open: so many begin in fluid
+constexpr double clearFluid = 0.03;       // of the data: this much fluid is beyond doubt
+constexpr double faintContrast = 0.47, clearContrast = 0.77;  // ln 1.6 (every wall has it), and ln 2.16
 constexpr double sureFrom = 0.5;
-constexpr double asManyAsFlat = 0.95;  // tube cores in fluid: then the curved cut fits
+constexpr double asManyAsFlat = 0.95;  // as many tube cores in fluid as behind the flat cut: then the curved cut fits
 
 using Levels = std::vector<std::vector<FluidStretch>>;
 
@@ -44,10 +44,10 @@ struct Seen {
     TubeEcho tubes;
     Levels levels;
     int meetData = 0;
-    int front = 0;                    ///< the sample at which the first of them does
+    int front = 0;                    ///< the first sample at which a tube core meets data
     std::vector<bool> beginsInFluid;  ///< of each tube core
     int beginInFluid = 0, meetFluid = 0;
-    double frontContrast = 0.0;  ///< of the stretches at the front, as FluidStretch::contrast
+    double frontContrast = 0.0;  ///< mean FluidStretch::contrast of the stretches at the front
 };
 
 void countTubes(Seen& seen) {
@@ -137,7 +137,7 @@ Judged judged(const Seen& seen) {
     const double frontShare = static_cast<double>(seen.beginInFluid) / std::max(1, seen.meetData);
     const bool clearFront = seen.frontContrast >= clearFrontContrast;
     const double timesOpened = clearFront ? moreAtFront : farMoreAtFront;
-    // In a wide sector few tube cores meet the fluid at the front, and behind what it surrounds there is more of it.
+    // In a wide sector few tube cores meet the fluid at the front. More fluid lies behind the tissue it surrounds.
     const bool surrounds = clearFront && openedBehindFluid >= mostlySurrounded * opened;
     if (frontShare >= mostlyAtFront ||
         (frontShare >= someAtFront && (seen.beginInFluid >= timesOpened * opened || surrounds))) {

@@ -1,5 +1,5 @@
-// Rows of tables that say a parameter once. The range check, the command line, the JSON, the pages in docs/ and the
-// panels all read the same row, so that no range and no default stands twice.
+// Tables that say each parameter once. The range check, the command line, the JSON, the pages in docs/ and the panels
+// all read the same row, so no range and no default stands twice.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct ParameterRange {
 /// One of the values of a choice.
 struct ParameterChoice {
     std::string_view name;     ///< in files and on the command line
-    std::string_view label{};  ///< for a person, sentence case; empty: the name says it (labelOf())
+    std::string_view label{};  ///< for a person, sentence case; if empty, labelOf() makes one of the name
     friend bool operator==(const ParameterChoice&, const ParameterChoice&) = default;
 };
 
@@ -40,25 +40,26 @@ struct ParameterScope {
 /// How a control moves a number.
 struct ParameterSteps {
     double step = 1.0;
-    int decimals = 0;  ///< that it shows
+    int decimals = 0;  ///< digits shown after the point
 };
 
-/// What a table says of a parameter, whatever values it is of.
+/// What a table says of a parameter, for any struct of values.
 struct AnyParameter {
     std::string_view name;     ///< key in JSON, words joined by underscores; the option is optionOf(name)
     std::string_view label;    ///< name for a person, sentence case
     std::string_view meaning;  ///< one sentence that begins with a capital and ends without a full stop
-    std::string_view unit;  ///< "units", "mm", "degrees", "share", "standard deviations" and so on; a pure number and a
-                            ///< choice have none
-    std::string_view source;  ///< the paper's section or equation, or the experiment in docs/ that chose the default
-    ParameterRange range{};   ///< of numbers
-    std::vector<ParameterChoice> choices{};  ///< in the order people are shown; a number and a flag have none
-    /// It has a value only there. The parameter that it names stands before this one in its table.
+    std::string_view unit;     ///< "units", "mm", "degrees", "share", "standard deviations" and so on; empty for a pure
+                               ///< number and a choice
+    std::string_view source;   ///< the paper's section or equation, or the experiment in docs/ that chose the default
+    ParameterRange range{};    ///< of a number
+    std::vector<ParameterChoice> choices{};  ///< in the order people are shown; empty for a number and a flag
+    /// The parameter has a value only in this scope. The parameter that the scope names comes earlier in the table.
     ParameterScope scope{};
     std::string_view when{};  ///< when it plays a part, in words; empty: always, or in its scope
-    /// What a control offers to the hand if the range is far wider; without a value a control offers the range.
+    /// The range that a control offers, if the allowed range is far wider. Without a value a control offers the allowed
+    /// range.
     std::optional<ParameterRange> offered{};
-    std::optional<ParameterSteps> steps{};  ///< of its control; without a value they follow from the range
+    std::optional<ParameterSteps> steps{};  ///< of its control; without a value, the range decides
     bool inPanels = true;                   ///< whether a panel has a control for it
 
     [[nodiscard]] ParameterRange offeredRange() const { return offered.value_or(range); }
@@ -67,13 +68,12 @@ struct AnyParameter {
 /// A parameter of `Values`, a struct of plain values.
 template <typename Values>
 struct Parameter : AnyParameter {
-    /// The value, or nothing if the parameter means nothing in these values, because it belongs to an alternative that
-    /// is not chosen.
+    /// The value. Empty if the parameter belongs to an alternative that the values do not choose.
     std::optional<ParameterValue> (*get)(const Values&) = nullptr;
-    /// Sets a value of the kind that `get` gives. It returns false and changes nothing if the parameter means nothing
-    /// in these values, or if the value is of another kind or the name of no choice. It does not look at the range.
+    /// Sets a value of the kind that `get` gives. Returns false and changes nothing if the parameter means nothing in
+    /// these values, if the value is of another kind, or if no choice has that name. Ignores the range.
     bool (*set)(Values&, const ParameterValue&) = nullptr;
-    /// Whether a value that is there can change what is made of the values; null: always.
+    /// Whether a value that is there can change a result. Null: always.
     bool (*plays)(const Values&) = nullptr;
 };
 
@@ -82,7 +82,7 @@ template <typename Values>
 struct ParameterTable {
     std::vector<Parameter<Values>> rows{};
     Values standard{};  ///< the values that a person begins with: the defaults
-    /// What is wrong between rows that are each in range (problemIn() calls it); null: nothing can be.
+    /// What is wrong between rows that are each in range (problemIn() calls it). Null if nothing can be wrong.
     std::string (*problem)(const Values&) = nullptr;
 
     [[nodiscard]] auto begin() const { return rows.begin(); }
@@ -97,7 +97,7 @@ struct ParameterTable {
 /// "cellSize" of "cell_size": a parameter's name in the object names of widgets.
 [[nodiscard]] std::string camelCase(std::string_view name);
 
-/// A number's value, or nothing if the value is a choice or a flag.
+/// The value as a number. Empty if it is a choice or a flag.
 [[nodiscard]] inline std::optional<double> numberOf(const ParameterValue& value) {
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
     if (const auto* real = std::get_if<double>(&value)) return *real;
@@ -121,11 +121,11 @@ struct ParameterTable {
     return value >= range.least && value <= range.largest;
 }
 
-/// What is wrong with a value of a row, lower case, no full stop ("the cell size must be 2 to 32"); an empty text if
-/// nothing is.
+/// What is wrong with a value of a row, lower case, no full stop ("the cell size must be 2 to 32"). Empty if nothing
+/// is.
 [[nodiscard]] std::string problemOfValue(const AnyParameter& row, const ParameterValue& value);
 
-/// What is wrong in the values, by their rows and by ParameterTable::problem; an empty text if nothing is.
+/// What is wrong in the values, by their rows and by ParameterTable::problem. Empty if nothing is.
 template <typename Values>
 [[nodiscard]] std::string problemIn(const ParameterTable<Values>& table, const Values& values) {
     for (const Parameter<Values>& row : table)
@@ -134,7 +134,7 @@ template <typename Values>
     return table.problem != nullptr ? table.problem(values) : std::string();
 }
 
-/// The row of a name, or null if the table has no row of that name.
+/// The row of that name. Null if there is none.
 template <typename Values>
 [[nodiscard]] const Parameter<Values>* parameterNamed(const ParameterTable<Values>& table, std::string_view name) {
     for (const Parameter<Values>& row : table)
@@ -142,14 +142,14 @@ template <typename Values>
     return nullptr;
 }
 
-/// Whether a row's value is there and can change what is made of the values: a light plays no part in a picture without
-/// light.
+/// Whether a row's value is there and can change a result. For example, the light's direction cannot change a picture
+/// without light.
 template <typename Values>
 [[nodiscard]] bool playsAPart(const Parameter<Values>& row, const Values& values) {
     return row.get(values).has_value() && (row.plays == nullptr || row.plays(values));
 }
 
-/// Makes the choice that a row belongs to, so that it has a value.
+/// Makes the choice that gives a row its value.
 template <typename Values>
 void chooseScope(const ParameterTable<Values>& table, const AnyParameter& row, Values& values) {
     if (row.scope.parameter.empty()) return;
@@ -158,7 +158,7 @@ void chooseScope(const ParameterTable<Values>& table, const AnyParameter& row, V
         choice.set(values, std::string(row.scope.choice));
 }
 
-/// The default: the value in ParameterTable::standard, with the choice made that the row belongs to.
+/// The default: the value in ParameterTable::standard, after the choice that gives the row its value.
 template <typename Values>
 [[nodiscard]] ParameterValue defaultOf(const ParameterTable<Values>& table, const Parameter<Values>& row) {
     Values values = table.standard;
@@ -166,12 +166,12 @@ template <typename Values>
     return row.get(values).value();
 }
 
-/// A row of whatever table, and its default.
+/// A row of any table, and its default.
 struct ParameterDefault {
     const AnyParameter* row = nullptr;
     ParameterValue standard{};
 };
-/// All rows of a table, which outlives them.
+/// All rows of a table, with their defaults. The table must outlive them.
 template <typename Values>
 [[nodiscard]] std::vector<ParameterDefault> defaultsOf(const ParameterTable<Values>& table) {
     std::vector<ParameterDefault> all;

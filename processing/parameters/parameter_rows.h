@@ -1,4 +1,4 @@
-// How a row of a table reads and sets its value: number(), flag() and choice() make rows from the way to a member.
+// Makes rows of tables. number(), flag() and choice() take the way to a member; the row reads and sets the member.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,12 @@
 
 namespace echolucent::parameter_rows {
 
-/// What the text fields of a row say.
+/// The text fields of a row.
 struct Words {
     std::string_view name, label, meaning, unit, source;
 };
 
-/// What else a row says, as AnyParameter has it.
+/// Further fields of a row, as in AnyParameter.
 struct More {
     std::optional<ParameterRange> offered{};
     ParameterScope scope{};
@@ -32,9 +32,9 @@ struct More {
     bool inPanels = true;
 };
 
-// The way to a value is a list of steps, each of which is
+// The way to a value is a list of steps. Each step is one of
 // - a member of the object reached so far,
-// - a member of an alternative of the variant reached so far: there is no value while another one is chosen, or
+// - a member of one alternative of the variant reached so far (no value while the variant holds another alternative),
 // - a function that asks the object reached so far whether there is a value.
 template <typename Step>
 struct StepTraits;
@@ -155,7 +155,7 @@ struct Choice {
     std::string_view label = {};
 };
 template <typename Value, typename... Texts>
-Choice(Value, Texts...) -> Choice<Value>;  // of a plain struct clang 14 does not find it by itself
+Choice(Value, Texts...) -> Choice<Value>;  // clang 14 does not deduce this for a plain struct
 
 /// All values of an enumeration, in their order.
 template <typename Value, std::size_t count>
@@ -189,8 +189,8 @@ Parameter<ValuesOf<way...>> choice(const Words& words, const More& more = {}) {
     return row;
 }
 
-/// A row that says which of two alternatives a variant holds, a member of the values; each by its own choice. What is
-/// set of the one that is held already stays.
+/// A row that says which of two alternatives a variant holds. Each alternative has its own choice. Choosing the present
+/// alternative again keeps its values.
 template <auto variant, typename First, const ParameterChoice& first, typename Second, const ParameterChoice& second>
 Parameter<ValuesOf<variant>> alternative(const Words& words) {
     using Values = ValuesOf<variant>;
@@ -210,14 +210,14 @@ Parameter<ValuesOf<variant>> alternative(const Words& words) {
     return row;
 }
 
-/// Rows that belong to a choice.
+/// The rows, each with the scope of a choice.
 template <typename Values>
 std::vector<Parameter<Values>> within(const ParameterScope& scope, std::vector<Parameter<Values>> rows) {
     for (Parameter<Values>& row : rows) row.scope = scope;
     return rows;
 }
 
-/// The row, which plays a part only there; `when` says the same in words.
+/// The row, which plays a part only if `plays` says so. `when` says the same in words.
 template <typename Values>
 Parameter<Values> playing(bool (*plays)(const Values&), std::string_view when, Parameter<Values> row) {
     row.plays = plays;

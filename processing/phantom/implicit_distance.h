@@ -1,5 +1,5 @@
-// The distance functions of implicit_primitive.h, as small function objects, so that a loop over many voxels chooses
-// the kind of primitive once.
+// The distance functions of implicit_primitive.h as small function objects. So a loop over many voxels chooses the kind
+// of primitive once.
 #pragma once
 
 #include <algorithm>

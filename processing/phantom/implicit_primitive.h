@@ -1,4 +1,4 @@
-// One primitive of the smooth bodies that the simulated scans are drawn from.
+// One primitive of the smooth bodies in simulated scans.
 #pragma once
 
 #include <string>
@@ -19,13 +19,13 @@ struct ImplicitPrimitive {
     Mat3 axes = Mat3::eye();  ///< columns: local axes of ellipsoid and box; last column: the plane's outward normal
     double rounding = 0.0;    ///< radius of box and cylinder edges, within the stated size
 
-    /// Derived by prepare(): what the distance functions use.
+    /// prepare() derives these for the distance functions.
     Vec3 inverseRadii{1, 1, 1};
     Vec3 along{0, 0, 0};              ///< end - centre
     double inverseLengthSquared = 0;  ///< of `along`
     double slant = 1;                 ///< cosine that turns radial into normal distance on a cone
     Vec3 boundCentre{0, 0, 0};
-    double boundRadius = 0;  ///< of a ball that holds the primitive
+    double boundRadius = 0;  ///< of a ball around the primitive
     void prepare();
 };
 

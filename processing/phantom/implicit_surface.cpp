@@ -120,7 +120,7 @@ double signedDistance(const ImplicitPrimitive& primitive, const Vec3& point) {
 
 double innerRadius(const ImplicitPrimitive& primitive, const Vec3& point) {
     if (primitive.kind != ImplicitPrimitive::Kind::ellipsoid) {
-        // A cone's distance is exact on its side; elsewhere inside it overstates by no more than its slant.
+        // A cone's distance is exact on its side. Elsewhere inside, it overstates by no more than its slant.
         return -signedDistance(primitive, point) * primitive.slant;
     }
     const Vec3 local = primitive.axes.t() * (point - primitive.centre);
@@ -128,7 +128,7 @@ double innerRadius(const ImplicitPrimitive& primitive, const Vec3& point) {
 }
 
 double outerRadius(const ImplicitPrimitive& primitive, const Vec3& point) {
-    // All but the ellipsoid's distance functions are exact or understate outside.
+    // Outside, only the ellipsoid's distance function can overstate.
     if (primitive.kind != ImplicitPrimitive::Kind::ellipsoid) return signedDistance(primitive, point);
     return -innerRadius(primitive, point);
 }

@@ -1,5 +1,5 @@
 // Smooth bodies in closed form: signed distance functions joined and carved with rounded seams. The simulated scans are
-// drawn from them, and their true surfaces are found on them.
+// drawn from them, and their true surfaces are computed from them.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@
 
 namespace echolucent {
 
-/// A similarity that places a drawing: local coordinates to grid mm. `axes` is orthonormal, its columns are the images
-/// of the local axes; `scale` is mm per local unit.
+/// A similarity that places a drawing: it maps local coordinates to grid mm. `axes` is orthonormal; its columns are the
+/// images of the local axes. `scale` is mm per local unit.
 struct Placement {
     Mat3 axes = Mat3::eye();
     Vec3 origin{0, 0, 0};
     double scale = 1.0;
 
     [[nodiscard]] Vec3 point(const Vec3& local) const { return origin + axes * local * scale; }
-    /// This placement, and inside it another: (a * b).point(p) == a.point(b.point(p)).
+    /// Places by `inner` first, then by this: (a * b).point(p) == a.point(b.point(p)).
     [[nodiscard]] Placement operator*(const Placement& inner) const {
         return {axes * inner.axes, point(inner.origin), scale * inner.scale};
     }
@@ -41,16 +41,16 @@ struct Placement {
 [[nodiscard]] ImplicitPrimitive wavyPlane(std::string name, const Vec3& point, const Vec3& normal, double waveDepth,
                                           double waveLength);
 
-/// The same drawing, put where a placement says.
+/// The primitive, moved, turned and scaled by the placement.
 [[nodiscard]] ImplicitPrimitive placed(const Placement& placement, ImplicitPrimitive primitive);
 
 /// Signed distance in mm at a point in grid mm.
 [[nodiscard]] double signedDistance(const ImplicitPrimitive& primitive, const Vec3& point);
 
-/// Radius of a ball around the point that surely lies inside the primitive; 0 or less where the point may be outside.
+/// Radius of a ball around the point that surely lies inside the primitive. 0 or less if the point may be outside.
 [[nodiscard]] double innerRadius(const ImplicitPrimitive& primitive, const Vec3& point);
 
-/// Radius of a ball around the point that surely lies outside the primitive; 0 or less where the point may be inside.
+/// Radius of a ball around the point that surely lies outside the primitive. 0 or less if the point may be inside.
 [[nodiscard]] double outerRadius(const ImplicitPrimitive& primitive, const Vec3& point);
 
 /// Smooth minimum with a seam of finite width (polynomial): the plain minimum where |a - b| >= width.
@@ -59,7 +59,7 @@ struct Placement {
     return std::min(a, b) - share * share * width * 0.25;
 }
 
-/// A body: primitives joined to it or carved out of it, in order, each with a rounded seam.
+/// A body made of primitives in order. Each is joined to the body or carved out of it, with a rounded seam.
 class ImplicitBody {
 public:
     static constexpr double far = 1e6;  ///< distance to an empty body, mm
@@ -72,17 +72,17 @@ public:
         ImplicitPrimitive primitive;
         double seam = 0.0;
         bool carves = false;
-        double reach = 0.0;  ///< how far beyond its surface it matters: the widest of its own and all later seams
+        double reach = 0.0;  ///< how far beyond its surface it matters: the widest seam of it and all later terms
     };
     [[nodiscard]] const std::vector<Term>& terms() const { return m_terms; }
 
     /// Signed distance in mm, negative inside.
     [[nodiscard]] double distance(const Vec3& point) const;
 
-    /// How a ball stands to the body, up to `band` mm beyond its surface.
+    /// The place of a ball relative to the body and a band of `band` mm about its surface.
     enum class Standing { outside, inside, mixed };
-    /// `active` gets the terms that can matter within the ball where it is mixed: leaving out the others changes the
-    /// distance only where it is beyond +-band.
+    /// If the ball is mixed, `active` gets the terms that can matter within it. The other terms change only distances
+    /// beyond +-band.
     [[nodiscard]] Standing standingOf(const Vec3& centre, double radius, double band, std::vector<int>& active) const;
 
 private:

@@ -16,7 +16,7 @@ constexpr ChoiceNames<3> sceneNames{"shapes", "fetus", "empty"};
 
 double whiteLevelOf(int bits) { return bits == 8 ? 255.0 : bits == 12 ? 4095.0 : 65535.0; }
 
-/// Speckles, compresses and stores slices [first, last) of what was painted.
+/// Adds speckle to the painted slices [first, last), compresses and stores them.
 template <typename Stored>
 void storeSlices(const PhantomConfig& config, const std::array<std::int64_t, 3>& size,
                  const std::vector<float>& painted, std::int64_t first, std::int64_t last, const Progress& progress,
@@ -41,7 +41,7 @@ void storeSlices(const PhantomConfig& config, const std::array<std::int64_t, 3>&
         for (std::int64_t z = first; z < last; ++z) storeSlice(z, nullptr, 0);
 }
 
-/// The stored values of what was painted; nothing where the run was cancelled.
+/// The painted echoes as stored values. Empty if cancelled.
 template <typename Stored>
 std::optional<Voxels> storedVoxels(const PhantomConfig& config, const std::array<std::int64_t, 3>& size,
                                    const std::vector<float>& painted, const Progress& progress) {
@@ -72,7 +72,7 @@ std::vector<Stored> samplesFirst(const VoxelArray<Stored>& painted, const std::a
     return ordered;
 }
 
-/// The scene as it is sampled, first index fastest; nothing where the run was cancelled.
+/// The scene as sampled, first index fastest. Empty if cancelled.
 std::optional<Voxels> sampledScene(const PhantomConfig& config, const PhantomSampling& sampling,
                                    const Progress& progress) {
     const std::vector<float> painted = paintedEchoes(buildScenery(config), config, sampling, progress);

@@ -15,12 +15,12 @@
 
 namespace echolucent {
 
-/// A part of the scene's anatomy, in words and numbers for the truth file.
+/// A part of the scene's anatomy, for the truth file.
 struct PhantomPrimitive {
     std::string name;      ///< "head", "window of fluid"
     std::string kind;      ///< "ellipsoid", "round cone", "round box", "cylinder" or "wavy plane"
     std::string material;  ///< "fluid", "tissue" or "object"
-    bool carves = false;   ///< whether it is taken away from the body it belongs to, instead of added
+    bool carves = false;   ///< whether the primitive is carved out of its body, instead of added
     double seamMm = 0;     ///< width of the rounded seam with the primitives before it in its body
     double echo = 0;       ///< mean echo, 0..255
     /// In grid mm. Ellipsoid: centre (3), radii (3), axes (9, row-major, columns are the axes). Round cone: ends (3 +
@@ -31,19 +31,19 @@ struct PhantomPrimitive {
 
 struct PhantomScenery;
 
-/// The scene's materials in closed form. Scenes are laid out on a +z beam. Copies are cheap.
+/// The scene's materials in closed form. Scenes are laid out for a beam along +z. Copies are cheap.
 class PhantomTruth {
 public:
-    /// Throws std::invalid_argument where the config makes no sense (see makePhantom()).
+    /// Throws std::invalid_argument if the config makes no sense (see makePhantom()).
     explicit PhantomTruth(const PhantomConfig& config);
     [[nodiscard]] std::vector<PhantomPrimitive> primitives() const;
-    /// Noise-free echo (0..255) at a position in grid mm: with ramps, without gain variation, specular brightening,
-    /// attenuation and speckle.
+    /// Echo (0..255) at a position in grid mm, with ramps, but without noise, gain variation, specular brightening and
+    /// attenuation.
     [[nodiscard]] double echoAt(const Vec3& gridMm) const;
-    /// Distance in units from the ray's entry into the volume's box to the first transition from at least 8 units of
-    /// fluid to tissue or object (the sharp boundary, the middle of the ramp); not set where this ray has no such
-    /// interface. originMm: any point of the ray's line; direction of any length above 0. nearPlaneDepthMm: the ray
-    /// enters no earlier than the plane direction . p = nearPlaneDepthMm (see nearPlaneDepthMm() in viewpoint.h).
+    /// Distance in units from the ray's entry into the volume's box to the first interface, if any. That is the first
+    /// transition from at least 8 units of fluid to tissue or object (the sharp boundary, the middle of the ramp).
+    /// originMm: any point of the ray's line. direction: any length above 0. nearPlaneDepthMm: the ray enters no
+    /// earlier than the plane direction . p = nearPlaneDepthMm (see nearPlaneDepthMm() in viewpoint.h).
     [[nodiscard]] std::optional<double> firstInterface(
         const Vec3& originMm, const Vec3& direction,
         double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;
@@ -51,9 +51,9 @@ public:
     [[nodiscard]] std::optional<Vec3> firstInterfacePoint(
         const Vec3& originMm, const Vec3& direction,
         double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;
-    /// The sharp material at a position in grid mm; on a boundary the material of the body it bounds.
+    /// The sharp material at a position in grid mm. On a boundary, the material of the body inside.
     [[nodiscard]] PhantomMaterial materialAt(const Vec3& gridMm) const;
-    /// Signed distance (mm) to the fluid with sharp boundaries, negative within the fluid.
+    /// Signed distance (mm) to the fluid with sharp boundaries, negative in the fluid.
     [[nodiscard]] double fluidDistance(const Vec3& gridMm) const;
 
 private:
@@ -67,17 +67,17 @@ private:
                                                             double nearPlaneDepthMm) const;
 };
 
-/// Builds the volume: the same bits for the same config on any number of threads. The result is empty only where the
-/// run was cancelled. The white level is 255, 4095 or 65535. Throws std::invalid_argument where the config makes no
-/// sense: a size below 1, a spacing not above 0, bits other than 8, 12, 16, a negative length or share.
+/// Builds the volume, with the same bits for the same config on any number of threads. Empty only if cancelled. The
+/// white level is 255, 4095 or 65535. Throws std::invalid_argument if the config makes no sense: a size below 1, a
+/// spacing not above 0, bits other than 8, 12, 16, a negative length or share.
 [[nodiscard]] std::optional<Volume> makePhantom(const PhantomConfig& config, const Progress& progress = {});
 
-/// The config of the scene on the grid that a polar volume is converted to: its anatomy is laid out in that grid, so
-/// that the truth of this config is that of the converted volume.
+/// The scene's config on the grid of a converted polar volume. The anatomy is laid out in that grid, so the config's
+/// truth is that of the converted volume.
 [[nodiscard]] PhantomConfig configOnGrid(PhantomConfig config, const ConversionGrid& grid);
-/// The scene of such a config, seen along the beams of `polar`, in its index order: attenuation, shadow and glints
-/// follow the beams, and speckle has its size in samples, lines and planes. Empty only where the run was cancelled.
-/// Throws as makePhantom() does.
+/// The scene of such a config, seen along the beams of `polar`, in its index order. Attenuation, shadow and glints
+/// follow the beams. Speckle has its size in samples, lines and planes. Empty only if cancelled. Throws as
+/// makePhantom() does.
 [[nodiscard]] std::optional<Voxels> makePolarPhantom(const PhantomConfig& config, const PolarGeometry& polar,
                                                      const ConversionGrid& grid, const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-// What a simulated scan shows and how it is disturbed (Petersch 2005, section 5; docs/cli-phantom.md).
+// The scene of a simulated scan and its disturbances (Petersch 2005, section 5; docs/cli-phantom.md).
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@ enum class PhantomScene {
 [[nodiscard]] std::optional<PhantomScene> phantomSceneFromName(std::string_view name);
 [[nodiscard]] std::string_view nameOf(PhantomScene scene);
 
-/// What the anatomy of a phantom is made of.
+/// A material of a phantom's anatomy.
 enum class PhantomMaterial { fluid, tissue, object };
 [[nodiscard]] std::string_view nameOf(PhantomMaterial material);
 
-/// Intensities are 0..255 whatever the number of bits stored. A unit is the smallest spacing. The scene is laid out
-/// relative to the volume's extent in mm (one scale for all axes), so that any size and spacing show the same anatomy.
+/// Intensities are 0..255 for any number of stored bits. A unit is the smallest spacing. The scene is laid out relative
+/// to the volume's extent in mm (one scale for all axes), so any size and spacing show the same anatomy.
 struct PhantomConfig {
     PhantomScene scene = PhantomScene::fetus;
     std::array<std::int64_t, 3> size{199, 197, 199};
@@ -34,22 +34,21 @@ struct PhantomConfig {
     double ramp = 4;                               ///< width of a boundary, units
     double gainVariation = 0.15;  ///< slow change of gain across the volume: between 1 - this and 1 + this
     double speckle = 0.5;         ///< s of 1 + s (R - 1), R Rayleigh of unit mean; [0,1]
-    double speckleSize =
-        2;  ///< FWHM of the smoothing of the complex noise, voxels; where it is 0, the noise is uncorrelated
-    double attenuation = 0;         ///< per unit along +z
-    double shadow = 0;              ///< per unit of object passed along +z
-    double specular = 0;            ///< brightening of surfaces that face the probe, share, times the cosine
-    double logCompressDecibel = 0;  ///< dynamic range of logarithmic compression; where it is 0, there is none
-    bool frontWall = false;         ///< tissue in front of the fluid, across the whole field, 20 to 25 units thick
-                                    ///< (at most a fifth of the depth)
-    int bits = 8;                   ///< 8, 12 or 16
+    double speckleSize = 2;  ///< FWHM of the smoothing of the complex noise, voxels; if 0, the noise is uncorrelated
+    double attenuation = 0;  ///< per unit along +z
+    double shadow = 0;       ///< per unit of object passed along +z
+    double specular = 0;     ///< brightening of surfaces that face the probe, share, times the cosine
+    double logCompressDecibel = 0;  ///< dynamic range of logarithmic compression; if 0, there is none
+    bool frontWall = false;  ///< tissue before the fluid, across the whole field, 20 to 25 units thick (at most a fifth
+                             ///< of the depth)
+    int bits = 8;            ///< 8, 12 or 16
     std::uint64_t seed = 1;
     double phase = 0;  ///< of the movement (an arm, the heart), in turns [0,1)
     friend bool operator==(const PhantomConfig&, const PhantomConfig&) = default;
 };
 
-/// The usual config of a scene: the base condition; a fetus gets less speckle, attenuation, shadow and a glint on
-/// surfaces that face the probe. It is what is shown where no file is given.
+/// The usual config of a scene: the base condition. A fetus gets less speckle, and attenuation, shadow and glints on
+/// surfaces that face the probe. The program shows it if no file is given.
 [[nodiscard]] PhantomConfig defaultPhantom(PhantomScene scene);
 
 }  // namespace echolucent

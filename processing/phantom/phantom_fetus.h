@@ -1,5 +1,5 @@
-// The parts of the simulated fetus. Local coordinates: first anterior, second towards the crown, third to the fetus's
-// side nearer the probe; body parts in crown-rump lengths, the head's in its own unit.
+// The parts of the simulated fetus. Local axes: the first points to its front, the second towards the crown, the third
+// to its side nearer the probe. The unit of body parts is the crown-rump length. The head has its own unit.
 #pragma once
 
 #include <utility>

@@ -6,7 +6,7 @@ namespace echolucent {
 
 namespace {
 
-/// The head's own frame: 1 is half the length from brow to occiput.
+/// The head's own frame. Its unit is half the length from brow to occiput.
 Placement headPose(const Placement& fetus) {
     Placement head;
     head.origin = {0.025, 0.315, 0};

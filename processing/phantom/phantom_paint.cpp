@@ -1,5 +1,5 @@
-// From closed-form bodies to voxels: blocks that a surface cannot meet are filled at once, the others voxel by voxel
-// with only the primitives that can matter there.
+// From closed-form bodies to voxels. A block that no surface can meet is filled at once. Other blocks are painted voxel
+// by voxel, with only the primitives that can matter there.
 
 #include <algorithm>
 #include <array>
@@ -17,16 +17,16 @@ namespace {
 
 constexpr int edge = paintedEdge;
 
-/// How thick the brightened shell of a surface is, units, inside the solid.
+/// Depth and half width of the brightened shell inside a solid's surface, units.
 constexpr double shellDepth = 1.0, shellHalfWidth = 2.5;
 
-/// What one block holds; samples in the order x fastest, z along the beam.
+/// The values of one block. x runs fastest, z along the beam.
 struct Block {
     SampledBlock samples;
     std::array<double, paintedSamples> echo, shadowing, fluidDistance, distance;
 };
 
-/// Slow change of gain: one wave an axis, with a phase of its own from the seed.
+/// Slow change of gain: one wave along each axis. The seed sets each wave's phase.
 struct Gain {
     std::array<std::vector<float>, 3> parts;
 
@@ -72,7 +72,7 @@ public:
 
 private:
     using Index = std::array<std::int64_t, 3>;
-    /// What the beam has met so far, per line of the column.
+    /// The beam's state so far, for each line of the column.
     struct Beam {
         std::array<double, edge * edge> transmitted, shadowing{}, fluidDistance;
     };

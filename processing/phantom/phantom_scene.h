@@ -26,11 +26,12 @@ struct PhantomLayer {
 };
 
 struct PhantomScenery {
-    double tissueEcho = 0;  ///< mean echo of what no layer covers, 0..255
+    double tissueEcho = 0;  ///< mean echo of uncovered places, 0..255
     std::vector<PhantomLayer> layers;
 };
 
-/// Echo and shadowing of the layers at signed distances `distances` (mm) from their bodies, ramps included.
+/// Echo and shadowing of the painted layers, ramps included. paintOver() paints a layer at a signed distance (mm) from
+/// its body.
 struct PaintedEcho {
     double echo = 0;
     double shadowing = 0;
@@ -48,43 +49,42 @@ struct PaintedEcho {
 
 /// 1 / width of the ramp in mm; a ramp of 0 becomes a step.
 [[nodiscard]] double inverseRampPerMm(const PhantomConfig& config);
-/// Grid geometry of the phantom. Throws std::invalid_argument where the config makes no sense.
+/// Grid geometry of the phantom. Throws std::invalid_argument if the config makes no sense.
 [[nodiscard]] VolumeGeometry phantomGeometry(const PhantomConfig& config);
 
 /// The scene's layers, laid out relative to the volume's extent in mm. They have one scale for all axes (the smallest
-/// extent), are centred across the beam and anchored at the probe's face along it. A front wall, if any, is the last
-/// layer.
+/// extent). They are centred across the beam and begin at the probe's face. A front wall, if any, is the last layer.
 [[nodiscard]] PhantomScenery buildScenery(const PhantomConfig& config);
 
-/// Where scenes are drawn: [0,1] across the smallest extent, x and y centred at 0.5, z from the probe's face.
+/// The frame of drawings: [0,1] across the smallest extent, x and y centred at 0.5, z from the probe's face.
 [[nodiscard]] Placement sceneryPose(const VolumeGeometry& geometry);
 
 void addShapes(PhantomScenery& scenery, const Placement& placement, const PhantomConfig& config);
 void addFetus(PhantomScenery& scenery, const Placement& placement, const PhantomConfig& config);
 
-/// Painting goes block by block: edge of a block, samples.
+/// The edge of a block, samples. Painting goes block by block.
 constexpr int paintedEdge = 8;
 constexpr int paintedSamples = paintedEdge * paintedEdge * paintedEdge;
 
-/// Where the samples of one block lie, grid mm; the first index runs fastest. Some may lie beyond the last index.
+/// The places of one block's samples, grid mm; the first index runs fastest. Some may lie beyond the last index.
 struct SampledBlock {
     std::array<double, paintedSamples> x, y, z;
     Vec3 centre;
-    double radius = 0;  ///< of a ball around the centre that holds them all
+    double radius = 0;  ///< of a ball around the centre that holds all samples
 };
 
-/// Where the scene is looked at. The last index runs along the beam, away from the probe.
+/// The places at which the scene is sampled. The last index runs along the beam, away from the probe.
 struct PhantomSampling {
     std::array<std::int64_t, 3> size{1, 1, 1};
     double stepMm = 1;  ///< along the beam
     /// The block that begins at an index.
     std::function<void(const std::array<std::int64_t, 3>& first, SampledBlock& block)> block;
 };
-/// At the voxels of the config's grid.
+/// Samples at the voxels of the config's grid.
 [[nodiscard]] PhantomSampling gridSampling(const PhantomConfig& config);
 
-/// The noise-free echo of every sample with what follows along the beam: specular brightening, shadow, attenuation,
-/// gain. The result, with the first index running fastest, is empty only where the run was cancelled.
+/// The noise-free echo of every sample, with specular brightening, shadow, attenuation and gain along the beam. The
+/// first index runs fastest. Empty only if cancelled.
 [[nodiscard]] std::vector<float> paintedEchoes(const PhantomScenery& scenery, const PhantomConfig& config,
                                                const PhantomSampling& sampling, const Progress& progress);
 

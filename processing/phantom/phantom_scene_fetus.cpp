@@ -1,5 +1,5 @@
-// A fetus in profile in its fluid sac, with cord, placenta and uterine wall, as a scan through the mother's belly shows
-// it: the sac opens towards the probe.
+// A fetus in profile in its fluid sac, with cord, placenta and uterine wall, as in a scan through the mother's belly.
+// The sac opens towards the probe.
 #include <array>
 #include <cmath>
 #include <numbers>

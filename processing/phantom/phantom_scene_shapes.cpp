@@ -6,7 +6,7 @@ namespace echolucent {
 
 void addShapes(PhantomScenery& scenery, const Placement& placement, const PhantomConfig& config) {
     PhantomLayer window{.body = {}, .material = PhantomMaterial::fluid, .echo = config.fluid};
-    // The window reaches beyond the probe's face, so that fluid is the first thing most rays meet.
+    // The window reaches beyond the probe's face, so that most rays meet fluid first.
     window.body.join(placed(placement, roundBox("window of fluid", {0.46, 0.5, 0.22}, {0.37, 0.40, 0.52}, 0.16)));
     window.body.join(placed(placement, ellipsoid("recess of the window", {0.40, 0.62, 0.66}, {0.20, 0.17, 0.19})),
                      0.06 * placement.scale);

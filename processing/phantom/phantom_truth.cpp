@@ -50,7 +50,7 @@ struct Span {
     double from, to;
 };
 
-/// The part of a line within the volume's box, as parameters of origin + t * direction; empty where it misses.
+/// The part of a line within the volume's box, as parameters of origin + t * direction. Empty if the line misses it.
 std::optional<Span> withinBox(const VolumeGeometry& geometry, const Vec3& origin, const Vec3& direction) {
     const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
     Span span{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -130,7 +130,7 @@ std::optional<PhantomTruth::Transition> PhantomTruth::firstTransition(const Vec3
     const Span span{std::max(box->from, nearPlaneDepthMm - forward.dot(originMm)), box->to};
     const double unit = geometry.unit();
     const auto distanceAt = [&](double t) { return fluidDistance(originMm + forward * t); };
-    // The crossing between two parameters that stand on different sides of the fluid's surface.
+    // The crossing of the fluid's surface between two parameters on different sides of it.
     const auto crossing = [&](double before, double after, bool beforeIsFluid) {
         for (int i = 0; i < 40; ++i) {
             const double middle = 0.5 * (before + after);
@@ -140,7 +140,7 @@ std::optional<PhantomTruth::Transition> PhantomTruth::firstTransition(const Vec3
     };
     double at = span.from, here = distanceAt(at), fluidSince = at;
     while (at < span.to) {
-        // Half the distance is safe: the bodies' distance functions overstate it by less than that near their surfaces.
+        // Half the distance is safe: the distance functions overstate by less than a factor of 2 near the surfaces.
         const double step = std::clamp(0.5 * std::abs(here), finestStep * unit, largestStep * unit);
         const double next = std::min(span.to, at + step);
         const double there = distanceAt(next);

@@ -1,4 +1,4 @@
-// A simulated scene looked at along the beams of a polar volume.
+// Simulated scenes along the beams of a polar volume.
 #pragma once
 
 #include "processing/phantom/phantom_scene.h"
@@ -6,12 +6,12 @@
 
 namespace echolucent {
 
-/// At the samples of a polar volume, in the grid mm of a grid that it is converted to. Lines run fastest, then planes;
-/// samples run along the beam.
+/// The sampling at the samples of a polar volume, in grid mm of the grid that the volume is converted to. Lines run
+/// fastest, then planes. Samples run along the beam.
 [[nodiscard]] PhantomSampling polarSampling(const PolarGeometry& polar, const ConversionGrid& grid);
 
-/// A probe of that kind with `samples` along its beams, `stepMm` apart, whose field is about as wide as deep: where a
-/// person does not say more of it.
+/// The usual probe of a kind, with `samples` along its beams, `stepMm` apart. Its field is about as wide as deep. It
+/// serves if a person says no more of the probe.
 [[nodiscard]] EvenPolar usualPolar(PolarKind kind, std::int64_t samples, double stepMm);
 
 }  // namespace echolucent

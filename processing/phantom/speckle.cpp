@@ -20,12 +20,12 @@ using Words = hn::RebindToUnsigned<Floats>;
 using FloatVector = hn::Vec<Floats>;
 using WordVector = hn::Vec<Words>;
 
-// Products and sums are kept apart on purpose: fused ones would give other bits on other machines.
+// Products and sums are separate on purpose: fused ones would give other bits on other machines.
 HWY_INLINE FloatVector timesPlus(FloatVector a, FloatVector b, float c) {
     return hn::Add(hn::Mul(a, b), hn::Set(Floats(), c));
 }
 
-/// A 32-bit mixing function with full avalanche: shifts and multiplications of two rounds, published by C. Wellons
+/// A 32-bit mixing function with full avalanche, of shifts and multiplications in two rounds. C. Wellons published it
 /// under the name "hash prospector".
 HWY_INLINE WordVector mixed(WordVector value) {
     const Words d;
@@ -36,8 +36,8 @@ HWY_INLINE WordVector mixed(WordVector value) {
     return hn::Xor(value, hn::ShiftRight<15>(value));
 }
 
-/// Natural logarithm of positive normal numbers, with a relative error of about 1e-7, by the
-/// polynomial of logf in S. Moshier's Cephes library.
+/// Natural logarithm of positive normal numbers, with a relative error of about 1e-7. The polynomial is that of logf in
+/// S. Moshier's Cephes library.
 HWY_INLINE FloatVector naturalLog(FloatVector value) {
     const Floats d;
     const hn::RebindToSigned<Floats> integers;
@@ -61,7 +61,7 @@ HWY_INLINE FloatVector naturalLog(FloatVector value) {
     return hn::Add(hn::Add(x, result), hn::Mul(exponent, hn::Set(d, 0.693359375F)));
 }
 
-/// -2 ln of a uniform number in (0,1) made of the upper 24 bits.
+/// -2 ln of a uniform number in (0,1), made of the upper 24 bits.
 HWY_INLINE FloatVector squaredRadius(WordVector bits) {
     const Floats d;
     const hn::RebindToSigned<Floats> integers;
@@ -137,7 +137,7 @@ void weightedSum(const float* const* rows, const float* taps, std::int64_t tapCo
     }
 }
 
-/// Modulus of complex noise, scaled from unit variance a part to unit mean.
+/// Modulus of complex noise, scaled from unit variance of each part to unit mean.
 void modulusRow(const float* real, const float* imaginary, std::int64_t count, float* out) {
     const Floats d;
     const FloatVector scale = hn::Set(d, static_cast<float>(std::sqrt(2 / std::numbers::pi)));
@@ -186,7 +186,7 @@ HWY_EXPORT(finishRow);
 
 namespace {
 
-/// Rows and slices may lie before the volume (the smoothing's margin): indices are offset to stay positive.
+/// Rows and slices may lie before the volume (the smoothing's margin), so offsets keep their indices positive.
 std::uint64_t rowKey(std::uint64_t seed, std::int64_t y, std::int64_t z) {
     const auto row = static_cast<std::uint64_t>(y + 4096), slice = static_cast<std::uint64_t>(z + 4096);
     return splitmix64(splitmix64(seed) ^ (slice << 32 | row));
@@ -212,7 +212,7 @@ struct ComplexRows {
     float* row(int part, std::int64_t y) { return parts[part].data() + (y % rows) * stride; }
 };
 
-/// Smooths noise row by row, slice by slice, with only as many of each in memory as there are taps.
+/// Smooths noise row by row, slice by slice. It holds only as many rows and slices in memory as there are taps.
 class SpeckleSmoother {
 public:
     explicit SpeckleSmoother(const SpeckleConfig& config)
@@ -239,7 +239,7 @@ public:
     }
 
 private:
-    /// Noise of slice z, smoothed along x and y, into the ring of slices.
+    /// Adds slice z to the ring of slices: noise smoothed along x and y.
     void addSlice(std::int64_t z, std::int64_t ring) {
         for (std::int64_t y = -m_radius; y < m_config.size[1] + m_radius; ++y) {
             HWY_DYNAMIC_DISPATCH(gaussianRow)

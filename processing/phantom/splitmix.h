@@ -1,4 +1,4 @@
-// Random bits by counter: a value depends on its counter alone, so that any thread may compute any part.
+// Random bits by counter. A value depends on its counter alone, so any thread may compute any part.
 #pragma once
 
 #include <cstdint>

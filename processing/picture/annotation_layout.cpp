@@ -40,7 +40,7 @@ RoundLength roundLengthUpTo(double mm) {
     const double decade = std::pow(10.0, std::floor(std::log10(mm)));
     RoundLength rounded{decade, {}};
     for (const double times : {2.0, 5.0, 10.0}) {
-        // The limit itself is allowed although the logarithm may fall a rounding short of it.
+        // Allow the limit itself, though rounding may put the logarithm just below it.
         if (times * decade <= mm * (1 + 1e-12)) rounded.mm = times * decade;
     }
     std::array<char, 32> text{};
@@ -92,7 +92,7 @@ AnnotationLayout orientationLayout(double scale, const ViewFrame& frame) {
         Point2 letter;
         if (share < alongSight) {
             layout.shapes.emplace_back(AnnotationDisc{foot, discRadius * scale, colour});
-            // Opposite the other two arms, where the letter covers neither.
+            // Put the letter opposite the other two arms, so that it covers neither.
             const Point2 others{seen[(axis + 1) % 3][0] + seen[(axis + 2) % 3][0],
                                 seen[(axis + 1) % 3][1] + seen[(axis + 2) % 3][1]};
             letter = foot - others * ((discRadius + letterDistance) * scale / std::max(cv::norm(others), 1e-9));

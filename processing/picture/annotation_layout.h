@@ -1,5 +1,4 @@
-// Where the scale bar and the orientation marker stand in a picture, and what they say: alike on the screen and in
-// movies.
+// Where the scale bar and the orientation marker stand in a picture, and their texts. The screen and movies share them.
 #pragma once
 
 #include <array>
@@ -21,21 +20,19 @@ inline constexpr double annotationMargin = 18.0;  ///< from the picture's edges,
 inline constexpr int annotationFontSize = 14;     ///< pixels of a plain screen (72 dpi)
 inline constexpr Colour annotationColour{0xd8, 0xdd, 0xe2};
 
-/// A straight line.
 struct AnnotationLine {
     Point2 from, to;
     double width = 1.0;  ///< pixels
     Colour colour{};
 };
 
-/// A filled disc.
 struct AnnotationDisc {
     Point2 centre;
     double radius = 1.0;  ///< pixels
     Colour colour{};
 };
 
-/// Which place of a text lies where it stands: a share of its width from the left and of its height from below.
+/// The part of a text that lies at the text's place: shares of its width from the left and of its height from below.
 struct TextAnchor {
     double right = 0.0, up = 0.0;
 };
@@ -54,24 +51,23 @@ struct AnnotationLayout {
     std::vector<AnnotationText> texts{};
 };
 
-/// A length of 1, 2 or 5 times a power of ten, the longest that is not above a limit (> 0), in mm, and its text:
-/// "10 mm", "0.5 mm".
+/// The longest length up to a limit (> 0), in mm, that is 1, 2 or 5 times a power of ten. Its text: "10 mm", "0.5 mm".
 struct RoundLength {
     double mm = 1.0;
     std::string text;
 };
 [[nodiscard]] RoundLength roundLengthUpTo(double mm);
 
-/// A bar of a round number of millimetres in the lower right corner of a picture of width x height pixels that shows
-/// `heightMm` from top to bottom, or, where the volume's spacing is unknown, a sentence that says so, and no shape.
+/// A bar of a round number of millimetres in the lower right corner of a picture of width x height pixels. The picture
+/// shows `heightMm` from top to bottom. If the volume's spacing is unknown, a sentence says so, and there is no bar.
 /// `scale` is the number of pixels per pixel of a plain screen.
 [[nodiscard]] AnnotationLayout scaleBarLayout(int width, int height, double scale, double heightMm, bool spacingKnown);
 
 /// Where an axis (a unit vector in grid mm) points in the picture: x right, y up, z towards the viewer.
 [[nodiscard]] Vec3 seenFrom(const ViewFrame& frame, const Vec3& axis);
 
-/// Three arms along the grid's axes x, y and z from a common foot, lettered in this order, in the lower left corner;
-/// the arm nearest the viewer is drawn last. An axis along the line of sight is a disc, brighter where it comes towards
+/// Three arms along the grid's axes x, y and z from a common foot, lettered in this order, in the lower left corner.
+/// The arm nearest the viewer is drawn last. An axis along the line of sight is a disc, brighter if it comes towards
 /// the viewer.
 [[nodiscard]] AnnotationLayout orientationLayout(double scale, const ViewFrame& frame);
 

@@ -1,4 +1,4 @@
-// From where, and how, a picture looks at a volume.
+// The place from which a picture looks at a volume, and its projection.
 #pragma once
 
 #include <optional>
@@ -26,10 +26,9 @@ struct Camera {
     friend bool operator==(const Camera& a, const Camera& b) = default;
 };
 
-/// The camera of the default picture: parallel, looking along the view, what is fitted at its centre and whole in the
-/// picture with 4 % of its extent to spare, for a picture of that width / height (> 0). Fitted is the view's box, or
-/// the data box where the view has none. Its perspective values are set too: switching the projection keeps all of it
-/// in the picture.
+/// The camera of the default picture: parallel, along the view, for a picture of this width / height (> 0). It fits the
+/// view's box, or the data box if the view has none. The box is centred and whole in the picture, with 4 % of its
+/// extent to spare. The perspective values are set too, so a change of projection keeps the box in the picture.
 [[nodiscard]] Camera defaultCamera(const DataBox& box, const Viewpoint& view, double aspect);
 
 }  // namespace echolucent

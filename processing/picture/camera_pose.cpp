@@ -28,7 +28,8 @@ Camera cameraFor(const CameraPose& pose) {
 
 CameraPose fittedPose(const DataBox& box, const Viewpoint& view, Projection projection, double aspect) {
     const Camera fitted = defaultCamera(box, view, aspect);
-    // In perspective the box's front is larger than its middle: the distance of the default camera allows for that.
+    // In perspective the box's front appears larger than its middle. The distance of the default camera allows for
+    // that.
     const double height = projection == Projection::parallel
                               ? fitted.heightMm
                               : 2.0 * fitted.distanceMm * std::tan(halfAngle(fitted.viewAngleDegrees));
@@ -36,7 +37,7 @@ CameraPose fittedPose(const DataBox& box, const Viewpoint& view, Projection proj
 }
 
 CameraPose orbited(CameraPose pose, double right, double down) {
-    // The drag as seen in the picture before its roll, whose axes the two angles turn about.
+    // The two angles turn about the picture's axes before its roll: take the drag in these.
     const Vec3 drag = rotationZ(pose.view.rollDegrees) * Vec3{right, down, 0};
     pose.view.azimuthDegrees = wrappedDegrees(pose.view.azimuthDegrees + degreesPerHeight * drag[0]);
     pose.view.elevationDegrees = std::clamp(pose.view.elevationDegrees - degreesPerHeight * drag[1], -90.0, 90.0);

@@ -13,7 +13,7 @@ enum class ColourMap { sepia, grey, ice };
 /// "sepia", "grey", "ice".
 [[nodiscard]] std::string_view nameOf(ColourMap map);
 [[nodiscard]] std::optional<ColourMap> colourMapFromName(std::string_view name);
-/// Colour of a normalised intensity, each component in [0,1]: what a fully opaque, unshaded voxel shows.
+/// Colour of a normalised intensity, each component in [0,1]. A fully opaque, unshaded voxel shows this colour.
 [[nodiscard]] Vec3 colourOf(ColourMap map, double intensity);
 
 /// The tint of a shadow (t of Shading): bright tissue in shadow takes the map's dark hue, not grey.

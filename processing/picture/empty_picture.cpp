@@ -24,7 +24,7 @@ double largestOpacity(const OpacityCurve& curve, double low, double high) {
     double largest = 0.0;
     for (int i = 0; i < samples; ++i)
         largest = std::max(largest, opacityAt(curve, low + (high - low) * i / (samples - 1)));
-    // A peak may be narrower than the samples are apart.
+    // A peak may be narrower than the distance between samples.
     if (const auto* manual = std::get_if<ManualCurve>(&curve))
         for (const CurveNode& node : manual->nodes)
             if (node.intensity >= low && node.intensity <= high) largest = std::max(largest, node.opacity);

@@ -1,4 +1,4 @@
-// Which lights a picture has, by the name that a person chooses.
+// The lights of a picture, by the names that a person chooses from.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@ namespace echolucent {
 
 /// What light does in a picture; it plays a part in direct mode only.
 enum class Lighting {
-    flat,     ///< none: a sample shows the colour of its intensity
+    flat,     ///< no light: a sample shows the colour of its intensity
     surface,  ///< light falls on surfaces
-    depth,    ///< light falls on surfaces, and only as much of it as reaches them through the tissue before them
+    depth,    ///< light falls on surfaces, weakened by the tissue before them
 };
 
 /// "flat", "surface", "depth".

@@ -10,7 +10,7 @@ namespace echolucent {
 
 namespace {
 
-/// A mixed-in mode that hides the mode altogether is cast alone.
+/// The mode of the picture. If the mixed mode hides the direct mode completely, it is cast alone.
 RenderMode seenMode(const Look& look) {
     return look.mode == RenderMode::direct && look.mixing >= 1.0 ? look.mixedMode : look.mode;
 }
@@ -118,7 +118,7 @@ ParameterTable<Look> lookTable() {
             choice<interpolations, &Look::interpolation>({"interpolation", "Interpolation",
                                                           "How intensities between voxels are taken", "",
                                                           "docs/cli-study.md, study render"}),
-            // A window's picture has the step of its quality.
+            // Not in panels: the quality of a window's picture sets its step.
             number<&Look::step>(
                 {"step", "Step", "Distance between the samples on a ray; opacities are corrected for it", "units",
                  "docs/rendering.md, What errs, and by how much"},

@@ -1,4 +1,4 @@
-// What a person chooses of a picture's look: one table says each choice once.
+// The choices for a picture's look. One table says each choice once.
 #pragma once
 
 #include "processing/parameters/parameter.h"
@@ -16,13 +16,13 @@ namespace echolucent {
 /// How a volume looks, apart from its opacity curve, the viewpoint and what is cut away.
 struct Look {
     RenderMode mode = RenderMode::direct;
-    double mixing = 0.0;  ///< [0, 1]: how much of the mixed mode is seen in a picture of the direct mode
-    RenderMode mixedMode = RenderMode::maximum;          ///< maximum or mean; plays a part where something is mixed
-    SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels that the picture is taken from
+    double mixing = 0.0;                         ///< [0, 1]: share of the mixed mode in a picture of the direct mode
+    RenderMode mixedMode = RenderMode::maximum;  ///< maximum or mean; plays a part if mixing is above 0
+    SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels in the picture
     Lighting lighting = Lighting::flat;                  ///< plays a part in direct mode only
-    LightDirection light;        ///< where the light stands; plays a part where lighting is not flat
+    LightDirection light;        ///< where the light stands; plays a part unless lighting is flat
     double lightSoftness = 8.0;  ///< degrees, [0, 45]: half the angle under which the light is seen
-    ReachingLight reaching;      ///< plays a part where lighting is depth
+    ReachingLight reaching;      ///< plays a part if lighting is depth
     bool depthColoured = false;  ///< colours change with depth; plays a part in direct mode only
     ColourMap colourMap = ColourMap::sepia;
     double brightness = 1.0;  ///< [1/4, 4]: a factor on the picture's colours
@@ -33,15 +33,15 @@ struct Look {
 };
 
 /// A row for every member of Look, in the order in which people are shown them. The command line, the panel, the JSON
-/// and docs/cli-render.md are made from these rows; the defaults are those of lookAtStart().
+/// and docs/cli-render.md are made from these rows. lookAtStart() gives the defaults.
 [[nodiscard]] const ParameterTable<Look>& lookParameters();
 
-/// The look that the window and the command line start with: quiet voxels and light that tells depth, from whole
-/// degrees, as the panel's sliders show them.
+/// The look at the start of the window and the command line: quiet voxels, and light that tells depth. The light's
+/// angles are whole degrees, as on the panel's sliders.
 [[nodiscard]] Look lookAtStart();
 
-/// The settings of a look; size, place of the camera and cuts are left as RayCastSettings{} has them. Light and depth
-/// colours are left out in modes in which they play no part, so that equal pictures have equal settings.
+/// The settings of a look. Size, camera place and cuts stay as in RayCastSettings{}. Modes that use no light or depth
+/// colours get none, so that equal pictures have equal settings.
 [[nodiscard]] RayCastSettings rayCastSettings(const Look& look);
 
 }  // namespace echolucent

@@ -12,19 +12,19 @@ namespace echolucent {
 struct Picture {
     int width = 0, height = 0;
     std::vector<float> rgba;
-    /// Where RayCastSettings::findDepth is set, the depth along camera.frame.forward from the grid origin, mm, of the
-    /// sample at which the accumulated opacity reaches one half (maximum and minimum: of the sample shown; mean: of the
-    /// first); infinity where no sample does. Else it is empty.
+    /// Depth of each pixel along camera.frame.forward from the grid origin, mm, if RayCastSettings::findDepth is set;
+    /// else empty. Direct: of the sample at which the accumulated opacity reaches one half; maximum and minimum: of the
+    /// sample shown; mean: of the first. Infinity if there is no such sample.
     std::vector<float> depthMm{};
 };
 
-/// A picture in which nothing is seen yet; with or without the depths of its pixels, all of them infinite.
+/// A picture without anything in it. If it has depths, all of them are infinite.
 [[nodiscard]] Picture emptyPicture(int width, int height, bool withDepth = false);
 
-/// Mixes another picture of the same size in: `share` parts of it with 1 - share parts of this one. Depths stay.
+/// Mixes in another picture of the same size: `share` parts of it with 1 - share parts of this one. Depths stay.
 void mixIn(Picture& picture, const Picture& other, double share);
 
-/// Multiplies colours by a factor above 0; a colour stays within white of its alpha. Depths stay.
+/// Multiplies colours by a factor above 0. No colour becomes brighter than white at its alpha. Depths stay.
 void brighten(Picture& picture, double factor);
 
 /// The picture over an opaque background (eq. 3's c(r,0)) as 8-bit RGB, rows from the top, three bytes a pixel.

@@ -14,7 +14,7 @@ double tangentOfHalfAngle(const Camera& camera) {
 /// Depth of the eye along the view, from the grid origin.
 double eyeDepth(const Camera& camera) { return camera.frame.forward.dot(camera.focalPoint) - camera.distanceMm; }
 
-/// Height of what the picture shows at a depth.
+/// Height of the shown region at a depth, mm.
 double heightAt(const Camera& camera, double depthMm) {
     if (camera.projection == Projection::parallel) return camera.heightMm;
     return 2.0 * tangentOfHalfAngle(camera) * (depthMm - eyeDepth(camera));

@@ -1,4 +1,4 @@
-// Where a place of the volume is seen in a picture, and what lies behind a place of the picture.
+// From a place of the volume to its place in a picture, and back.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@ namespace echolucent {
 /// A place in a picture: right and down of its centre, in picture heights.
 using PicturePlace = std::array<double, 2>;
 
-/// Where a camera sees a place of the grid, mm; nothing in perspective for what does not lie before the eye.
+/// Where a camera sees a place of the grid, mm. Empty in perspective if the place is not before the eye.
 [[nodiscard]] std::optional<PicturePlace> placeInPicture(const Camera& camera, const Vec3& gridMm);
 
-/// The place of the grid, mm, that a camera sees there at a depth: mm along camera.frame.forward from the grid origin.
-/// In perspective the depth must lie before the eye.
+/// The place of the grid, mm, that a camera sees at a place of the picture and a depth. The depth is mm along
+/// camera.frame.forward from the grid origin. In perspective it must lie before the eye.
 [[nodiscard]] Vec3 gridPlaceAt(const Camera& camera, const PicturePlace& place, double depthMm);
 
-/// What is wrong with a camera that was read from a file, lower case, no full stop; an empty text where nothing is.
+/// What is wrong with a camera read from a file, lower case, no full stop. Empty if nothing is wrong.
 [[nodiscard]] std::string problemOf(const Camera& camera);
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// All that a picture depends on beside the volume and its opacity curve.
+// All that a picture depends on, apart from the volume and its opacity curve.
 #pragma once
 
 #include <limits>
@@ -15,22 +15,21 @@
 
 namespace echolucent {
 
-/// Only what lies between two corners is rendered; grid mm.
+/// The picture shows only what lies between two corners; grid mm.
 struct RenderBox {
     Vec3 low, high;
     friend bool operator==(const RenderBox&, const RenderBox&) = default;
 };
 
-/// Only what lies on the side that the normal points to is rendered; grid mm.
+/// The picture shows only what lies on the side of the normal; grid mm.
 struct ClippingPlane {
     Vec3 point;
     Vec3 normal{0, 0, 1};  ///< any length above 0
     friend bool operator==(const ClippingPlane&, const ClippingPlane&) = default;
 };
 
-/// Another picture that is mixed into one of the direct mode, along the same rays: share parts of it with 1 - share
-/// parts of the direct one, colours premultiplied by alpha. Depths are those of the
-/// direct one.
+/// Another picture to mix into one of the direct mode, along the same rays: share parts of it with 1 - share parts of
+/// the direct one. Colours are premultiplied by alpha. Depths are the direct picture's.
 struct ModeMixing {
     double share = 0.0;  ///< [0, 1]; at 0 nothing is mixed
     RenderMode mode = RenderMode::maximum;
@@ -47,20 +46,20 @@ struct RayCastSettings {
     RenderMode mode = RenderMode::direct;
     ModeMixing mixing{};  ///< direct mode only
     ColourMap colourMap = ColourMap::sepia;
-    double brightness = 1.0;         ///< a factor on the picture's colours, above 0; none becomes brighter than white
-    std::optional<Shading> shading;  ///< where it is not set, no gradient is computed; direct mode only
-    int lightCoarseness = 2;         ///< of a usual volume's light, see lightSceneOf(); [1, 16]
-    std::optional<DepthColouring> depthColouring;  ///< where it is not set, it costs nothing; direct mode only
+    double brightness = 1.0;  ///< a factor on the picture's colours, above 0; no colour becomes brighter than white
+    std::optional<Shading> shading;                ///< direct mode only; without it, no gradient is computed
+    int lightCoarseness = 2;                       ///< of the light of a usual volume, see lightSceneOf(); [1, 16]
+    std::optional<DepthColouring> depthColouring;  ///< direct mode only; without it, it costs nothing
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
     std::optional<CutSurface> cutSurface;  ///< nothing is shown before it; fixed to the volume, not to the camera
-    double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most that share of white
-    bool skipEmptySpace = true;  ///< leaves out regions that the curve makes transparent: the same picture, sooner
-    bool findDepth = false;      ///< Picture::depthMm is wanted
+    double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most this share of white
+    bool skipEmptySpace = true;  ///< skips regions that the curve makes transparent: the same picture, sooner
+    bool findDepth = false;      ///< whether to fill Picture::depthMm
     friend bool operator==(const RayCastSettings&, const RayCastSettings&) = default;
 };
 
-/// The settings of the picture that is mixed in, by itself.
+/// The settings of the mixed-in picture by itself.
 [[nodiscard]] inline RayCastSettings mixedIn(RayCastSettings settings) {
     settings.mode = settings.mixing.mode;
     settings.mixing = {};

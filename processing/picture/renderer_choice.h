@@ -9,9 +9,9 @@
 namespace echolucent {
 
 enum class RendererChoice {
-    automatic,     ///< a wish only: the graphics card where a real one can show the look, else the software
+    automatic,     ///< the graphics card if a real one can show the look, else the software; a wish only
     software,      ///< castRays(), on the processor
-    graphicsCard,  ///< VTK's GPU mapper, through OpenGL, also where OpenGL is software
+    graphicsCard,  ///< VTK's GPU mapper, through OpenGL, even if OpenGL is software
 };
 
 inline constexpr ChoiceNames<3> rendererNames{"automatic", "software", "graphicsCard"};

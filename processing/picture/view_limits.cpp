@@ -8,7 +8,7 @@ namespace echolucent {
 
 namespace {
 
-/// The grid axis that a direction runs along; -1 where it runs along none.
+/// The grid axis along which a direction runs. -1 if it is oblique.
 int gridAxisOf(const Vec3& direction) {
     constexpr double rounding = 1e-12;
     for (int axis = 0; axis < 3; ++axis) {
@@ -23,7 +23,7 @@ bool liesAlongGrid(const ViewFrame& axes) {
     return gridAxisOf(axes.right) >= 0 && gridAxisOf(axes.down) >= 0 && gridAxisOf(axes.forward) >= 0;
 }
 
-/// Faces along the grid's axes as a box; where there is no face it reaches beyond the volume.
+/// Faces along the grid's axes as a box. The box reaches beyond the volume on sides without a face.
 RenderBox boxOf(const std::vector<CuttingFace>& faces, const VolumeGeometry& geometry) {
     const Vec3 beyond = geometry.boxMaxMm() - geometry.boxMinMm();
     RenderBox box{geometry.boxMinMm() - beyond, geometry.boxMaxMm() + beyond};

@@ -1,4 +1,4 @@
-// What a viewpoint cuts off, as the ray caster is told it.
+// A viewpoint's cuts, as limits for the ray caster.
 #pragma once
 
 #include "processing/picture/ray_cast_settings.h"
@@ -6,9 +6,9 @@
 
 namespace echolucent {
 
-/// The settings with the limits of a viewpoint, near plane, cut surface and box, in place of the limits that they held.
-/// A box along the grid's axes becomes RayCastSettings::box, another one clipping planes; faces that cut nothing off
-/// the volume are left out (facesThatCut()). The camera must look along the view.
+/// The settings with the viewpoint's limits (near plane, cut surface, box) in place of their own. A box along the
+/// grid's axes becomes RayCastSettings::box, another one becomes clipping planes. Faces that cut nothing off the volume
+/// are left out (facesThatCut()). The camera must look along the view.
 [[nodiscard]] RayCastSettings limitedTo(const Viewpoint& view, const VolumeGeometry& geometry,
                                         RayCastSettings settings);
 

@@ -6,7 +6,7 @@ namespace echolucent::ray_casting {
 
 namespace {
 
-/// The settings without what the samples do not depend on.
+/// The settings that change the samples. All others get their defaults.
 RayCastSettings keyOf(RayCastSettings settings) {
     const RayCastSettings standard;
     settings.colourMap = standard.colourMap;

@@ -1,4 +1,4 @@
-// The samples of the views that were just cast, for edits of the curve under a fixed camera.
+// The samples of the newest views, for edits of the curve under a fixed camera.
 #pragma once
 
 #include <list>
@@ -9,25 +9,25 @@
 
 namespace echolucent::ray_casting {
 
-/// Samples are kept from a view's second picture on; a move of the camera forgets all.
+/// Keeps samples from a view's second picture on. A move of the camera forgets all of them.
 class KeptViews {
 public:
-    /// Forgets all: what the samples are of has changed.
+    /// Forgets all samples, because the voxels have changed.
     void forget() { m_views.clear(); }
-    /// Where this view's samples go, or are already; null where the view is new or would not fit into memoryLimit
-    /// bytes.
+    /// The place for this view's samples, filled or to fill. Null if the view is new or its samples would not fit into
+    /// memoryLimit bytes.
     [[nodiscard]] KeptSamples* samplesFor(const RayCastSettings& settings, const RayGeometry& rays,
                                           std::size_t memoryLimit);
-    /// A picture begins of whose samples none are kept or used.
+    /// A picture begins that neither keeps nor uses samples.
     void useNone();
-    /// The picture that samplesFor() was asked for is finished: from now on all of its samples are known.
+    /// The picture of the newest samplesFor() is finished. From now on all of its samples are known.
     void finishPicture();
     /// How the newest finished picture used samples.
     [[nodiscard]] SampleUse sampleUse() const { return m_finished; }
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    /// Views, apart in size or step, that are told apart: preview and fine pictures come in turn.
+    /// How many views of one camera it keeps apart, by size or step: preview and fine pictures take turns.
     static constexpr std::size_t mostViews = 4;
     struct KeptView {
         RayCastSettings key;
@@ -35,7 +35,7 @@ private:
         bool complete = false;  ///< the samples of a whole picture are there
     };
     std::list<KeptView> m_views;  // newest first
-    bool m_keeps = false;         // the picture being cast fills the samples of the newest view, or uses them
+    bool m_keeps = false;         // whether the picture being cast fills or uses the newest view's samples
     SampleUse m_casting = SampleUse::taken, m_finished = SampleUse::taken;
 };
 

@@ -1,4 +1,4 @@
-// What the kernel needs to know of a picture, as plain pointers and numbers; and its entry.
+// A picture's task for the kernel, as plain pointers and numbers, and the kernel's entry.
 #pragma once
 
 #include <array>
@@ -17,16 +17,16 @@
 
 namespace echolucent::ray_casting {
 
-/// The two tints and the depths they belong to.
+/// The two tints and their depths.
 struct DepthTint {
     std::array<float, 3> near{}, change{};  ///< tint = near + change * t
     double nearDepthMm = 0.0, perMm = 0.0;  ///< t = (depth - nearDepth) * perMm
 };
 
-/// Table positions of the samples of one view, so that another curve need not sample again. Samples of a packet of rays
-/// follow each other: all rays' first samples, then all rays' second samples and so on. Each is the table position
-/// times KernelJob::keptPerPosition, in a shaded picture as in a plain one. What the presence of data leaves of them is
-/// looked up anew.
+/// Table positions of the samples of one view, so that another curve need not sample again. The samples of a packet of
+/// rays follow each other: all rays' first samples, then all rays' second samples and so on. A kept value is the table
+/// position times KernelJob::keptPerPosition, in shaded and plain pictures alike. The presence of data is looked up
+/// again.
 struct KeptSamples {
     static constexpr float perTablePosition = 32.0f;
     static constexpr float perByte = 256.0f;
@@ -37,7 +37,7 @@ struct KeptSamples {
     std::vector<Packet> packets;  ///< row-major
 };
 
-/// A two-dimensional OTF as the kernel reads it.
+/// A two-dimensional OTF for the kernel.
 struct TwoDimensionalNodes {
     const float* opacities = nullptr;  ///< TwoDimensionalOtf::opacities
     int intensities = 2, gradients = 2;
@@ -48,33 +48,33 @@ struct TwoDimensionalNodes {
 template <typename Voxel>
 struct KernelJob {
     const PackedVoxels<Voxel>* voxels = nullptr;
-    const std::uint8_t* presence = nullptr;  ///< PackedPresence; null where all voxels carry data
+    const std::uint8_t* presence = nullptr;  ///< PackedPresence; null if all voxels carry data
     VolumeGeometry geometry;
     const RayGeometry* rays = nullptr;
     float toTable = 0.0f;  ///< factor from a packed value to its table position
     const TransferTable* table = nullptr;
-    const ColourBends* colourBends = nullptr;  ///< null where the picture has light, depth colours or depths
-    /// For bytes of a white level of at least ByteOpacities::leastWhite; where it is null, `table` is read.
+    const ColourBends* colourBends = nullptr;  ///< null if the picture has light, depth colours or depths
+    /// For bytes of a white level of at least ByteOpacities::leastWhite. If null, the kernel reads `table`.
     const ByteOpacities* byteOpacities = nullptr;
-    const TwoDimensionalNodes* twoDimensional = nullptr;  ///< null where `table` tells opacities
-    const LightSource* light = nullptr;                   ///< null where no gradient is computed
-    const PackedLight* reaching = nullptr;                ///< null where the light asks for none
+    const TwoDimensionalNodes* twoDimensional = nullptr;  ///< null if `table` gives opacities
+    const LightSource* light = nullptr;                   ///< null if no gradient is needed
+    const PackedLight* reaching = nullptr;                ///< null if the light asks for no light volume
     float stepUnits = 1.0f;                               ///< RayCastSettings::step
     float worthGradient = 0.0f;                           ///< LightSource::worthGradient for the step
     const DepthTint* depthTint = nullptr;
-    const std::uint8_t* distances = nullptr;  ///< EmptySpace; null where nothing may be jumped over
-    const BorderSpace* borders = nullptr;     ///< null where data ends nowhere
+    const std::uint8_t* distances = nullptr;  ///< EmptySpace; null if rays may not jump
+    const BorderSpace* borders = nullptr;     ///< null if data ends nowhere
     std::array<std::int64_t, 3> bricks{};
     RenderMode mode = RenderMode::direct;
     ColourMap colourMap = ColourMap::sepia;
     bool nearest = false;
     double endTransmittance = 0.0;
-    KeptSamples* kept = nullptr;                            ///< it is filled, or used where it is filled already
-    float keptPerPosition = KeptSamples::perTablePosition;  ///< where byteOpacities is set, perByte / toTable
+    KeptSamples* kept = nullptr;                            ///< the kernel fills it, or uses it if it is full
+    float keptPerPosition = KeptSamples::perTablePosition;  ///< perByte / toTable, if byteOpacities is set
     Picture* picture = nullptr;
 };
 
-/// Pixels [firstColumn, lastColumn) x [firstRow, lastRow); the first ones at the corner of a packet.
+/// Pixels [firstColumn, lastColumn) x [firstRow, lastRow). The first pixel is at the corner of a packet.
 struct Tile {
     int firstColumn, lastColumn, firstRow, lastRow;
 };

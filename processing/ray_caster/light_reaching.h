@@ -1,4 +1,4 @@
-// The light volume of the pictures of one volume, made anew only where what it depends on changed.
+// The light volume for the pictures of one volume. It is made again only if its inputs change.
 #pragma once
 
 #include <memory>
@@ -14,17 +14,17 @@ class LightReaching {
 public:
     explicit LightReaching(std::shared_ptr<const Volume> volume) : m_volume(std::move(volume)) {}
 
-    /// Follows another cut of the same scan, which marks the given rows otherwise (rowsMaskedOtherwise()).
+    /// Follows another cut of the same scan. It marks the `masked` rows otherwise (rowsMaskedOtherwise()).
     void setCut(std::shared_ptr<const Volume> volume, const RowMarks& masked) {
         m_volume = std::move(volume);
         if (m_sweep) m_sweep->setCut(m_volume, masked);
         m_packed.reset();
     }
-    /// False where it was cancelled; then there is no light volume.
+    /// False if cancelled. Then there is no light volume.
     [[nodiscard]] bool update(const LightOtf& otf, const RayCastSettings& settings, const Progress& progress);
-    /// What the newest update took; 0 where the light volume stayed as it was, or none was asked for.
+    /// Time of the newest update. 0 if the light volume stayed as it was, or nobody asked for one.
     [[nodiscard]] double milliseconds() const { return m_milliseconds; }
-    /// Null where the newest picture's light asks for no light volume.
+    /// Null if the newest picture's light asks for no light volume.
     [[nodiscard]] const PackedLight* packed() const { return m_packed ? &*m_packed : nullptr; }
 
 private:

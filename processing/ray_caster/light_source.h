@@ -1,4 +1,4 @@
-// Light as the kernel computes it.
+// Light in the kernel's numbers.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace echolucent::ray_casting {
 
-/// One directional light as Shading says it, and the gradient's reach.
+/// The directional light of a Shading, and the gradient's reach.
 struct LightSource {
     static constexpr int highlightIntervals = 1024;
-    /// A reference step is lit as a surface where it adds at least this much to its pixel's opacity.
+    /// A reference step is lit as a surface if it adds at least this much to its pixel's opacity.
     static constexpr double worthGradient = 1.0 / 128;
 
     std::array<float, 3> towardsLight{};  ///< unit, grid mm

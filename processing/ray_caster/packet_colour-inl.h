@@ -1,4 +1,4 @@
-// What a sample shows: opacity, colour, light.
+// The opacity, colour and light of a sample.
 #include "processing/ray_caster/packet_reaching-inl.h"
 
 #if defined(ECHOLUCENT_PACKET_COLOUR_INL) == defined(HWY_TARGET_TOGGLE)
@@ -15,7 +15,7 @@ struct Colour {
     FloatVector red, green, blue;
 };
 
-/// Of a table at a position from 0 on, linear between its entries.
+/// The value of a table at a position from 0 on, linear between its entries.
 HWY_INLINE FloatVector entryAt(const float* entries, FloatVector position) {
     const Floats floats;
     const auto left = truncated(position);
@@ -23,7 +23,7 @@ HWY_INLINE FloatVector entryAt(const float* entries, FloatVector position) {
                    hn::Sub(position, hn::ConvertTo(floats, left)));
 }
 
-/// The colour map as two permutations of four values in place of a look-up in memory.
+/// The colour map, as two permutations of four values instead of a look-up in memory.
 class Colours {
 public:
     explicit Colours(const ColourRanges& ranges) {
@@ -34,7 +34,7 @@ public:
     }
     /// The colour at a table position, 0 ... intervals.
     HWY_INLINE Colour at(FloatVector position) const {
-        // A hair less, so that the last position is in the last range.
+        // Slightly less, so that the last position is in the last range.
         constexpr float perRange = ColourRanges::count / (TransferTable::intervals * (1.0f + 0x1p-20f));
         const auto range = truncated(hn::Mul(position, set(perRange)));
         const auto channel = [&](std::size_t c) {
@@ -121,7 +121,7 @@ public:
                          hn::MulAdd(share, highlight, hn::Mul(set(m_source.diffuse), diffuse)));
     }
 
-    /// `unlit` is the share that keeps its colour (CutFace). Nothing is brighter than white.
+    /// `unlit` is the share that keeps its colour (CutFace). No colour gets brighter than white.
     HWY_INLINE FloatVector lit(FloatVector colour, FloatVector factor, FloatVector unlit, std::size_t channel) const {
         const auto one = set(1.0f), tint = set(m_source.shadowTint[channel]);
         const auto mixed = hn::MulAdd(unlit, hn::Sub(one, factor), factor);
@@ -130,7 +130,7 @@ public:
     }
 
 private:
-    /// reachingFactor(); `key` is the key light where all of it reaches.
+    /// As reachingFactor(). `key` is the full key light.
     HWY_INLINE LitBy reachedBy(const Reaching& reaching, FloatVector key) const {
         const auto left = [&](FloatVector reached, float strength) {
             return hn::MulAdd(reached, set(strength), set(1.0f - strength));
@@ -181,7 +181,7 @@ private:
     }
 
     const LightSource& m_source;
-    const PackedLight* m_reaching;  ///< null where all light reaches all places
+    const PackedLight* m_reaching;  ///< null if all light reaches all places
     const VolumeGeometry& m_geometry;
     float m_toTable;
     alignas(64) float m_half[3][lanes];

@@ -1,4 +1,4 @@
-// How much of a cut's face the samples of a packet of rays show (CutFace).
+// How much of a cut's face (CutFace) the samples of a packet of rays show.
 #include "processing/ray_caster/packet_run-inl.h"
 
 #include <hwy/contrib/math/math-inl.h>
@@ -13,12 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// The shares of the rays of a packet behind their newest samples.
+/// The shares of a packet's rays behind their newest samples.
 class CutFaces {
 public:
     HWY_INLINE CutFaces() { std::fill_n(m_unlit, lanes, 1.0f); }
 
-    /// The shares in a step of `units` and the opacity that its intensity has; rays in range are then behind it.
+    /// The shares in a step of `units`, with its intensity's opacity. Moves the rays in range behind the step.
     HWY_INLINE FloatVector pass(FloatVector units, FloatVector opacity, FloatVector border, LaneMask inRange) {
         constexpr auto fluid = static_cast<float>(1.0 / CutFace::fluidDepth);
         constexpr auto all = static_cast<float>(clearRate);
@@ -32,7 +32,7 @@ public:
         hn::Store(hn::IfThenElse(inRange, hn::Mul(unlit, left), before), floats, m_unlit);
         return unlit;
     }
-    /// Passes so many steps of `units` that show nothing.
+    /// Moves the rays behind so many clear steps of `units`.
     HWY_INLINE void passClear(FloatVector steps, float units) {
         const double each = -2.0 * std::log1p(0.5 * clearRate * static_cast<double>(units));
         const Floats floats;

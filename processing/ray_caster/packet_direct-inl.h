@@ -17,8 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// Where `isTwoDimensional`, KernelJob::twoDimensional tells opacities, else KernelJob::table: pictures of curves know
-/// nothing of the other way.
+/// If `isTwoDimensional`, KernelJob::twoDimensional gives opacities, else KernelJob::table. Each kernel knows its own
+/// way only.
 template <typename Voxel, bool isTwoDimensional>
 class DirectKernel {
 public:
@@ -31,7 +31,7 @@ public:
         m_rays = &rays;
         const Packet<Voxel>& packet = rays.packet;
         const std::int64_t common = packet.longestCommonRun();
-        if (common == 0) rays.kept = nullptr;  // samples are kept only of all rays together
+        if (common == 0) rays.kept = nullptr;  // samples are kept only if all rays go together
         const std::optional<PlainCuts> cuts = plainCuts();
         if (cuts)
             add(ofAlive(cuts->head));
@@ -62,7 +62,7 @@ public:
 private:
     [[nodiscard]] bool mayJump() const { return m_job.distances != nullptr && m_rays->kept == nullptr; }
 
-    /// The part of a step at the begin or the end of each ray.
+    /// Casts the part of a step at the beginning or the end of each ray.
     void castCut(const CutSteps<lanes>& cut) {
         bool any = false;
         for (int i = 0; i < lanes; ++i) any = any || cut.length[i] > 0.0;
@@ -100,8 +100,8 @@ private:
         }
     }
 
-    /// The number of samples done: all of the run, or up to where nothing more of it shows; 0 where nothing behind it
-    /// shows either.
+    /// Returns the number of samples done: all of the run, or only those before the rest that shows nothing. 0 if
+    /// nothing behind shows either.
     HWY_NOINLINE std::int64_t castRun(const Run<Voxel>& run) {
         for (int i = 0; i < lanes; ++i) m_middle[i] = static_cast<double>(run.first) + 0.5;
         prepareLanes(m_middle, 1.0);
@@ -128,14 +128,14 @@ private:
         add(blend);
         return done(run, block, stored);
     }
-    /// Ends the run behind sample `behind` - 1, or at its own end; returns how many samples of it were used.
+    /// Ends the run behind sample `behind` - 1, or at its own end. Returns how many of its samples were used.
     std::int64_t done(const Run<Voxel>& run, std::int64_t behind, bool stored) {
         const std::int64_t samples = std::min(behind, run.count);
         if (m_rays->kept != nullptr && !stored)
             m_rays->kept->samples.resize(static_cast<std::size_t>((run.first + samples - m_rays->kept->first) * lanes));
         return samples;
     }
-    /// Whether data may end in the block from a sample of a run on.
+    /// Whether data may end in the block that begins at a sample of a run.
     [[nodiscard]] bool bordersOn(const Run<Voxel>& run, std::int64_t sample) const {
         if (run.volume.presence == nullptr) return false;
         return m_rays->packet.bordersOn(run.first + sample, blockSize);
@@ -146,8 +146,8 @@ private:
         return atCheck && mayJump() && m_rays->packet.emptyFrom(run.first + sample) > 0;
     }
 
-    /// The cut steps of all rays, front and back. They are computed side by side: while one waits for its voxels, the
-    /// other goes on.
+    /// The cut steps of all rays, front and back. The kernel computes them side by side: while one waits for its
+    /// voxels, the other goes on.
     struct PlainCuts {
         Blend head, tail;
     };
@@ -217,8 +217,8 @@ private:
         return done(run, behind, stored);
     }
 
-    /// For samples at `at` + i * perSample steps: a run's opacity above which a ray ends and at which the pixel's
-    /// opacity is one half; depths.
+    /// For samples at `at` + i * perSample steps, prepares the opacity of a run above which a ray ends, the opacity at
+    /// which the pixel's opacity is one half, and depths.
     void prepareLanes(const double (&at)[lanes], double perSample) {
         const double(&transmittance)[lanes] = m_rays->gathered.transmittance;
         for (int i = 0; i < lanes; ++i) {
@@ -249,12 +249,12 @@ private:
         return most > 0.0 && most >= m_job.endTransmittance;
     }
 
-    /// Whether all samples of the run are kept already; where they are not, makes room for them.
+    /// Whether all samples of the run are kept already. If not, makes room for them.
     bool prepareKept(const Run<Voxel>& run) {
         if (m_rays->kept == nullptr) return false;
         if (m_rays->kept->samples.empty()) {
             m_rays->kept->first = run.first;
-            // This reserves what may be needed; growth would take up to twice as much.
+            // Reserve all that may be needed. Growth would take up to twice as much.
             m_rays->kept->samples.reserve(static_cast<std::size_t>((m_rays->packet.last() - run.first) * lanes));
         }
         const auto last = static_cast<std::size_t>((run.first + run.count - m_rays->kept->first) * lanes);
@@ -273,7 +273,7 @@ private:
     HWY_INLINE FloatVector positionOf(const Run<Voxel>& run, std::int64_t i, FloatVector number, bool stored) const {
         if (m_rays->kept == nullptr) return sampled(run, run.at(number), run.inRange(number));
         std::uint16_t* const kept = keptAt(run, i);
-        // Plain pictures keep what is brighter than white as it is.
+        // Plain pictures keep values brighter than white too.
         if (stored)
             return hn::Min(keptValue(kept, m_job.keptPerPosition), set(static_cast<float>(TransferTable::intervals)));
         const auto position = sampled(run, run.at(number), run.inRange(number));
@@ -316,7 +316,7 @@ private:
     /// A sample of each ray.
     struct RichStep {
         FloatVector number, position, opacity;
-        FloatVector units;  ///< its length
+        FloatVector units;  ///< length of the step
         bool borders;       ///< whether data may end near it
     };
 
@@ -332,7 +332,7 @@ private:
             border = borderOf(presence);
         }
         const auto unlit = m_rays->light ? m_rays->cutFaces.pass(step.units, step.opacity, border, inRange) : border;
-        // Half of the samples of a curve that clears fluid show nothing.
+        // With a curve that clears fluid, half of the samples show nothing.
         if (hn::AllFalse(floats, hn::Gt(opacity, set(0.0f)))) return;
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
         Colour colour = m_colours.at(step.position);
@@ -341,7 +341,7 @@ private:
         addSample(added, colour, step.number, blend);
     }
 
-    /// `seen` is what the samples add to their pixels' opacity.
+    /// `seen` is how much the samples add to their pixels' opacity.
     HWY_INLINE void light(const Run<Voxel>& run, FloatVector number, FloatVector seen, FloatVector unlit,
                           Colour& colour) const {
         const Light<Voxel>& light = *m_rays->light;
@@ -357,8 +357,8 @@ private:
                   light.lit(colour.blue, by.blue, unlit, 2)};
     }
 
-    /// Passes `count` samples from `first` on, all of which show nothing. Where data may end, only the last ones are
-    /// looked at: what lies farther behind a ray no longer matters.
+    /// Passes `count` empty samples from `first` on. If data may end, looks at the last ones only: those farther behind
+    /// a ray no longer matter.
     HWY_NOINLINE void passEmpty(std::int64_t first, std::int64_t count, bool together) {
         const std::int64_t looked = m_job.borders != nullptr ? blockSize : 0, behind = first + count - looked;
         const RayBundle<lanes>& rays = m_rays->packet.rays();
@@ -405,7 +405,7 @@ private:
         colour = {tinted(colour.red, 0), tinted(colour.green, 1), tinted(colour.blue, 2)};
     }
 
-    /// Puts a run behind what the rays have gathered.
+    /// Composites a run behind the light gathered so far.
     void add(const Blend& blend) {
         const Floats floats;
         alignas(64) float opacity[lanes], colour[3][lanes], half[lanes];

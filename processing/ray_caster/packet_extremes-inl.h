@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// What rays have seen so far.
+/// The rays' results so far.
 struct Seen {
     alignas(64) double value[lanes];  ///< table position: largest, smallest, or sum
     alignas(64) double count[lanes];  ///< steps with data
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] const Seen& seen() const { return m_seen; }
 
 private:
-    /// The part of a step at the begin or the end of each ray; in a mean it counts with its length.
+    /// Adds the part of a step at the beginning or the end of each ray. A mean weights it by its length.
     void addCut(const CutSteps<lanes>& cut) {
         bool any = false;
         for (int i = 0; i < lanes; ++i) {
@@ -66,7 +66,7 @@ private:
             if (cut.length[lane] > 0.0) add(m_packet.run(cut, lane), cut.at);
     }
 
-    /// `middle` says where the first samples lie, in steps.
+    /// `middle` are the places of the first samples, in steps.
     HWY_NOINLINE void add(const Run<Voxel>& run, const double (&middle)[lanes]) {
         const Floats floats;
         const bool sums = m_job.mode == RenderMode::mean;

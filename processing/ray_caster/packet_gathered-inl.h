@@ -1,4 +1,4 @@
-// What a packet of rays gathers on its way.
+// The light that a packet of rays gathers on its way.
 #include <limits>
 #include <optional>
 
@@ -15,8 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// What rays have gathered. It is kept in double, and takes the opacity of each run, not its transmittance, so that a
-/// product of many factors near 1 keeps its digits.
+/// The light gathered so far, in double. It takes the opacity of each run, not its transmittance, so that a product of
+/// many factors near 1 keeps its digits.
 struct Gathered {
     alignas(64) double transmittance[lanes];
     alignas(64) double colour[3][lanes];
@@ -31,7 +31,7 @@ struct Gathered {
     }
 };
 
-/// What a run alone adds, in shares of the light that reaches it.
+/// The light of one run, in shares of the light that reaches it.
 struct Blend {
     FloatVector opacity, red, green, blue;
     FloatVector half;  ///< the sample at which the pixel's opacity reaches one half
@@ -41,7 +41,7 @@ struct Blend {
 template <typename Voxel>
 struct DirectRays {
     Packet<Voxel> packet;
-    KeptSamples::Packet* kept;  ///< null where samples are not kept
+    KeptSamples::Packet* kept;  ///< null if samples are not kept
     std::optional<Light<Voxel>> light;
     Gathered gathered;
     CutFaces cutFaces;

@@ -1,4 +1,4 @@
-// The loop in which most pictures' time goes: direct volume rendering without light and depth.
+// The loop that takes most of the time of most pictures: direct volume rendering without light and depth.
 #include "processing/ray_caster/packet_gathered-inl.h"
 
 #if defined(ECHOLUCENT_PACKET_PLAIN_INL) == defined(HWY_TARGET_TOGGLE)
@@ -11,27 +11,27 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// What happens to the samples of a run besides their being shown.
+/// What else happens to the samples of a run.
 enum class Keeping { none, keep, reuse };
 
-/// A run, and what it is seen with. Values of samples are sums of meanOfBytes, of other voxels table positions.
+/// A run and its constants. Values of samples are sums of meanOfBytes for bytes, else table positions.
 template <typename Voxel>
 struct PlainRun {
     const Run<Voxel>& run;
     const float* opacities;  ///< those of ByteOpacities for bytes, else those of TransferTable
     int bends;               ///< how many bends of the colour map count: ColourBends::count, or 0
     float toTable;           ///< factor from a voxel's value to its table position
-    float firstVisible;      ///< values below show nothing
+    float firstVisible;      ///< values below this show nothing
     float whiteValue;        ///< the value of intensity 1
-    bool clamped;            ///< whether there may be values above whiteValue
-    bool nearest;            ///< whether values are the nearest voxel's, not means of those around
+    bool clamped;            ///< whether values may be above whiteValue
+    bool nearest;            ///< whether values are those of the nearest voxel, not means of those around
     float keptPerValue;
-    std::uint16_t* kept;  ///< of the run's first sample; null where samples are not kept
-    FloatVector limit;    ///< a ray ends above that opacity of the run
+    std::uint16_t* kept;  ///< of the run's first sample; null if samples are not kept
+    FloatVector limit;    ///< a ray ends if the run's opacity is above it
 };
 
-/// What a run alone adds, in shares of the light that reaches it: its opacity, and the sums of values, and of what they
-/// have beyond each bend, from which its colours are made.
+/// The sums of one run, in shares of the light that reaches it: its opacity, the values, and their parts beyond each
+/// bend. Its colours are made from them.
 struct PlainSums {
     FloatVector opacity, along, beyond[ColourBends::count];
 };
@@ -80,7 +80,7 @@ HWY_INLINE FloatVector keptValue(const std::uint16_t* kept, float keptPerValue) 
     return hn::Mul(hn::ConvertTo(Floats(), number), set(1.0f / keptPerValue));
 }
 
-/// Which lanes have the samples of a block.
+/// The lanes that have the samples of a block.
 struct BlockLanes {
     LaneMask alive, whole;  ///< whole: they have all of them
 
@@ -91,13 +91,13 @@ struct BlockLanes {
     }
 };
 
-/// The place at which sample i is read; the sample lies at `at` but for rounding.
+/// The place to read sample i. The sample lies at `at`, apart from rounding.
 template <typename Voxel>
 HWY_INLINE Position placeOf(const PlainRun<Voxel>& from, std::int64_t i, const Position& at) {
     return from.nearest ? nearestVoxel(from.run.at(set(static_cast<float>(i)))) : at;
 }
 
-/// A value limited to those of the table.
+/// A value clamped to the table's range.
 template <typename Voxel>
 HWY_INLINE FloatVector limited(FloatVector value) {
     constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
@@ -105,8 +105,8 @@ HWY_INLINE FloatVector limited(FloatVector value) {
     return hn::Max(hn::Min(value, set(highest)), set(0.0f));
 }
 
-/// Values of samples i ... i + group - 1 from `at` on, which is moved behind them. Each stage is done for all samples
-/// before the next one: while one waits for its voxels, the processor has others to begin.
+/// Reads values of samples i ... i + group - 1 from `at` on, and moves `at` behind them. Each stage handles all samples
+/// before the next stage begins. So the processor has other samples to begin while one waits for its voxels.
 template <bool all, int group, bool cut, typename Voxel>
 HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
                           Position& at, FloatVector (&value)[group]) {
@@ -132,7 +132,7 @@ HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std
         for (int k = 0; k < group; ++k) value[k] = limited<Voxel>(value[k]);
 }
 
-/// Takes from opacities what is not covered by data.
+/// Reduces opacities to the part that data covers.
 template <bool cut, int group, typename Voxel>
 HWY_INLINE void coverGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
                            Position at, FloatVector (&opacity)[group]) {
@@ -146,7 +146,7 @@ HWY_INLINE void coverGroup(const PlainRun<Voxel>& from, const BlockLanes& in, st
     for (int k = 0; k < group; ++k) opacity[k] = hn::Mul(opacity[k], coverageOf(presence[k], from.nearest));
 }
 
-/// Adds `group` samples to the sums. Where `cut`, some lanes do not have all of them.
+/// Adds `group` samples to the sums. If `cut`, some lanes do not have all of them.
 template <Keeping keeping, bool bordering, int group, bool cut, typename Voxel>
 HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
                            Position& at, PlainSums& sums) {
@@ -157,13 +157,13 @@ HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, st
     if constexpr (keeping == Keeping::reuse)
         for (int k = 0; k < group; ++k, at = at + step) value[k] = keptValue(kept + k * lanes, from.keptPerValue);
     else
-        // What is kept is kept of rays that have ended too: another curve may let more light through.
+        // Rays that have ended keep samples too, since another curve may let more light through.
         readGroup<keeping == Keeping::keep, group, cut>(from, in, i, step, at, value);
     if constexpr (keeping == Keeping::keep)
         for (int k = 0; k < group; ++k) keepValue(value[k], from.keptPerValue, kept + k * lanes);
     auto most = value[0];
     for (int k = 1; k < group; ++k) most = hn::Max(most, value[k]);
-    // Half of the samples of a curve that clears fluid show nothing.
+    // With a curve that clears fluid, half of the samples show nothing.
     if (hn::AllFalse(floats, hn::Ge(most, set(from.firstVisible)))) return;
     FloatVector opacity[group];
     for (int k = 0; k < group; ++k) {
@@ -187,8 +187,7 @@ HWY_INLINE void blendGroup(const PlainRun<Voxel>& from, const BlockLanes& in, st
     }
 }
 
-/// How many samples are added at once where all rays have them, and where some do not; smaller groups are left out
-/// sooner.
+/// How many samples to add at once: if all rays have them, and if some do not. Smaller groups are skipped more often.
 constexpr int wholeGroup = 8, cutGroup = 4;
 
 /// Composites the samples from `block` to `last` - 1.
@@ -222,9 +221,8 @@ HWY_INLINE void blendBlock(const PlainRun<Voxel>& from, std::int64_t block, std:
     for (; i < last; ++i) blendGroup<keeping, bordering, 1, true>(from, in, i, step, at, sums);
 }
 
-/// endsAt(sample): nothing more is to be shown of the run from there on. bordersOn(sample): data may end in the block
-/// from there on; asked only where `bordering`. Returns the number of samples done, as
-/// DirectKernel::castRun.
+/// endsAt(sample): the run shows nothing from there on. bordersOn(sample): data may end in the block from there on;
+/// asked only if `bordering`. Returns the number of samples done, as DirectKernel::castRun.
 template <Keeping keeping, bool bordering, typename Voxel, typename EndsAt, typename BordersOn>
 HWY_NOINLINE std::int64_t blendRun(const PlainRun<Voxel>& from, const EndsAt& endsAt, const BordersOn& bordersOn,
                                    PlainSums& result) {

@@ -33,7 +33,7 @@ HWY_INLINE LightPlace lightPlace(const PackedLight& light, const Run<Voxel>& run
     return {whole, truncated(hn::Mul(beyond, set(static_cast<float>(oneCube))))};
 }
 
-/// The means of the eight places around; near and far are the first bytes of a place and of that in the next slice.
+/// The means of the eight places around. `near` and `far` are the first bytes of a slice and of the next one.
 HWY_INLINE Reaching meansOf(const std::uint8_t* near, const std::uint8_t* far, IntVector offset,
                             const Position& shares) {
     const auto mean = [&](const CubeOfBytes& cube) { return hn::Mul(meanOf(cube), set(1.0f / (byteScale * 255.0f))); };

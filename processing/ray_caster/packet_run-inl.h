@@ -1,5 +1,4 @@
-// Where the samples of a packet of rays are: runs of samples from one corner of the volume, and what may be jumped
-// over.
+// The places of a packet's samples: runs of samples from one corner of the volume, and regions to jump over.
 #include <array>
 #include <cmath>
 
@@ -16,23 +15,23 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// Rays end and jump by whole blocks of samples, whose numbers are multiples of this: what a ray shows does not depend
-/// on the rays beside it.
+/// Rays end and jump at multiples of this many samples. So a ray's result does not depend on the rays beside it.
 constexpr std::int64_t blockSize = 8;
 /// The most samples in a run from one corner.
 constexpr std::int64_t longestRun = 64;
 
-/// Some samples of all rays of a packet, in floats from a corner near to them. Sample i of a run is number first + i.
+/// Consecutive samples of all rays of a packet, in floats from a corner near them. Sample i of a run is number
+/// first + i.
 template <typename Voxel>
 struct Run {
-    // A constructor that is not written down would belong to no instruction set, and what it calls does.
+    // A defaulted constructor would belong to no instruction set, but its calls do.
     HWY_INLINE Run() {}
     std::int64_t first, count;
     Cubes<Voxel> volume;
     std::array<std::int64_t, 3> corner;                       ///< cube
     FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cubes
     FloatVector begin, end;                                   ///< the samples of each ray: begin <= i < end
-    bool near = true;  ///< whether all cut steps lie near enough to the corner to be counted from it
+    bool near = true;  ///< whether all cut steps lie near enough to the corner to count from it
 
     HWY_INLINE Position at(FloatVector i) const {
         return {truncated(hn::MulAdd(i, stepX, startX)), truncated(hn::MulAdd(i, stepY, startY)),
@@ -53,8 +52,8 @@ HWY_INLINE DoubleVector setDouble(double value) { return hn::Set(Doubles(), valu
 HWY_INLINE double leastOf(DoubleVector values) { return hn::GetLane(hn::MinOfLanes(Doubles(), values)); }
 HWY_INLINE double mostOf(DoubleVector values) { return hn::GetLane(hn::MaxOfLanes(Doubles(), values)); }
 
-/// Least and most of value(first lane of a vector) over the lanes where chosen(first lane); 1e300 and -1e300
-/// where no lane is chosen.
+/// Least and most of value(first lane of a vector) over the lanes in chosen(first lane). 1e300 and -1e300 if no lane is
+/// chosen.
 template <typename Chosen, typename Value>
 HWY_INLINE void findRange(const Chosen& chosen, const Value& value, double& least, double& most) {
     constexpr double beyond = 1e300;
@@ -71,7 +70,7 @@ HWY_INLINE void findRange(const Chosen& chosen, const Value& value, double& leas
 }
 HWY_INLINE DoubleVector load(const double* values) { return hn::Load(Doubles(), values); }
 
-/// Lanes that from(tag, first lane) computes in double, as floats.
+/// Computes lanes in double by from(tag, first lane), and returns them as floats.
 template <typename From>
 HWY_INLINE FloatVector inFloats(const From& from) {
     const Doubles doubles;
@@ -83,7 +82,7 @@ HWY_INLINE FloatVector inFloats(const From& from) {
 #endif
 }
 
-/// Between which positions and steps, in cubes, the rays of neighbouring pixels lie.
+/// The range of positions and steps, in cubes, of the rays of neighbouring pixels.
 struct Extent {
     double lowOrigin[3], highOrigin[3], lowStep[3], highStep[3];  ///< origins: at sample -0.5
 
@@ -93,7 +92,7 @@ struct Extent {
             highOrigin[axis] = highStep[axis] = -1e300;
         }
     }
-    /// A box that holds all samples from `first` to before `last`.
+    /// A box around all samples from `first` to before `last`.
     void findBox(double first, double last, double (&low)[3], double (&high)[3]) const {
         for (int axis = 0; axis < 3; ++axis) {
             low[axis] = lowOrigin[axis] + std::min(lowStep[axis] * first, lowStep[axis] * last);
@@ -121,8 +120,7 @@ public:
     [[nodiscard]] std::int64_t last() const { return m_last; }
     [[nodiscard]] const RayBundle<lanes>& rays() const { return m_rays; }
 
-    /// How many samples from `sample` on, a multiple of blockSize, show nothing on any ray; also a multiple of
-    /// blockSize.
+    /// How many samples from `sample` on show nothing on any ray. Both are multiples of blockSize.
     [[nodiscard]] std::int64_t emptyFrom(std::int64_t sample) const {
         const double number = static_cast<double>(sample);
         double low[3], high[3];
@@ -163,8 +161,8 @@ public:
         return touchesBorder(low, high);
     }
 
-    /// The run from `first`, a multiple of blockSize, of `count` samples at most; of the ray of `lane` alone, or of all
-    /// where lane is -1.
+    /// The run from `first`, a multiple of blockSize, of at most `count` samples. It takes the ray of `lane` alone, or
+    /// all rays if lane is -1.
     [[nodiscard]] Run<Voxel> run(std::int64_t first, std::int64_t count, int lane) const {
         Run<Voxel> run;
         run.first = first;
@@ -176,7 +174,7 @@ public:
         return run;
     }
 
-    /// Cut steps as a run of one sample, of the ray of `lane` alone, or of all where lane is -1.
+    /// Cut steps as a run of one sample, of the ray of `lane` alone, or of all rays if lane is -1.
     [[nodiscard]] Run<Voxel> run(const CutSteps<lanes>& cut, int lane) const {
         Run<Voxel> run;
         run.first = 0;
@@ -194,7 +192,7 @@ public:
                 return hn::Add(hn::Add(load(m_rays.origin[axis] + i), steps), setDouble(cubeShift));
             };
             findRange(chosen, place, low[axis], high[axis]);
-            // Where no ray is cut, nothing is read, but the corner must be one of the volume.
+            // If no ray is cut, nothing is read, but the corner must lie in the volume.
             high[axis] = std::max(high[axis], 0.0);
             low[axis] = std::clamp(low[axis], 0.0, high[axis]);
             run.near = run.near && high[axis] - low[axis] < roomFromCorner();
@@ -220,8 +218,8 @@ public:
         return run;
     }
 
-    /// The most samples in one run for which positions and offsets from its corner stay within 32 bits; 0 where the
-    /// rays are so far apart that each needs runs of its own.
+    /// The most samples in one run for which positions and offsets from its corner stay within 32 bits. 0 if the rays
+    /// are so far apart that each needs its own runs.
     [[nodiscard]] std::int64_t longestCommonRun() const { return m_longestRun; }
     [[nodiscard]] std::int64_t longestSingleRun() const { return std::max<std::int64_t>(runWithin(0.0), 1); }
 
@@ -240,11 +238,11 @@ private:
             isWhole, [&](int i) { return load(m_rays.last + i); }, unused, last);
         if (last > 0.0) {
             m_first = static_cast<std::int64_t>(first) / blockSize * blockSize;
-            // Whole blocks are taken, because no lane has what is behind its own last sample.
+            // Whole blocks are fine: each lane has no samples behind its own last one.
             m_last = (static_cast<std::int64_t>(last) + blockSize - 1) / blockSize * blockSize;
         }
         for (int axis = 0; axis < 3; ++axis) {
-            // The origin in cubes, at the begin of step 0.
+            // The origin in cubes, at the beginning of step 0.
             findRange(
                 isRay, [&](int i) { return hn::Add(load(m_rays.origin[axis] + i), setDouble(cubeShift)); },
                 m_extent.lowOrigin[axis], m_extent.highOrigin[axis]);
@@ -261,12 +259,12 @@ private:
         m_longestRun = runWithin(widest);
     }
 
-    /// The number of cubes along each axis that positions and offsets can be counted in.
+    /// The range for positions and offsets, cubes along each axis.
     [[nodiscard]] double roomFromCorner() const {
         return std::min(16000.0, 0x1p29 / static_cast<double>(m_job.voxels->sliceStride()));
     }
 
-    /// The number of whole blocks whose samples, together with rays `widest` cubes apart, stay near enough to a corner.
+    /// How many samples stay near enough to a corner if rays are `widest` cubes apart: whole blocks, if one fits.
     [[nodiscard]] std::int64_t runWithin(double widest) const {
         double fastest = 1e-9;
         for (int axis = 0; axis < 3; ++axis)
@@ -277,7 +275,7 @@ private:
         return most >= blockSize ? most / blockSize * blockSize : most;
     }
 
-    /// A box, in cubes, that holds all samples of a run.
+    /// A box, in cubes, around all samples of a run.
     void findBox(std::int64_t first, int lane, std::int64_t count, double (&low)[3], double (&high)[3]) const {
         const double a = static_cast<double>(first), b = static_cast<double>(first + count);
         m_extent.findBox(a, b, low, high);
@@ -287,14 +285,14 @@ private:
                 low[axis] = origin + std::min(step * a, step * b);
                 high[axis] = origin + std::max(step * a, step * b);
             }
-            // Nothing is sampled outside; the last cube that samples lie in is number size, and its corner can be read.
+            // Nothing is sampled outside. The last cube with samples is number size, and its corner can be read.
             const double cubes = static_cast<double>(m_job.geometry.size[static_cast<std::size_t>(axis)]);
             low[axis] = std::clamp(low[axis], 0.0, cubes);
             high[axis] = std::clamp(high[axis], 0.0, cubes + 1.0);
         }
     }
 
-    /// The corner from which a run in a box, in cubes, is counted.
+    /// Sets the corner of a run, from the run's box in cubes.
     void locate(Run<Voxel>& run, const double (&low)[3], const double (&high)[3]) const {
         for (std::size_t axis = 0; axis < 3; ++axis)
             run.corner[axis] = static_cast<std::int64_t>(std::floor(low[axis]));
@@ -337,7 +335,7 @@ private:
             run.end = hn::IfThenElseZero(hn::Eq(hn::Iota(floats, 0.0f), set(static_cast<float>(lane))), run.end);
     }
 
-    /// A quick look, which most blocks pass: whether no data ends in the cube of bricks that surely holds the samples.
+    /// A quick test that most blocks pass: no data ends in the cube of bricks around the samples.
     [[nodiscard]] bool farFromBorder(std::int64_t first, std::int64_t count) const {
         const BorderSpace& space = *m_job.borders;
         const double halfCount = 0.5 * static_cast<double>(count), middle = static_cast<double>(first) + halfCount;

@@ -1,4 +1,4 @@
-// Samples of the volume for a packet of rays, one lane a ray; compiled once for each instruction set.
+// Samples of the volume for a packet of rays, one lane a ray. Compiled once for each instruction set.
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
@@ -32,8 +32,8 @@ constexpr int packetRows = lanes / packetColumns;
 HWY_INLINE FloatVector set(float value) { return hn::Set(Floats(), value); }
 HWY_INLINE IntVector set(std::int32_t value) { return hn::Set(Ints(), value); }
 
-/// Rounds numbers that fit 32 bits towards zero: Highway's ConvertTo spends four instructions more on those that do
-/// not.
+/// Rounds numbers that fit into 32 bits towards zero. Highway's ConvertTo also handles others, with four instructions
+/// more.
 HWY_INLINE IntVector truncated(FloatVector value) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return IntVector{_mm512_cvttps_epi32(value.raw)};
@@ -46,7 +46,7 @@ HWY_INLINE IntVector truncated(FloatVector value) {
 #endif
 }
 
-/// Rounds numbers that fit 32 bits to the nearest.
+/// Rounds numbers that fit into 32 bits to the nearest.
 HWY_INLINE IntVector rounded(FloatVector value) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return IntVector{_mm512_cvtps_epi32(value.raw)};
@@ -59,7 +59,7 @@ HWY_INLINE IntVector rounded(FloatVector value) {
 #endif
 }
 
-/// Positions in 1/65536 of a cube from a corner, at or after it.
+/// Positions in 1/65536 of a cube from a corner. None is negative.
 struct Position {
     IntVector x, y, z;
 
@@ -69,7 +69,7 @@ struct Position {
 };
 constexpr std::int32_t oneCube = 1 << 16;
 
-/// Two dwords for each lane, which stand beside each other in memory, `offset` times 2^shift bytes after `base`.
+/// Two neighbouring dwords in memory for each lane, `offset` times 2^shift bytes after `base`.
 struct DwordPair {
     IntVector low, high;
 };
@@ -77,9 +77,9 @@ HWY_INLINE FloatVector between(FloatVector left, FloatVector right, FloatVector 
     return hn::MulAdd(share, hn::Sub(right, left), left);
 }
 
-/// Trilinear mean of bytes, in fixed point: shares of 15 bits along x and z, of 7 along y, as if samples lay up to
-/// 1/128 of a voxel beside where they are; exact where all eight are equal. Graphics cards filter with 8 bits along
-/// each axis.
+/// Trilinear mean of bytes, in fixed point, with shares of 15 bits along x and z, of 7 bits along y. Samples may read
+/// up to 1/128 voxel beside their place. The mean of eight equal bytes is exact. Graphics cards filter with 8 bits
+/// along each axis.
 constexpr float byteScale = 127.0f * 32767.0f;
 
 HWY_INLINE FloatVector shareOf(IntVector position) {
@@ -88,7 +88,7 @@ HWY_INLINE FloatVector shareOf(IntVector position) {
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// One ray at a time, without vectors: what all other routes are compared to.
+/// One ray at a time, without vectors. All other routes are compared with this one.
 template <int shift>
 HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     std::int32_t pair[2];
@@ -97,7 +97,7 @@ HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     return {set(pair[0]), set(pair[1])};
 }
 
-/// Loads four bytes for each lane, of the cube `offset` cubes after the first and the one behind it.
+/// Loads four bytes for each lane, from the cube `offset` cubes after the first and the cube behind it.
 HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
     const auto first = static_cast<std::ptrdiff_t>(hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset).raw);
     std::int32_t four;
@@ -186,7 +186,7 @@ HWY_INLINE IntVector pairSums(hn::Vec<Words> values, hn::Vec<Words> factors) {
     const auto sum = hn::ReorderWidenMulAccumulate(ints, values, factors, hn::Zero(ints), rest);
     return hn::RearrangeToOddPlusEven(sum, rest);
 }
-/// Loads four bytes for each active lane, of the cubes `offset` cubes after the first; the other lanes read nothing and
+/// Loads four bytes for each active lane, from the cubes `offset` cubes after the first. Other lanes read nothing and
 /// get 0.
 HWY_INLINE hn::Vec<Bytes> gatherCubes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
@@ -207,7 +207,7 @@ HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, Lane
 
 /// The eight bytes around a position in each lane, and their shares.
 struct CubeOfBytes {
-    HWY_INLINE CubeOfBytes() {}  // written down for the reason that Run gives
+    HWY_INLINE CubeOfBytes() {}  // written down for the same reason as in Run
     hn::Vec<Bytes> near, far, shareY;
     hn::Vec<Words> shareX, shareZ;
 };
@@ -239,7 +239,7 @@ HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cubes, std::int64_t slice
                                    const Position& at, LaneMask active) {
     return meanOf(cubeOfBytes(cubes, sliceStride, offset, at, active));
 }
-/// The same mean with the shares that means of voxels other than bytes have.
+/// The same mean, with the shares of means of other voxels than bytes.
 HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
                                        const Position& at, LaneMask active) {
     const Floats floats;
@@ -259,7 +259,7 @@ HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cubes, std::int64_t s
 template <typename Voxel>
 struct Cubes {
     const Voxel* cubes;
-    const std::uint8_t* presence;  ///< of data; null where it is everywhere around
+    const std::uint8_t* presence;  ///< of data; null if data is present everywhere around
     std::int64_t rowStride, sliceStride;
 
     HWY_INLINE IntVector offsetOf(const Position& at) const {
@@ -286,7 +286,7 @@ HWY_INLINE FloatVector meanOf(const Cubes<std::uint8_t>& volume, IntVector offse
                               LaneMask active) {
     return hn::Mul(meanOfBytes(volume.cubes, volume.sliceStride, offset, at, active), set(1.0f / byteScale));
 }
-/// Lanes without a sample here read the corner itself.
+/// Lanes without a sample read the corner itself.
 HWY_INLINE IntVector withinVolume(IntVector offset, LaneMask active) {
     return hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset);
 }
@@ -317,7 +317,7 @@ HWY_INLINE FloatVector meanOf(const Cubes<float>& volume, IntVector offset, cons
     return between(slice(0), slice(volume.sliceStride), shareOf(at.z));
 }
 
-/// The presence of data at a place where it may end, 0 to 1, from the same shares as the mean.
+/// The presence of data at a place near the data's end, 0 to 1, with the same shares as the mean.
 template <typename Voxel>
 HWY_INLINE FloatVector presenceAt(const Cubes<Voxel>& volume, IntVector offset, const Position& at, LaneMask active) {
     constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
@@ -325,7 +325,7 @@ HWY_INLINE FloatVector presenceAt(const Cubes<Voxel>& volume, IntVector offset, 
                            : fineMeanOfBytes(volume.presence, volume.sliceStride, offset, at, active);
     return hn::Mul(sum, set(1.0f / (byteScale * 255.0f)));
 }
-/// PresenceUse::coverage(); of the nearest voxel all or nothing.
+/// PresenceUse::coverage(). For the nearest voxel all or nothing.
 HWY_INLINE FloatVector coverageOf(FloatVector presence, bool nearest) {
     const auto zero = set(0.0f), one = set(1.0f);
     if (nearest) return hn::IfThenElseZero(hn::Ge(presence, set(0.5f)), one);
@@ -337,7 +337,7 @@ HWY_INLINE FloatVector borderOf(FloatVector presence) {
     return hn::Min(hn::Max(share, set(0.0f)), set(1.0f));
 }
 
-/// Moves each component to the nearest voxel, which is the lower one in the cube of its number.
+/// Moves each component to the nearest voxel, the lower one in the cube of its number.
 HWY_INLINE Position nearestVoxel(const Position& at) {
     const auto round = [](IntVector value) { return hn::And(hn::Add(value, set(oneCube / 2)), set(~(oneCube - 1))); };
     return {round(at.x), round(at.y), round(at.z)};

@@ -1,12 +1,12 @@
-// Which instruction sets the kernel is compiled for. To be included before anything of Highway's.
+// The instruction sets for which the kernel is compiled. Include this before any header of Highway.
 #pragma once
 
-/// Vectors are members of classes here; SVE's, whose length no compiler knows, cannot be. (For a sanitizer
-/// cmake/EcholucentCompiler.cmake disables these and more.)
+/// Here vectors are members of classes. Vectors of SVE cannot be, since no compiler knows their length. (For a
+/// sanitizer cmake/EcholucentCompiler.cmake disables these and more.)
 #ifndef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #endif
 
-/// Every compiler makes the route of one ray at a time too, without vectors: what all others are compared to.
+/// Every compiler also makes the route of one ray at a time, without vectors. All others are compared with it.
 #define HWY_COMPILE_ALL_ATTAINABLE
 #define HWY_BROKEN_EMU128 1

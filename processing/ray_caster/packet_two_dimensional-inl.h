@@ -23,7 +23,7 @@ HWY_INLINE FloatVector opacityOfUnits(FloatVector opacity, FloatVector units) {
     return hn::IfThenElse(isFull, one, hn::Neg(hn::Expm1(floats, left)));
 }
 
-/// Where a position lies between `count` nodes: the one before it, and how far it is from there to the next one.
+/// A position's place between `count` nodes: the node before it, and the share of the way to the next node.
 struct BetweenNodes {
     IntVector before;
     FloatVector share;
@@ -33,8 +33,8 @@ HWY_INLINE BetweenNodes betweenNodes(FloatVector position, int count) {
     return {before, hn::Sub(position, hn::ConvertTo(Floats(), before))};
 }
 
-/// Opacity of sample `number` of a run, whose table position is known, in a step of `units` units; 0 where no lane is
-/// active. Bilinear between the nodes of the OTF, and then corrected for the step.
+/// Opacity of sample `number` of a run in a step of `units` units, at a known table position. Bilinear between the
+/// nodes of the OTF, then corrected for the step. 0 if no lane is active.
 template <typename Voxel>
 HWY_INLINE FloatVector twoDimensionalOpacity(const KernelJob<Voxel>& job, const Run<Voxel>& run, FloatVector number,
                                              FloatVector position, LaneMask active, FloatVector units) {
@@ -43,7 +43,7 @@ HWY_INLINE FloatVector twoDimensionalOpacity(const KernelJob<Voxel>& job, const 
     active = hn::And(active, hn::Gt(position, set(nodes.firstVisible)));
     if (hn::AllFalse(floats, active)) return set(0.0f);
     const Position exact = run.at(number), place = job.nearest ? nearestVoxel(exact) : exact;
-    // Gradients lie in the same order as voxels.
+    // Gradients are in the same order as voxels.
     const std::uint8_t* const cubes = nodes.cubes + (run.volume.cubes - job.voxels->cubes());
     const auto gradient = meanOfBytes(cubes, run.volume.sliceStride, run.volume.offsetOf(place), place, active);
     constexpr float perPosition = 1.0f / TransferTable::intervals, perGradient = 1.0f / (byteScale * 255.0f);

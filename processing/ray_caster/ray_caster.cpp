@@ -23,7 +23,7 @@ using namespace ray_casting;
 
 constexpr int tileEdge = 32;
 
-/// False where it was cancelled. Tiles start at the first packets that may see the volume.
+/// False if cancelled. Tiles start at the first packets that may see the volume.
 template <typename Voxel>
 bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
     const RayGeometry::PixelBox box = job.rays->visiblePixels();
@@ -77,7 +77,7 @@ public:
     Parts& operator=(Parts&&) = delete;
     ~Parts() = default;
 
-    /// Another cut of the same scan: only the presence of data changes, and only around the rows that it cuts
+    /// Another cut of the same scan. Only the presence of data changes, and only around the rows that the new cut masks
     /// otherwise.
     void setCut(std::shared_ptr<const Volume> given) {
         kept.forget();
@@ -85,7 +85,7 @@ public:
         volume = std::move(given);
         if (!masked.any()) return m_reaching.setCut(volume, masked);
         const RowMarks present = m_presence.follow(*volume, masked);
-        // Side by side: a part of the borders' work is one thread's.
+        // Side by side, because a part of the work on the borders runs in one thread.
         parallelFor(0, 3, [&](int which) {
             if (which == 0) m_borders.follow(m_presence, present);
             if (which == 1) m_ranges.follow(m_presence, present);
@@ -96,7 +96,7 @@ public:
     std::optional<Picture> cast(const Classification& otf, const RayCastSettings& settings, const Progress& progress) {
         const bool mixes = settings.mode == RenderMode::direct && settings.mixing.share > 0.0;
         std::optional<Picture> other;
-        // It is cast first, so that what is kept is what the direct picture kept.
+        // Cast it first, so that the samples kept at the end are the direct picture's.
         if (mixes && !(other = castOne(otf, mixedIn(settings), progress))) return std::nullopt;
         auto picture = castOne(otf, settings, progress);
         if (picture && mixes) mixIn(*picture, *other, settings.mixing.share);
@@ -141,12 +141,12 @@ private:
                           filled.voxels());
     }
 
-    /// Gradients and visible nodes of a two-dimensional OTF; false where it was cancelled.
+    /// Gradients and visible nodes of a two-dimensional OTF. False if cancelled.
     bool prepareGradients(const Classification& otf, const Progress& progress) {
         if (m_visibleOf && *m_visibleOf == otf) return true;
         const double largest = otf.twoDimensional()->largestGradient;
         if (!m_gradients || m_gradients->levels()->largest != largest) {
-            // They depend on the scan alone, as what fills it does.
+            // Gradients depend on the scan alone, not on the cut. So do the values that fill voxels without data.
             const Volume filled = filledVoxels(*volume);
             auto levels = gradientLevels(filled, largest, Progress{{}, progress.cancel});
             if (!levels) return false;
@@ -260,7 +260,7 @@ std::size_t RayCaster::keptSampleBytes() const { return m_parts->kept.bytes(); }
 std::optional<Picture> castRays(const Volume& volume, const Classification& classification,
                                 const RayCastSettings& settings, const Progress& progress) {
     if (progress.cancelled()) return std::nullopt;
-    // Not owned: the caller keeps it for as long as this takes.
+    // Not owned: the caller keeps the volume during this call.
     return RayCaster(std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &volume))
         .cast(classification, settings, progress);
 }

@@ -115,7 +115,7 @@ RayGeometry::PixelBox RayGeometry::visiblePixels() const {
         Vec3 seen = point - m_eye;
         const double depth = seen.dot(m_forward);
         if (!m_parallel && !(depth > 1e-9 * length(seen))) return whole;  // around or behind the eye
-        // Where the ray of pixel (0,0) is, and from there on in pixels.
+        // The place of the ray of pixel (0,0), then pixels from there.
         seen = m_parallel ? point - m_first : seen * (1.0 / depth) - m_first;
         const double across[2] = {seen.dot(m_right) / length(m_perColumn), seen.dot(m_down) / length(m_perRow)};
         for (int i = 0; i < 2; ++i) {
@@ -126,7 +126,7 @@ RayGeometry::PixelBox RayGeometry::visiblePixels() const {
     const auto limited = [](double pixel, int pixels) {
         return static_cast<int>(std::clamp(pixel, 0.0, static_cast<double>(pixels)));
     };
-    // One pixel more on each side, for rounding.
+    // One more pixel on each side, for rounding.
     return {limited(std::floor(low[0]) - 1.0, m_width), limited(std::ceil(high[0]) + 2.0, m_width),
             limited(std::floor(low[1]) - 1.0, m_height), limited(std::ceil(high[1]) + 2.0, m_height)};
 }

@@ -1,4 +1,4 @@
-// Which rays a picture needs, and which of their samples lie in what is rendered.
+// The rays of a picture, and their samples in the rendered region.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 
 namespace echolucent::ray_casting {
 
-/// A ray in steps: step k is the part from voxel position origin + k * step to origin + (k + 1) * step, and is sampled
-/// in its middle. What is rendered lies between `enter` and `leave` (in steps; nothing is rendered where leave <=
-/// enter). Steps first ... last - 1 lie in it whole; those before and behind are cut where it begins and ends, count
-/// with what is left of them, and are sampled in the middle of that.
+/// A ray in steps. Step k is the part from voxel position origin + k * step to origin + (k + 1) * step, sampled in its
+/// middle. The rendered part lies between `enter` and `leave` (in steps; empty if leave <= enter). Steps first ...
+/// last - 1 lie whole within it. The steps before and behind are cut at its ends. The rest of a cut step is sampled in
+/// its own middle and counts with its length.
 struct Ray {
     Vec3 origin;
     Vec3 step;
@@ -32,14 +32,14 @@ struct Ray {
     }
 };
 
-/// Part of a step at the begin or end of a ray: sampled at `at` steps; its `length` is below 1, and 0 where there is no
-/// such part.
+/// Part of a step at the beginning or end of a ray, sampled at `at` steps. Its `length` is below 1, and 0 if there is
+/// no such part.
 template <int lanes>
 struct CutSteps {
     alignas(64) double at[lanes], length[lanes];
 };
 
-/// Rays of neighbouring pixels, one lane a ray; members mean what they mean in Ray.
+/// Rays of neighbouring pixels, one lane a ray. Members are as in Ray.
 template <int lanes>
 struct RayBundle {
     alignas(64) double origin[3][lanes];
@@ -51,7 +51,7 @@ struct RayBundle {
 
     /// Sets first, last, head and tail from enter and leave.
     __attribute__((always_inline)) inline void cut() {
-        // There are no branches, so that the compiler makes vectors of it.
+        // Without branches, so that the compiler makes vectors of it.
         for (int i = 0; i < lanes; ++i) {
             const bool any = enter[i] < leave[i];
             const double begin = any ? enter[i] : 0.0, end = any ? leave[i] : 0.0;
@@ -66,7 +66,7 @@ struct RayBundle {
             tail.at[i] = 0.5 * (down + end);
         }
     }
-    /// Makes a lane a ray on which nothing is rendered.
+    /// Makes a lane a ray without a rendered part.
     void remove(int lane) {
         enter[lane] = leave[lane] = first[lane] = last[lane] = head.length[lane] = tail.length[lane] = 0.0;
     }
@@ -80,12 +80,12 @@ public:
 
     [[nodiscard]] Ray rayThrough(int column, int row) const;
 
-    /// Lane i is the ray through pixel (column + i % columns, row + i / columns). To be inlined into code for one
+    /// Lane i is the ray through pixel (column + i % columns, row + i / columns). Inline it into code for one
     /// instruction set: its loops over lanes become vectors there.
     template <int lanes>
     __attribute__((always_inline)) inline void fill(RayBundle<lanes>& bundle, int column, int row, int columns) const;
 
-    /// Pixels outside these cast no ray through what is rendered: [firstColumn, lastColumn) x [firstRow, lastRow).
+    /// Pixels outside [firstColumn, lastColumn) x [firstRow, lastRow) show nothing of the rendered region.
     struct PixelBox {
         int firstColumn, lastColumn, firstRow, lastRow;
     };
@@ -95,7 +95,7 @@ public:
     [[nodiscard]] double stepMm() const { return m_stepMm; }
 
 private:
-    /// Something is rendered where offset + normal . (voxel position) >= 0.
+    /// The places with offset + normal . (voxel position) >= 0. Only they may be rendered.
     struct HalfSpace {
         Vec3 normal;
         double offset;
@@ -107,7 +107,7 @@ private:
     template <int lanes>
     __attribute__((always_inline)) inline void aimPerspective(RayBundle<lanes>& bundle, int column, int row,
                                                               int columns) const;
-    /// Sets enter and leave to where the rays, from `enter` on, are within m_low and m_high.
+    /// Limits the rays, from `enter` on, to the box from m_low to m_high: sets enter and leave.
     template <int lanes>
     __attribute__((always_inline)) inline void clip(RayBundle<lanes>& bundle) const;
     template <int lanes>
@@ -120,16 +120,16 @@ private:
     bool m_parallel;
     int m_width, m_height;
     double m_stepMm;
-    double m_eyeDepth = 0.0;  ///< in perspective the depth of the eye from the grid origin
+    double m_eyeDepth = 0.0;  ///< in perspective, the depth of the eye from the grid origin
     double m_startDepth;      ///< depth of sample plane -0.5 from the grid origin, in perspective from the eye
     double m_nearDepth;       ///< the near plane's depth, counted from the same place
     Vec3 m_first, m_perColumn,
-        m_perRow;           ///< grid mm: where parallel rays start; in perspective a direction of any length
+        m_perRow;           ///< grid mm: the first place of parallel rays; in perspective a direction of any length
     Vec3 m_eye, m_forward;  ///< grid mm
     Vec3 m_right, m_down;
     Vec3 m_inverseSpacing;
     Vec3 m_step, m_perStep;  ///< the step of every parallel ray, voxels, and 1 / step
-    Vec3 m_low, m_high;      ///< voxels; what is rendered of the volume's box
+    Vec3 m_low, m_high;      ///< voxels; rendered part of the volume's box
     std::vector<HalfSpace> m_halfSpaces;
     std::optional<CutSurface> m_cutSurface;
 };
@@ -168,8 +168,7 @@ inline void RayGeometry::aimPerspective(RayBundle<lanes>& bundle, int column, in
         }
         bundle.depthMm[i] = m_eyeDepth + m_startDepth * cosine;
         bundle.depthStepMm[i] = m_stepMm * cosine;
-        // A ray towards the picture's corner is at a smaller depth than its distance: it may start before the near
-        // plane.
+        // A ray towards the picture's corner has a smaller depth than distance. It may start before the near plane.
         bundle.enter[i] = std::max((m_nearDepth / cosine - m_startDepth) / m_stepMm, 0.0);
     }
 }

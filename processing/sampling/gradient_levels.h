@@ -1,4 +1,4 @@
-// Gradient magnitudes as bytes, one a voxel: what pictures and light of two-dimensional OTFs read.
+// Gradient magnitudes as bytes, one a voxel, for pictures and light with two-dimensional OTFs.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace echolucent {
 
-/// Gradient magnitudes (GradientMagnitude) in 255 equal steps: byte b is the magnitude b / 255 * largest, and what is
-/// larger is 255. Magnitudes are off by at most largest / 510.
+/// Gradient magnitudes (GradientMagnitude) in 255 equal steps. Byte b is the magnitude b / 255 * largest, and larger
+/// magnitudes are 255. Magnitudes up to `largest` are off by at most largest / 510.
 struct GradientLevels {
     double largest = 1.0;             ///< TwoDimensionalOtf::largestGradient, normalised intensity per unit
     std::vector<std::uint8_t> bytes;  ///< one a voxel, x fastest
 };
 
-/// Makes one pass over the volume without edges (filledVoxels()). The result is empty only where progress.cancel was
-/// raised. Throws std::invalid_argument where `largest` is not above 0.
+/// One pass over the volume without edges (filledVoxels()). Empty only if the caller set progress.cancel. Throws
+/// std::invalid_argument if `largest` is not above 0.
 [[nodiscard]] std::optional<GradientLevels> gradientLevels(const Volume& filled, double largest,
                                                            const Progress& progress = {});
 

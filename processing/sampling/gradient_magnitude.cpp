@@ -42,7 +42,7 @@ void GradientMagnitude::row(std::int64_t y, std::int64_t z, std::span<float> mag
             },
             m_volume.voxels());
     };
-    // Along y and z, whole rows are taken from each other.
+    // Along y and z, subtract whole rows from each other.
     const auto addAcross = [&](std::size_t axis, std::int64_t at) {
         const std::int64_t low = std::max<std::int64_t>(at - 1, 0), high = std::min(at + 1, geometry.size[axis] - 1);
         if (low == high) return;
@@ -132,7 +132,7 @@ double GradientMagnitude::at(const Vec3& voxel) const {
 }
 
 std::optional<GradientRange> gradientRange(const Volume& volume, const Volume& filled, const Progress& progress) {
-    // No two voxels differ by more than 1 over at least a unit, along each of three axes.
+    // The largest possible gradient: two voxels at least a unit apart differ by at most 1, along each of three axes.
     constexpr std::size_t bins = 1 << 16;
     const double largestPossible = std::sqrt(3.0);
     const VolumeGeometry& geometry = volume.geometry();

@@ -1,4 +1,4 @@
-// How a volume is read between its voxel centres.
+// How to read a volume between its voxel centres.
 #pragma once
 
 #include <optional>

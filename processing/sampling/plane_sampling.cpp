@@ -30,7 +30,7 @@ struct RowsInVoxels {
                          high = static_cast<double>(size[static_cast<std::size_t>(axis)]) - 0.5 + roundingOfBox -
                                 start[axis];
             const double step = perColumn[axis];
-            // Steps that change nothing over the whole row are none.
+            // A step that changes nothing over the whole row counts as 0.
             if (std::abs(step) * columns < roundingOfBox) {
                 if (low > 0.0 || high < 0.0) return {0, 0};
                 continue;
@@ -52,7 +52,7 @@ struct Between {
 Between between(double voxel, std::int64_t size) {
     const auto last = static_cast<double>(size - 1);
     const double inside = std::min(std::max(voxel, 0.0), last);  // std::clamp() would branch
-    // No side of a volume is as long as 2^31 voxels, and the shorter conversion is the quicker one.
+    // No side of a volume is as long as 2^31 voxels, and the conversion to 32 bits is faster.
     const auto low = static_cast<std::int32_t>(inside);
     return {low, low + 1 < size ? 1 : 0, static_cast<float>(inside - low)};
 }
@@ -72,8 +72,8 @@ float interpolated(const Voxel* corner, std::int64_t right, std::int64_t down, s
     return front + z * (back - front);
 }
 
-/// The weighted mean of the voxels with data; NaN where they weigh less than half. Float voxels that are not finite
-/// are marked as no data in every mask.
+/// The weighted mean of the voxels with data. NaN if they weigh less than half. Every mask marks float voxels that are
+/// not finite as no data.
 template <typename Voxel>
 float interpolatedData(const Voxel* corner, const std::uint8_t* mask, std::int64_t right, std::int64_t down,
                        std::int64_t behind, float x, float y, float z) {

@@ -1,4 +1,4 @@
-// Grey values of a plane through a volume: the one plain sampler (sampler.h), fast for many places in rows.
+// Grey values of a plane through a volume. As the plain sampler (sampler.h), but fast for many places in rows.
 #pragma once
 
 #include <vector>
@@ -18,12 +18,11 @@ struct PlaneGrid {
 
 struct PlaneSamples {
     int columns = 0, rows = 0;
-    /// Normalised, row by row; NaN outside the volume's box and where there is no data.
+    /// Normalised, row by row. NaN outside the volume's box and without data.
     std::vector<float> intensity;
 };
 
-/// What VolumeSampler reads by trilinear interpolation at each place, to 1e-6. The work is done in the calling thread's
-/// oneTBB arena.
+/// The trilinear values of VolumeSampler at each place, to 1e-6. Works in the calling thread's oneTBB arena.
 [[nodiscard]] PlaneSamples sampledPlane(const Volume& volume, const PlaneGrid& grid);
 
 }  // namespace echolucent

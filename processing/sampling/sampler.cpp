@@ -8,10 +8,10 @@ namespace echolucent {
 
 namespace {
 
-/// A voxel that weighs no more is not missed: places on a voxel centre differ from it by rounding.
+/// The sampler does not miss a voxel of at most this weight, since places on a voxel centre differ from it by rounding.
 constexpr double vanishingWeight = 1e-5;
 
-/// The stored value of a voxel; nothing where it has no data.
+/// The stored value of a voxel. Empty if it has no data.
 std::optional<double> dataAt(const Volume& volume, std::int64_t offset) {
     if (!volume.hasData(offset)) return std::nullopt;
     const double stored = volume.storedValue(offset);

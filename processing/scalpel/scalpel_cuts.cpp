@@ -35,7 +35,8 @@ struct Part {
     std::int64_t first, last;
 };
 
-/// The part of voxels [0, count) at which a value is above a limit, less `inside` voxels where it crosses the limit.
+/// The part of voxels [0, count) at which a value is above a limit. At a crossing of the limit the part is `inside`
+/// voxels shorter.
 Part partAbove(const Along& value, double limit, double inside, std::int64_t count) {
     const auto whole = [&](double x) {
         return static_cast<std::int64_t>(std::clamp(x, 0.0, static_cast<double>(count)));
@@ -51,8 +52,8 @@ Part common(const Part& a, const Part& b) {
     return {first, std::max(first, std::min(a.last, b.last))};
 }
 
-/// Says which voxels of a row a stroke cuts. Where a stroke's raster says it for sure it is looked up there, many
-/// voxels at once; where a voxel's place may err too much for that, it is asked for exactly.
+/// Finds which voxels of a row a stroke cuts. If the stroke's raster is sure, one look-up decides many voxels. If a
+/// voxel's place may err too much for the raster, the exact test decides.
 class RowCutter {
 public:
     RowCutter(const VolumeGeometry& geometry, const ScalpelStroke& stroke, const StrokeRaster& raster)
@@ -64,16 +65,16 @@ public:
         const double reach = std::max({length(geometry.boxMinMm()), length(geometry.boxMaxMm()),
                                        length(camera.focalPoint), m_parallel ? 0.0 : camera.distanceMm});
         const double cells = std::max(m_cells.perHeight[0], m_cells.perHeight[1]);
-        // Nearer to the eye than this, or nearer to the depth at which a stroke ends, voxels are asked for exactly:
-        // floats hold sums of lengths up to `reach` to about 2^-22 of it, and a place must not err by half a cell.
+        // Voxels nearer to the eye, or nearer to the depth at which a stroke ends, need the exact test. Floats hold
+        // sums of lengths up to `reach` to about 2^-22 of it, and a place must not err by half a cell.
         m_leastHeight = reach * std::max(5e-6 * cells, m_parallel ? 0.0 : 5e-3 * m_heightPerMm);
         m_depthError = 1e-9 * reach;
         const double first = std::max(std::abs(m_cells.first[0]), std::abs(m_cells.first[1]));
         m_sure = 1e-6 * cells * first < 0.1 && !(m_parallel && camera.heightMm < m_leastHeight);
     }
 
-    /// Writes `number` into a row of first cuts wherever the stroke cuts a voxel that holds 0; returns a part of the
-    /// row beside which it does not. `places` is room for a row.
+    /// Writes `number` into a row of first cuts at each voxel that the stroke cuts and that holds 0. Returns the
+    /// changed part of the row; voxels beside it did not change. `places` is room for a row.
     RowPart cutRow(std::int64_t y, std::int64_t z, std::uint8_t number, std::uint8_t* row,
                    std::vector<std::int32_t>& places) const {
         const Camera& camera = m_stroke.camera;
@@ -131,13 +132,12 @@ public:
     }
 
 private:
-    /// Where a row of voxels lies in the picture: the raster's columns and rows are the first two over the height,
-    /// cells.
+    /// The places of a row of voxels in the raster, in cells: column / height and line / height.
     struct Across {
         Along column, line, height;
     };
 
-    /// The voxels of a part that lie in the raster, beyond whose rim all is outside.
+    /// The voxels of a part that lie in the raster. Beyond its rim all is outside.
     static Part inRaster(const Across& across, Part part, std::int64_t count) {
         constexpr double rim = 1.0, farRim = StrokeRaster::edge - 2.0;
         for (const Along& cells : {across.column, across.line}) {
@@ -147,20 +147,20 @@ private:
         return part;
     }
 
-    /// Cuts voxels in the raster: many at once where all cells around them are the same, else each by its cell.
+    /// Cuts voxels in the raster: many at once if all cells around them are the same, else each by its cell.
     template <typename Wholly, typename Exactly>
     void cutNear(const Across& across, const Part& near, std::vector<std::int32_t>& places, const Wholly& wholly,
                  const Exactly& exactly) const {
         if (near.first >= near.last) return;
         const double least = std::min(across.height.at(static_cast<double>(near.first)),
                                       across.height.at(static_cast<double>(near.last - 1)));
-        // From one voxel to the next a place moves less than so many cells.
+        // Upper limit of a place's way from one voxel to the next, cells.
         const double stride = 1e-3 + (std::max(std::abs(across.column.perVoxel), std::abs(across.line.perVoxel)) +
                                       StrokeRaster::edge * std::abs(across.height.perVoxel)) /
                                          least;
         const StrokeRaster::Cell cut =
             m_stroke.side == ScalpelSide::inside ? StrokeRaster::inside : StrokeRaster::outside;
-        // Divisions would be most of the work.
+        // Divide before the loop, since divisions would be most of the work.
         const double voxelsPerCell = 1.0 / stride, perLeast = 1.0 / least;
         constexpr std::int64_t chunk = 8;
         for (std::int64_t x = near.first; x < near.last;) {
@@ -187,7 +187,7 @@ private:
         }
     }
 
-    /// The raster's cells of a part of a row.
+    /// Looks up the raster's cells for a part of a row.
     static void lookUp(const Part& part, const Across& across, std::vector<std::int32_t>& places) {
         const auto from = [&](const Along& value) {
             return std::pair(static_cast<float>(value.at(static_cast<double>(part.first))),
@@ -209,7 +209,7 @@ private:
         }
     }
 
-    /// cutsAway(), with the raster's help.
+    /// As cutsAway(), faster by the raster.
     [[nodiscard]] bool cutsExactly(const Vec3& gridMm) const {
         if (m_stroke.depthMm && m_stroke.camera.frame.forward.dot(gridMm) > *m_stroke.depthMm) return false;
         const auto place = placeInPicture(m_stroke.camera, gridMm);
@@ -224,7 +224,7 @@ private:
     bool m_parallel = true, m_sure = false;
 };
 
-/// Calls visit(offset of the first voxel, count) for marked parts of rows, side by side.
+/// Calls visit(offset of the first voxel, count) for the marked parts of rows, in parallel.
 template <typename Visit>
 void forEachMarked(const VolumeGeometry& geometry, const RowMarks& rows, const Visit& visit) {
     parallelFor(std::int64_t{0}, geometry.size[2], [&](std::int64_t z) {
@@ -239,7 +239,7 @@ bool sameBytes(const DataMask& a, const DataMask& b) { return &a == &b || a == b
 
 ScalpelCuts::ScalpelCuts(const VolumeGeometry& geometry) : m_geometry(geometry) {}
 
-/// Forgets what the strokes from one on cut; where strokes share its number, from the first of these on.
+/// Forgets the cuts of the strokes from `kept` on. If strokes share that number, it forgets them from their first on.
 void ScalpelCuts::forgetFrom(std::size_t kept) {
     if (kept >= m_carried.size()) return;
     kept = std::min(kept, sharedNumber - 1);
@@ -263,7 +263,7 @@ bool ScalpelCuts::add(const ScalpelStroke& stroke, const Progress& progress) {
     const std::uint8_t number = numberOf(m_carried.size());
     const StrokeRaster raster(stroke);
     const RowCutter cutter(m_geometry, stroke, raster);
-    // What needs memory comes before the stroke counts as cut.
+    // Take the memory before the stroke counts as cut.
     m_carried.push_back({stroke, RowMarks(m_geometry.size)});
     RowMarks& rows = m_carried.back().rows;
     ++m_passes;
@@ -283,14 +283,14 @@ bool ScalpelCuts::add(const ScalpelStroke& stroke, const Progress& progress) {
 bool ScalpelCuts::follow(std::span<const ScalpelStroke> strokes, const Progress& progress) {
     const auto differing = std::ranges::mismatch(strokes, m_carried, {}, {}, &Carried::stroke);
     const auto same = static_cast<std::size_t>(differing.in1 - strokes.begin());
-    // Where the list only became shorter, what its end cut is told by the numbers, but for those that share one.
+    // If the list only became shorter, the numbers tell what its end cut, except for strokes that share a number.
     if (same < strokes.size() || (same < m_carried.size() && same >= sharedNumber)) forgetFrom(same);
     while (m_carried.size() < strokes.size())
         if (progress.cancelled() || !add(strokes[m_carried.size()], progress)) return false;
     return true;
 }
 
-/// The mask of the first strokes of m_carried, of which there is one at least.
+/// The mask of the first strokes of m_carried, at least one.
 Volume::SharedMask ScalpelCuts::maskFor(const Volume& scan, std::size_t strokes) const {
     const std::uint8_t last = numberOf(strokes - 1);
     const DataMask& scanned = scan.scannedMask();
@@ -308,7 +308,7 @@ Volume::SharedMask ScalpelCuts::maskFor(const Volume& scan, std::size_t strokes)
     forEachMarked(m_geometry, rows, [&](std::int64_t start, std::int64_t count) {
         const std::uint8_t* __restrict first = m_firstCut.data() + start;
         std::uint8_t* __restrict marks = mask.data() + start;
-        // 0, which is cut by none, becomes the largest number.
+        // 0 (no stroke) becomes the largest number.
         for (std::int64_t i = 0; i < count; ++i) marks[i] = static_cast<std::uint8_t>(first[i] - 1) >= last ? 1 : 0;
         if (scanned.empty()) return;
         const std::uint8_t* __restrict held = scanned.data() + start;

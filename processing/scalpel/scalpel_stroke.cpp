@@ -13,7 +13,7 @@ namespace {
 
 constexpr ChoiceNames<4> toolNames{"freehand", "polygon", "box", "eraser"};
 constexpr ChoiceNames<2> sideNames{"inside", "outside"};
-constexpr std::size_t mostPlaces = 100'000;  // what a file may ask for stays within memory and patience
+constexpr std::size_t mostPlaces = 100'000;  // limits the memory and time that a file can ask for
 
 /// Whether an outline winds around a place an odd number of times.
 bool insideOutline(const std::vector<PicturePlace>& outline, const PicturePlace& at) {

@@ -23,8 +23,8 @@ struct Interval {
     }
 };
 
-/// The part of a row at `y` within a distance of the line from a to b: what lies around a line is convex, so that its
-/// ends and sides bound it.
+/// The part of a row at `y` within a distance of the line from a to b. The surroundings of a line are convex, so its
+/// ends and sides bound the part.
 Interval rowWithin(double distance, const PicturePlace& a, const PicturePlace& b, double y) {
     Interval row;
     if (!(distance > 0.0)) return row;
@@ -59,11 +59,11 @@ StrokeRaster::StrokeRaster(const ScalpelStroke& stroke)
     findAlike();
 }
 
-/// The square of alike squares around each grows until it meets another.
+/// Around each square of cells, a larger square of like squares grows until it meets another.
 void StrokeRaster::findAlike() {
     constexpr std::size_t count = static_cast<std::size_t>(blocks) * blocks;
     m_blockCells.resize(count);
-    std::vector<int> rings(count, 0);  // of squares around, itself among them, that are alike
+    std::vector<int> rings(count, 0);  // how many rings of squares around are alike, itself the first
     for (int row = 0; row < blocks; ++row)
         for (int column = 0; column < blocks; ++column) {
             const Cell* first =
@@ -77,7 +77,7 @@ void StrokeRaster::findAlike() {
             m_blockCells[at] = alike ? *first : mixed;
             rings[at] = alike ? 1 : 0;
         }
-    // Beyond the raster's rim all is as at its rim.
+    // Beyond the raster's rim everything is as at the rim.
     const auto at = [](int row, int column) {
         return static_cast<std::size_t>(std::clamp(row, 0, blocks - 1) * blocks + std::clamp(column, 0, blocks - 1));
     };
@@ -107,7 +107,7 @@ void StrokeRaster::place() {
             extent.add(place[axis] - m_stroke.radius);
             extent.add(place[axis] + m_stroke.radius);
         }
-        // A line without extent has cells of some size all the same.
+        // A line without extent needs cells of some size too.
         const double least = 1e-6 * (1.0 + std::max(std::abs(extent.low), std::abs(extent.high)));
         const double cell = std::max(extent.high - extent.low, least) / (edge - 2 * margin);
         m_toCells.first[axis] = extent.low - margin * cell;
@@ -126,7 +126,7 @@ int clampedCell(double cells) { return static_cast<int>(std::clamp(cells, 0.0, S
 
 }  // namespace
 
-/// Marks the cells on a line and those beside them.
+/// Marks the cells on a line and their neighbours.
 void StrokeRaster::markLine(const PicturePlace& a, const PicturePlace& b) {
     const auto inCells = [&](const PicturePlace& place, std::size_t axis) {
         return (place[axis] - m_toCells.first[axis]) * m_toCells.perHeight[axis];
@@ -134,7 +134,7 @@ void StrokeRaster::markLine(const PicturePlace& a, const PicturePlace& b) {
     const double ax = inCells(a, 0), ay = inCells(a, 1), bx = inCells(b, 0), by = inCells(b, 1);
     const double top = std::min(ay, by), bottom = std::max(ay, by);
     for (int row = clampedCell(top - 1.0); row <= clampedCell(bottom + 1.0); ++row) {
-        // Between a cell above the row and one below it.
+        // The part of the line from a cell above the row to one below it.
         Interval across;
         for (const double y : {std::clamp(row - 1.0, top, bottom), std::clamp(row + 2.0, top, bottom)}) {
             if (bottom - top < 1e-9) {
@@ -154,7 +154,7 @@ void StrokeRaster::fillOutline() {
     for (std::size_t i = 0, before = places.size() - 1; i < places.size(); before = i++) {
         markLine(places[before], places[i]);
         const std::size_t first = bandOf(places[before]), last = bandOf(places[i]);
-        // A band more on both sides, for rounding.
+        // One more band on both sides, for rounding.
         for (std::size_t band = std::max<std::size_t>(std::min(first, last), 1) - 1;
              band < std::min<std::size_t>(std::max(first, last) + 2, edge); ++band)
             m_bands[band].push_back(static_cast<std::uint32_t>(i));
@@ -162,8 +162,8 @@ void StrokeRaster::fillOutline() {
     for (int row = 0; row < edge; ++row) {
         Cell* cells = m_cells.data() + static_cast<std::ptrdiff_t>(row) * edge;
         const double y = centreOf(row, 1);
-        // Where the outline crosses the middle of the row; a cell that it does not touch is inside behind an odd
-        // number.
+        // Where the outline crosses the middle of the row. An untouched cell is inside if an odd number of crossings
+        // lies before it.
         std::vector<double> crossings;
         for (const std::uint32_t i : m_bands[static_cast<std::size_t>(row)]) {
             const PicturePlace &a = places[i > 0 ? i - 1 : places.size() - 1], &b = places[i];
@@ -180,13 +180,13 @@ void StrokeRaster::fillOutline() {
 
 void StrokeRaster::fillEraser() {
     const double cell = std::max(1.0 / m_toCells.perHeight[0], 1.0 / m_toCells.perHeight[1]);
-    // Half a diagonal reaches to a cell's corner; half a cell more for places beside it, and what thinning leaves out.
+    // Half a diagonal reaches to a cell's corner. Add half a cell for places beside the cell, and the thinned part.
     const double thinned = 0.25 * cell, slack = 1.5 * cell + thinned;
     std::vector<PicturePlace> line{m_stroke.places.front()};
     for (const PicturePlace& place : m_stroke.places)
         if (std::hypot(place[0] - line.back()[0], place[1] - line.back()[1]) >= thinned) line.push_back(place);
     line.push_back(m_stroke.places.back());
-    // Along each row, how many pieces begin less how many end before each cell.
+    // For each cell of a row, the number of pieces that begin there less the number that end before it.
     std::vector<int> within(edge + 1), near(edge + 1);
     for (int row = 0; row < edge; ++row) {
         std::ranges::fill(within, 0);
@@ -216,14 +216,14 @@ void StrokeRaster::fillEraser() {
     }
 }
 
-/// The pieces that come near the squares of cells in which something is mixed.
+/// Collects the pieces near each square of cells that has a mixed cell.
 void StrokeRaster::fillBuckets() {
     m_bands.resize(static_cast<std::size_t>(buckets) * buckets);
     const double halfDiagonal =
         0.5 * bucketEdge * std::hypot(1.0 / m_toCells.perHeight[0], 1.0 / m_toCells.perHeight[1]);
     for (int row = 0; row < buckets; ++row)
         for (int column = 0; column < buckets; ++column) {
-            // A cell around the square too: a place may lie on the border between two.
+            // Also look one cell around the square, since a place may lie on the border between two squares.
             const int left = std::max(column * bucketEdge - 1, 0),
                       right = std::min((column + 1) * bucketEdge + 1, edge);
             const int top = std::max(row * bucketEdge - 1, 0), bottom = std::min((row + 1) * bucketEdge + 1, edge);

@@ -1,4 +1,4 @@
-// Where a place of the picture lies for a stroke, looked up.
+// Looks up whether a place of the picture lies in a stroke.
 #pragma once
 
 #include <array>
@@ -11,19 +11,19 @@
 
 namespace echolucent::scalpel {
 
-/// A raster over a stroke's outline or line. Most of its cells lie whole within the stroke or whole outside it; only in
-/// the others a place must be asked for exactly.
+/// A raster over a stroke's outline or line. Most of its cells lie whole within the stroke or whole outside it. Only
+/// places in the other cells need an exact test.
 class StrokeRaster {
 public:
-    /// Of what lies within the stroke: whether that is cut, or all else, is the side's matter.
+    /// A cell's place relative to the stroke. The side decides whether the inside or the outside is cut.
     enum Cell : std::uint8_t { outside, inside, mixed };
 
     /// The stroke must outlive the raster and have no problem (problemOf()).
     explicit StrokeRaster(const ScalpelStroke& stroke);
 
-    /// How a place, right and down of the picture's centre in picture heights, is written in cells.
+    /// Conversion to cells of a place right and down of the picture's centre, in picture heights.
     struct ToCells {
-        PicturePlace first;                     ///< the place of the raster's corner
+        PicturePlace first;                     ///< place of the raster's corner
         std::array<double, 2> perHeight{1, 1};  ///< cells in a picture height
     };
     [[nodiscard]] const ToCells& toCells() const { return m_toCells; }
@@ -33,10 +33,10 @@ public:
         const auto inRaster = [](double cells) { return cells > 0.0 ? (cells < edge - 1 ? cells : edge - 1) : 0.0; };
         return m_cells[static_cast<std::size_t>(inRaster(down)) * edge + static_cast<std::size_t>(inRaster(right))];
     }
-    /// Around a place in cells, whether many cells are alike.
+    /// Whether many cells around a place are alike.
     struct Stretch {
         Cell cell;
-        int cells;  ///< on both axes up to so many cells away all are `cell`; where it is 0, the cell itself may not be
+        int cells;  ///< on both axes, all cells up to this many away are `cell`; if 0, the cell itself may differ
     };
     [[nodiscard]] Stretch around(double right, double down) const {
         const auto block = [](double cells) {
@@ -45,9 +45,9 @@ public:
         const std::size_t at = block(down) * blocks + block(right);
         return {m_blockCells[at], m_alike[at]};
     }
-    /// All cells, row by row: edge of them a row, edge rows.
+    /// All cells, row by row, `edge` to a row and `edge` rows.
     [[nodiscard]] const Cell* cells() const { return m_cells.data(); }
-    /// Whether the stroke holds a place: what cutsAway() asks, to the bit, sooner.
+    /// Whether the stroke holds a place, as cutsAway() to the bit, but faster.
     [[nodiscard]] bool holds(const PicturePlace& place) const;
 
     static constexpr int edge = 512;  ///< cells along a side
@@ -66,10 +66,10 @@ private:
     ToCells m_toCells;
     std::vector<Cell> m_cells;
     static constexpr int blockEdge = 8, blocks = edge / blockEdge;
-    std::vector<Cell> m_blockCells;  ///< of squares of cells: what all of one are, or mixed
-    std::vector<int> m_alike;        ///< of squares of cells: Stretch::cells
-    /// Pieces of the line, by the index of their last place, that matter to a place: of an outline by rows of cells, of
-    /// an eraser by squares of cells.
+    std::vector<Cell> m_blockCells;  ///< by squares of cells: the value of all their cells, or mixed
+    std::vector<int> m_alike;        ///< by squares of cells: Stretch::cells
+    /// The pieces of the line near a place, by the index of their last place. For an outline they are listed by rows of
+    /// cells, for an eraser by squares of cells.
     std::vector<std::vector<std::uint32_t>> m_bands;
 };
 

@@ -19,7 +19,7 @@ struct Range {
     }
 };
 
-/// The values between which sine and cosine rise or fall throughout: the ends of an axis, and quarter turns within.
+/// The values between which sine and cosine are monotone: the ends of an axis, and the quarter turns between.
 std::vector<double> turningValues(const PolarAxis& axis) {
     std::vector<double> values{axis.values.front(), axis.values.back()};
     const double low = std::min(values[0], values[1]), high = std::max(values[0], values[1]);
@@ -29,7 +29,7 @@ std::vector<double> turningValues(const PolarAxis& axis) {
     return values;
 }
 
-/// Extremes of across and along where something between `low` and `high` mm from the face is spread over an axis.
+/// Extremes of across and along, if samples `low` to `high` mm from the face are spread over an axis.
 struct Spread {
     Range across, along;
 };
@@ -38,7 +38,7 @@ Spread spreadOver(const PolarAxis& axis, double low, double high) {
     for (const double value : turningValues(axis))
         for (const double distance : {low, high}) {
             const bool angular = axis.spread == PolarSpread::angles;
-            // What lies behind the axis belongs to no position.
+            // Samples behind the axis have no position.
             const double from = std::max(distance + axis.radiusMm, 0.0);
             spread.across.add(angular ? from * std::sin(value) : value);
             spread.along.add(angular ? from * std::cos(value) - axis.radiusMm : distance);
@@ -46,7 +46,7 @@ Spread spreadOver(const PolarAxis& axis, double low, double high) {
     return spread;
 }
 
-/// Mean distance of neighbours on an axis, at `along` mm from the face.
+/// Mean distance of neighbours on an axis at `along` mm from the face.
 double neighbourDistance(const PolarAxis& axis, double along) {
     const double mean =
         std::abs(axis.values.back() - axis.values.front()) / static_cast<double>(axis.values.size() - 1);
@@ -64,7 +64,7 @@ Bounds boundsOf(const PolarGeometry& polar) {
 }
 
 double voxelsAlong(const Range& range, double spacing) {
-    // A millionth of a voxel is rounding, not a voxel less.
+    // Allow a millionth of a voxel for rounding.
     return std::floor((range.high - range.low) / spacing + 1e-6) + 1;
 }
 
@@ -76,7 +76,7 @@ double voxelsOf(const Bounds& bounds, double spacing) {
     return voxelsAlong(bounds.axes[0], spacing) * rowsOf(bounds, spacing);
 }
 
-/// By how much the spacing must at least become wider for the grid to stay within both limits; 1 where it does.
+/// The least factor by which the spacing must grow to keep the grid within both limits. 1 if the grid is within them.
 double excess(const Bounds& bounds, double spacing, const ConversionMemory& memory) {
     return std::max({std::cbrt(voxelsOf(bounds, spacing) / static_cast<double>(memory.mostVoxels())),
                      std::sqrt(rowsOf(bounds, spacing) / static_cast<double>(memory.mostRows())), 1.0});
@@ -130,7 +130,7 @@ ConversionGrid conversionGrid(const PolarGeometry& polar, const ConversionMemory
     const double finest = finestResolutionMm(polar);
     const Bounds bounds = boundsOf(polar);
     double spacing = finest;
-    // Voxels are counted whole along each axis, so that the excess is not always enough at once.
+    // Voxels count whole along each axis, so one step by the excess may not be enough.
     for (double wider = excess(bounds, spacing, memory); wider > 1; wider = excess(bounds, spacing, memory))
         spacing *= std::max(wider, 1.0005);
     ConversionGrid grid = gridWithin(bounds, spacing);

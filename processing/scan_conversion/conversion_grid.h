@@ -1,4 +1,4 @@
-// The Cartesian grid that a polar volume is converted to (docs/scan-conversion.md).
+// The Cartesian grid for the conversion of a polar volume (docs/scan-conversion.md).
 #pragma once
 
 #include <cstdint>
@@ -8,49 +8,48 @@
 
 namespace echolucent {
 
-/// How much memory converted voxels may take where a person does not say otherwise, bytes a phase.
+/// The memory for converted voxels, bytes a phase, if a person asks for no other.
 constexpr std::int64_t standardConversionBytes = std::int64_t{64} << 20;
-/// No person may ask for more, MiB a phase.
+/// The most that a person may ask for, MiB a phase.
 constexpr std::int64_t mostConversionMebibytes = std::int64_t{1} << 20;
 /// All phases of a study together may take as much as this many phases.
 constexpr std::int64_t conversionPhasesInFull = 8;
 
-/// What the tables of one row of voxels take while voxels are converted. All rows together may take as much as the
-/// voxels of one phase.
+/// Bytes of the tables for one row of voxels. All rows together may take as much as the voxels of one phase.
 constexpr std::int64_t conversionRowBytes = 28;
 
-/// What voxels of a study take.
+/// The memory for the voxels of a study.
 struct ConversionMemory {
     std::int64_t bytesPerVoxel = 1;                     ///< 1, 2 or 4
     std::int64_t phases = 1;                            ///< at least 1
     std::int64_t phaseBytes = standardConversionBytes;  ///< limit of one phase, at least 1
-    /// How many voxels a phase may have: the limit of one phase, and its share of that of all phases.
+    /// How many voxels a phase may have: its own limit, or its share of the limit of all phases if that is less.
     [[nodiscard]] std::int64_t mostVoxels() const;
-    /// How many rows of voxels (along x) a grid may have, by what their tables take.
+    /// How many rows of voxels (along x) a grid may have, limited by the memory for their tables.
     [[nodiscard]] std::int64_t mostRows() const;
 };
 
-/// A grid whose z axis runs straight ahead, away from the probe, x across the lines and y across the planes.
+/// A grid with z straight ahead, away from the probe, x across the lines and y across the planes.
 struct ConversionGrid {
     /// Its voxels are cubes. The origin is the centre of voxel (0,0,0) in probe mm: no patient is known.
     VolumeGeometry geometry;
-    double finestMm = 1.0;         ///< finestResolutionMm(), which the spacing is where memory allows
-    bool limitedByMemory = false;  ///< whether the spacing is wider than that
+    double finestMm = 1.0;         ///< finestResolutionMm(); the grid's spacing if memory allows
+    bool limitedByMemory = false;  ///< whether the spacing is wider than finestMm
 
     /// Rows of voxels, along x.
     [[nodiscard]] std::int64_t rows() const { return geometry.size[1] * geometry.size[2]; }
     [[nodiscard]] Vec3 probeMmFromVoxel(const Vec3& voxel) const { return geometry.patientFromVoxel(voxel); }
 };
 
-/// The finest resolution of a polar volume: the smallest of its step along the beam and of the mean distances between
-/// neighbouring lines and planes, taken straight ahead in the middle of the range. A geometry with a problem is a
-/// broken contract, here and below.
+/// The finest resolution of a polar volume, straight ahead in the middle of the range: the smallest of its step along
+/// the beam and the mean distances between neighbouring lines and planes. Here and below, the geometry must have no
+/// problem (problemOf()).
 [[nodiscard]] double finestResolutionMm(const PolarGeometry& polar);
 
-/// The smallest grid around the insonified region whose spacing is the finest resolution, or as little wider as memory
-/// demands. A region that is thinner than that spacing leaves one voxel across.
+/// The smallest grid around the insonified region. Its spacing is the finest resolution, or as little wider as memory
+/// demands. If the region is thinner than the spacing, the grid has one voxel across it.
 [[nodiscard]] ConversionGrid conversionGrid(const PolarGeometry& polar, const ConversionMemory& memory = {});
-/// The same with a given spacing, mm.
+/// The same grid with a given spacing, mm.
 [[nodiscard]] ConversionGrid conversionGridOf(const PolarGeometry& polar, double spacingMm);
 
 }  // namespace echolucent

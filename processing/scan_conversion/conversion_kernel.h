@@ -1,5 +1,5 @@
-// The inner loop of the scan conversion, many voxels at once: compiled for each instruction set through Highway.
-// Products and sums are kept apart, so that every instruction set gives the same bits.
+// The inner loop of the scan conversion, many voxels at once. Highway compiles it for each instruction set. Products
+// and sums are separate, so that every instruction set gives the same bits.
 #pragma once
 
 #include <cstdint>
@@ -8,22 +8,22 @@
 
 namespace echolucent {
 
-/// What the voxels of one row of the grid share.
+/// The common values of one row of the grid.
 template <typename Value>
 struct ConversionRow {
     const LineLookup* lines = nullptr;
     bool angular = false;    ///< whether lines stand at angles
     float firstMm = 0;       ///< x of the row's voxel 0, probe mm
     float spacingMm = 1;     ///< from a voxel to the next
-    float alongMm = 0;       ///< within the plane, from the axis of the lines, or from the face where there is none
-    float rangeStartMm = 0;  ///< of the first sample, from that axis or face
+    float alongMm = 0;       ///< within the plane, from the axis of the lines; if there is none, from the face
+    float rangeStartMm = 0;  ///< of the first sample, from the same axis or face
     float samplesPerMm = 1;
     float planeShare = 0;      ///< [0,1] between the two planes
-    std::int32_t samples = 2;  ///< along a line: the distance of one line from the next, too
+    std::int32_t samples = 2;  ///< along a line; also the distance of one line from the next
     std::int32_t lineCount = 2;
     const Value* nearPlane = nullptr;
     const Value* farPlane = nullptr;
-    /// Whether samples must be read one by one because two bytes beyond the last one of `farPlane` cannot be read.
+    /// Whether to read samples one by one, because the two bytes after the last one of `farPlane` are not readable.
     bool endsHere = false;
 };
 

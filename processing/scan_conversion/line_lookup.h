@@ -1,4 +1,4 @@
-// Which line of a plane a place lies on, by a table instead of an arc tangent.
+// The line of a plane on which a place lies, by a table instead of an arc tangent.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace echolucent {
 
-/// The index of a line, from the first (0) to the last, by a *key*: the tangent of half the angle where lines stand at
-/// angles, else the position in mm. The table is linear between its entries, sixteen or more a line.
+/// The index of a line, from the first (0) to the last, by a *key*. If lines stand at angles, the key is the tangent of
+/// half the angle, else the position in mm. The table is linear between its entries, at least sixteen a line.
 class LineLookup {
 public:
-    /// Where `progress` was cancelled the table is not complete, and nothing may be looked up in it.
+    /// If `progress` is cancelled, the table is not complete and must not be used.
     explicit LineLookup(const PolarAxis& lines, const Progress& progress = {});
 
-    // An index is found so: place = (key - firstKey) entriesPerKey, held within [0, lastPlace], and linear between the
-    // entries of `indices` on both sides, of which there is one more than places.
+    // To find an index: place = (key - firstKey) entriesPerKey, held within [0, lastPlace]. Then interpolate linearly
+    // between the entries of `indices` on both sides. There is one more entry than places.
     [[nodiscard]] float firstKey() const { return m_firstKey; }
     [[nodiscard]] float entriesPerKey() const { return m_entriesPerKey; }
     [[nodiscard]] float lastPlace() const { return m_lastPlace; }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double farthestMm = 1e4;
-/// How far beyond the first or last sample, line or plane a position counts as there: what rounding does.
+/// How far beyond the first or last sample, line or plane a position still counts, for rounding.
 constexpr double forgivenPosition = 1e-6;
 
 constexpr ChoiceNames<4> kindNames{"linear", "convex", "linear-wobbler", "wobbler"};
@@ -42,7 +42,7 @@ std::optional<std::string> problemOfRange(const PolarGeometry& geometry) {
     if (geometry.samples > mostPolarSamples ||
         geometry.samples > mostPlaneSamples / std::max<std::int64_t>(geometry.size()[1], 1))
         return "has " + textOf(static_cast<double>(geometry.samples)) + " samples, more than any scanner has";
-    // Each number is asked whether it lies inside, because every comparison with NaN is false.
+    // Ask whether each number lies inside, because every comparison with NaN is false.
     if (!(geometry.rangeStepMm >= 1e-4 && geometry.rangeStepMm <= 100))
         return "has a step of " + textOf(geometry.rangeStepMm) + " mm, which no scanner has";
     if (!(std::abs(geometry.rangeStartMm) <= farthestMm))

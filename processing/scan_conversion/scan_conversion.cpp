@@ -15,12 +15,12 @@ namespace echolucent {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// How far beyond the insonified region a voxel's centre counts as in it, voxels: what rounding does.
+/// How far beyond the insonified region a voxel's centre still counts as in it, voxels, for rounding.
 constexpr double forgivenVoxels = 1e-6;
-/// How far from a sample a voxel's centre counts as on it, samples: what rounding in the file does.
+/// How far from a sample a voxel's centre still counts as on it, samples, for rounding in the file.
 constexpr double onASample = 1e-4;
 
-/// An interval of positions along x, mm; empty where `low` is above `high`.
+/// An interval of positions along x, mm. It is empty if `low` is above `high`.
 struct Interval {
     double low = 0, high = infinity;
     void atLeast(double value) { low = std::max(low, value); }
@@ -28,8 +28,8 @@ struct Interval {
     void clear() { high = -infinity; }
 };
 
-/// The positions x >= 0 of a row at depth `along` from the axis of the lines whose distance from that axis lies in
-/// [nearest, farthest] and whose angle atan2(x, along) lies in [lowest, highest].
+/// Positions x >= 0 of a row at depth `along` from the axis of the lines. Their distance from the axis lies in
+/// [nearest, farthest], their angle atan2(x, along) in [lowest, highest].
 Interval insonifiedSide(double along, double nearest, double farthest, double lowest, double highest) {
     constexpr double quarter = std::numbers::pi / 2;
     Interval side;
@@ -46,7 +46,7 @@ Interval insonifiedSide(double along, double nearest, double farthest, double lo
         if (highest > quarter) side.atLeast(along * std::tan(highest));
         if (lowest > quarter) side.atMost(along * std::tan(lowest));
     } else if (highest < quarter || lowest > quarter) {
-        // Beams that do not go sideways meet this row at the apex alone, where the way back finds the angle 0.
+        // Beams that do not go sideways meet this row only at the apex. There the way back finds the angle 0.
         if (lowest > 0) side.clear();
         side.atMost(0);
     }
@@ -155,7 +155,7 @@ std::vector<std::uint8_t> ScanConversion::mask(const Progress& progress) const {
     return progress.cancelled() ? std::vector<std::uint8_t>() : mask;
 }
 
-/// Copies a row whose voxels are samples; false where it must be interpolated.
+/// Copies a row if its voxels are samples. Returns false if the row needs interpolation.
 template <typename Value>
 bool ScanConversion::copyRow(const VoxelArray<Value>& polar, std::int64_t index, std::vector<Value>& out) const {
     if (!m_lattice.allLines) return false;
@@ -202,7 +202,7 @@ std::optional<Voxels> ScanConversion::convertValues(const VoxelArray<Value>& pol
     std::vector<Value> out(static_cast<std::size_t>(m_grid.geometry.voxelCount()));
     const std::int64_t height = m_grid.geometry.size[1], depth = m_grid.geometry.size[2];
     ProgressCount count(progress, static_cast<std::size_t>(height));
-    // Rows one behind the other lie in the same or the next plane, which stays in the cache then.
+    // Go along z first: rows one behind the other lie in the same or the next plane, which then stays in the cache.
     parallelFor(std::int64_t{0}, height, [&](std::int64_t y) {
         for (std::int64_t z = 0; z < depth && !progress.cancelled(); ++z) convertRow(polar, y + height * z, out);
         if (!progress.cancelled()) count.oneDone();

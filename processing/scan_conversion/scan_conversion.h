@@ -13,40 +13,40 @@
 
 namespace echolucent {
 
-/// The conversion of volumes of one geometry to one grid. What follows from the geometry alone is computed once, for
-/// all phases. It may be used by several threads at once.
+/// The conversion of volumes of one geometry to one grid. Its tables depend on the geometry alone and serve all phases.
+/// Several threads may use it at once.
 class ScanConversion {
 public:
-    /// Computes the tables. Throws std::invalid_argument where the geometry has a problem (problemOf()). `progress` is
-    /// polled for each row of voxels; where it was cancelled the tables are not complete, and nothing may be converted.
+    /// Computes the tables. Throws std::invalid_argument if the geometry has a problem (problemOf()). Polls `progress`
+    /// for each row of voxels. If it is cancelled, the tables are not complete and must not be used.
     ScanConversion(const PolarGeometry& polar, const ConversionGrid& grid, const Progress& progress = {});
 
     [[nodiscard]] const ConversionGrid& grid() const { return m_grid; }
-    /// One byte a voxel of the grid, 1 where its centre lies in the insonified region, and 0 elsewhere: no data.
-    /// Empty only where `progress` was cancelled, which is polled for each row of voxels.
+    /// One byte a voxel of the grid: 1 if its centre lies in the insonified region, else 0 (no data). Empty only if
+    /// cancelled (polled for each row of voxels).
     [[nodiscard]] std::vector<std::uint8_t> mask(const Progress& progress = {}) const;
-    /// The voxels of the grid, of the same type; they are 0 outside the insonified region. Bytes and words are rounded
-    /// to the nearest. Rows of a linear probe whose voxels are samples are copied, bit for bit. A value that is not
-    /// finite makes those that are interpolated from it not finite too. Any number of threads gives the same bits.
-    /// Empty only where `progress` was cancelled, which is polled for each row of voxels. Throws std::invalid_argument
-    /// where the number of voxels is not that of the geometry.
+    /// The voxels of the grid, of the same type, 0 outside the insonified region. Bytes and words are rounded to the
+    /// nearest. Rows of a linear probe are copied bit for bit if their voxels are samples. Voxels interpolated from a
+    /// value that is not finite are not finite either. Any number of threads gives the same bits. Empty only if
+    /// cancelled (polled for each row of voxels). Throws std::invalid_argument if the number of voxels is not the
+    /// geometry's.
     [[nodiscard]] std::optional<Voxels> convert(const Voxels& polar, const Progress& progress = {}) const;
 
 private:
-    /// The voxels of one row (along x) that are insonified: [first, end), once or twice.
+    /// The insonified voxels of one row (along x): [first, end), once or twice.
     struct Run {
         std::int32_t first = 0, end = 0;
     };
-    /// What all voxels of a row share.
+    /// The common values of a row's voxels.
     struct Row {
-        float along = 0;       ///< mm within the plane, from the axis of the lines, or from the face without one
+        float along = 0;       ///< mm within the plane, from the axis of the lines; if there is none, from the face
         float planeShare = 0;  ///< [0,1] between `plane` and the next
         std::int32_t plane = 0;
         Run runs[2];
     };
     static_assert(sizeof(Row) == conversionRowBytes);
-    /// Which sample of a linear probe stands at each index of the grid, by axis: lines along x, planes along y, samples
-    /// along z; notThere where none does. All are empty for other probes.
+    /// The sample of a linear probe at each index of the grid, by axis: lines along x, planes along y, samples along z.
+    /// notThere if there is none. All are empty for other probes.
     struct Lattice {
         std::vector<std::int32_t> lines, planes, samples;
         bool allLines = false;  ///< whether a line stands at every index along x

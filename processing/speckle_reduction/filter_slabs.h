@@ -1,4 +1,4 @@
-// Large volumes pass through a filter slab by slab, so that its floats never stand for all voxels at once.
+// A filter takes large volumes slab by slab, so that it never holds floats for all voxels at once.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace echolucent {
 
-/// Slices along z that are filtered together, and those that are held for it.
+/// Slices along z to filter together, and the slices that this needs in memory.
 struct FilterSlab {
-    std::int64_t first = 0, end = 0;          ///< the slices that are filtered; `end` is the first that is not
-    std::int64_t firstHeld = 0, endHeld = 0;  ///< the slices that are held
+    std::int64_t first = 0, end = 0;          ///< the slices to filter; `end` is the first behind them
+    std::int64_t firstHeld = 0, endHeld = 0;  ///< the slices in memory
 };
 
 /// Volumes of more voxels than this are filtered slab by slab. As floats, so many take 64 MiB.
 inline constexpr std::int64_t mostVoxelsAtOnce = std::int64_t{1} << 24;
 
-/// The slabs of a grid, each slice in one of them; each holds its own and `reach` slices behind them, as far as there
-/// are so many. It is one slab where the grid has no more than `mostVoxels`. Slabs of larger grids have an eighth of
-/// that, but at least `reach` slices, and at least one for each of `threads`, which filter a slice each.
+/// The slabs of a grid; each slice is in one of them. A slab holds its own slices and up to `reach` slices behind them.
+/// A grid of at most `mostVoxels` is one slab. Slabs of larger grids have an eighth of that. They have at least `reach`
+/// slices, and at least one for each of `threads`, since a thread filters a slice.
 [[nodiscard]] std::vector<FilterSlab> filterSlabs(const VolumeGeometry& geometry, std::int64_t reach,
                                                   std::int64_t mostVoxels, std::int64_t threads);
 

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::int64_t firstAt(std::int64_t position) const {
         return std::max<std::int64_t>(0, position - m_reach);
     }
-    /// The weights at a position that lie within the axis, from firstAt() on.
+    /// The weights within the axis for a position, from firstAt() on.
     [[nodiscard]] std::span<const float> at(std::int64_t position) const {
         const std::int64_t first = firstAt(position), last = std::min(m_size - 1, position + m_reach);
         return all().subspan(static_cast<std::size_t>(first - position + m_reach),
@@ -50,7 +50,7 @@ private:
     std::vector<float> m_weights;
 };
 
-/// What one thread works in.
+/// The memory of one thread.
 struct Scratch {
     std::vector<float> sums, weights;        ///< of a slice, along z
     std::vector<float> rowSums, rowWeights;  ///< of a row, along z and y, with a rim of zeros as wide as the taps reach
@@ -60,17 +60,16 @@ struct Scratch {
 template <typename Voxel>
 class Gaussian {
 public:
-    /// `mask` is that of the whole grid, null where all voxels are data.
+    /// `mask` is that of the whole grid, null if all voxels are data.
     Gaussian(const VolumeGeometry& geometry, const std::uint8_t* mask, const StoredBounds& bounds, double sigma)
         : Gaussian(geometry, mask, bounds, sigmasOf(geometry, sigma)) {}
 
-    /// Reads from now on what `voxels` holds: slices from `firstSlice` on, x fastest, as far as the slices asked for
-    /// reach.
+    /// From now on reads `voxels`: slices from `firstSlice` on, x fastest, as far as the filter reaches.
     void hold(const Voxel* voxels, std::int64_t firstSlice) {
         m_held = voxels;
         m_heldFrom = offset(0, firstSlice);
     }
-    /// How many slices away a voxel lies, at most, that has a part in a mean.
+    /// The largest distance, in slices, of a voxel that takes part in a mean.
     [[nodiscard]] std::int64_t reach() const { return m_z.reach(); }
 
     [[nodiscard]] Scratch scratch() const {
@@ -84,7 +83,7 @@ public:
         return scratch;
     }
 
-    /// Writes slice z to `results`. It leaves off within the slice once the run is cancelled.
+    /// Writes slice z to `results`. If cancelled, it stops within the slice.
     void filter(std::int64_t z, Scratch& scratch, Voxel* results, const Progress& progress) const {
         for (std::int64_t y = 0; y < m_rows && !progress.cancelled(); ++y) alongZ(y, z, scratch);
         for (std::int64_t y = 0; y < m_rows && !progress.cancelled(); ++y) {
@@ -131,7 +130,7 @@ private:
         if (m_mask != nullptr) sumUp(scratch.weights, scratch.rowWeights);
     }
 
-    /// Without a mask the weights within the grid are products of one factor an axis.
+    /// Without a mask, the weights within the grid are products of one factor per axis.
     void alongX(float weightYZ, Scratch& scratch) const {
         const auto sumUp = [&](const std::vector<float>& row, std::vector<float>& sums) {
             sumRows({row.data(), nullptr, 1, count()}, m_x.all(), sums.data(), nullptr);
@@ -151,7 +150,7 @@ private:
 
     std::int64_t m_columns, m_rows;
     const Voxel* m_held = nullptr;
-    std::int64_t m_heldFrom = 0;  ///< the voxel that m_held begins with
+    std::int64_t m_heldFrom = 0;  ///< the first voxel in m_held
     const std::uint8_t* m_mask;
     StoredRange m_range;
     Taps m_x, m_y, m_z;
@@ -160,7 +159,7 @@ private:
 
 }  // namespace
 
-/// A Gaussian and what its threads work in.
+/// A Gaussian and the memory of its threads.
 struct GaussianSlices::Parts {
     Gaussian<float> gaussian;
     std::int64_t sliceVoxels;

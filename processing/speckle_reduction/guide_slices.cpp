@@ -13,7 +13,7 @@ namespace {
 
 float intensityOf(double stored, double white) { return static_cast<float>(std::clamp(stored / white, 0.0, 1.0)); }
 
-/// Makes room for so many floats; what was there need not stay.
+/// Makes room for so many floats. Old values may be lost.
 void makeRoom(std::vector<float>& floats, std::int64_t count) {
     if (static_cast<std::int64_t>(floats.size()) < count) floats = std::vector<float>(static_cast<std::size_t>(count));
 }
@@ -63,7 +63,7 @@ void GuideSlices::readIntensities(std::int64_t first, std::int64_t end) {
 Volume GuideSlices::guideVolume() const {
     VolumeGeometry geometry = m_volume.geometry();
     geometry.size[2] = m_end - m_first;
-    // What the grid says of a probe or a reduction is of no matter to a filter.
+    // A filter needs no probe and no reduction.
     geometry.probe.reset();
     geometry.reduction.reset();
     const auto count = static_cast<std::size_t>(geometry.voxelCount());

@@ -1,4 +1,4 @@
-// The voxels of a volume as a joint bilateral filter takes them: intensities, and the guide that says what is alike.
+// The input of a joint bilateral filter: a volume's intensities, and a guide that tells which voxels are alike.
 #pragma once
 
 #include <array>
@@ -11,23 +11,22 @@
 
 namespace echolucent {
 
-/// Makes a few slices of both at a time, in memory that is used again.
+/// Makes a few slices of both at a time, with its memory used again.
 class GuideSlices {
 public:
-    /// The volume must outlive this; `sigma` is the Gaussian's standard deviation (gaussianFiltered()). Throws
-    /// std::invalid_argument where that is not above 0.
+    /// The volume must outlive this object. `sigma` is the Gaussian's standard deviation (gaussianFiltered()). Throws
+    /// std::invalid_argument if it is not above 0.
     GuideSlices(const Volume& volume, double sigma);
 
-    /// Makes slices [first, end). False where the run was cancelled.
+    /// Makes slices [first, end). False if cancelled.
     [[nodiscard]] bool make(std::int64_t first, std::int64_t end, const Progress& progress);
-    /// Slice z of those that were made last: normalised intensities, x fastest; 0 where there is no data. What is above
-    /// the white level is 1, what is below 0 is 0, so that neither very large nor very small stored values leave what a
-    /// float can hold.
+    /// Slice z of the newest slices: normalised intensities, x fastest, 0 for no data. They are clamped into [0,1], so
+    /// that very large or small stored values stay within the range of a float.
     [[nodiscard]] const float* intensities(std::int64_t z) const { return m_held.data() + (z - m_firstHeld) * m_slice; }
-    /// The same slice under the Gaussian; 0 where there is no data.
+    /// The same slice under the Gaussian; 0 for no data.
     [[nodiscard]] const float* guide(std::int64_t z) const { return m_guide.data() + (z - m_first) * m_slice; }
-    /// The guide of the slices that were made last as a volume, of white level 1, with the mask of these slices. It is
-    /// valid until the next ones are made.
+    /// The guide of the newest slices as a volume of white level 1, with the mask of these slices. It is valid until
+    /// make() runs again.
     [[nodiscard]] Volume guideVolume() const;
 
 private:

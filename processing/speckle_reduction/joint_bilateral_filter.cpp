@@ -25,10 +25,10 @@ namespace echolucent {
 
 namespace {
 
-/// Farther from every guide than any voxel that could take part; its square is a float.
+/// Farther from every guide than any voxel that takes part. Its square fits into a float.
 constexpr float noGuide = 1e18F;
 
-/// A rim around slices of a grid, as wide as the taps reach, so that no voxel is special.
+/// Slices of a grid with a rim as wide as the taps reach, so that no voxel is special.
 struct PaddedGrid {
     std::array<std::int64_t, 3> rim{}, size{};
 
@@ -66,7 +66,7 @@ std::vector<BilateralTap> tapsOf(const PaddedGrid& grid, const Vec3& spacing, co
     return taps;
 }
 
-/// The speckle's scale in units of a pass's reach, tabulated.
+/// The speckle's scale in units of a pass's reach, as a table.
 class GuideScale {
 public:
     GuideScale(const SpeckleLaw& law, double spreads) {
@@ -85,10 +85,10 @@ private:
     std::array<float, intervals + 1> m_scaled{};
 };
 
-/// One pass over normalised intensities, a slab at a time: what the next slab reaches of this one is kept.
+/// One pass over normalised intensities, a slab at a time. It keeps the slices that the next slab reaches.
 class JointBilateral {
 public:
-    /// `mostSlices` are those of the thickest slab.
+    /// `mostSlices` is the number of slices of the thickest slab.
     JointBilateral(const Volume& volume, const GuideScale& scale, const JointBilateralPass& pass,
                    std::int64_t mostSlices)
         : m_geometry(volume.geometry()),
@@ -99,13 +99,13 @@ public:
           m_values(m_grid.count(), 0.0F),
           m_guide(m_grid.count(), noGuide) {}
 
-    /// The slices that the next slab needs and that no slab before it has taken.
+    /// The slices that this slab needs and no earlier slab has taken.
     [[nodiscard]] std::pair<std::int64_t, std::int64_t> missing(const FilterSlab& slab) const {
         const std::int64_t end = std::min(m_geometry.size[2], slab.end + m_grid.rim[2]);
         return {std::min(m_taken, end), end};
     }
 
-    /// Goes on to the next slab. `slices` has made those that are missing.
+    /// Goes on to the next slab. `slices` must hold its missing slices.
     void advance(const FilterSlab& slab, const GuideSlices& slices) {
         const std::int64_t kept = m_taken > 0 ? 2 * m_grid.rim[2] : 0;
         const std::int64_t plane = m_grid.planeVoxels(), moved = (slab.first - m_first) * plane;
@@ -123,10 +123,9 @@ public:
         m_taken = std::max(m_taken, slab.end + m_grid.rim[2]);
     }
 
-    /// Writes slice z of the newest slab to `results`. It leaves off within the slice once the run is
-    /// cancelled.
+    /// Writes slice z of the newest slab to `results`. If cancelled, it stops within the slice.
     void filter(std::int64_t z, float* results, const Progress& progress) const {
-        // Parts of rows, so that what the taps of a part reach stays in the nearest cache from row to row.
+        // Take rows in parts, so that the taps' reach of a part stays in the nearest cache from row to row.
         constexpr std::int64_t part = 64;
         for (std::int64_t x = 0; x < m_geometry.size[0]; x += part)
             for (std::int64_t y = 0; y < m_geometry.size[1] && !progress.cancelled(); ++y) {
@@ -138,7 +137,7 @@ public:
     }
 
 private:
-    /// Makes the plane of slice z. What holds no data is as what lies beyond the grid.
+    /// Makes the plane of slice z. Voxels without data count as beyond the grid.
     void fill(std::int64_t z, const float* intensities, const float* guide) {
         const auto columns = m_geometry.size[0];
         for (std::int64_t y = 0; y < m_geometry.size[1]; ++y) {
@@ -164,11 +163,11 @@ private:
     PaddedGrid m_grid;
     std::vector<BilateralTap> m_taps;
     std::vector<float> m_values, m_guide;
-    std::int64_t m_first = 0;  ///< the slice behind the rim in front
-    std::int64_t m_taken = 0;  ///< the first slice of which there is no plane yet
+    std::int64_t m_first = 0;  ///< the slab's first slice, behind the front rim
+    std::int64_t m_taken = 0;  ///< the first slice that has no plane yet
 };
 
-/// Where the means of a slice go: its place along z, and the means, x fastest. It is called from several threads.
+/// Takes the means of a slice, x fastest, and its place along z. Several threads call it.
 using SliceTaker = std::function<void(std::int64_t z, std::span<const float> means)>;
 
 /// One pass over a volume of any size, slab by slab.
@@ -182,14 +181,14 @@ public:
           m_slabs(filterSlabs(volume.geometry(), m_measurement.reach(), mostVoxels,
                               tbb::this_task_arena::max_concurrency())) {}
 
-    /// False where the run was cancelled.
+    /// False if cancelled.
     [[nodiscard]] bool run(const SliceTaker& take) {
         constexpr double shareOfMeasuring = 0.2;
         const auto shareAt = [&](std::size_t slab, double from, double to) {
             return from + (to - from) * static_cast<double>(slab) / static_cast<double>(m_slabs.size());
         };
-        // The speckle's law is the whole volume's, so that guides are made for it first, those behind a slab with both
-        // of their slabs, and once more for the means; that of a single slab is kept.
+        // The speckle's law is the whole volume's, so make all guides for it first, and again slab by slab for the
+        // means. Slices held by two slabs are made for both. A single slab keeps its guide.
         GuideSlices slices(m_volume, m_pass.guideSigma);
         for (std::size_t i = 0; i < m_slabs.size(); ++i) {
             m_progress.at(shareAt(i, 0.0, shareOfMeasuring));
@@ -233,7 +232,7 @@ private:
     }};
 };
 
-/// The intensities of the volume after a pass that another follows.
+/// The intensities after a pass that is not the last.
 std::optional<Volume> filtered(const Volume& volume, const JointBilateralPass& pass, std::int64_t mostVoxels,
                                const Progress& progress) {
     std::vector<float> results(static_cast<std::size_t>(volume.geometry().voxelCount()));

@@ -1,5 +1,5 @@
-// One row of a joint bilateral filter, many voxels at a time. Products and sums are kept apart and terms are added in
-// one order, so that the bits are the same on any instruction set.
+// One row of a joint bilateral filter, many voxels at a time. Products and sums are separate and the order of terms is
+// fixed, so that the bits are the same on any instruction set.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,9 @@ struct BilateralTap {
     float weight;         ///< by its distance, above 0
 };
 
-/// results[i] is the mean of the values around i, each weighted by its tap's weight times Tukey's biweight
-/// (1 - d^2)^2 of how far its guide is from the guide in the middle, d; nothing from a distance of 1 on. guide[i] and
-/// values[i] are the voxel in the middle; all taps must lie in memory.
-/// The voxel in the middle must be among the taps.
+/// results[i] is the mean of the values around i. Each is weighted by its tap's weight times Tukey's biweight
+/// (1 - d^2)^2, with d the distance of its guide from the guide in the middle; 0 from a distance of 1 on. guide[i] and
+/// values[i] are the voxel in the middle. All taps must lie in memory, the voxel in the middle among them.
 void bilateralRow(const float* guide, const float* values, std::span<const BilateralTap> taps, std::size_t count,
                   float* results);
 

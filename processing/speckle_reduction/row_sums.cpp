@@ -56,7 +56,7 @@ HWY_INLINE void sumData(const VoxelRows<Voxel>& rows, std::span<const float> tap
         for (std::size_t t = 0; t < taps.size(); ++t, row += rows.stride, mask += rows.stride) {
             const auto hasData = hn::Ne(floatsAt(tag, mask), hn::Zero(tag));
             const auto weight = hn::Set(tag, taps[t]);
-            // Zero in place of a product with a weight of 0: what stands there may be no number.
+            // A product with a weight of 0 is not safe: the voxel may be NaN. So take zero instead.
             sum = hn::Add(sum, hn::Mul(weight, hn::IfThenElseZero(hasData, floatsAt(tag, row))));
             weightSum = hn::Add(weightSum, hn::IfThenElseZero(hasData, weight));
         }

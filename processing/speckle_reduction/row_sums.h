@@ -1,5 +1,5 @@
-// Rows of a volume under a separable filter, many voxels at a time. Products and sums are kept apart and terms are
-// added in one order, so that the bits are the same on any instruction set.
+// Rows of a volume under a separable filter, many voxels at a time. Products and sums are separate and the order of
+// terms is fixed, so that the bits are the same on any instruction set.
 #pragma once
 
 #include <cstddef>
@@ -17,18 +17,18 @@ struct VoxelRows {
     std::size_t count = 0;               ///< voxels in a row
 };
 
-/// sums[i] = sum over the taps t of taps[t] * (first + t * stride)[i], over voxels whose mask is not 0; weightSums[i]
-/// is the sum of the taps that took part. Without a mask all voxels take part and weightSums is left alone.
+/// sums[i] = sum over the taps t of taps[t] * (first + t * stride)[i], over voxels whose mask is not 0. weightSums[i]
+/// is the sum of the taps that took part. Without a mask all voxels take part, and weightSums does not change.
 void sumRows(const VoxelRows<std::uint8_t>& rows, std::span<const float> taps, float* sums, float* weightSums);
 void sumRows(const VoxelRows<std::uint16_t>& rows, std::span<const float> taps, float* sums, float* weightSums);
 void sumRows(const VoxelRows<float>& rows, std::span<const float> taps, float* sums, float* weightSums);
 
-/// Between which values means are kept.
+/// The range of means.
 struct StoredRange {
     float lowest, highest;
 };
 
-/// voxels[i] = sums[i] / weights[i], kept in the range, rounded where voxels are whole numbers. Where a weight is 0 the
+/// voxels[i] = sums[i] / weights[i], clamped into the range, rounded if voxels are whole numbers. If a weight is 0, the
 /// voxel is some value of the range.
 void storeMeans(std::span<const float> sums, const float* weights, const StoredRange& range, std::uint8_t* voxels);
 void storeMeans(std::span<const float> sums, const float* weights, const StoredRange& range, std::uint16_t* voxels);

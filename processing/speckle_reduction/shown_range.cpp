@@ -21,7 +21,7 @@ StoredBounds boundsOf(const VoxelArray<Voxel>& voxels, const std::uint8_t* mask)
     return {static_cast<double>(lowest), static_cast<double>(highest)};
 }
 
-/// The usual case, in which no pass over the voxels is needed.
+/// The usual case: it needs no pass over the voxels.
 bool isBytesBelowWhite(const Volume& volume) {
     return std::holds_alternative<VoxelArray<std::uint8_t>>(volume.voxels()) && volume.whiteLevel() >= 255.0;
 }

@@ -1,18 +1,18 @@
-// Which stored values a filter of speckle reduction takes in, and which it may give out.
+// The stored values that a filter of speckle reduction may read, and those it may write.
 #pragma once
 
 #include "processing/volume/volume.h"
 
 namespace echolucent {
 
-/// The volume with its data within what a picture can show: what is above the white level is white, what is below 0 is
-/// 0. Single absurd voxels, as float files hold them, would shine through all of their surroundings. Voxels without
-/// data stay. Where nothing changes the result shares the volume's voxels.
+/// The volume with its data clamped to the range of a picture, 0 to the white level. Otherwise single absurd voxels of
+/// float files would shine through all their surroundings. Voxels without data stay. If nothing changes, the result
+/// shares the volume's voxels.
 [[nodiscard]] Volume withinWhite(const Volume& volume);
 
-/// The least and the largest stored value among the voxels with data; both are 0 where no voxel has data. Of bytes
-/// whose white level is not below 255 they are 0 and 255, whatever is stored. Means are kept between them, so that
-/// neither rounding nor withinWhite() moves a constant.
+/// The least and the largest stored value of the voxels with data. Both are 0 if no voxel has data. Bytes with a white
+/// level of at least 255 always get 0 and 255. Means are clamped between them, so that neither rounding nor
+/// withinWhite() changes a constant.
 struct StoredBounds {
     double lowest = 0.0, highest = 0.0;
 };

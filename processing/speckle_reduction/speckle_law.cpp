@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pairDistance = 3.0;  // mean voxels
 constexpr std::int64_t mostPairs = 200'000;
-/// Rarer intensities are those of boundaries, whose differences are not speckle.
+/// Rarer intensities belong to boundaries, and their differences are not speckle.
 constexpr double leastShare = 0.002;
 constexpr std::size_t leastPairs = 32;
 constexpr double leastSpread = 0.25 / 255.0;
@@ -54,7 +54,7 @@ void SpeckleLawMeasurement::add(const Volume& held, const FilterSlab& slab) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         const std::int64_t places = placesAlong(axis);
-        // Every stride-th voxel of the whole volume, and the one that many places behind it.
+        // Every stride-th voxel of the whole volume, paired with the one `places` behind it.
         const std::int64_t passed = begin > axis ? (begin - axis + stride - 1) / stride : 0;
         for (std::int64_t first = axis + passed * stride; first < end; first += stride) {
             if (first / steps[a] % size[a] + places >= size[a]) continue;
@@ -67,7 +67,7 @@ void SpeckleLawMeasurement::add(const Volume& held, const FilterSlab& slab) {
     }
 }
 
-/// The line through the bins in logarithms, each counting as much as it has pairs.
+/// The line through the bins in logarithms, each bin weighted by its number of pairs.
 SpeckleLaw SpeckleLawMeasurement::law() {
     std::size_t pairs = 0;
     for (const auto& bin : m_differences) pairs += bin.size();

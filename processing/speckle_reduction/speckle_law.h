@@ -1,4 +1,4 @@
-// How strong speckle is at an intensity, measured on the volume itself.
+// The strength of speckle at each intensity, measured on the volume itself.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 namespace echolucent {
 
 /// The spread of speckle follows a power of the intensity: factor * (intensity + offset)^exponent. The exponent is 1
-/// for echo as it comes (Rayleigh), 0 after logarithmic compression, between in what scanners deliver (Coupe et al.
-/// 2009, there gamma, 0.5).
+/// for raw echo (Rayleigh) and 0 after logarithmic compression. Scanners deliver something between (Coupe et al. 2009,
+/// there gamma, 0.5).
 struct SpeckleLaw {
     static constexpr double offset = 2.0 / 255.0;  ///< the darkest voxels are rounded; normalised intensity
     double factor = 0.01;                          ///< above 0
@@ -20,23 +20,23 @@ struct SpeckleLaw {
 
     /// Standard deviation at a normalised intensity.
     [[nodiscard]] double spreadAt(double intensity) const;
-    /// A normalised intensity on a scale on which speckle is equally strong everywhere, in standard deviations: the
-    /// integral of 1 / spread.
+    /// A normalised intensity on a scale on which speckle is equally strong everywhere: the integral of 1 / spread, in
+    /// standard deviations.
     [[nodiscard]] double scaled(double intensity) const;
 };
 
-/// Measures the law on pairs of voxels that are a few mean voxels apart (filterSpacing()), too far for one speckle, and
-/// mostly of one tissue: medians of their differences at like intensities. It is the same for the same volume, however
-/// that is cut into slabs.
+/// Measures the law on pairs of voxels a few mean voxels apart (filterSpacing()). They are too far apart for one
+/// speckle, but mostly of one tissue. It takes medians of their differences at like intensities. The law is the same
+/// for any cut of the volume into slabs.
 class SpeckleLawMeasurement {
 public:
     /// The grid of the whole volume.
     explicit SpeckleLawMeasurement(VolumeGeometry geometry);
-    /// How many slices behind a slab's own a pair's second voxel lies, at most.
+    /// The most slices between a slab's end and a pair's second voxel.
     [[nodiscard]] std::int64_t reach() const;
-    /// Takes the pairs whose first voxel lies in the slices of a slab; `held` are the voxels of those that it holds.
+    /// Takes the pairs with their first voxel in the slices of a slab. `held` are the voxels that the slab holds.
     void add(const Volume& held, const FilterSlab& slab);
-    /// The law of the pairs taken so far; without any, the law that SpeckleLaw begins with.
+    /// The law of the pairs taken so far. Without pairs, the default SpeckleLaw.
     [[nodiscard]] SpeckleLaw law();
 
 private:
@@ -45,10 +45,10 @@ private:
 
     VolumeGeometry m_geometry;
     Vec3 m_spacing;
-    std::array<std::vector<double>, intensityBins> m_differences;  // of the pairs of like intensities
+    std::array<std::vector<double>, intensityBins> m_differences;  // of the pairs of each intensity
 };
 
-/// The law of a volume that is taken at once.
+/// The law of a volume in one go.
 [[nodiscard]] SpeckleLaw speckleLawOf(const Volume& volume);
 
 }  // namespace echolucent

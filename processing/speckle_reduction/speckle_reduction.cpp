@@ -27,10 +27,10 @@ std::optional<Volume> reduced(const Volume& volume, SpeckleReduction reduction, 
 }  // namespace
 
 std::optional<Volume> quietVolume(const Volume& volume, SpeckleReduction reduction, const Progress& progress) {
-    // What a scalpel cut still holds echo, and is quiet as if nothing were cut.
+    // Voxels cut by a scalpel still hold echo, and are quieted as if nothing were cut.
     auto quiet = reduced(volume.withCut(nullptr), reduction, progress);
     if (quiet) quiet = quiet->withCut(volume.cut());
-    if (quiet) progress.at(1.0);  // the last part may have been another thread's, which reports nothing
+    if (quiet) progress.at(1.0);  // another thread, which reports nothing, may have done the last part
     return quiet;
 }
 

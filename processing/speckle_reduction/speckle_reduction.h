@@ -1,5 +1,5 @@
-// The voxels a picture is taken from: quieter than those that were read, with their surfaces where they were
-// (docs/speckle.md). Tube cores, the search for a cut and pointed values go on reading the voxels that were read.
+// The voxels of a picture: quieter than the voxels read, with the same surfaces (docs/speckle.md). Tube cores, the
+// search for a cut and pointed values still use the voxels read.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 
 namespace echolucent {
 
-/// How much speckle is taken out of the voxels before they are shown.
+/// How much speckle is removed from the voxels before they are shown.
 enum class SpeckleReduction {
     off,     ///< none: the voxels as they were read
     light,   ///< a little, and the quickest
     medium,  ///< speckle fades, surfaces and membranes stay
-    strong,  ///< what is left is smooth; the finest structures go with the speckle
+    strong,  ///< the rest is smooth; the finest structures go with the speckle
 };
 
 inline constexpr std::array allSpeckleReductions{SpeckleReduction::off, SpeckleReduction::light,
                                                  SpeckleReduction::medium, SpeckleReduction::strong};
 inline constexpr ChoiceNames<allSpeckleReductions.size()> speckleReductionNames{"off", "light", "medium", "strong"};
 
-/// What nobody chose: chosen by eye on real volumes (docs/speckle.md).
+/// The default, chosen by eye on real volumes (docs/speckle.md).
 inline constexpr SpeckleReduction defaultSpeckleReduction = SpeckleReduction::medium;
 
 /// "off", "light", "medium", "strong".
@@ -35,12 +35,11 @@ inline constexpr SpeckleReduction defaultSpeckleReduction = SpeckleReduction::me
     return choiceNamed<SpeckleReduction>(speckleReductionNames, name);
 }
 
-/// The volume with quiet voxels: voxel type, geometry, white level and data mask are the volume's. What a scalpel cut
-/// changes none of them (Volume::scannedMask()). Voxels without data
-/// stay as they are, and what is stored in them changes no other voxel. What is above the white level counts as white,
-/// what is below 0 as 0. Where all data is one value it stays that
-/// value. With `off` the result shares the volume's voxels. The result is empty only where progress.cancel was raised,
-/// and has the same bits for any number of threads.
+/// The volume with quiet voxels. Voxel type, geometry, white level and data mask stay, and scalpel cuts change no quiet
+/// voxel (Volume::scannedMask()). Voxels without data stay, and their stored values change no other voxel. Values above
+/// the white level count as white, values below 0 as 0. If all data is one value, it stays that value. With `off`, the
+/// result shares the volume's voxels. Empty only if the caller set progress.cancel. Has the same bits for any number of
+/// threads.
 [[nodiscard]] std::optional<Volume> quietVolume(const Volume& volume, SpeckleReduction reduction,
                                                 const Progress& progress = {});
 

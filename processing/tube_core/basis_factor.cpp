@@ -17,12 +17,12 @@ using Words = hn::RebindToUnsigned<Doubles>;
 
 HWY_INLINE DoubleVector constant(double value) { return hn::Set(Doubles(), value); }
 
-// Products and sums are kept apart on purpose: fused ones would give other bits on other machines.
+// Products and sums stay apart on purpose: fused ones would give other bits on some machines.
 HWY_INLINE DoubleVector timesPlus(DoubleVector a, DoubleVector b, double c) {
     return hn::Add(hn::Mul(a, b), constant(c));
 }
 
-/// A sum or difference and what rounding drops of it (Knuth's two-sum).
+/// A sum or difference, and its rounding error (Knuth's two-sum).
 struct Exact {
     DoubleVector value, lost;
 };
@@ -32,7 +32,7 @@ HWY_INLINE Exact exactSum(DoubleVector a, DoubleVector b) {
     return {value, hn::Add(hn::Sub(a, hn::Sub(value, ofB)), hn::Sub(b, ofB))};
 }
 
-/// Adding and taking off 1.5 * 2^52 / 2^n rounds to multiples of 2^-n.
+/// Adding and subtracting 1.5 * 2^52 / 2^n rounds to multiples of 2^-n.
 constexpr double roundsToWhole = 6755399441055744.0;
 constexpr double roundsTo24Bits = roundsToWhole / 16777216.0;
 
@@ -41,10 +41,10 @@ HWY_INLINE DoubleVector exponential(DoubleVector x) {
     const auto magic = constant(roundsToWhole);
     const auto shifted = hn::Add(hn::Mul(x, constant(1.4426950408889634)), magic);
     const auto power = hn::Sub(shifted, magic);
-    // ln 2 in two parts: the first ends early, so that its product with the power is exact.
+    // ln 2 in two parts: the first has few digits, so that its product with the power is exact.
     const auto rest = hn::Sub(hn::Sub(x, hn::Mul(power, constant(6.93147180369123816490e-01))),
                               hn::Mul(power, constant(1.90821492927058770002e-10)));
-    // Estrin's scheme: pairs, then pairs of pairs, instead of one long chain.
+    // Estrin's scheme computes pairs, then pairs of pairs, instead of one long chain.
     const auto square = hn::Mul(rest, rest), fourth = hn::Mul(square, square), eighth = hn::Mul(fourth, fourth);
     const auto pair = [&](double low, double high) { return timesPlus(constant(high), rest, low); };
     const auto p01 = pair(0.5, 1.0 / 6.0), p23 = pair(1.0 / 24.0, 1.0 / 120.0);
@@ -60,15 +60,15 @@ HWY_INLINE DoubleVector exponential(DoubleVector x) {
     return hn::Mul(mantissa, hn::BitCast(Doubles(), exponent));
 }
 
-/// g at `intensity`. u is split into 24 bits behind the point, whose square is exact, and a rest, found from the exact
-/// remainder of the division; e to what the rest adds is two terms of its series.
+/// g at `intensity`. u is split into 24 bits behind the point, whose square is exact, and a rest, from the exact
+/// remainder of the division. Two terms of the series of e suffice for the rest.
 HWY_INLINE DoubleVector basis(const BasisFactor& factor, DoubleVector intensity) {
     // From here on g is less than 1e-300.
     constexpr double far = 37.0;
     const auto way = exactSum(hn::Mul(intensity, constant(factor.twice)), constant(-factor.centre2));
     const auto wayLost = hn::Sub(way.lost, constant(factor.centre2Lost));
     const auto inverseGap = constant(factor.inverseGap), magic = constant(roundsTo24Bits);
-    // Where the gap is a few ulps, what rounding drops is as large as the gap.
+    // If the gap is a few ulps, the rounding error is as large as the gap.
     const auto unbounded = hn::Mul(hn::Add(way.value, wayLost), inverseGap);
     const auto near = hn::Lt(hn::Abs(unbounded), constant(far));
     const auto u = hn::Sub(hn::Add(hn::IfThenElseZero(near, unbounded), magic), magic);
@@ -89,7 +89,7 @@ void addFactorsTo(const BasisFactor* factors, std::size_t factorCount, const dou
     const Doubles d;
     const std::size_t lanes = hn::Lanes(d);
     for (std::size_t start = 0; start < count; start += lanes) {
-        // Every vector is whole, also the last, so that a value does not depend on what stands beside it.
+        // Every vector is full, the last one too, so that a value does not depend on its neighbours.
         alignas(64) double x[hn::MaxLanes(d)] = {}, sum[hn::MaxLanes(d)] = {}, dropped[hn::MaxLanes(d)] = {};
         const std::size_t here = std::min(lanes, count - start);
         std::copy_n(intensities + start, here, x);
@@ -118,7 +118,7 @@ namespace echolucent {
 HWY_EXPORT(addFactorsTo);
 
 BasisFactor::BasisFactor(double low, double high, double logRange) : range(logRange), twice(2.0) {
-    // Below the first, 1 / gap would overflow against the distances; scaling by a power of two changes no digit.
+    // Below leastGap, 1 / gap would overflow against the distances. Scaling by a power of two changes no digit.
     constexpr double leastGap = 0x1p-500, scale = 0x1p500;
     if (high - low < leastGap) {
         low *= scale;

@@ -24,7 +24,7 @@ void CompensatedSum::add(double term) {
 
 namespace {
 
-/// The factors of the tubes that have a weight, in an order that does not depend on that of the tubes.
+/// The factors of the tubes with a weight, in an order that does not depend on the order of the tubes.
 std::vector<BasisFactor> factorsOf(std::span<const TubeCore> tubes) {
     std::vector<std::tuple<double, double, double>> keys;
     for (const TubeCore& tube : tubes)

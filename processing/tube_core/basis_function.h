@@ -1,4 +1,4 @@
-// The curve from the tubes: basis functions and their product in the log domain (Petersch 2005, eqs. 4 to 7).
+// The curve from the tubes: basis functions, multiplied as a sum of logarithms (Petersch 2005, eqs. 4 to 7).
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// A sum of finite terms that keeps what rounding drops (Neumaier): its error does not grow with their number.
+/// A sum of finite terms that keeps its rounding errors (Neumaier). Its error does not grow with the number of terms.
 class CompensatedSum {
 public:
     void add(double term);
@@ -19,14 +19,13 @@ private:
     double m_sum = 0.0, m_lost = 0.0;
 };
 
-/// g_t(x) of Petersch 2005, eq. 5, with its erratum, in the scaled form: u = ((x - low) + (x - high)) / (high - low),
-/// g = u exp((1 - u^2) / 2). -1 at low, +1 at high. Needs high > low.
+/// g_t(x) of Petersch 2005, eq. 5, with its erratum, scaled: u = ((x - low) + (x - high)) / (high - low),
+/// g = u exp((1 - u^2) / 2). It is -1 at low and +1 at high. Needs high > low.
 [[nodiscard]] double basisFunction(double intensity, double low, double high);
 
 /// ln initial(x) + sum over tubes of ln(1 + d) g(x) at `count` (>= 2) equidistant intensities 0 ... 1, before any
-/// clamp; -infinity where the initial function is 0. Tubes without a weight are left out. Compensated, and summed in
-/// the order of I_L, I_H, d at every intensity: the same bits for any order of the tubes, number of threads and
-/// instruction set.
+/// clamp; -infinity if the initial function is 0. Tubes without a weight do not count. The sum is compensated and goes
+/// in the order of I_L, I_H, d. So its bits depend neither on the order of the tubes nor on threads or instruction set.
 [[nodiscard]] std::vector<double> adaptedLogOpacity(const OpacityCurve& initial, std::span<const TubeCore> tubes,
                                                     int count);
 

@@ -8,8 +8,8 @@ namespace echolucent {
 
 namespace {
 
-/// Finds where the tube's data begin and end and makes room for its cells. countOf(slab) gives its samples with data.
-/// Returns whether there is any cell.
+/// Finds where the tube's data begin and end, and makes room for its cells. countOf(slab) gives the number of samples
+/// with data. Returns whether there is a cell.
 template <typename CountOf>
 bool beginCells(std::size_t slabs, int cellSize, const CountOf& countOf, CellStatistics& cells) {
     const int half = (cellSize * cellSize + 1) / 2;
@@ -29,7 +29,7 @@ bool beginCells(std::size_t slabs, int cellSize, const CountOf& countOf, CellSta
     return cells.lastCell >= cells.firstCell;
 }
 
-/// Cells of less than half their samples repeat the one before; the first never is one. Marks the others.
+/// Cells of less than half their samples repeat the cell before; a first one is 0. Marks the others complete.
 template <typename Count>
 void holdAcrossHoles(std::span<const Count> counts, int cellSize, CellStatistics& cells) {
     const int samples = cellSize * cellSize * cellSize;
@@ -51,7 +51,7 @@ void holdAcrossHoles(std::span<const Count> counts, int cellSize, CellStatistics
     }
 }
 
-/// Cells that are computed together: their sums stay in registers and the compiler makes vectors of them.
+/// How many cells are computed together, so that their sums stay in registers and the compiler makes vectors of them.
 constexpr std::size_t batch = 64;
 
 /// Calls run(first cell, number of cells) for at most `batch` cells at a time.
@@ -136,7 +136,7 @@ void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics&
     for (int cell = cells.firstCell; cell <= cells.lastCell; ++cell) {
         const auto i = static_cast<std::size_t>(cell);
         const auto ofCell = slabs.subspan(i, static_cast<std::size_t>(cellSize));
-        // As deviations from one slab's mean, so that equal slabs have that mean to the last bit and no spread.
+        // Deviations are taken from one slab's mean, so that equal slabs have that mean to the last bit and no spread.
         const auto filled =
             std::find_if(ofCell.begin(), ofCell.end(), [](const SlabMoments& slab) { return slab.count > 0; });
         const double near = filled == ofCell.end() ? 0.0 : filled->mean;

@@ -1,5 +1,5 @@
-// Mean and variance of the cells of a tube core (Petersch 2005, section 4.1): cells of cellSize^3 samples that slide by
-// one slab.
+// Mean and variance of the cells of a tube core (Petersch 2005, section 4.1). A cell is cellSize^3 samples; cells slide
+// by one slab.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@ namespace echolucent {
 /// The largest cell edge, units: the sums of 32^3 voxels of 16 bits stay below 2^31.
 inline constexpr int largestCellSize = 32;
 
-/// The cells of one tube, index i = samples i ... i + cellSize - 1 along the tube.
+/// The cells of one tube. Cell i holds the samples i ... i + cellSize - 1 along the tube.
 struct CellStatistics {
     std::vector<double> means;           ///< normalised intensity
-    std::vector<double> variances;       ///< of normalised intensity, over the cell (divided by n): the interface
-                                         ///< indicating function; empty where only means were asked for
-    std::vector<std::uint8_t> complete;  ///< 1 where at least half of the samples are data; else 0, and the values are
-                                         ///< those of the cell before
-    int firstCell = 0;                   ///< the first slab of which at least half is data
-    int lastCell = -1;  ///< the last cell that ends at such a slab; below firstCell where there is no cell
+    std::vector<double> variances;       ///< of normalised intensity, divided by n: the interface indicating function;
+                                         ///< empty if only means were asked for
+    std::vector<std::uint8_t> complete;  ///< 1 if at least half of the samples are data; else 0, and the values repeat
+                                         ///< the cell before (0 in the first cell)
+    int firstCell = 0;                   ///< the first slab that is at least half data
+    int lastCell = -1;  ///< the last cell that ends at such a slab; below firstCell if there is no cell
     bool anyData = false;
 };
 
-/// n^2 times the variance of n stored values: n sum(x^2) - sum(x)^2, without rounding.
+/// n^2 times the variance of n stored values, n sum(x^2) - sum(x)^2, without rounding.
 [[nodiscard]] constexpr std::uint64_t scaledVariance(std::uint64_t count, std::uint64_t sum,
                                                      std::uint64_t sumOfSquares) {
     return count * sumOfSquares - sum * sum;
@@ -35,17 +35,17 @@ struct CellStatistics {
 /// Cells from exact sums. `whiteLevel` is the stored value of normalised intensity 1.
 void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
-/// Cells from single-precision moments. `whiteLevel` is multiplied by slabScale(), as the moments are. Where all slabs
-/// are equal, so are the cells, to the last bit.
+/// Cells from single-precision moments. `whiteLevel` is multiplied by slabScale(), as the moments are. If all slabs are
+/// equal, the cells are equal to the last bit.
 void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
-/// Cells of whatever slabs the tube has.
+/// Cells from slabs of any of these kinds.
 void cellsFrom(const TubeSlabs& tube, int cellSize, CellStatistics& cells);
 
-/// Cells' means alone, from the means of slabs that are all complete. `first` is the index of the first of them.
+/// The cells' means alone. Every slab is complete; `first` is the index of the first one.
 void cellsFrom(std::span<const float> slabMeans, int first, int cellSize, CellStatistics& cells);
 
-/// Cells from moments: the deviations within slabs plus those of the slabs' means, all sums of squares, no difference.
+/// Cells from moments: the deviations within slabs plus those of the slabs' means. No difference loses digits.
 void cellsFrom(std::span<const SlabMoments> slabs, int cellSize, CellStatistics& cells);
 
 }  // namespace echolucent

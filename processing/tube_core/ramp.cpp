@@ -9,7 +9,6 @@ namespace echolucent {
 
 namespace {
 
-/// A ramp prepared for many intensities.
 struct Ramp {
     double from, perIntensity, weight;
 
@@ -18,7 +17,7 @@ struct Ramp {
         const double clear = std::max(rule.begin * rise, rule.clearSpreads * tube.fluidSpread.value_or(0.0));
         const double full = std::max(rule.end * rise, clear + leastRampWidth * rise);
         from = *tube.lowIntensity + clear;
-        // A rise of next to nothing would vanish in the product, and 0 / 0 is no number.
+        // A tiny rise would vanish in the product, and 0 / 0 is no number.
         perIntensity = 1.0 / std::max(full - clear, std::numeric_limits<double>::min());
     }
     [[nodiscard]] double at(double intensity) const {
@@ -38,7 +37,7 @@ std::vector<double> meanRamp(std::span<const TubeCore> tubes, const RampRule& ru
     for (const TubeCore& tube : tubes)
         if (tube.d > 0.0) ramps.emplace_back(tube, rule);
     if (ramps.empty()) return {};
-    // Summed in an order of their own: the same bits whatever the order of the tubes.
+    // Sorted, so that the bits do not depend on the order of the tubes.
     std::sort(ramps.begin(), ramps.end());
     const auto size = static_cast<std::size_t>(count);
     CompensatedSum weight;
@@ -47,7 +46,7 @@ std::vector<double> meanRamp(std::span<const TubeCore> tubes, const RampRule& ru
     for (const Ramp& ramp : ramps) {
         weight.add(ramp.weight);
         for (std::size_t i = 0; i < size; ++i) {
-            // What rounding drops is kept (Knuth's two-sum, which has no branch).
+            // Keeps the rounding error (Knuth's two-sum, which has no branch).
             const double term = ramp.weight * ramp.at(intensities[i]), sum = mean[i] + term;
             const double ofTerm = sum - mean[i];
             lost[i] += (mean[i] - (sum - ofTerm)) + (term - ofTerm);

@@ -1,5 +1,5 @@
-// The curve as the mean of the tubes' ramps: what each tube core says about which intensities are fluid and which are
-// surface, side by side with the paper's product of basis functions.
+// The curve as the mean of one ramp per tube core: each says which intensities are fluid and which are surface. It is
+// the alternative to the paper's product of basis functions.
 #pragma once
 
 #include <span>
@@ -10,15 +10,14 @@
 
 namespace echolucent {
 
-/// The ramp of one tube core: 0 up to I_L + max(begin (I_H - I_L), clearSpreads times the fluid's spread), so that
-/// neither haze nor the speckle of the fluid is seen; 1 from I_L + end (I_H - I_L) on, linear between, over at least
-/// leastRampWidth of the way.
+/// The ramp of one tube core. It is 0 up to I_L + max(begin (I_H - I_L), clearSpreads times the fluid's spread), which
+/// hides the fluid's haze and speckle. From I_L + end (I_H - I_L) on it is 1. It is linear between, over at least
+/// leastRampWidth of I_H - I_L.
 [[nodiscard]] double rampAt(double intensity, const TubeCore& tube, const RampRule& rule);
 inline constexpr double leastRampWidth = 0.3;
 
-/// The tubes' ramps at `count` equidistant intensities 0 ... 1, their mean weighted by d: how surely an intensity is
-/// surface, [0,1]; empty where no tube has a weight. The sums are compensated and have an order of the ramps' own, so
-/// that the bits are the same for any order of the tubes.
+/// The mean of the tubes' ramps, weighted by d, at `count` equidistant intensities 0 ... 1: how surely each is surface,
+/// [0,1]. Empty if no tube has a weight. The bits do not depend on the order of the tubes.
 [[nodiscard]] std::vector<double> meanRamp(std::span<const TubeCore> tubes, const RampRule& rule, int count);
 
 }  // namespace echolucent

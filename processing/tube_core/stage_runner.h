@@ -1,4 +1,4 @@
-// Runs the stages of the method: their threads, their stop watch, and how far they are.
+// Runs the stages of the method: their threads, their times, and their progress.
 #pragma once
 
 #include <atomic>
@@ -12,10 +12,9 @@
 
 namespace echolucent {
 
-/// A stage of the method.
 struct Stage {
     double StageTimes::*time;
-    double from, to;  ///< shares of a run's time at which the stage begins and ends, as progress counts them
+    double from, to;  ///< shares of a run's time, for progress: where the stage begins and ends
 };
 inline constexpr Stage samplingStage{&StageTimes::sampling, 0.0, 0.6};
 inline constexpr Stage interfaceFunctionStage{&StageTimes::cells, 0.6, 0.75};
@@ -23,28 +22,28 @@ inline constexpr Stage detectionStage{&StageTimes::detection, 0.75, 0.95};
 inline constexpr Stage weightsStage{&StageTimes::weights, 0.95, 0.98};
 inline constexpr Stage curveStage{&StageTimes::curve, 0.98, 1.0};
 
-/// One run. It lives on the thread that asked for it; progress is reported from that thread alone and never falls.
+/// One run, used by the thread that asked for it. Only that thread reports progress, which never falls.
 class StageRunner {
 public:
     /// Both must outlive the runner.
     StageRunner(const Progress& progress, StageTimes& times) : m_progress(progress), m_times(times) {}
 
-    /// Ends the stage that runs, if any, and begins the next. False where the run was cancelled.
+    /// Ends the stage that runs, if any, and begins the next. False if the run was cancelled.
     [[nodiscard]] bool begin(const Stage& stage) {
         endStage();
         m_stage = &stage;
         return !m_progress.cancelled();
     }
 
-    /// Ends the last stage. False where the run was cancelled.
+    /// Ends the last stage. False if the run was cancelled.
     [[nodiscard]] bool end() {
         endStage();
         m_times.total = millisecondsSince(m_start);
         return !m_progress.cancelled();
     }
 
-    /// Calls body(i, state) for i = 0 ... count - 1 on all threads, in any order. `state` is what makeState() gives,
-    /// one for the calls that follow each other on one thread. After a cancellation the remaining calls are left out.
+    /// Calls body(i, state) for i = 0 ... count - 1 on all threads, in any order. makeState() makes the `state`, one
+    /// for each series of calls on one thread. A cancelled run leaves out the remaining calls.
     template <typename MakeState, typename Body>
     void forEach(std::size_t count, const MakeState& makeState, const Body& body) {
         std::atomic<std::size_t> done = 0;
@@ -73,8 +72,8 @@ private:
         m_stageStart = Clock::now();
     }
 
-    /// `ofStage` is the share of the stage that is done, in [0,1]. Other threads report nothing, because their counts
-    /// may arrive out of order.
+    /// `ofStage` is the finished share of the stage, in [0,1]. Other threads report nothing, because their counts may
+    /// arrive out of order.
     void reportShare(double ofStage) {
         if (std::this_thread::get_id() == m_caller)
             m_progress.at(ofStage < 1.0 ? m_stage->from + ofStage * (m_stage->to - m_stage->from) : m_stage->to);

@@ -3,9 +3,9 @@
 
 namespace echolucent {
 
-/// Milliseconds of wall time of each stage, whichever way surfaces are detected.
+/// Wall time of each stage, milliseconds; the same for every way of detection.
 struct StageTimes {
-    double sampling = 0.0;   ///< placing the tube cores, and reading their voxels into moments of slabs
+    double sampling = 0.0;   ///< placing the tube cores and reading their voxels into moments of slabs
     double cells = 0.0;      ///< from the slabs to the interface indicating function
     double detection = 0.0;  ///< finding the surfaces, and reading I_L, I_H and slope around them
     double weights = 0.0;    ///< weighing the tube cores

@@ -10,15 +10,14 @@ namespace echolucent {
 
 namespace {
 
-/// The middle of finite values, of which there must be one; of an even number the upper of the two in the middle. The
-/// values are sorted. Sorting by vectors takes half the time of std::nth_element, whose branches no processor foresees.
+/// The median of finite values, at least one; of an even number the upper of the middle two. Sorts the values: sorting
+/// by vectors takes half the time of std::nth_element, because no processor foresees its branches.
 double upperMedianOf(std::vector<double>& values) {
     thread_local hwy::Sorter sort;
     sort(values.data(), values.size(), hwy::SortAscending());
     return values[values.size() / 2];
 }
 
-/// Means of the complete cells from first to last.
 std::vector<double> completeMeans(const CellStatistics& cells, int first, int last) {
     std::vector<double> means;
     for (int i = first; i <= last; ++i)
@@ -32,7 +31,7 @@ double sumOf(std::span<const double> values) {
     return sum;
 }
 
-/// I_L over the last `reach` cells that end before the surface cell; nothing where there is no such cell.
+/// I_L over the last `reach` cells that end before the surface cell; no value if there is no such cell.
 std::optional<double> meanBefore(const CellStatistics& cells, int surfaceCell, int reach, int cellSize) {
     const int last = surfaceCell - cellSize;
     const int first = std::max(cells.firstCell, last - reach + 1);
@@ -73,7 +72,7 @@ bool readSurface(const CellStatistics& cells, int surfaceCell, const SurfaceRule
     tube.highIntensity = largestBehind(cells, surfaceCell, rule.highReach);
     tube.slope = behind > before ? (meanOf(behind) - meanOf(before)) / (behind - before) : 0.0;
     if (const auto scatter = scatterOf(prior, cellSize)) {
-        // Without any noise, rounding to stored values would still be some.
+        // Even without noise, values scatter a little, because stored values are rounded.
         constexpr double leastScatter = 1e-6;
         tube.edgeToNoise = (meanOf(behind) - upperMedianOf(prior)) / std::max(*scatter, leastScatter);
     }

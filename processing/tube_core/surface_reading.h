@@ -1,4 +1,4 @@
-// What a found surface says: I_L, I_H, the largest prior mean and the slope (Petersch 2005, section 4.1 and eq. 8).
+// Reads I_L, I_H, the largest prior mean and the slope around a surface (Petersch 2005, section 4.1 and eq. 8).
 #pragma once
 
 #include <optional>
@@ -10,17 +10,16 @@
 
 namespace echolucent {
 
-/// Reads the intensities around the detected cell into the tube: surfaceCell, I_L, I_H, the largest prior mean, the
-/// slope (over fewer units at the tube's ends) and the edge to noise. On the ramp itself the mean is halfway between
-/// fluid and tissue, and what lies far in front says nothing about this surface: so I_L and I_H are read as far from it
-/// as the rule's reach says. Returns false, and leaves the tube as it is, where there is no complete prior cell.
+/// Reads the surface's intensities into the tube: surfaceCell, I_L, I_H, the largest prior mean, the slope (over fewer
+/// units at the tube's ends) and the edge to noise. The rule says how far from the surface I_L and I_H are read: the
+/// ramp itself is halfway between fluid and tissue, and cells far in front tell nothing of this surface. Returns false,
+/// and leaves the tube as it is, if there is no complete prior cell.
 [[nodiscard]] bool readSurface(const CellStatistics& cells, int surfaceCell, const SurfaceRule& rule, int cellSize,
                                TubeCore& tube);
 
-/// How far the cell means scatter by themselves: the standard deviation that the median difference of neighbouring
-/// cells that do not overlap would have in normal noise. A wall among the cells, or a slow change, does not count.
-/// `apart` counts the places between two cells that do not overlap, which is the cell size. There is no value where
-/// there are fewer than 2 `apart` cells.
+/// How far the cell means scatter, as a standard deviation. It is found from the median difference of neighbouring
+/// cells that do not overlap, as if the noise were normal. So a wall among the cells, or a slow change, does not count.
+/// `apart` is the distance of such cells, the cell size. No value for fewer than 2 `apart` cells.
 [[nodiscard]] std::optional<double> scatterOf(std::span<const double> cellMeans, int apart);
 
 }  // namespace echolucent

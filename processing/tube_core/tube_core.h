@@ -11,8 +11,8 @@ namespace echolucent {
 enum class TubeStatus {
     surface,  ///< an interface was detected with at least one cell before it
     none,     ///< no interface was detected, or none with a cell in front of it; d is 0
-    outside,  ///< the tube core's axis misses the volume (or meets no data), or the tube core is never placed
-              ///< (TubeGrid::withoutTubes); it is not counted in T and N
+    outside,  ///< the axis misses the volume or meets no data, or the tube core is never placed
+              ///< (TubeGrid::withoutTubes); it does not count in T and N
 };
 
 /// One tube core. Intensities are normalised, lengths in units (the volume's smallest spacing), positions in voxel
@@ -24,31 +24,31 @@ struct TubeCore {
     std::optional<Vec3> entryVoxel;         ///< where its axis enters the volume (the picture's near cut included)
     std::optional<Vec3> surfaceVoxel;       ///< centre of the detected cell on the axis
     Vec3 firstSampleVoxel{0, 0, 0};         ///< axis position of sample 0
-    int firstCell = 0;                      ///< cells before this one hold too little data: here the tube begins
-    int surfaceCell = -1;                   ///< s_t, index into cellMeans; -1 where there is no surface
-    std::optional<double> lowIntensity;     ///< I_L: mean of the last SurfaceRule::lowReach prior cells, of all where
-                                            ///< that is 0
+    int firstCell = 0;                      ///< the tube begins here: earlier cells hold too little data
+    int surfaceCell = -1;                   ///< s_t, index into cellMeans; -1 if there is no surface
+    std::optional<double> lowIntensity;     ///< I_L: mean of the last SurfaceRule::lowReach cells that end before the
+                                            ///< surface cell; if that is 0, of all prior cells
     std::optional<double> highIntensity;    ///< I_H: largest cell mean from the surface cell to
                                             ///< SurfaceRule::highReach cells behind it
     std::optional<double> lowIntensityMax;  ///< largest mean of all prior cells (eq. 8)
     std::optional<double> slope;            ///< S: intensity per unit; may be negative
     std::optional<double> edgeToNoise;      ///< rise from the median prior cell mean to the cell mean
                                             ///< SurfaceRule::slopeHalfStep behind the surface, over the scatter of the
-                                            ///< prior cell means; not set where the prior cells are too few
-    std::optional<double> contrast;         ///< detection by ratio: contrast at the surface, standard deviations of the
-                                            ///< voxels of a slab
+                                            ///< prior cell means; not set if there are too few prior cells
+    std::optional<double> contrast;         ///< detection by ratio: contrast at the surface, in standard deviations of
+                                            ///< a slab's voxels
     std::optional<double> fluidSpread;      ///< detection by ratio: standard deviation of voxels around I_L (speckle)
     double intensityWeight = 0.0;           ///< w_I, eq. 9
     double slopeWeight = 0.0;               ///< w_S, eq. 10
-    double extraWeight = 1.0;  ///< 0 where I_H <= I_L (eq. 6 has no meaning there) or the edge to noise is below
-                               ///< VarianceRule::leastEdgeToNoise, else 1
+    double extraWeight = 1.0;  ///< 0 if I_H <= I_L (eq. 6 has no meaning then), or if the edge to noise is not set or
+                               ///< below VarianceRule::leastEdgeToNoise; else 1
     double d = 0.0;            ///< d_t = d_max w_I w_S extraWeight, eq. 11
 
     std::vector<float> cellMeans;          ///< mean normalised intensity of cell i (samples i ... i + cell size - 1)
-    std::vector<float> interfaceFunction;  ///< the interface indicating function of cell i: variance of normalised
-                                           ///< intensity, or by ratio the contrast at the cell's middle
-    std::vector<int> trackedCells;         ///< detection by variance: detected cell at each scale, for Fig. 4, from the
-                                           ///< coarsest that has a maximum to the finest, the unsmoothed function last
+    std::vector<float> interfaceFunction;  ///< the interface indicating function of cell i: the variance of normalised
+                                           ///< intensity or, by ratio, the contrast at the cell's middle
+    std::vector<int> trackedCells;         ///< detection by variance, for Fig. 4: the detected cell at each scale, from
+                                           ///< the coarsest with a maximum to the finest; the unsmoothed function last
 };
 
 }  // namespace echolucent

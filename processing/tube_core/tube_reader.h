@@ -1,4 +1,4 @@
-// Reading rows of tube cores by the route that rule and volume ask for.
+// Reads rows of tube cores in the way that suits rule and volume.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace echolucent {
 
-/// Reads exact sums where tubes lie on voxels of integers. Elsewhere it reads in single precision, many slabs at a
-/// time; or in double, sample by sample, where Precision::double64 asks for it or the volume is beyond what meanSlabs()
-/// takes. It keeps the row that it read last, so that each thread needs a reader of its own.
+/// Reads exact sums if the tubes lie on voxels of integers; else in single precision, many slabs at a time; or in
+/// double, sample by sample, if Precision::double64 asks for it or canMeanSlabs() is false. It keeps the row that it
+/// read last, so each thread needs its own reader.
 class TubeReader {
 public:
     /// The volume must outlive the reader.
@@ -22,9 +22,9 @@ public:
 
     /// Reads the tubes of one row of the grid, as samplesOf() gives them.
     void read(std::span<const TubeSamples> tubes);
-    /// Hands over the slabs of the tube at this place of the row; once for each.
+    /// Hands over the slabs of the tube at this place of the row. Ask once for each.
     [[nodiscard]] TubeSlabs slabsAt(std::size_t place);
-    /// Writes the profile of the tube at this place of the row into that of `tube`.
+    /// Writes the profile of the tube at this place of the row as the profile of `tube`.
     void profile(std::size_t place, TubeProfiles& profiles, std::size_t tube) const;
 
 private:

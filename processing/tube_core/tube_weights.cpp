@@ -9,12 +9,12 @@ namespace echolucent {
 
 namespace {
 
-/// How many of the ascending values are at most this one.
+/// How many of the ascending values are at most `value`.
 double rankOf(double value, const std::vector<double>& ascending) {
     return static_cast<double>(std::upper_bound(ascending.begin(), ascending.end(), value) - ascending.begin());
 }
 
-/// The values as the lower ends of their bins, counted in bins; the values as they are where bins is 0.
+/// Replaces each value by the number of its bin; leaves the values as they are if `bins` is 0.
 void sortIntoBins(std::vector<double>& values, int bins) {
     if (bins == 0 || values.empty()) return;
     const double largest = *std::max_element(values.begin(), values.end());
@@ -22,7 +22,7 @@ void sortIntoBins(std::vector<double>& values, int bins) {
     for (double& value : values) value = std::min(std::floor(value / largest * bins), bins - 1.0);
 }
 
-/// Ranks of values among themselves, in their order, 0 ... 1 after division by total.
+/// The rank of each value among all values, divided by `total`; in the order of the values.
 std::vector<double> shareOfRanks(std::vector<double> values, int bins, int total) {
     sortIntoBins(values, bins);
     std::vector<double> ascending = values;

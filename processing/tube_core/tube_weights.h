@@ -8,14 +8,14 @@
 
 namespace echolucent {
 
-/// Fills the weights of all tubes by exact, inclusive ranks over the tubes with a surface, relative to all N that meet
-/// the volume: w_I = 1 - #{Imax' <= Imax} / N, w_S = #{0 < S' <= S} / N where S > 0 and else 0, extraWeight = 0 where
-/// I_H <= I_L or the edge to noise is below leastEdgeToNoise (where that is 0, there is no such test), d = dMax w_I w_S
-/// extraWeight. With rankBins above 0 the ranks are those of a histogram's bins instead, rankBins equal bins from 0 to
-/// the largest value; all values of a bin count as ties.
+/// Fills the weights of all tubes, from exact, inclusive ranks over the tubes with a surface. N tubes meet the volume.
+/// w_I = 1 - #{Imax' <= Imax} / N; w_S = #{0 < S' <= S} / N if S > 0, else 0; d = dMax w_I w_S extraWeight.
+/// extraWeight is 0 if I_H <= I_L, or if the edge to noise is not set or below leastEdgeToNoise (0: no such test).
+/// If rankBins is above 0, the bins of a histogram are ranked instead: rankBins equal bins from 0 to the largest value.
+/// All values of a bin are ties.
 void weighTubes(std::span<TubeCore> tubes, double dMax, double leastEdgeToNoise, const WeightRule& rule);
 
-/// T and N: how many tube cores meet the volume's data.
+/// T and N: how many tube cores meet data of the volume.
 [[nodiscard]] int tubesMeetingVolume(std::span<const TubeCore> tubes);
 
 /// How many tube cores have a weight.

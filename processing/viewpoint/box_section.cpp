@@ -19,7 +19,7 @@ Vec3 across(const Vec3& normal) {
     return normalized(normal.cross(other));
 }
 
-/// Leaves of a polygon what lies inside a face (Sutherland and Hodgman's clipping); the new edge lies on that face.
+/// The part of a polygon inside a face (Sutherland and Hodgman's clipping). The new edge lies on that face.
 BoxSection clipped(const BoxSection& polygon, const OrientedBox& box, const BoxFace& face) {
     const Vec3 normal = outwardNormal(box, face);
     const double outside = normal.dot(middleOf(box, face));
@@ -53,7 +53,7 @@ Vec3 middleOf(const OrientedBox& box, const BoxFace& face) {
 }
 
 BoxSection sectionOf(const OrientedBox& box, const Vec3& pointMm, const Vec3& normal) {
-    // A square in the plane, around all that the plane can show of the box.
+    // Begin with a square in the plane, larger than any section of the box.
     const double reach = length(box.sizeMm);
     const Vec3 centre = box.centreMm - normal * normal.dot(box.centreMm - pointMm);
     const Vec3 u = across(normal) * reach, v = normal.cross(u);
@@ -64,7 +64,7 @@ BoxSection sectionOf(const OrientedBox& box, const Vec3& pointMm, const Vec3& no
     return section;
 }
 
-/// Two boxes lie apart where their shadows on a face's normal, or on what is perpendicular to an edge of each, do.
+/// Two boxes lie apart if their shadows lie apart on a face's normal, or on a line across an edge of each.
 bool meets(const OrientedBox& box, const DataBox& data) {
     const OrientedBox other = orientedBoxOf(data);
     const std::array<Vec3, 3> ours{box.axes.right, box.axes.down, box.axes.forward};

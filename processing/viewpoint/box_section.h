@@ -1,4 +1,4 @@
-// What a plane shows of a box, and boxes with a face moved or turned.
+// How a plane cuts a box, and how a box changes if a face moves or the box turns.
 #pragma once
 
 #include <vector>
@@ -7,20 +7,20 @@
 
 namespace echolucent {
 
-/// A face of a box: on the side of larger (+1) or smaller (-1) places along one of its axes.
+/// A face of a box, at the larger (+1) or the smaller (-1) end of one of its axes.
 struct BoxFace {
     int axis = 0;  ///< 0 right, 1 down, 2 forward
     int sign = 1;
     friend bool operator==(const BoxFace&, const BoxFace&) = default;
 };
 
-/// The unit normal of a face that points out of the box, grid mm.
+/// The unit normal of a face, in grid mm. It points out of the box.
 [[nodiscard]] Vec3 outwardNormal(const OrientedBox& box, const BoxFace& face);
 /// The middle of a face, grid mm.
 [[nodiscard]] Vec3 middleOf(const OrientedBox& box, const BoxFace& face);
 
-/// The convex polygon in which a plane cuts a box: edge i goes from corner i to the next one (the last to the first)
-/// and lies on faces[i]. Both lists are empty where the plane misses the box.
+/// The convex polygon in which a plane cuts a box. Edge i goes from corner i to the next corner (from the last to the
+/// first) and lies on faces[i]. Both lists are empty if the plane misses the box.
 struct BoxSection {
     std::vector<Vec3> corners;  ///< grid mm
     std::vector<BoxFace> faces;
@@ -28,11 +28,11 @@ struct BoxSection {
 /// `normal` has length 1.
 [[nodiscard]] BoxSection sectionOf(const OrientedBox& box, const Vec3& pointMm, const Vec3& normal);
 
-/// Whether a box and that of the data have a place in common.
+/// Whether a box and the data box have a place in common.
 [[nodiscard]] bool meets(const OrientedBox& box, const DataBox& data);
 
-/// The box with a face moved outwards by so many mm (inwards where below 0), the opposite one in place; it stays at
-/// least leastMm (above 0) thick.
+/// The box with a face moved outwards by so many mm (inwards if negative). The opposite face stays in place. The box
+/// stays at least leastMm (above 0) thick.
 [[nodiscard]] OrientedBox withFaceMoved(const OrientedBox& box, const BoxFace& face, double mm, double leastMm);
 /// A vector rotated about an axis of length 1, right-handed (Rodrigues' formula).
 [[nodiscard]] Vec3 rotatedAbout(const Vec3& axis, double degrees, const Vec3& vector);

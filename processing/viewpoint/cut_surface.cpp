@@ -11,7 +11,7 @@ namespace {
 
 /// The bilinear patch of nodes around a place.
 struct Patch {
-    std::size_t node;          ///< of least column and row
+    std::size_t node;          ///< the node of least column and row
     double acrossNode, below;  ///< share of the way to the next column and row, [0,1]
 };
 
@@ -28,7 +28,7 @@ Patch patchAt(const CutSurface& surface, const Vec3& gridMm) {
         across, below};
 }
 
-/// The next place along a line at which it crosses from patch to patch; `to` where none comes before.
+/// The next place along a line at which it crosses from patch to patch. If there is none before `to`, `to`.
 double nextCrossing(const CutSurface& surface, const Vec3& pointMm, const Vec3& direction, double from, double to) {
     double next = to;
     const auto crossing = [&](const Vec3& axis, double first, int count) {
@@ -49,7 +49,7 @@ double nextCrossing(const CutSurface& surface, const Vec3& pointMm, const Vec3& 
     return next;
 }
 
-/// Where a parabola through (0, first), (1/2, middle), (1, last) first is 0 or more in [0,1]; nothing where it is not.
+/// The first place in [0,1] at which a parabola through (0, first), (1/2, middle), (1, last) is at least 0, if any.
 std::optional<double> firstRoot(double first, double middle, double last) {
     if (first >= 0.0) return 0.0;
     const double square = 2.0 * (first - 2.0 * middle + last), linear = last - first - square;
@@ -92,7 +92,7 @@ std::optional<CutSurface::Stretch> CutSurface::firstLeft(const Vec3& pointMm, co
             entered = share.value_or(1.0);
         }
         if (begin && last < 0.0) {
-            // Looked for from the last place back: there it is the first root from below.
+            // Search from the last place back: the first root from there is the last one.
             const double left = 1.0 - firstRoot(last, middle, first).value_or(1.0 - entered);
             return Stretch{*begin, from + std::max(entered, left) * (to - from)};
         }
@@ -103,7 +103,7 @@ std::optional<CutSurface::Stretch> CutSurface::firstLeft(const Vec3& pointMm, co
 }
 
 std::string problemOf(const CutSurface& surface) {
-    constexpr int mostNodes = 4096;  // along one side: what a file may ask for stays within memory
+    constexpr int mostNodes = 4096;  // along one side: limits the memory a file asks for
     if (const std::string frame = problemOf(surface.frame); !frame.empty()) return frame;
     if (!std::isfinite(surface.firstRightMm) || !std::isfinite(surface.firstDownMm))
         return "has a first node whose place is not finite";

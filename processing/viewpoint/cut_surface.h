@@ -1,4 +1,4 @@
-// A curved cut: a smooth surface before which nothing is rendered and no tube core is read.
+// A curved cut: a smooth surface. Rays and tube cores see nothing before it.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace echolucent {
 
-/// A smooth surface that is cut along: what lies before it is not rendered. It is a height field over a grid of nodes,
-/// bilinear between them, and fixed to the volume: it stays where it is while the view turns. Places and depths are mm
-/// from the grid origin (the centre of voxel (0,0,0)).
+/// A smooth surface to cut along: the picture leaves out all that lies before it. It is a height field over a grid of
+/// nodes, bilinear between them. It is fixed to the volume and stays in place while the view turns. Places and depths
+/// are mm from the grid origin (the centre of voxel (0,0,0)).
 struct CutSurface {
     ViewFrame frame{};  ///< depth is along frame.forward, columns lie along frame.right, rows along frame.down
     double firstRightMm = 0.0, firstDownMm = 0.0;  ///< place of node (0,0) along frame.right and frame.down
@@ -20,7 +20,7 @@ struct CutSurface {
     int columns = 0, rows = 0;                     ///< of nodes, at least 2 each
     SharedList<float> depthMm{};                   ///< of node (column, row) at row * columns + column; finite
 
-    /// The depth of the surface over (or under) a point. Beyond the outermost nodes it goes on at their depth.
+    /// The depth of the surface over (or under) a point. Beyond the outermost nodes the surface goes on at their depth.
     [[nodiscard]] double depthAt(const Vec3& gridMm) const;
     /// Whether a point lies before the surface.
     [[nodiscard]] bool cutsAway(const Vec3& gridMm) const { return frame.forward.dot(gridMm) < depthAt(gridMm); }
@@ -30,17 +30,17 @@ struct CutSurface {
         double begin, end;
         friend bool operator==(const Stretch&, const Stretch&) = default;
     };
-    /// The first part of the stretch of a line that the surface leaves: where a ray or a tube core begins, and where it
-    /// leaves it again through the surface (a dip through it and back within one patch of nodes counts as left).
-    /// `direction` has length 1. The result is empty where all is cut away.
+    /// The first part of a stretch of a line that the surface does not cut away. A ray or a tube core begins and ends
+    /// there. The part ends if the line passes through the surface again. A dip into the surface and back within one
+    /// patch of nodes does not end it. `direction` has length 1. Empty if the surface cuts all of it away.
     [[nodiscard]] std::optional<Stretch> firstLeft(const Vec3& pointMm, const Vec3& direction,
                                                    const Stretch& within) const;
 
     friend bool operator==(const CutSurface&, const CutSurface&) = default;
 };
 
-/// What is wrong with a surface that was read from a file, lower case, no full stop ("has fewer than 2 columns"); an
-/// empty text where nothing is. All else that takes a surface expects a right one.
+/// What is wrong with a surface read from a file, lower case, no full stop ("has fewer than 2 columns"). Empty if
+/// nothing is wrong. All other functions expect a surface without problems.
 [[nodiscard]] std::string problemOf(const CutSurface& surface);
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// A box that may stand obliquely in a volume.
+// A box that may be oblique in a volume.
 #pragma once
 
 #include <array>
@@ -10,22 +10,22 @@
 
 namespace echolucent {
 
-/// Places are grid mm. Its axes need not be the grid's.
+/// Places are in grid mm. The box's axes need not be the grid's.
 struct OrientedBox {
     Vec3 centreMm{0, 0, 0};
     ViewFrame axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     Vec3 sizeMm{1, 1, 1};  ///< along axes.right, axes.down and axes.forward, each above 0
 
-    /// Half the size, within which a place lies along each of the axes.
+    /// Half the size along each of the axes.
     [[nodiscard]] Vec3 halfMm() const { return sizeMm * 0.5; }
-    /// A place of the grid, mm from the box's centre along its own axes.
+    /// A place of the grid, in mm from the box's centre along the box's axes.
     [[nodiscard]] Vec3 inBox(const Vec3& gridMm) const;
-    /// The other way round.
+    /// The reverse of inBox().
     [[nodiscard]] Vec3 inGrid(const Vec3& boxMm) const;
     /// Whether a place of the grid lies in the box or on its faces.
     [[nodiscard]] bool contains(const Vec3& gridMm) const;
-    /// Corner i lies on the side of larger right where bit 0 is set, of larger down for bit 1, of larger forward for
-    /// bit 2; grid mm.
+    /// The corners, in grid mm. Bit 0 of a corner's index is set on the side of larger right, bit 1 for down, bit 2 for
+    /// forward.
     [[nodiscard]] std::array<Vec3, 8> corners() const;
 
     /// How far the box reaches along a direction, from its first to its last corner, mm.
@@ -34,20 +34,20 @@ struct OrientedBox {
     friend bool operator==(const OrientedBox&, const OrientedBox&) = default;
 };
 
-/// The box that holds a data box exactly.
+/// The data box as an oriented box.
 [[nodiscard]] OrientedBox orientedBoxOf(const DataBox& box);
 
-/// A face of a box: what lies in the box is at `depthMm` or more along `inwards`, counted from the grid origin.
+/// A face of a box. The box lies at `depthMm` or more along `inwards`, counted from the grid origin.
 struct CuttingFace {
     Vec3 inwards{0, 0, 1};  ///< unit, grid mm
     double depthMm = 0.0;
 };
 
-/// The faces of a box that cut something off a volume's grid. One that only touches the grid's box, to a billionth of
-/// its extent, is none of them, so that a box around the whole volume changes no bit of a result.
+/// The faces of a box that cut something off a volume's grid. A face that only touches the grid's box, to a billionth
+/// of its extent, cuts nothing. So a box around the whole volume changes no bit of a result.
 [[nodiscard]] std::vector<CuttingFace> facesThatCut(const OrientedBox& box, const VolumeGeometry& geometry);
 
-/// The data mask of a volume without the voxels whose centres lie outside a box: one byte a voxel.
+/// The data mask of a volume, one byte a voxel. Voxels with centres outside the box count as no data.
 [[nodiscard]] std::vector<std::uint8_t> dataMaskWithin(const OrientedBox& box, const Volume& volume);
 
 }  // namespace echolucent

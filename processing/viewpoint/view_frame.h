@@ -7,8 +7,8 @@
 
 namespace echolucent {
 
-/// The orthonormal frame of a view in grid mm: `forward` is the direction in which rays travel (from the probe into the
-/// volume), `right` and `down` span the picture; right x down = forward.
+/// The orthonormal frame of a view in grid mm. Rays travel along `forward` (from the probe into the volume). `right`
+/// and `down` span the picture; right x down = forward.
 struct ViewFrame {
     Vec3 right;
     Vec3 down;
@@ -16,7 +16,7 @@ struct ViewFrame {
     friend bool operator==(const ViewFrame&, const ViewFrame&) = default;
 };
 
-/// What is wrong with a frame that was read from a file, lower case, no full stop; an empty text where nothing is.
+/// What is wrong with a frame read from a file, lower case, no full stop. Empty if nothing is wrong.
 [[nodiscard]] std::string problemOf(const ViewFrame& frame);
 
 }  // namespace echolucent

@@ -45,7 +45,7 @@ Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, do
     const Mat3 toBeamFrame = beamFrame(beamAxis).t();
     const Vec3 direction = normalized(toBeamFrame * forward);
     // R_y(azimuth) R_x(elevation) (0,0,1) = (sin az cos el, -sin el, cos az cos el)
-    // The arc tangent keeps its digits near the poles, where the arc sine loses half of them.
+    // Near the poles the arc tangent keeps its digits; the arc sine would lose half of them.
     const double acrossPoles = std::hypot(direction[0], direction[2]);
     view.elevationDegrees = degrees(std::atan2(-direction[1], acrossPoles));
     if (acrossPoles > 1e-12) view.azimuthDegrees = degrees(std::atan2(direction[0], direction[2]));

@@ -9,7 +9,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::int64_t rowsOfBits = 256;  ///< that one thread takes together
+constexpr std::int64_t rowsOfBits = 256;  ///< how many one thread takes together
 
 /// The bits that exist in the last word of a row.
 std::uint64_t lastWordMask(std::int64_t sizeX) {
@@ -20,7 +20,7 @@ std::uint64_t lastWordMask(std::int64_t sizeX) {
 void spreadAlongRow(std::uint64_t* row, const std::uint64_t* passable, std::int64_t words) {
     std::uint64_t carry = 0;
     const auto fill = [&](std::int64_t i, std::uint64_t entering) {
-        // Members spread by 1, 2, 4, ... 32 bits at once, where that many bits in a row are passable.
+        // Spreads members by 1, 2, 4, ... 32 bits at once, through runs of that many passable bits.
         std::uint64_t upwards = passable[i], downwards = passable[i];
         std::uint64_t filled = (row[i] | entering) & passable[i];
         for (int shift = 1; shift < 64; shift *= 2) {

@@ -7,8 +7,8 @@
 
 namespace echolucent {
 
-/// Rows along x are packed into 64-bit words. Voxels are neighbours where they share a face. Each operation costs one
-/// or a few passes over the words, which are 1/64 of the voxels.
+/// Rows along x are packed into 64-bit words. Voxels are neighbours if they share a face. Each operation takes one or a
+/// few passes over the words, which are 1/64 of the voxels.
 class BitGrid {
 public:
     explicit BitGrid(const std::array<std::int64_t, 3>& size);
@@ -25,7 +25,7 @@ public:
 
     /// The members and their six neighbours.
     [[nodiscard]] BitGrid dilated() const;
-    /// The members whose six neighbours are members; what lies outside the grid counts as a member.
+    /// The members whose six neighbours are members. Voxels outside the grid count as members.
     [[nodiscard]] BitGrid eroded() const;
     [[nodiscard]] BitGrid operator&(const BitGrid& other) const;
     [[nodiscard]] BitGrid operator|(const BitGrid& other) const;

@@ -1,4 +1,4 @@
-// Means of blocks of voxels, gathered slice by slice, so that the voxels themselves are never all in memory.
+// Means of blocks of voxels, gathered slice by slice, so that memory never holds all the voxels.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// The type of a sum of values that no block can overflow.
+/// A type for sums of values, so wide that no block overflows it.
 template <typename T>
 struct BlockSum {
     static constexpr bool isExact = std::is_integral_v<T> && sizeof(T) <= 4;
@@ -19,21 +19,21 @@ struct BlockSum {
     using Type = std::conditional_t<isExact, WholeSum, std::conditional_t<sizeof(T) == 4, double, long double>>;
 };
 
-/// Writes the mean of every block while the slices of one volume come by. Means of whole numbers are rounded, halves
-/// upwards. Values that are not finite do not count, and a block without finite ones becomes NaN. T is one of
-/// std::int8_t to std::uint64_t, float and double.
+/// Writes the mean of every block as the slices of one volume arrive. Means of whole numbers are rounded, halves
+/// upwards. Values that are not finite do not count; a block without finite values becomes NaN. T is one of std::int8_t
+/// to std::uint64_t, float and double.
 template <typename T>
 class BlockMean {
 public:
-    /// `reduced` takes the means, x fastest: as many as the product of reducedSize(); it outlives this. Any other size
+    /// `reduced` takes the means, x fastest, and must outlive this. Its size is the product of reducedSize(); any other
     /// is a broken contract (std::invalid_argument).
     BlockMean(const Reduction& reduction, std::span<T> reduced);
 
     /// Takes the next slice along z: storedSize[0] * storedSize[1] values, x fastest. Another number of values, or a
     /// slice beyond the last, is a broken contract (std::invalid_argument).
     void add(std::span<const T> slice);
-    /// Passes over the next slice, which nobody could read: it does not count. A block layer of such slices alone
-    /// becomes 0.
+    /// Passes over the next slice, which could not be read: it does not count. A layer of blocks made only of such
+    /// slices becomes 0.
     void skip();
 
 private:
@@ -44,19 +44,19 @@ private:
 
     Reduction m_reduction;
     std::span<T> m_reduced;
-    // Of the layer of blocks that is being gathered: sums along y and z, still a column for each x, and how many values
-    // were finite, which only floating-point types count.
+    // The present layer of blocks: sums along y and z, one for each column of x, and for floating-point types the
+    // numbers of finite values.
     std::vector<Sum> m_sums;
     std::vector<std::uint32_t> m_counts;
-    std::int64_t m_slice = 0;    // slices that came by
+    std::int64_t m_slice = 0;    // slices so far
     std::int64_t m_counted = 0;  // slices of the layer that count
     std::size_t m_written = 0;   // means written so far
 };
 
-/// The geometry of the means: the size of the blocks' grid, spacing times the factors, and the origin at the centre of
-/// the first block, so that every whole block stands where its voxels stood. The last block along an axis stands like a
-/// whole one, although its voxels may end sooner. The probe keeps its place. `stored` describes the voxels of the file,
-/// whose size is the reduction's storedSize.
+/// The geometry of the means: the size of the blocks' grid, the spacing times the factors, and the origin at the centre
+/// of the first block. So every whole block stands where its voxels stood. The last block along an axis stands like a
+/// whole one, even if it holds fewer voxels. The probe keeps its place. `stored` describes the file's voxels; its size
+/// is the reduction's storedSize.
 [[nodiscard]] VolumeGeometry reducedGeometry(const VolumeGeometry& stored, const Reduction& reduction);
 
 }  // namespace echolucent

@@ -11,7 +11,7 @@ namespace echolucent {
 
 namespace {
 
-/// The values that a coarse grid takes of a volume's, which are not empty.
+/// The values of a volume on its coarse grid. `values` is not empty.
 template <typename Value>
 std::vector<Value> taken(const CoarseGrid& grid, std::span<const Value> values) {
     std::vector<Value> few;
@@ -42,7 +42,7 @@ std::optional<CoarseGrid> coarseGridOf(const VolumeGeometry& volume) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto of = static_cast<std::size_t>(axis);
         const double voxels = longest / (static_cast<double>(mostCoarseVoxels) * volume.spacing[axis]);
-        constexpr double rounding = 1e-9;  // 512 voxels of 0.3 mm are not a hair more than 128 of 1.2 mm
+        constexpr double rounding = 1e-9;  // 512 voxels of 0.3 mm must not count as longer than 128 of 1.2 mm
         const auto asCubes = static_cast<std::int64_t>(std::ceil(voxels * (1.0 - rounding)));
         grid.stride[of] = std::clamp<std::int64_t>(asCubes, 1, volume.size[of]);
         grid.first[of] = (grid.stride[of] - 1) / 2;

@@ -1,4 +1,4 @@
-// A grid of few voxels out of a large volume's, for a picture that is there before the volume is.
+// A grid of few voxels out of a large volume, for a picture before the whole volume is read.
 #pragma once
 
 #include <array>
@@ -10,20 +10,20 @@
 
 namespace echolucent {
 
-/// Volumes of fewer voxels have no coarse grid: they are read and looked through at once.
+/// Smaller volumes have no coarse grid, because they are read at once.
 constexpr std::int64_t leastVoxelsForCoarse = std::int64_t{1} << 25;
-/// A coarse grid has no more voxels along an axis.
+/// The most voxels of a coarse grid along an axis.
 constexpr std::int64_t mostCoarseVoxels = 128;
 
-/// Every n-th voxel of a volume along each axis, where they are: nothing is averaged.
+/// Every n-th voxel of a volume along each axis. Nothing is averaged.
 struct CoarseGrid {
     std::array<std::int64_t, 3> stride{1, 1, 1};  ///< n of each axis, at least 1
-    std::array<std::int64_t, 3> first{0, 0, 0};   ///< the voxel of the volume that is the grid's first: in the middle
-                                                  ///< of the first n, or one before it
+    std::array<std::int64_t, 3> first{0, 0, 0};   ///< the volume's voxel that is the grid's first: in the middle of the
+                                                  ///< first n, or one before the middle
     VolumeGeometry full;                          ///< of the volume
     VolumeGeometry geometry;                      ///< of the grid
 
-    /// The voxel of the volume that stands at place (0 to geometry.size - 1) of the grid along an axis.
+    /// The volume's voxel at place (0 to geometry.size - 1) of the grid along an axis.
     [[nodiscard]] std::int64_t voxelOf(int axis, std::int64_t place) const {
         const auto of = static_cast<std::size_t>(axis);
         return first[of] + place * stride[of];
@@ -32,24 +32,24 @@ struct CoarseGrid {
     [[nodiscard]] DataBox boxOfVolume() const;
 };
 
-/// What is seen of a volume on its coarse grid: a volume that stands for the whole one until that is there.
+/// A volume on its coarse grid. It stands for the whole volume until that is read.
 struct CoarseVolume {
-    /// Pictures are fitted to its data box, which ends where the volume's ends wherever data reach the border of the
-    /// grid. It is not null.
+    /// Not null. Pictures are fitted to its data box. If data reach the border of the grid, the box ends where the
+    /// whole volume's box ends.
     std::shared_ptr<const Volume> voxels;
-    /// How many units of the volume one unit of the grid is long, at least 1: opacities are given per unit.
+    /// How many units of the volume one unit of the grid is long, at least 1. Opacities are given per unit.
     double units = 1.0;
 };
 
-/// The coarse grid of a volume: its voxels are as near to cubes as those of the volume allow, and it fits into
-/// mostCoarseVoxels along each axis. No value for volumes of fewer than leastVoxelsForCoarse.
+/// The coarse grid of a volume: its voxels are as near to cubes as the volume's voxels allow, at most mostCoarseVoxels
+/// along each axis. No value for volumes of fewer than leastVoxelsForCoarse.
 [[nodiscard]] std::optional<CoarseGrid> coarseGridOf(const VolumeGeometry& volume);
 
 /// Voxels on a coarse grid, fitted to the box of the whole volume.
 [[nodiscard]] CoarseVolume coarseVolumeOf(const CoarseGrid& grid, const Volume& voxels);
 
-/// What a coarse grid shows of a volume that is there: its voxels, its white level, and its mask. No value where there
-/// is no coarse grid.
+/// The coarse volume of a volume that is already read: its voxels, white level and mask. No value if there is no coarse
+/// grid.
 [[nodiscard]] std::optional<CoarseVolume> coarseVolumeOf(const Volume& volume);
 
 }  // namespace echolucent

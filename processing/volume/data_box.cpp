@@ -11,7 +11,7 @@ namespace echolucent {
 
 namespace {
 
-/// The first and the last index along each axis that holds data; last < first where none does.
+/// The first and the last index with data along each axis; last < first if there is none.
 struct IndexRange {
     std::array<std::int64_t, 3> first, last;
 
@@ -28,7 +28,7 @@ struct IndexRange {
     }
 };
 
-/// Where a row holds data; its inside is not looked at.
+/// Finds where a row's data begin and end, without reading between.
 void addRow(std::span<const std::uint8_t> row, std::int64_t y, std::int64_t z, IndexRange& range) {
     const auto isData = [](std::uint8_t mark) { return mark != 0; };
     const auto first = std::find_if(row.begin(), row.end(), isData);

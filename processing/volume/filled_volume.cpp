@@ -18,9 +18,9 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::int64_t rowsOfVoxels = 64;  ///< that one thread takes together
+constexpr std::int64_t rowsOfVoxels = 64;  ///< how many one thread takes together
 
-/// One byte a voxel, 1 where a mask (empty where all are) marks a voxel that is finite; empty where all voxels are.
+/// One byte for each voxel: 1 if the mask marks it (an empty mask marks all) and it is finite. Empty if that is all.
 template <typename Voxel>
 Bytes dataOf(const VolumeGeometry& geometry, const DataMask& mask, const VoxelArray<Voxel>& voxels) {
     if (mask.empty() && !std::is_same_v<Voxel, float>) return {};
@@ -39,7 +39,7 @@ Bytes dataOf(const VolumeGeometry& geometry, const DataMask& mask, const VoxelAr
     return data;
 }
 
-/// The rows of voxels around a row: those of the same place in the slices and rows beside it, clamped to the grid.
+/// Offsets of the rows beside a row, in its slice and the slices beside it, clamped to the grid.
 struct RowsAround {
     const VolumeGeometry& geometry;
     std::int64_t y, z;
@@ -49,7 +49,7 @@ struct RowsAround {
     }
 };
 
-/// Bits of the bytes that dataOf() gives: a pass over them is short, and most voxels lie far from the border.
+/// The bytes of dataOf() as bits: a pass over them is short, and most voxels lie far from the border.
 BitGrid bitsOf(const VolumeGeometry& geometry, const Bytes& data) {
     BitGrid bits(geometry.size);
     forEachRow(geometry.size, rowsOfVoxels, [&](std::int64_t y, std::int64_t z) {
@@ -59,7 +59,7 @@ BitGrid bitsOf(const VolumeGeometry& geometry, const Bytes& data) {
         for (; x + 8 <= geometry.size[0]; x += 8) {
             std::uint64_t eight = 0;
             std::memcpy(&eight, from + x, sizeof(eight));
-            // The product gathers the lowest bit of each byte in the uppermost byte, the first one lowest.
+            // The product gathers the lowest bit of each byte in the uppermost byte; the first byte's bit comes lowest.
             to[x / 64] |= (eight * 0x0102040810204080 >> 56) << (x % 64);
         }
         for (; x < geometry.size[0]; ++x) to[x / 64] |= std::uint64_t{from[x]} << (x % 64);
@@ -67,7 +67,7 @@ BitGrid bitsOf(const VolumeGeometry& geometry, const Bytes& data) {
     return bits;
 }
 
-/// The nine rows around a row, itself among them, as voxels and as bits of which are known.
+/// A row and the eight around it: their voxels, and bits that mark the known ones.
 template <typename Voxel>
 struct NineRows {
     std::array<const Voxel*, 9> voxels{};
@@ -87,7 +87,7 @@ struct NineRows {
             }
     }
 
-    /// A voxel of the middle row that is not known is visited where one of the 26 around it is.
+    /// Visits each unknown voxel of the middle row with a known voxel among the 26 around it.
     template <typename Visit>
     void forEachBesideKnown(const Visit& visit) const {
         const std::uint64_t* own = known[4];
@@ -109,7 +109,7 @@ struct NineRows {
         }
     }
 
-    /// The mean of the known voxels among the 27 around place x; there is at least one.
+    /// The mean of the known voxels among the 27 around place x, at least one.
     [[nodiscard]] Voxel meanAround(std::int64_t x) const {
         double sum = 0.0;
         int count = 0;
@@ -126,7 +126,7 @@ struct NineRows {
     }
 };
 
-/// One layer more of voxels holds a value.
+/// Fills one more layer of voxels around the known ones.
 template <typename Voxel>
 void growLayer(const VolumeGeometry& geometry, std::vector<Voxel>& voxels, BitGrid& known, Bytes& mask) {
     BitGrid grown = known;

@@ -1,6 +1,5 @@
-// Points, directions and rotations. "Grid mm" is the frame whose axes are the voxel grid's axes, in mm, with its
-// origin at the centre of voxel (0,0,0); tube cores, rays, cameras and light live in it. The patient frame is DICOM's
-// LPS.
+// Points, directions and rotations. "Grid mm" is a frame in mm along the voxel grid's axes, with its origin at the
+// centre of voxel (0,0,0). Tube cores, rays, cameras and light are given in it. The patient frame is DICOM's LPS.
 #pragma once
 
 #include <opencv2/core/matx.hpp>

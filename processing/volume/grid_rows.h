@@ -1,4 +1,4 @@
-// The rows of a grid, visited in parallel.
+// Visits the rows of a grid in parallel.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace echolucent {
 
-/// Calls visit(y, z) for every row along x of a grid of `size` voxels (x, y, z), in no order and on several threads. A
-/// part of at most `rowsOfPart` rows (above 0) stays on one thread.
+/// Calls visit(y, z) for every row along x of a grid of `size` voxels (x, y, z), in no order and on several threads.
+/// One thread takes up to `rowsOfPart` rows (above 0) together.
 template <typename Visit>
 void forEachRow(const std::array<std::int64_t, 3>& size, std::int64_t rowsOfPart, const Visit& visit) {
     parallelFor(LoopRange<std::int64_t>(0, size[1] * size[2], rowsOfPart), [&](const auto& rows) {

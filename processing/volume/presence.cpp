@@ -14,14 +14,14 @@ namespace echolucent {
 namespace {
 
 constexpr std::uint8_t fullPresence = 255;
-/// Rows or slices that a smoothed one is made of.
+/// Rows or slices that are smoothed into one.
 constexpr std::size_t taps = 2 * presenceReach + 1;
 using Rows = std::array<const std::uint8_t*, taps>;
 
 /// [1 4 6 4 1] / 16 of five rows of bytes.
 void smoothRows(const Rows& from, std::int64_t count, std::uint8_t* __restrict to) {
     const std::uint8_t *a = from[0], *b = from[1], *c = from[2], *d = from[3], *e = from[4];
-    // In 16 bits, which hold the sums and make vectors twice as long as ints would.
+    // 16 bits hold the sums, and twice as many fit into a vector as ints would.
     const auto wide = [](std::uint8_t byte) { return static_cast<std::uint16_t>(byte); };
     for (std::int64_t i = 0; i < count; ++i) {
         const auto outer = static_cast<std::uint16_t>(wide(a[i]) + wide(e[i]));
@@ -31,7 +31,7 @@ void smoothRows(const Rows& from, std::int64_t count, std::uint8_t* __restrict t
     }
 }
 
-/// What the mask says, the less smooth the less of the surroundings agree.
+/// The less the surroundings agree with the mask, the less it is smoothed.
 std::uint8_t keptThin(std::uint8_t smooth, bool data) {
     constexpr int thin = 77, wide = 115;  // bytes of agreement: 0.30, 0.45
     const int agreement = data ? smooth : fullPresence - smooth, said = data ? fullPresence : 0;
@@ -39,7 +39,7 @@ std::uint8_t keptThin(std::uint8_t smooth, bool data) {
     return static_cast<std::uint8_t>(smooth + (said - smooth) * share / (wide - thin));
 }
 
-/// keptThin() of every byte, of no data and of data.
+/// keptThin() of every byte: first for no data, then for data.
 using KeptThin = std::array<std::array<std::uint8_t, 256>, 2>;
 KeptThin keptThinTable() {
     KeptThin table{};
@@ -49,14 +49,14 @@ KeptThin keptThinTable() {
     return table;
 }
 
-/// Which voxels of a row are data: 255 where they are, else 0.
+/// The data of a row: 255 for a voxel with data, else 0.
 template <typename Voxel>
 class DataRows {
 public:
     DataRows(const Volume& volume, const VoxelArray<Voxel>& voxels)
         : m_geometry(volume.geometry()), m_mask(volume.dataMaskOrNull()), m_voxels(voxels) {}
 
-    /// A part of a row; `to` holds the part alone.
+    /// Writes a part of a row; `to` holds the part alone.
     void write(std::int64_t y, std::int64_t z, const RowPart& part, std::uint8_t* __restrict to) const {
         const std::int64_t first = m_geometry.offset(part.first, y, z), count = part.count();
         if (m_mask == nullptr) std::fill_n(to, count, fullPresence);
@@ -73,7 +73,7 @@ private:
     const VoxelArray<Voxel>& m_voxels;
 };
 
-/// Smooths slices that follow each other: the smoothed slices around the newest one are at hand.
+/// Smooths slices one after another. It keeps the smoothed slices around the newest one.
 template <typename Voxel>
 class SliceSmoother {
 public:
@@ -90,7 +90,7 @@ public:
         for (auto& slice : m_smooth) slice.resize(m_alongX.size());
     }
 
-    /// The presence of a slice; slices are asked for one after another.
+    /// The presence of a slice. Ask for slices in ascending order.
     const std::uint8_t* at(std::int64_t z) {
         for (m_next = std::max(m_next, z - presenceReach); m_next <= z + presenceReach; ++m_next)
             if (m_next >= 0 && m_next < m_rows.slices()) smoothWithin(m_next);
@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    /// Along x and y, the parts of rows that a slice around asks for.
+    /// Smooths along x and y the parts of rows that the slices around ask for.
     void smoothWithin(std::int64_t z) {
         std::ranges::fill(m_asked, RowPart{});
         for (std::int64_t slice = std::max<std::int64_t>(z - presenceReach, 0);
@@ -121,7 +121,7 @@ private:
         }
     }
 
-    /// What lies beyond a row's ends is as its ends.
+    /// Smooths along x. Beyond a row's ends, the end voxels are repeated.
     void smoothAlong(std::int64_t y, std::int64_t z, const RowPart& part) {
         constexpr auto reach = static_cast<std::int32_t>(presenceReach);
         const auto columns = static_cast<std::int32_t>(m_columns);
@@ -144,7 +144,7 @@ private:
                           }),
                    count, smooth);
         m_data.write(y, z, part, m_marks.data());
-        // Most places lie deep in data or far from it, where all is as the mask says.
+        // Most blocks lie deep in data or far from it, where smoothing changes nothing.
         constexpr std::int64_t block = 64;
         for (std::int64_t x = 0; x < count; x += block) {
             const std::int64_t end = std::min(x + block, count);
@@ -154,7 +154,7 @@ private:
         }
     }
 
-    /// The rows or slices around one; beyond the grid its outermost one.
+    /// The rows or slices around one. Beyond the grid, the outermost one is repeated.
     template <typename RowOf>
     static Rows around(std::int64_t middle, std::int64_t count, const RowOf& rowOf) {
         Rows rows{};
@@ -190,7 +190,7 @@ void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence
     const KeptThin kept = keptThinTable();
     std::visit(
         [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) {
-            // A part also smooths the slices around it.
+            // Each part also smooths the slices around it, so parts are not smaller.
             constexpr std::int64_t part = 16;
             parallelFor(LoopRange<std::int64_t>(0, rows.slices(), part), [&](const auto& slices) {
                 if (!rows.partWithin({0, rows.rows()}, {slices.begin(), slices.end()}).any()) return;

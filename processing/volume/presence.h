@@ -1,4 +1,4 @@
-// How present data is beside the voxels of a volume, row by row (FilledVolume::presence).
+// Computes the presence of data around a volume's voxels, row by row (FilledVolume::presence).
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,18 @@
 
 namespace echolucent {
 
-/// The presence of data is bytes of a white level of 255: the data mask, smoothed by the binomial [1 4 6 4 1] / 16
-/// along each axis. So the surface at one half has no stairs. Where a voxel would end on the other side although it is
-/// of a structure or a gap only a voxel wide, it keeps what the mask says. A voxel that is not finite is no data.
-inline constexpr std::int64_t presenceReach = 2;  ///< voxels along each axis from which a mark is seen
+/// The presence of data is the data mask, smoothed by the binomial [1 4 6 4 1] / 16 along each axis, in bytes with a
+/// white level of 255. So the surface at one half has no stairs. A structure or gap that is only one voxel wide would
+/// vanish: its voxels keep what the mask says. A voxel that is not finite is no data.
+inline constexpr std::int64_t presenceReach = 2;  ///< how many voxels along each axis a mark reaches
 
 /// Whether any voxel carries no data.
 [[nodiscard]] bool lacksData(const Volume& volume);
 
-/// Takes a slice's presence: its z and its first byte, rows of voxels one after another. Only the parts of rows that
-/// were asked for hold something.
+/// Takes a slice's presence: z and the first byte, rows one after another. Only the requested parts of rows are filled.
 using TakePresence = std::function<void(std::int64_t z, const std::uint8_t* slice)>;
-/// Makes the presence of parts of rows. Slices without any are left out; the others are taken once each, side by side,
-/// in no order.
+/// Makes the presence of parts of rows and hands over each slice once, in no order and on several threads. Slices
+/// without such parts are left out.
 void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence& take);
 
 }  // namespace echolucent

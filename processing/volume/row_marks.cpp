@@ -15,7 +15,7 @@ RowPart RowMarks::partWithin(const Range& rows, const Range& slices) const {
 }
 
 RowMarks RowMarks::widened(const std::array<std::int64_t, 3>& voxels) const {
-    // Along each axis by itself: what is widened is a box.
+    // Each axis is widened by itself, so that a mark becomes a box.
     RowMarks inSlices = *this, wider = *this;
     const auto beside = static_cast<std::int32_t>(voxels[0]);
     for (std::int64_t z = 0; z < m_slices; ++z)
@@ -36,7 +36,7 @@ void RowMarks::add(const RowMarks& other) {
 
 namespace {
 
-/// Where two rows of bytes differ.
+/// The smallest part that holds all differences of two rows.
 RowPart differing(const std::uint8_t* a, const std::uint8_t* b, std::int64_t count) {
     if (std::memcmp(a, b, static_cast<std::size_t>(count)) == 0) return {};
     constexpr std::int64_t word = 8;
@@ -56,7 +56,7 @@ RowMarks rowsMaskedOtherwise(const Volume& before, const Volume& after) {
     RowMarks rows(geometry.size);
     const std::uint8_t *left = before.dataMaskOrNull(), *right = after.dataMaskOrNull();
     if (left == right) return rows;
-    // Where there is no mask, all voxels are data.
+    // Without a mask, all voxels are data.
     const std::vector<std::uint8_t> allData(static_cast<std::size_t>(geometry.size[0]), 1);
     parallelFor(std::int64_t{0}, geometry.size[2], [&](std::int64_t z) {
         for (std::int64_t y = 0; y < geometry.size[1]; ++y) {

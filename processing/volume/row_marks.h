@@ -1,4 +1,4 @@
-// Which parts of a volume's rows are meant, such as those that a stroke of the scalpel changed.
+// Marks parts of a volume's rows, such as those that a stroke of the scalpel changed.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// Voxels [first, last) of a row along x; none where first is not below last.
+/// Voxels [first, last) of a row along x; none if first is not below last.
 struct RowPart {
     std::int32_t first = 0, last = 0;
 
@@ -24,7 +24,7 @@ struct RowPart {
     }
 };
 
-/// A part of each of a grid's rows along x.
+/// One part for each of a grid's rows along x.
 class RowMarks {
 public:
     explicit RowMarks(const std::array<std::int64_t, 3>& size, bool all = false)
@@ -36,15 +36,15 @@ public:
     [[nodiscard]] std::int64_t rows() const { return m_rows; }      ///< in a slice, along y
     [[nodiscard]] std::int64_t slices() const { return m_slices; }  ///< along z
     [[nodiscard]] const RowPart& at(std::int64_t y, std::int64_t z) const { return m_parts[index(y, z)]; }
-    /// Adds to a row's part. Different rows may be marked side by side.
+    /// Adds to a row's part. Several threads may mark different rows.
     void mark(std::int64_t y, std::int64_t z, const RowPart& part) {
         m_parts[index(y, z)] = m_parts[index(y, z)].joined(part);
     }
     [[nodiscard]] bool any() const { return partWithin({0, m_rows}, {0, m_slices}).any(); }
-    /// What the rows [first, second) along y and along z have together; rows beyond the grid have nothing.
+    /// The smallest part that holds those of all rows in [first, second) along y and z; rows beyond the grid have none.
     using Range = std::array<std::int64_t, 2>;
     [[nodiscard]] RowPart partWithin(const Range& rows, const Range& slices) const;
-    /// The parts, and what lies up to so many voxels beside them along x, y and z.
+    /// The parts, widened by this many voxels along x, y and z.
     [[nodiscard]] RowMarks widened(const std::array<std::int64_t, 3>& voxels) const;
     /// Adds the parts of another set of the same grid.
     void add(const RowMarks& other);
@@ -59,8 +59,8 @@ private:
     std::vector<RowPart> m_parts;
 };
 
-/// The parts of rows in which two volumes of one grid mark other voxels as data (Volume::dataMask()). One pass over
-/// both masks, none where they are the same.
+/// The parts of rows in which two volumes of one grid mark different voxels as data (Volume::dataMask()). Takes one
+/// pass over both masks, or none if they share one.
 [[nodiscard]] RowMarks rowsMaskedOtherwise(const Volume& before, const Volume& after);
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// Where the probe was, where a file says it.
+// Where the probe was, if a file says it.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@ namespace echolucent {
 /// What a file says of the probe, in grid mm (ARCHITECTURE.md, "Coordinates and units").
 struct StatedProbe {
     Vec3 forward{0, 0, 1};         ///< mean direction of sound, a unit vector
-    Vec3 down{0, 1, 0};            ///< what points down in the picture seen from the probe: unit, not along forward
-    std::optional<Vec3> apexMm{};  ///< where the beams meet; it may lie outside the grid; none where they are parallel
+    Vec3 down{0, 1, 0};            ///< points down in the picture seen from the probe; a unit vector, not along forward
+    std::optional<Vec3> apexMm{};  ///< where the beams meet, maybe outside the grid; not set if they are parallel
     friend bool operator==(const StatedProbe&, const StatedProbe&) = default;
 };
 

@@ -91,7 +91,7 @@ Volume Volume::withDataMask(DataMask mask) const {
 }
 
 Volume Volume::withDataMask(SharedMask mask) const {
-    // The mask's size is asked before anything is read of it.
+    // This checks the mask's size before anything reads the mask.
     Volume marked = withDataMask(std::move(mask), m_dataBox);
     marked.m_dataBox = dataBoxOf(m_geometry, *marked.m_dataMask);
     return marked;

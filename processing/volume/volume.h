@@ -20,18 +20,18 @@
 
 namespace echolucent {
 
-/// Where the voxels are. Index order: x fastest, then y, then z. Voxel centres lie at integer indices; the volume's
-/// box reaches half a voxel beyond them, from -0.5 to size-0.5.
+/// Where the voxels are. Index order: x fastest, then y, then z. Voxel centres lie at integer indices. The volume's box
+/// reaches half a voxel beyond them, from -0.5 to size-0.5.
 struct VolumeGeometry {
     std::array<std::int64_t, 3> size{1, 1, 1};  ///< voxels along x, y, z; each at least 1
     Vec3 spacing{1, 1, 1};                      ///< mm between voxel centres; each finite and above 0
     Vec3 origin{0, 0, 0};                       ///< patient position (mm, LPS) of the centre of voxel (0,0,0)
     Mat3 direction = Mat3::eye();               ///< columns: unit patient directions of the grid axes
-    bool spacingKnown = true;  ///< where false, the spacing is a guess: the picture must say so, and no length in mm
-                               ///< may be shown as a fact
+    bool spacingKnown = true;  ///< if false, the spacing is a guess: the picture must say so, and no length in mm may
+                               ///< be shown as a fact
     bool patientFrameKnown = false;  ///< whether `direction` was stated for a patient; else it is the grid's own frame
-    std::optional<StatedProbe> probe{};  ///< where the file says where the probe was
-    /// Where the file holds more voxels than were kept: each is the mean of a block, and the picture must say so.
+    std::optional<StatedProbe> probe{};  ///< where the probe was, if the file says it
+    /// Set if the file holds more voxels than are kept: each is the mean of a block, and the picture must say so.
     std::optional<Reduction> reduction{};
 
     [[nodiscard]] std::int64_t voxelCount() const { return size[0] * size[1] * size[2]; }
@@ -48,23 +48,23 @@ struct VolumeGeometry {
     [[nodiscard]] Vec3 boxMinMm() const { return spacing * -0.5; }
     [[nodiscard]] Vec3 boxMaxMm() const;
     [[nodiscard]] Vec3 centreMm() const;
-    /// The depths along a direction, mm from the grid origin, of the box's foremost and hindmost corner.
+    /// The depths of the box's nearest and farthest corner along a direction, mm from the grid origin.
     struct DepthRange {
         double nearest, farthest;
     };
     [[nodiscard]] DepthRange depthsAlong(const Vec3& forward) const;
 };
 
-/// A box along the grid axes, in grid mm. A sector often leaves much of its grid empty; what lies in no data is no part
-/// of the picture.
+/// A box along the grid axes, in grid mm. A sector often leaves much of its grid empty. What lies outside the data is
+/// no part of the picture.
 struct DataBox {
     Vec3 lowMm{0, 0, 0};
     Vec3 highMm{0, 0, 0};
 
     DataBox() = default;
     DataBox(const Vec3& low, const Vec3& high) : lowMm(low), highMm(high) {}
-    /// The whole grid, half a voxel beyond the outermost centres. It converts by itself, so that a grid stands wherever
-    /// no voxels are known.
+    /// The whole grid, half a voxel beyond the outermost centres. It converts implicitly, so a geometry can stand for a
+    /// box if no voxels are known.
     DataBox(const VolumeGeometry& geometry);
 
     [[nodiscard]] Vec3 centreMm() const { return (lowMm + highMm) * 0.5; }
@@ -74,17 +74,17 @@ struct DataBox {
     friend bool operator==(const DataBox&, const DataBox&) = default;
 };
 
-/// The box around the voxels that a mask marks (one byte a voxel, x fastest, 0 is no data), half a voxel beyond their
-/// centres. It is the whole grid where the mask is empty or marks no voxel.
+/// The box around the voxels that a mask marks, half a voxel beyond their centres. The mask holds one byte for each
+/// voxel, x fastest, 0 is no data. The box is the whole grid if the mask is empty or marks no voxel.
 [[nodiscard]] DataBox dataBoxOf(const VolumeGeometry& geometry, std::span<const std::uint8_t> mask);
 
 /// One volume (one phase of a 4D study).
 class Volume {
 public:
-    /// Takes the voxels. whiteLevel is the stored value that is normalised intensity 1. Where none is given it is 255
-    /// for 8 bits, and for other types whiteLevelOf() these voxels, the largest but for hot ones (1 where no voxel is
-    /// above 0). Float voxels that are not finite count as no data.
-    /// Throws std::invalid_argument where sizes disagree or the geometry is not valid (readers check before).
+    /// Takes the voxels. whiteLevel is the stored value of normalised intensity 1. Without a finite one above 0, it is
+    /// 255 for 8 bits, else whiteLevelOf() these voxels: the largest value but for hot ones (1 if no voxel is above 0).
+    /// Float voxels that are not finite count as no data. Throws std::invalid_argument if sizes disagree or the
+    /// geometry is not valid (readers check before).
     Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whiteLevel = std::nullopt);
 
     [[nodiscard]] const VolumeGeometry& geometry() const { return m_geometry; }
@@ -92,15 +92,15 @@ public:
     [[nodiscard]] double whiteLevel() const { return m_whiteLevel; }
     [[nodiscard]] std::string_view typeName() const;  ///< "uint8", "uint16" or "float32"
 
-    /// One byte a voxel: 1 is data, 0 is no data (outside the scanned sector, or not finite). It is empty where all
+    /// One byte for each voxel: 1 is data, 0 is none (outside the scanned sector, cut, or not finite). Empty if all
     /// voxels are data.
     [[nodiscard]] const DataMask& dataMask() const { return *m_dataMask; }
-    /// The data mask's first byte, or null where all voxels are data.
+    /// The data mask's first byte, or null if all voxels are data.
     [[nodiscard]] const std::uint8_t* dataMaskOrNull() const {
         return m_dataMask->empty() ? nullptr : m_dataMask->data();
     }
-    /// What dataMask() was before a scalpel cut: the scan's own mask. Voxels that it does not mark hold no echo; those
-    /// that were cut still do.
+    /// The scan's own mask: dataMask() before a scalpel cut. Voxels outside it hold no echo. Voxels that were cut still
+    /// hold theirs.
     [[nodiscard]] const DataMask& scannedMask() const { return *m_scannedMask; }
     /// Whether a scalpel cut (withCut()).
     [[nodiscard]] bool isCut() const { return m_dataMask != m_scannedMask; }
@@ -109,40 +109,40 @@ public:
     }
     /// The stored value as double; NaN stays NaN.
     [[nodiscard]] double storedValue(std::int64_t offset) const;
-    /// The stored value over the white level, clamped to [0,1]; 0 where the value is NaN.
+    /// The stored value over the white level, clamped to [0,1]; 0 if the value is NaN.
     [[nodiscard]] double normalisedIntensity(std::int64_t offset) const;
 
-    /// Whether this is the same scan, of which a scalpel may have cut other voxels: it shares voxels and scannedMask().
+    /// Whether `other` is the same scan, with the same or another cut: it shares voxels and scannedMask().
     [[nodiscard]] bool isSameScanAs(const Volume& other) const {
         return m_voxels == other.m_voxels && m_scannedMask == other.m_scannedMask;
     }
 
-    /// The box that pictures are fitted to: around the voxels that are data, where nobody set another.
+    /// The box that pictures are fitted to: around the voxels with data, unless another was set.
     [[nodiscard]] const DataBox& dataBox() const { return m_dataBox; }
 
-    /// A volume that shares these voxels but marks other voxels as data. The mask is empty or holds one byte a voxel.
-    /// The data box is made anew, and no voxel counts as cut.
+    /// A volume that shares these voxels but marks other voxels as data. The mask is empty or holds one byte for each
+    /// voxel. The data box is computed anew, and no voxel counts as cut.
     [[nodiscard]] Volume withDataMask(DataMask mask) const;
-    /// One byte a voxel, shared.
+    /// One byte for each voxel, shared.
     using SharedMask = std::shared_ptr<const DataMask>;
     /// The same with a mask that the phases of a study share; it is not null.
     [[nodiscard]] Volume withDataMask(SharedMask mask) const;
-    /// The same where the box around what it marks is known.
+    /// The same, if the box around the marked voxels is known.
     [[nodiscard]] Volume withDataMask(SharedMask mask, const DataBox& box) const;
-    /// A volume that shares these voxels, of which a scalpel left as data what the mask marks: one byte a voxel, and
-    /// none marked that scannedMask() does not mark. Null takes the cut back. The scan's own mask and the data box
-    /// stay, so that the picture keeps still.
+    /// A volume that shares these voxels but keeps as data only what the mask marks after a scalpel cut. The mask holds
+    /// one byte for each voxel and marks only voxels of scannedMask(). Null takes the cut back. scannedMask() and the
+    /// data box stay, so that the picture does not jump.
     [[nodiscard]] Volume withCut(const SharedMask& mask) const;
-    /// The mask of the cut for another volume of the same grid and scan; null where nothing was cut.
+    /// The mask of the cut, for another volume of the same grid and scan; null if nothing was cut.
     [[nodiscard]] SharedMask cut() const { return isCut() ? m_dataMask : nullptr; }
-    /// The same volume with another data box: the phases of a study share one, so that a picture keeps still.
+    /// The same volume with another data box. The phases of a study share one, so that the picture does not jump.
     [[nodiscard]] Volume withDataBox(const DataBox& box) const;
 
 private:
     VolumeGeometry m_geometry;
     std::shared_ptr<const Voxels> m_voxels;
     double m_whiteLevel = 1.0;
-    SharedMask m_dataMask, m_scannedMask;  ///< the same one where nothing was cut
+    SharedMask m_dataMask, m_scannedMask;  ///< the same mask if nothing was cut
     DataBox m_dataBox;
 };
 

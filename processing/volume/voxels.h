@@ -1,4 +1,3 @@
-// The voxels of a volume as values.
 #pragma once
 
 #include <algorithm>
@@ -13,22 +12,22 @@
 
 namespace echolucent {
 
-/// Values that lie one after the other and never change. Copies share them, across threads too; where they lie (in a
-/// vector, or in memory that another process filled) makes no difference.
+/// Values one after the other that never change. Copies share them, across threads too. They may lie in a vector or in
+/// memory that another process filled.
 template <typename Value>
 class VoxelArray {
 public:
     using value_type = Value;
 
     VoxelArray() = default;
-    /// Takes a vector; it converts by itself, so that voxels can be computed in vectors.
+    /// Takes a vector. It converts implicitly, so that voxels can be computed in vectors.
     VoxelArray(std::vector<Value> values) {
         auto owner = std::make_shared<const std::vector<Value>>(std::move(values));
         m_values = *owner;
         m_owner = std::move(owner);
     }
     VoxelArray(std::initializer_list<Value> values) : VoxelArray(std::vector<Value>(values)) {}
-    /// Values in memory that `owner` keeps, and that nothing writes to from now on.
+    /// Values in memory that `owner` keeps. Nothing may write to them from now on.
     VoxelArray(std::shared_ptr<const void> owner, std::span<const Value> values)
         : m_owner(std::move(owner)), m_values(values) {}
 
@@ -54,11 +53,11 @@ private:
     std::span<const Value> m_values;
 };
 
-/// The voxel types kept in memory. Readers convert every other stored type without loss into one of them where
-/// possible (int8/int16 without negative values become unsigned) and say in the import report where it was not.
+/// The voxel types kept in memory. Readers convert every other type into one of them, without loss if possible (int8
+/// and int16 without negative values become unsigned). The import report tells of any loss.
 using Voxels = std::variant<VoxelArray<std::uint8_t>, VoxelArray<std::uint16_t>, VoxelArray<float>>;
 
-/// One byte a voxel: 1 is data, 0 is none. Where it is empty, all voxels are data.
+/// One byte for each voxel: 1 is data, 0 is none. If it is empty, all voxels are data.
 using DataMask = VoxelArray<std::uint8_t>;
 
 }  // namespace echolucent

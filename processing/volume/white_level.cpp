@@ -10,8 +10,8 @@ namespace echolucent {
 
 namespace {
 
-/// Positive floats by their upper 16 bits: 128 bins an octave, so that a bin is less than 1 % wide. Whole numbers up to
-/// 255 have bins of their own.
+/// Bins of positive floats by their upper 16 bits: 128 an octave, each less than 1 % wide. Whole numbers up to 255 have
+/// bins of their own.
 constexpr int bitsBelowBin = 16;
 constexpr std::size_t binsPerOctave = 128;
 constexpr std::size_t binCount = 0x7F80;  // the next one begins at infinity
@@ -44,7 +44,7 @@ public:
         return below;
     }
 
-    /// The bin of the voxel that has `below` voxels under it, in order of their values; 0 <= below < all().
+    /// The bin of the voxel with `below` voxels under it, in order of values; 0 <= below < all().
     [[nodiscard]] std::size_t binOfRank(std::int64_t below) const {
         std::size_t bin = 0;
         for (std::int64_t counted = m_counts[0]; counted <= below; counted += m_counts[bin]) ++bin;
@@ -74,7 +74,7 @@ std::int64_t mostHot(std::int64_t all) {
     return std::max(all / rare, std::min(fewVoxels, all / 100));
 }
 
-/// The bin from which on no value is looked at: that of absurd values, or binCount.
+/// The first bin of absurd values, or binCount. Values from it on do not count.
 std::size_t firstAbsurdBin(const BinCounts& counts) {
     constexpr std::size_t absurdOctaves = 20, keptOctaves = 2;
     const std::size_t common = counts.binOfRank((99 * counts.all() + 99) / 100 - 1);

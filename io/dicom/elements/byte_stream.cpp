@@ -10,7 +10,7 @@ namespace echolucent {
 void ByteStream::inflateFromHere() {
     m_inflater = std::make_unique<RawInflater>(*m_file, m_position);
     m_inflateStart = m_position;
-    // The system is asked for its memory once, not at every piece of two bytes.
+    // Ask the system for its memory once, not at every piece of two bytes.
     m_mostInflated = mostUnpackedBytes(m_file->size());
 }
 

@@ -1,4 +1,4 @@
-// The bytes of a DICOM file one after the other, stored as they are or deflated.
+// The bytes of a DICOM file in order, stored as they are or deflated.
 #pragma once
 
 #include <cstddef>
@@ -13,29 +13,29 @@
 
 namespace echolucent {
 
-/// A file's bytes in order, from the file or through inflate, with a position that can be moved forward. File and
-/// progress must outlive it.
+/// The bytes of a file in order, as stored or inflated. The position only moves forward. File and progress must outlive
+/// the stream.
 class ByteStream {
 public:
-    /// `progress` is polled for cancel while bytes are inflated; a cancelled stream has no more of them.
+    /// `progress` is polled for cancel while bytes are inflated. A cancelled stream ends.
     ByteStream(const InputFile& file, const Progress& progress) : m_file(&file), m_progress(&progress) {}
 
-    /// Bytes that were read or skipped so far, inflated ones where it inflates.
+    /// How many bytes were read or skipped so far; inflated bytes count as such.
     [[nodiscard]] std::uint64_t position() const { return m_position; }
     [[nodiscard]] bool inflates() const { return m_inflater != nullptr; }
-    /// Whether more was inflated than mostUnpackedBytes() lets out of the file; the stream ends there.
+    /// Whether the file inflates to more than mostUnpackedBytes(). The stream ends there.
     [[nodiscard]] bool inflatesTooMuch() const { return m_inflatesTooMuch; }
-    /// How many bytes were inflated so far, those of reads that failed at the end among them.
+    /// How many bytes were inflated so far. Reads that failed at the end count too.
     [[nodiscard]] std::uint64_t inflated() const { return m_inflated; }
-    /// Whether what it inflates came to its own end; it has to be read to its end before.
+    /// Whether the deflated data are complete. Read them to their end first.
     [[nodiscard]] bool inflatesToItsEnd() const { return m_inflater != nullptr && m_inflater->isComplete(); }
-    /// The position behind the last byte; where it inflates, it has to be read to its end before.
+    /// The position behind the last byte. Read deflated data to their end first.
     [[nodiscard]] std::uint64_t end() const { return m_inflater ? m_inflateStart + m_inflated : m_file->size(); }
-    /// Takes everything from here on as a raw deflate stream.
+    /// Inflates everything from here on as a raw deflate stream.
     void inflateFromHere();
-    /// Reads `count` bytes; false, and the position stays, where there are fewer.
+    /// Reads `count` bytes. If there are fewer, it gives false and the position stays.
     bool read(std::uint8_t* bytes, std::size_t count);
-    /// Moves forward; returns how many bytes there were (fewer than `count` at the end).
+    /// Moves forward; returns by how many bytes (fewer than `count` at the end).
     std::uint64_t skip(std::uint64_t count);
 
 private:

@@ -16,8 +16,7 @@ namespace echolucent {
 
 namespace {
 
-/// Values of bytes up to this length are read anew as what the dictionary says; nothing that is asked for here is
-/// longer.
+/// Values of bytes up to this length are read anew as the dictionary says; nothing needed here is longer.
 constexpr Uint32 longestReadAnew = 1 << 20;
 
 bool holdsBytes(DcmEVR vr) {
@@ -45,8 +44,8 @@ std::string bytesOfElement(DcmElement& element) {
     return {reinterpret_cast<const char*>(bytes), length};
 }
 
-/// Puts an element into the item in place of one whose bytes are kept as bytes, read as what the dictionary says they
-/// are. DCMTK would give their hexadecimal digits for text. Null where the dictionary has nothing to say.
+/// Reads a value of bytes as the dictionary says and puts this element into the item. DCMTK would give hexadecimal
+/// digits for text. Null if the dictionary has nothing to say.
 DcmElement* readAnew(DcmItem& item, DcmElement& element, DicomTag tag) {
     const DcmTag known(tag.group, tag.element);
     if (!isReadAsText(known.getEVR()) && !isReadAsNumber(known.getEVR())) return nullptr;
@@ -77,8 +76,8 @@ DcmElement* elementOf(DcmItem& item, DicomTag tag) {
     return anew != nullptr ? anew : element;
 }
 
-/// An element with a value; null for a sequence and for a value longer than any that is read here: DCMTK takes memory
-/// for the declared length, 4 GiB where that is undefined, also where a damaged file holds less.
+/// An element with a value. Null for a sequence, and for a value longer than any that is read here. DCMTK takes memory
+/// for the declared length, 4 GiB if that is undefined, even if a damaged file holds less.
 DcmElement* valueOf(DcmItem& item, DicomTag tag) {
     constexpr Uint32 longest = Uint32{1} << 22;
     DcmElement* element = elementOf(item, tag);
@@ -90,7 +89,7 @@ DcmSequenceOfItems* sequenceOf(DcmItem& item, DicomTag tag) {
     return element != nullptr && element->ident() == EVR_SQ ? static_cast<DcmSequenceOfItems*>(element) : nullptr;
 }
 
-/// The text of an attribute as stored, where it is stored as text. It lives as long as the element is left alone.
+/// The text of an attribute as stored, if it is stored as text. It is valid until the element changes.
 std::optional<std::string_view> storedText(DcmElement& element) {
     char* text = nullptr;
     Uint32 length = 0;
@@ -100,7 +99,7 @@ std::optional<std::string_view> storedText(DcmElement& element) {
     return whole.substr(0, whole.find('\0'));  // some programs pad with zero bytes
 }
 
-/// Cuts one value off the front of `rest`, trimmed; `rest` loses its data pointer with the last one.
+/// Cuts one value off the front of `rest`, trimmed. After the last value, `rest` has no data pointer.
 std::string nextValue(std::string_view& rest) {
     const auto end = rest.find('\\');
     std::string value = trimmed(rest.substr(0, end));
@@ -108,7 +107,7 @@ std::string nextValue(std::string_view& rest) {
     return value;
 }
 
-/// Value `index` of an attribute that is stored in binary, or whose text was put together by DCMTK.
+/// Value `index` of an attribute stored in binary, or of text that DCMTK put together.
 std::optional<double> binaryNumber(DcmElement& element, std::size_t index) {
     OFString text;
     if (element.getOFString(text, static_cast<unsigned long>(index)).bad()) return std::nullopt;

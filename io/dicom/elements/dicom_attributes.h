@@ -1,4 +1,4 @@
-// Attributes of DICOM data sets as plain values. DCMTK's item type is only named here, never seen.
+// Attributes of DICOM data sets as plain values. This header names DCMTK's item type, but does not include it.
 #pragma once
 
 #include <cstddef>
@@ -21,34 +21,33 @@ struct DicomTag {
 /// The tag as DICOM writes it: "(0018,0088)".
 [[nodiscard]] std::string tagText(DicomTag tag);
 
-// Each of these functions takes time in proportion to the attribute's length, however many values it holds: DCMTK's own
-// access by index is quadratic. What is stored with a value representation of bytes (UN, OB, OW, ...) although the
-// dictionary says that it is text or numbers is read as these.
+// Each of these functions takes time in proportion to the attribute's length, however many values it holds. DCMTK's own
+// access by index is quadratic. A value may be stored as bytes (UN, OB, OW, ...) although the dictionary calls it text
+// or numbers; it is read as the dictionary says.
 
-/// The attribute's text: its values as stored, each trimmed, with backslashes between them. The text is empty where the
-/// attribute is missing or empty.
+/// The attribute's text: its values as stored, each trimmed, with backslashes between them. Empty if the attribute is
+/// missing or empty.
 [[nodiscard]] std::string dicomText(DcmItem& item, DicomTag tag);
-/// The attribute's values as numbers, where it holds exactly `count` of them and every one is finite; else empty.
+/// The attribute's values as numbers; empty unless it holds exactly `count` values and all are finite.
 [[nodiscard]] std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count);
-/// The only value of the attribute, where it is a whole number of at most 10^15; no value where it is anything else, or
-/// where there are several.
+/// The only value of the attribute, a whole number of at most 10^15; else no value, also if there are several values.
 [[nodiscard]] std::optional<std::int64_t> dicomWholeNumber(DcmItem& item, DicomTag tag);
 /// Whether the attribute is there, empty or not.
 [[nodiscard]] bool dicomHas(DcmItem& item, DicomTag tag);
 
-/// The first item of a sequence; null where the sequence is missing or has no item.
+/// The first item of a sequence; null if the sequence is missing or empty.
 [[nodiscard]] DcmItem* dicomFirstItem(DcmItem& item, DicomTag sequence);
-/// Hands the items of a sequence to `visit` in their order, until `visit` returns false.
+/// Calls `visit` with each item of a sequence in order, until `visit` returns false.
 void dicomVisitItems(DcmItem& item, DicomTag sequence, const std::function<bool(DcmItem&)>& visit);
-/// How many items a sequence holds; 0 where it is missing.
+/// The number of items in a sequence; 0 if it is missing.
 [[nodiscard]] std::size_t dicomSequenceLength(DcmItem& item, DicomTag sequence);
 
-/// Unsigned 16-bit words of a binary attribute (palettes); empty where the attribute is missing.
+/// Unsigned 16-bit words of a binary attribute (palettes); empty if the attribute is missing.
 [[nodiscard]] std::vector<std::uint16_t> dicomWords(DcmItem& item, DicomTag tag);
 
-/// Unsigned 32-bit words of a binary attribute (indices); empty where the attribute is missing or of another type.
+/// Unsigned 32-bit words of a binary attribute (indices); empty if the attribute is missing or of another type.
 [[nodiscard]] std::vector<std::uint32_t> dicomLongWords(DcmItem& item, DicomTag tag);
-/// The first tag that a pointer names; no value where the attribute is missing or no pointer.
+/// The first tag that a pointer names; no value if the attribute is missing or no pointer.
 [[nodiscard]] std::optional<DicomTag> dicomPointer(DcmItem& item, DicomTag tag);
 
 }  // namespace echolucent

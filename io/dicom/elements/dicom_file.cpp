@@ -16,8 +16,8 @@ namespace echolucent {
 
 namespace {
 
-/// Silences DCMTK, whose own messages go to stderr and may hold patient data, and lets it take values of VR UN for what
-/// its dictionary knows of them.
+/// Silences DCMTK, whose messages go to stderr and may hold patient data. Also lets it read values of VR UN as its
+/// dictionary says.
 void prepareLibrary() {
     static std::once_flag once;
     std::call_once(once, [] {
@@ -30,7 +30,7 @@ bool isDeflated(const DicomScan& scan) {
     return DcmXfer(scan.transferSyntax.c_str()).getStreamCompression() != ESC_none;
 }
 
-/// Says where a file ends or makes no sense before its pixels end; no value where that is not so.
+/// Why a file ends or makes no sense before its pixels end; no value if it does not.
 std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& scan, bool qlab) {
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         return fail(FailureKind::unreadable, path, "", problem, remedy).value();
@@ -43,10 +43,10 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
                                 lacking->bytesHeld),
                     damagedFile)
             .value();
-    // Of a deflated data set the library takes memory for every value before it looks what there is, and where the walk
-    // lost its way the library may read another length: it is given none of these, whatever was whole before.
+    // DCMTK gets no broken deflated data, even if everything before was whole. It takes memory for each deflated value
+    // before it looks for the bytes. Behind damage it may read other lengths than the walk did.
     const bool mayGoOn = !isDeflated(scan);
-    // The list of a DICOMDIR says itself which of its files are there.
+    // A DICOMDIR's reader itself finds out which of the files are there.
     if (mayGoOn && scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut) return std::nullopt;
     switch (scan.end) {
         case DicomScanEnd::inMeta:
@@ -90,7 +90,7 @@ std::optional<Failure> refusal(const std::string& path, const DicomScan& scan, b
     return std::nullopt;
 }
 
-/// Says in words why DCMTK could not go on.
+/// Why DCMTK could not go on, in words.
 tl::unexpected<Failure> damaged(const InputFile& input, const DicomParsed& parsed) {
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         return fail(FailureKind::unreadable, input.path(), "", problem, remedy);
@@ -106,7 +106,6 @@ tl::unexpected<Failure> damaged(const InputFile& input, const DicomParsed& parse
     }
 }
 
-/// Whether the file begins with a preamble, or with an element that a data set or its meta header begins with.
 bool beginsAsDicom(const InputFile& input) {
     const auto beginning = input.beginning(132);
     return beginning && looksLikeDicom(*beginning);

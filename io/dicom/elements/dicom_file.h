@@ -14,17 +14,17 @@ class DcmFileFormat;
 
 namespace echolucent {
 
-/// A file as DCMTK has parsed it, and what the scan before that has seen.
+/// A file as DCMTK has parsed it, with the results of the scan before.
 class DicomFile {
 public:
-    /// Scans and parses an opened file; where `headerOnly` is set, parsing stops before the pixel data. `progress`
-    /// is polled for cancel between elements. Fails where the file is damaged, is no image that can be read, or where
-    /// the person cancelled.
+    /// Scans and parses an opened file. If `headerOnly` is set, parsing stops before the pixel data. `progress` is
+    /// polled for cancel between elements. Fails if the file is damaged, if it is no image that can be read, or if the
+    /// person cancelled.
     [[nodiscard]] static Result<DicomFile> load(const InputFile& input, bool headerOnly, const Progress& progress);
-    /// The same for the file at `path`, which it opens.
+    /// Opens the file at `path` and does the same.
     [[nodiscard]] static Result<DicomFile> load(const std::string& path, bool headerOnly, const Progress& progress);
-    /// What a damaged file still tells: the elements of its header that stand whole before the damage. Fails where the
-    /// file is no DICOM, would do harm, or where the person cancelled.
+    /// Reads what a damaged file still tells: the elements of its header before the damage. Fails if the file is no
+    /// DICOM, if it would do harm, or if the person cancelled.
     [[nodiscard]] static Result<DicomFile> loadRest(const InputFile& input, const Progress& progress);
     DicomFile(DicomFile&&) noexcept;
     DicomFile& operator=(DicomFile&&) noexcept;

@@ -29,7 +29,7 @@ constexpr std::array newCodings{
     Name{"1.2.840.10008.1.2.8.1", "deflated frame by frame"},
 };
 
-/// Objects that DCMTK 3.6.7 does not know, and those that people who scan know by another name than the standard's.
+/// Objects that DCMTK 3.6.7 does not know, and those with a better name among people who scan than the standard's.
 constexpr std::array objectsOfOurs{
     Name{directorySopClass, "a DICOMDIR (a list of files)"},
     Name{qlabSopClass, "a Philips QLAB Cartesian volume"},
@@ -40,7 +40,7 @@ constexpr std::array objectsOfOurs{
     Name{"1.2.840.10008.5.1.4.1.1.7", "a screen capture (secondary capture)"},
 };
 
-/// Roots of the classes that makers have defined for themselves.
+/// Roots of the classes of makers.
 constexpr std::array makers{
     Name{"1.2.840.113543.6.6.", "Philips"},     Name{"1.2.840.113663.", "Philips"},
     Name{"1.3.46.670589.", "Philips"},          Name{"1.2.840.113619.", "GE"},
@@ -50,7 +50,7 @@ constexpr std::array makers{
     Name{"1.2.410.200001.", "Samsung Medison"},
 };
 
-/// What the standard's names abbreviate, as wordsOfName() splits them.
+/// Abbreviations in the standard's names, split as wordsOfName() does.
 constexpr std::array abbreviations{
     Name{"SR", "structured report"}, Name{"RT", "radiotherapy"}, Name{"RETIRED", "retired"},
     Name{"VL", "visible light"},     Name{"X Ray", "X-ray"},     Name{"Storage", ""},
@@ -69,7 +69,7 @@ bool isDigit(char letter) { return std::isdigit(static_cast<unsigned char>(lette
 /// Whether a word is spoken letter by letter, as "MR" and "X-ray" are.
 bool isSpelled(std::string_view word) { return isUpper(word[0]) && (word.size() == 1 || !isLower(word[1])); }
 
-/// Replaces the abbreviation where it stands as a word of its own.
+/// Replaces the abbreviation if it stands as a separate word.
 void writeOut(std::string& words, const Name& abbreviation) {
     const auto& [shortForm, longForm] = abbreviation;
     const std::string padded = ' ' + words + ' ';
@@ -109,7 +109,7 @@ std::string wordsOfName(std::string_view name) {
 
 std::string transferSyntaxName(std::string_view uid) {
     if (const char* name = nameIn(newCodings, uid)) return name;
-    // Since 2021 videos may be split into fragments, under the same identifiers with ".1" behind.
+    // Since 2021 videos may be split into fragments. Their identifiers have ".1" at the end.
     if (uid.starts_with("1.2.840.10008.1.2.4.10") && uid.ends_with(".1")) uid.remove_suffix(2);
     const DcmXfer syntax(std::string(uid).c_str());
     if (uid.empty() || syntax.getXfer() == EXS_Unknown) return "a coding that is not known here";

@@ -1,5 +1,5 @@
-// DICOM's unique identifiers in words, for reports and refusals: DCMTK's names of them, written as a sentence needs
-// them.
+// DICOM's unique identifiers in words, for reports and refusals. DCMTK's names are rewritten so that they fit into
+// sentences.
 #pragma once
 
 #include <string>
@@ -16,13 +16,13 @@ constexpr std::string_view qlabSopClass = "1.2.840.113543.6.6.1.3.10002";
 /// A transfer syntax in words: "JPEG-LS Lossless". An unknown UID becomes "a coding that is not known here".
 [[nodiscard]] std::string transferSyntaxName(std::string_view uid);
 
-/// What an object of a SOP class is, with its article: "an ultrasound image", "an encapsulated PDF document". An
-/// unknown UID becomes "an object of a kind that is not known here", one of a maker's own "a private object of
+/// An object of a SOP class in words, with its article: "an ultrasound image", "an encapsulated PDF document". An
+/// unknown UID becomes "an object of a kind that is not known here". A maker's own UID becomes "a private object of
 /// Philips".
 [[nodiscard]] std::string objectName(std::string_view sopClassUid);
 
-/// Whether objects of a SOP class hold a picture, so that one without Pixel Data is incomplete; true of none and of
-/// unknown classes, which may.
+/// Whether objects of a SOP class hold a picture, so that one without Pixel Data is incomplete. True for no class and
+/// for unknown classes, as they may.
 [[nodiscard]] bool holdsPicture(std::string_view sopClassUid);
 
 }  // namespace echolucent

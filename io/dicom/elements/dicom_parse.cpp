@@ -16,12 +16,11 @@ namespace echolucent {
 
 namespace {
 
-/// Far more than sixty-four levels take, with the larger frames of the address sanitizer as well.
+/// Far more than sixty-four levels take, also with the larger frames of the address sanitizer.
 constexpr std::uintptr_t mostStackBytes = std::uintptr_t{4} << 20;
 /// DCMTK reads an element in three to seven pieces.
 constexpr std::uint64_t mostReads = 10 * mostElements;
 
-/// The bytes of an opened file with its repairs.
 class RepairedBytes {
 public:
     RepairedBytes(InputFile file, std::vector<DicomRepair> repairs) : m_file(std::move(file)), m_size(m_file.size()) {
@@ -32,13 +31,13 @@ public:
     }
     [[nodiscard]] std::uint64_t size() const { return m_size; }
     [[nodiscard]] const InputFile& file() const { return m_file; }
-    /// Fills `bytes` from `position` on; they lie within size().
+    /// Fills `bytes` from `position` on. They must lie within size().
     [[nodiscard]] bool read(std::uint64_t position, std::span<std::uint8_t> bytes) const {
         const std::uint64_t held = m_file.size() - std::min(position, m_file.size());
         const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), held));
         if (!m_file.readAt(position, bytes.first(count))) return false;
         const std::uint64_t end = position + bytes.size();
-        // Repairs do not overlap, so that their ends are in order as well.
+        // Repairs do not overlap, so their ends are in order too.
         auto repair = std::ranges::lower_bound(*m_repairs, position + 1, {},
                                                [](const DicomRepair& one) { return one.offset + one.bytes.size(); });
         for (; repair != m_repairs->end() && repair->offset < end; ++repair)
@@ -55,26 +54,25 @@ private:
     std::uint64_t m_size;
 };
 
-/// What all reads of one parse share.
+/// The state that all reads of one parse share.
 struct ParseBounds {
-    std::uintptr_t stackStart = 0;  ///< where the stack stood when parsing began
+    std::uintptr_t stackStart = 0;  ///< the stack's address when parsing began
     std::uint64_t reads = 0;
     bool tooDeep = false;
     bool tooMuch = false;
 
     [[nodiscard]] bool broken() const { return tooDeep || tooMuch; }
-    /// Counts one read, and measures how deep DCMTK has recursed to ask for it.
+    /// Counts one read, and measures how deep DCMTK has recursed.
     void count() {
         const std::uintptr_t here = stackHere();
         tooDeep = tooDeep || (here < stackStart ? stackStart - here : here - stackStart) > mostStackBytes;
         tooMuch = tooMuch || ++reads > mostReads;
     }
-    /// The frame's own address: locals of the address sanitizer may lie elsewhere.
+    /// The address of the frame, since the address sanitizer may put locals elsewhere.
     static std::uintptr_t stackHere() { return reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)); }
 };
 
-/// Hands the bytes of a file to DCMTK, or from some place on what they inflate to, until the person cancels or a bound
-/// is broken.
+/// Hands DCMTK the bytes of a file, inflated from some place on, until the person cancels or a bound is broken.
 class FileProducer : public DcmProducer {
 public:
     FileProducer(RepairedBytes file, std::uint64_t position, const Progress* progress, ParseBounds* bounds)
@@ -83,7 +81,7 @@ public:
           m_size(m_file.size()),
           m_progress(progress),
           m_bounds(bounds) {}
-    /// Takes all that follows as a raw deflate stream of `size` bytes.
+    /// Takes the rest as a raw deflate stream of `size` bytes.
     void inflateFromHere(std::uint64_t size) {
         m_inflater = std::make_unique<RawInflater>(m_file.file(), m_position);
         m_block.clear();
@@ -137,8 +135,8 @@ private:
     [[nodiscard]] std::uint64_t within(offile_off_t count) const {
         return count < 0 ? 0 : std::min(static_cast<std::uint64_t>(count), m_size - m_position);
     }
-    /// Copies what comes next into the front of `bytes`; returns how much, 0 where it cannot be read. DCMTK asks for
-    /// headers in pieces of two bytes, so that a block is kept.
+    /// Copies the next bytes into the front of `bytes`. Returns how many, 0 if they cannot be read. Keeps a block,
+    /// because DCMTK asks for headers in pieces of two bytes.
     std::size_t take(std::span<std::uint8_t> bytes) {
         const bool kept = m_position >= m_blockStart && m_position < m_blockStart + m_block.size();
         if (!kept && m_inflater) {
@@ -160,7 +158,7 @@ private:
         m_position += count;
         return count;
     }
-    /// Inflates the next block behind the last bytes of the one before, which DCMTK may put back.
+    /// Inflates the next block. Keeps the last bytes of the one before, because DCMTK may put them back.
     void inflateBlock() {
         const std::size_t tail = std::min(m_block.size(), putBackBytes);
         m_blockStart += m_block.size() - tail;
@@ -185,8 +183,8 @@ private:
     bool m_failed = false;
 };
 
-/// The stream from which DCMTK parses: its own file stream opens files by name and cannot be cancelled, and its own
-/// inflating filter reads ahead, so that nobody would see how deep it recurses.
+/// The stream for DCMTK. Its own file stream opens files by name and cannot be cancelled. Its own inflating filter
+/// reads ahead and so hides how deep it recurses.
 class FileStream : public DcmInputStream {
 public:
     // The base class only keeps the pointer until the first read.
@@ -197,7 +195,7 @@ public:
           m_start(position),
           m_unpackedBytes(unpackedBytes),
           m_producer(file, position, progress, bounds) {}
-    /// Lets DCMTK read long values later; what is compressed has to be read at once.
+    /// Lets DCMTK read long values later, but compressed ones at once.
     [[nodiscard]] DcmInputStreamFactory* newFactory() const override;
     OFCondition installCompressionFilter(E_StreamCompression) override {
         m_producer.inflateFromHere(m_unpackedBytes);
@@ -211,7 +209,7 @@ private:
     FileProducer m_producer;
 };
 
-/// Makes streams that begin where a long value does.
+/// Makes streams that begin at a long value.
 class FileStreamFactory : public DcmInputStreamFactory {
 public:
     FileStreamFactory(RepairedBytes file, std::uint64_t position) : m_file(std::move(file)), m_position(position) {}
@@ -231,7 +229,7 @@ DcmInputStreamFactory* FileStream::newFactory() const {
     return new FileStreamFactory(m_file, m_start + static_cast<std::uint64_t>(tell()));
 }
 
-/// Removes an element that damage cut: it holds memory that nothing was read into.
+/// Removes an element that damage cut, as it holds memory that was never filled.
 void removeCutElement(DcmDataset& dataset) {
     for (unsigned long last = dataset.card(); last > 0; --last) {
         DcmElement* element = dataset.getElement(last - 1);
@@ -248,7 +246,7 @@ OFCondition parse(DcmFileFormat& file, DcmInputStream& stream, const DcmTagKey& 
     } catch (const std::out_of_range&) {
         done = EC_CorruptedData;  // DCMTK 3.6.7 stumbles over damaged names of directory records
     }
-    // The states of elements, which say which of them were read, end with the transfer.
+    // The transfer's end clears the states of elements, which say which were read.
     if (end == DCM_PixelData && done.bad()) removeCutElement(*file.getDataset());
     file.transferEnd();
     return done;

@@ -19,7 +19,7 @@ bool looksLikeDicom(std::string_view beginning) {
     const bool big = byte(0) == 0x00 && byte(1) == 0x08;
     if (!little && !big) return false;
     if (isVrLetter(beginning[4]) && isVrLetter(beginning[5])) return true;
-    // Without value representations, a short first value in a low element gives it away.
+    // Without value representations, look for a short first value in an element of a low number.
     return little && byte(3) <= 0x01 && byte(5) == 0 && byte(6) == 0 && byte(7) == 0 && byte(4) > 0 && byte(4) % 2 == 0;
 }
 

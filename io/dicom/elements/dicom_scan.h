@@ -1,4 +1,4 @@
-// A first walk over a DICOM file, before the DICOM library sees it: flat, without recursion, bounded by the file.
+// The first walk over a DICOM file, before DCMTK sees it. It does not recurse, and the file's size bounds it.
 #pragma once
 
 #include <array>
@@ -12,19 +12,23 @@
 
 namespace echolucent {
 
-/// How names of DICOM files end, in lower case; many have no ending.
+/// The endings of DICOM files' names, in lower case; many names have none.
 constexpr std::array<std::string_view, 3> dicomEndings{".dcm", ".dicom", ".ima"};
 
-/// Whether the beginning of a file (132 bytes or more, or all of it) looks like DICOM, with or without preamble and
-/// meta header.
+/// Whether the beginning of a file looks like DICOM, with or without preamble and meta header. Takes at least the first
+/// 132 bytes, or the whole file.
 [[nodiscard]] bool looksLikeDicom(std::string_view beginning);
 
-/// Walks the elements of an opened file; where `headerOnly` is set, up to the private group behind its pixel data.
-/// Fails where sequences are nested too deep or stand in the meta header, where there are too many elements or too many
-/// out of order, where an element that describes the picture or its place stands twice with different values, where
-/// more than mostRepairs are needed, where deflated bytes unpack to more than mostUnpackedBytes() (DCMTK never sees
-/// these), or where the person cancelled, for which `progress` is polled at every element and within long values that
-/// are deflated. Where the walk cannot follow the file otherwise, DicomScan::end says so.
+/// Walks the elements of an opened file. If `headerOnly` is set, it ends behind the private group in which GE keeps
+/// volumes; this group follows the pixel data.
+/// Fails if
+/// - sequences are nested too deep or stand in the meta header,
+/// - there are too many elements, or too many out of order,
+/// - an element of the picture or its place stands twice with different values,
+/// - more than mostRepairs are needed,
+/// - deflated bytes unpack to more than mostUnpackedBytes(), so that DCMTK never sees these,
+/// - the person cancelled. `progress` is polled at every element and within long deflated values.
+/// If the walk cannot follow the file for another reason, DicomScan::end names it.
 [[nodiscard]] Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress, bool headerOnly = false);
 
 }  // namespace echolucent

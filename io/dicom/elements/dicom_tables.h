@@ -1,9 +1,9 @@
-// What reading DICOM opens files for: the dictionary of tags, and tables of characters.
+// The tables that reading DICOM loads from files: the dictionary of tags, and character sets.
 #pragma once
 
 namespace echolucent {
 
-/// Loads them all now, so that DICOM can be read where no file can be opened any more.
+/// Loads them all now, so that DICOM can be read even when no file can be opened any more.
 void loadDicomTables();
 
 }  // namespace echolucent

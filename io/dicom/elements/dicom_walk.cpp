@@ -27,9 +27,9 @@ constexpr std::uint32_t kretzGroup = 0x7fe1;
 constexpr std::string_view kretzCreator = "KRETZ_US";
 
 constexpr std::uint32_t itemTags[] = {itemTag, 0xfffee00dU, 0xfffee0ddU};
-/// Elements out of order are sorted in one by one, each past those that come behind it.
+/// The most steps to sort elements in that are out of order. Each passes all those behind its place.
 constexpr std::uint64_t mostDisorder = 10000000;
-/// What DCMTK makes of two letters; it reads lengths by it.
+/// The value representation that DCMTK sees in two letters; it decides how a length is read.
 DcmVR vrOf(std::string_view letters) { return DcmVR(std::string(letters.substr(0, 2)).c_str()); }
 
 DcmTag tagOf(std::uint32_t tag) { return {static_cast<Uint16>(tag >> 16), static_cast<Uint16>(tag & 0xffff)}; }
@@ -38,13 +38,12 @@ std::uint32_t swapped(std::uint32_t tag) {
     return (tag >> 24 & 0xff) << 16 | (tag >> 16 & 0xff) << 24 | (tag & 0xff) << 8 | (tag >> 8 & 0xff);
 }
 
-/// How a data set is written.
 struct Writing {
     bool implicitVr = false, bigEndian = false, deflated = false;
 };
 
-/// As DCMTK guesses it from the first tag (as little endian reads it) and the two bytes behind, where no transfer
-/// syntax says so.
+/// The writing as DCMTK guesses it if no transfer syntax states it. It goes by the first tag (read as little endian)
+/// and the next two bytes.
 Writing guessedWriting(std::uint32_t tag, std::string_view letters) {
     Writing writing;
     writing.implicitVr = std::isalpha(static_cast<unsigned char>(letters[0])) == 0 ||
@@ -68,18 +67,17 @@ void DicomWalk::run(bool headerOnly) {
         return;
     }
     const auto goesOn = [&] { return !m_progress.cancelled() && !harm(); };
-    // The lengths that QLAB declares are often false: what follows may be voxels.
+    // The lengths that QLAB declares are often false, so what follows may be voxels.
     const auto enough = [&] {
         return (headerOnly && m_behindKretz) || (m_scan.hasPixelData && m_scan.sopClass == qlabSopClass);
     };
     while (goesOn() && !enough() && step()) {
     }
-    // All that the library could be given is measured.
+    // Measure all that DCMTK could be given.
     if (goesOn() && m_stream.inflates()) m_stream.skip(endless);
     if (goesOn()) measureEnd(enough());
 }
 
-/// Says how far the walk came.
 void DicomWalk::measureEnd(bool enough) {
     m_scan.unpackedBytes = m_stream.inflated();
     m_scan.endPosition = m_stepStart;
@@ -97,7 +95,7 @@ void DicomWalk::measureEnd(bool enough) {
     if (m_scan.end == DicomScanEnd::cut) measureWhatLacks();
 }
 
-/// Notes the element for which the library would take much memory that the file does not hold.
+/// Notes an element for which DCMTK would take much memory, but the file lacks the bytes.
 void DicomWalk::measureWhatLacks() {
     constexpr std::uint64_t little = std::uint64_t{1} << 20;
     const std::uint64_t held = m_stream.position() - m_lastStart;
@@ -146,7 +144,7 @@ std::optional<std::uint32_t> DicomWalk::readTag() {
     return *group << 16 | *element;
 }
 
-/// Reads preamble and meta header, and from there how the data set is written. False where the file is too short.
+/// Reads preamble and meta header, which say how the data set is written. False if the file is too short.
 bool DicomWalk::readMeta() {
     const auto beginning = m_file.beginning(132);
     if (!beginning || beginning->size() < 8) return false;
@@ -180,13 +178,13 @@ bool DicomWalk::readMeta() {
     std::array<std::uint8_t, 2> letters{};
     if (!m_file.readAt(m_stream.position(), letters)) return false;
     const DcmXfer syntax(m_scan.transferSyntax.c_str());
-    // DCMTK has a syntax whose identifier is empty.
+    // DCMTK knows a syntax with an empty identifier.
     const Writing writing = m_scan.transferSyntax.empty() || syntax.getXfer() == EXS_Unknown
                                 ? guessedWriting(*tag, {reinterpret_cast<const char*>(letters.data()), 2})
                                 : Writing{syntax.isImplicitVR() != OFFalse, syntax.isBigEndian() != OFFalse,
                                           syntax.getStreamCompression() == ESC_zlib};
     if (writing.deflated) {
-        // The tag just read was already deflated data: go back to it.
+        // The tag just read was already deflated: go back to it.
         ByteStream again(m_file, m_progress);
         again.skip(m_stream.position() - 4);
         m_stream = std::move(again);
@@ -209,7 +207,7 @@ void DicomWalk::push(LevelKind kind, std::uint32_t length, bool implicitVr) {
     level.start = start;
     level.end = length == undefinedLength ? endless : start + length;
     level.implicitVr = implicitVr;
-    // What a value of VR UN holds is little endian, whatever the data set is.
+    // A value of VR UN is little endian, whatever the data set is.
     level.bigEndian = m_levels.back().bigEndian && !(implicitVr && !m_levels.back().implicitVr);
     m_levels.push_back(std::move(level));
     m_sequences += kind == LevelKind::sequence ? 1 : 0;
@@ -221,7 +219,7 @@ void DicomWalk::pop() {
     m_levels.pop_back();
 }
 
-/// Leaves what cannot be understood at the nearest end that is known; false where no end is known.
+/// Leaves data that make no sense and goes on at the nearest known end. False if no end is known.
 bool DicomWalk::recover() {
     m_pendingTag.reset();
     while (m_levels.size() > 1) {
@@ -307,13 +305,13 @@ void DicomWalk::notePixelData(std::uint32_t length) {
     m_scan.pixelStart = m_stream.inflates() ? 0 : m_stream.position();
     if (length == undefinedLength) return;
     m_scan.pixelBytesDeclared = length;
-    // What deflated data hold is known once they are passed.
+    // The size of deflated data is known once they are passed.
     m_scan.pixelBytesHeld =
         m_stream.inflates() ? length : std::min<std::uint64_t>(length, m_file.size() - m_stream.position());
 }
 
-/// Passes an element of the group in which GE keeps volumes: the one behind a creator's block that begins as Kretz
-/// volumes do is one. Other elements are not passed here, which gives false.
+/// Passes the element of GE's creator, or the element of its block. The latter is a volume if it begins like one of
+/// Kretz. False for other elements, which it does not pass.
 bool DicomWalk::readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
     const std::uint32_t element = tag & 0xffff;
     std::string value;
@@ -385,7 +383,7 @@ bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t
     return skipped == length;
 }
 
-/// A value of unknown kind is a sequence where it begins with an item.
+/// A value of unknown kind that begins with an item is a sequence.
 bool DicomWalk::enterIfItem(std::uint32_t length) {
     if (length < 8) return m_stream.skip(length) == length;
     const auto tag = readTag();

@@ -1,4 +1,4 @@
-// The walk over a DICOM file's elements that scanDicom() makes: what it keeps in mind on the way.
+// The walk of scanDicom() over a DICOM file's elements, and its state.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@ namespace echolucent {
 /// (7fe0,0010) Pixel Data: group and element in one number.
 inline constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
 
-/// The walk over one file, element by element. File and progress must outlive it.
+/// Walks over one file, element by element. File, scan and progress must outlive it.
 class DicomWalk {
 public:
     DicomWalk(const InputFile& file, DicomScan& scan, const Progress& progress)
         : m_file(file), m_stream(file, progress), m_scan(scan), m_progress(progress) {}
 
-    /// Ends early where the person cancels, and where it finds harm.
+    /// Ends early if the person cancels or it finds harm.
     void run(bool headerOnly);
-    /// Why the file must not be read any further; no value where nothing was found.
+    /// Why the file must not be read any further; no value if nothing was found.
     struct Harm {
         std::string element, problem, remedy;  ///< as in Failure
     };
@@ -38,10 +38,10 @@ private:
     static constexpr std::uint32_t itemEndTag = 0xfffee00dU;
     static constexpr std::uint32_t sequenceEndTag = 0xfffee0ddU;
     enum class LevelKind { dataset, sequence, item, fragments };
-    /// One of the elements of a level that describe the picture or its place.
+    /// An element that describes the picture or its place.
     struct Described {
         std::uint32_t tag = 0;
-        std::string value;  // empty where it was not kept
+        std::string value;  // empty if not kept
         bool isKept = false;
     };
     struct Level {
@@ -51,11 +51,11 @@ private:
         bool bigEndian = false;
         std::size_t elements = 0;
         std::uint32_t lastTag = 0;      // the largest so far
-        bool ascends = true;            // whether the last one was larger than all before
+        bool ascends = true;            // whether the last tag was larger than all before
         std::uint32_t previousTag = 0;  // of the element before
         std::vector<Described> described = {};
         bool pixels = false;                            // whether it is the pixel data
-        std::optional<std::uint64_t> falseLength = {};  // where a length stands that has to be written anew
+        std::optional<std::uint64_t> falseLength = {};  // the place of a length that must be corrected
         std::uint64_t start = 0;
     };
     bool readMeta();
@@ -92,17 +92,17 @@ private:
     std::vector<Level> m_levels;
     int m_sequences = 0;
     bool m_bigEndian = false;  // of the data set
-    bool m_lost = false;       // whether something that is no element was met
+    bool m_lost = false;       // whether the walk met bytes that are no element
     std::size_t m_elements = 0;
-    std::uint64_t m_disorder = 0;  // how many elements DCMTK passes to sort in those that are out of order
+    std::uint64_t m_disorder = 0;  // how many elements DCMTK passes to sort in those out of order
     std::optional<Harm> m_harm;
     std::optional<std::uint32_t> m_pendingTag;   // a tag that was read ahead
-    std::uint64_t m_emptySequenceEnd = endless;  // where a sequence ended that is declared to be empty
-    bool m_behindKretz = false;                  // whether the group in which GE keeps volumes is passed
-    std::uint32_t m_kretzBlock = 0;              // the first block of elements that GE's creator has reserved; 0: none
+    std::uint64_t m_emptySequenceEnd = endless;  // where a sequence ended that declares to be empty
+    bool m_behindKretz = false;                  // whether the walk is behind the group of GE's volumes
+    std::uint32_t m_kretzBlock = 0;              // the first block of elements that GE's creator reserves; 0: none
     std::uint64_t m_stepStart = 0;               // where the last step began
-    std::uint32_t m_lastTag = 0;                 // of the element whose value was entered last
-    std::uint32_t m_lastLength = 0;              // that it declares
+    std::uint32_t m_lastTag = 0;                 // of the element last entered
+    std::uint32_t m_lastLength = 0;              // as that element declares
     std::uint64_t m_lastStart = 0;               // where its value begins
     bool m_lastIsPixels = false;
 };

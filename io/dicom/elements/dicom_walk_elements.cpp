@@ -1,4 +1,4 @@
-// What the walk over a DICOM file counts, and which elements it finds twice.
+// The walk over a DICOM file counts elements, and finds those that stand twice.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -16,7 +16,7 @@ namespace echolucent {
 
 namespace {
 
-/// Values of this many bytes are kept, to be compared with those of an element that stands twice.
+/// Values up to this many bytes are kept for comparison with an element that stands twice.
 constexpr std::uint32_t keptValue = 64;
 
 /// "(0028,0030) Pixel Spacing"
@@ -28,14 +28,14 @@ std::string tagAndName(std::uint32_t tag) {
 /// Whether an element describes the picture or its place, so that it must not stand twice with different values.
 bool describesPicture(std::uint32_t tag) {
     const std::uint32_t group = tag >> 16;
-    if (tag == 0x00280120 || tag == 0x00280121) return false;  // the value of padding, which is not asked for
+    if (tag == 0x00280120 || tag == 0x00280121) return false;  // the value of padding, which is not used
     return group == 0x0018 || group == 0x0020 || group == 0x0028 || group == 0x3001 || group == 0x3004 ||
            group == 0x5200 || tag == pixelDataTag;
 }
 
 }  // namespace
 
-/// DCMTK 3.6.7 throws over a longer type while it reads a directory record, and loses what it had read.
+/// DCMTK 3.6.7 throws over a longer type in a directory record, and loses what it has read.
 void DicomWalk::refuseLongRecordType(std::uint32_t tag, std::uint32_t length) {
     constexpr std::uint32_t recordTypeTag = 0x00041430, longestCodeString = 16;
     if (tag != recordTypeTag || length <= longestCodeString) return;
@@ -45,7 +45,7 @@ void DicomWalk::refuseLongRecordType(std::uint32_t tag, std::uint32_t length) {
              doNotOpen};
 }
 
-/// Counts an element, and what DCMTK takes to sort it in. One that stands twice is dropped there.
+/// Counts an element and the work of DCMTK to sort it in. DCMTK drops an element that stands twice.
 void DicomWalk::countElement(std::uint32_t tag) {
     Level& level = m_levels.back();
     ++m_elements;
@@ -57,8 +57,8 @@ void DicomWalk::countElement(std::uint32_t tag) {
     if (!again) ++level.elements;
 }
 
-/// Keeps the short values of what describes the picture, and looks whether it stands twice. `passed` becomes true
-/// where the value, which holds no items where it is `plain`, was read on the way; false where the file ends before.
+/// Keeps short values of elements that describe the picture, and finds those that stand twice. A `plain` value holds no
+/// items. `passed` becomes true if the value was read on the way. False if the file ends before.
 bool DicomWalk::describe(std::uint32_t tag, std::uint32_t length, bool plain, bool& passed) {
     if (!describesPicture(tag)) return true;
     Level& level = m_levels.back();

@@ -1,4 +1,4 @@
-// What the walk over a DICOM file has to put right, so that a reader as strict as the standard gets through.
+// Repairs of the walk over a DICOM file, so that a reader as strict as the standard can read it.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -7,8 +7,7 @@
 
 namespace echolucent {
 
-/// Makes an element of an item that stands in the data set itself, in no sequence: one that nobody asks for. False
-/// where that cannot be.
+/// Turns an item outside any sequence into an element that nobody reads. False if that cannot be done.
 bool DicomWalk::leaveOutItem(std::uint32_t length) {
     const Level& level = m_levels.back();
     if (m_stream.inflates() || m_levels.size() > 1 || level.implicitVr || m_bigEndian || length > 0xfffe) return false;
@@ -21,14 +20,14 @@ bool DicomWalk::leaveOutItem(std::uint32_t length) {
     return true;
 }
 
-/// Notes what is to be read in place of what stands at `offset`, and says why, once.
+/// Notes the bytes to read in place of those at `offset`, and the reason once.
 void DicomWalk::repair(std::uint64_t offset, std::string bytes, const char* note) {
     m_scan.repairs.push_back({offset, std::move(bytes)});
     if (std::find(m_scan.notes.begin(), m_scan.notes.end(), note) == m_scan.notes.end())
         m_scan.notes.emplace_back(note);
 }
 
-/// Notes the true length of a sequence that is declared to be empty.
+/// Notes the true length of a sequence that is falsely declared empty.
 void DicomWalk::repairLength(const Level& level, std::uint32_t length) {
     std::string bytes;
     for (int byte = 0; byte < 4; ++byte)
@@ -37,7 +36,7 @@ void DicomWalk::repairLength(const Level& level, std::uint32_t length) {
            "A sequence is declared to be empty although items follow; they are read as its own.");
 }
 
-/// Ends a sequence that is declared to be empty where its last item ended.
+/// Ends a sequence that is falsely declared empty behind its last item.
 void DicomWalk::writeLength() {
     const std::uint64_t position = m_stream.position() - (m_pendingTag ? 4 : 0);
     const Level level = m_levels.back();
@@ -45,8 +44,8 @@ void DicomWalk::writeLength() {
     repairLength(level, static_cast<std::uint32_t>(position - level.start));
 }
 
-/// Where the file ends between elements and nothing but delimiters is missing, they are noted. False where more is
-/// missing, or where they cannot be added.
+/// If the file ends between elements and only lacks delimiters, notes these. False if more is missing, or if they
+/// cannot be added.
 bool DicomWalk::closeAtEnd() {
     while (m_levels.size() > 1 && m_levels.back().end == m_stepStart) pop();
     if (m_levels.size() == 1) return true;

@@ -30,7 +30,7 @@ std::optional<std::array<Vec3, 2>> dicomOrientation(DcmItem& item, DicomTag tag)
     if (values.empty()) return std::nullopt;
     const Vec3 alongRow(values[0], values[1], values[2]);
     const Vec3 alongColumn(values[3], values[4], values[5]);
-    // Rounded to one digit, a cosine is off by 0.05. The largest numbers have no length that a double could hold.
+    // A cosine rounded to one digit is off by 0.05. The length of the largest numbers exceeds a double.
     const auto isDirection = [](const Vec3& vector) { return std::abs(length(vector) - 1.0) <= 0.05; };
     if (!isDirection(alongRow) || !isDirection(alongColumn)) return std::nullopt;
     const Vec3 row = normalized(alongRow);

@@ -16,41 +16,41 @@ namespace echolucent {
 
 inline constexpr DicomTag pixelSpacingTag{0x0028, 0x0030};
 
-/// Three finite numbers of an attribute as a point; no value where it holds something else.
+/// Three finite numbers of an attribute as a point; else no value.
 [[nodiscard]] std::optional<Vec3> dicomPoint(DcmItem& item, DicomTag tag);
-/// The two directions of an image orientation (along a row, along a column), made perpendicular unit vectors; no value
-/// where the attribute holds no unit vectors or where they are far from perpendicular.
+/// The two directions of an image orientation (along a row, along a column), made perpendicular unit vectors. No value
+/// unless the attribute holds two unit vectors that are nearly perpendicular.
 [[nodiscard]] std::optional<std::array<Vec3, 2>> dicomOrientation(DcmItem& item, DicomTag tag);
 /// Pixel Spacing (0028,0030) of an item: mm along x (between columns) and y (between rows), both above 0.
 [[nodiscard]] std::optional<std::array<double, 2>> dicomPixelSpacing(DcmItem& item);
 
-/// What one frame says of its place; whatever is missing stays empty.
+/// What one frame says of its place; missing parts are empty.
 struct FramePlacement {
     std::optional<Vec3> position;                       ///< mm, of the centre of the first pixel
     std::optional<std::array<Vec3, 2>> orientation;     ///< along a row, along a column
-    bool orientationInPatient = false;                  ///< else in a frame of the volume's own
+    bool orientationInPatient = false;                  ///< else in the volume's own frame of reference
     std::optional<std::array<double, 2>> pixelSpacing;  ///< mm along x (between columns) and y (between rows)
 };
 
-/// The place of a single picture, from Image Position, Image Orientation and Pixel Spacing at top level; no value where
+/// The place of a single picture, from Image Position, Image Orientation and Pixel Spacing at top level. No value if
 /// the position or the orientation is missing or makes no sense.
 [[nodiscard]] std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset);
 
-/// The places of frames that the old attributes at top level give.
+/// The places of frames by the old attributes at top level.
 struct ClassicPlaces {
-    SlicePlane start;                          ///< from where the frames are counted along its normal
+    SlicePlane start;                          ///< frames are counted from here along its normal
     bool orientationInPatient = false;         ///< whether the file states the orientation; else it is assumed
     std::array<double, 2> pixelSpacing{1, 1};  ///< mm along x (between columns) and y (between rows)
-    std::string name;                          ///< of the attribute that gave the places, for sentences
-    std::optional<double> between{};           ///< mm from frame to frame, where the first lies at the start
-    std::vector<double> offsets{};             ///< else mm of each frame from the start
+    std::string name;                          ///< of the attribute of the places, for sentences
+    std::optional<double> between{};           ///< mm from frame to frame; the first lies at the start
+    std::vector<double> offsets{};             ///< else the distance of each frame from the start, mm
 };
 
-/// The places of all frames from the old attributes at top level: pixel spacing with grid frame offsets (3004,000C) or
-/// with spacing between slices (0018,0088), where frames are not said to follow each other in time. No value where the
-/// data set has no such geometry. Fails (unreadable, about the file at `path`, with Failure::framesCouldBeSlices) where
-/// it has one that is no geometry: offsets for more or fewer frames, a spacing that is none, a position or an
-/// orientation that makes no sense. What it holds is no more than the file: `frames` may be any number.
+/// The places of all frames by the old attributes at top level: pixel spacing with grid frame offsets (3004,000C), or
+/// with spacing between slices (0018,0088). No value if the data set has no such geometry, or says that its frames
+/// follow each other in time. Fails (unreadable, about the file at `path`, with Failure::framesCouldBeSlices) if the
+/// geometry makes no sense: offsets for more or fewer frames, or a bad spacing, position or orientation. `frames` may
+/// be any number; the result is no larger than the file.
 [[nodiscard]] Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::string& path,
                                                                  std::size_t frames);
 

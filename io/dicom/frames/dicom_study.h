@@ -9,23 +9,22 @@ class DcmItem;
 
 namespace echolucent {
 
-/// Reads whatever volume one file holds: frames, or a maker's private volume. To be called in a thread with a large
-/// stack.
+/// Reads the volume of one file: frames, or a maker's private volume. Call it in a thread with a large stack.
 [[nodiscard]] Result<Study> readDicomFile(const InputFile& input, const ReadOptions& options, const Progress& progress);
 
 /// Reads one file with several frames as a volume, or as the phases of one.
 [[nodiscard]] Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, const Progress& progress);
 
-/// What a refusal calls the attribute that says where a slice lies.
+/// The name that refusals give to the attribute of a slice's place.
 constexpr const char* imagePositionName = "(0020,0032) Image Position";
 
 /// Modality, maker and model of the scanner for the import report; never anything about the patient.
 [[nodiscard]] std::vector<ImportFact> equipmentFacts(DcmItem& dataset);
 
-/// The note on slices whose distance is known and whose pixels are of unknown size, which is assumed to be the same.
+/// The note on slices of known distance whose pixels have no known size. The size is taken to be that distance.
 [[nodiscard]] std::string pixelSizeUnknown(double betweenSlices);
 
-/// The refusal of pictures that are no volume (`problem` says why), with the remedy --frames-as-slices.
+/// The refusal of pictures that are no volume, because of `problem`, with the remedy --frames-as-slices.
 [[nodiscard]] tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem);
 
 }  // namespace echolucent

@@ -126,7 +126,7 @@ Result<void> GroupLayout::stackPhases() {
     return setSpacing();
 }
 
-/// The index values of positions must count the slices of all phases alike.
+/// Refuses position indices that differ from phase to phase.
 Result<void> GroupLayout::checkSlicePlaces() const {
     const auto& first = m_layout.phases.front();
     for (std::size_t phase = 1; phase < m_layout.phases.size(); ++phase)
@@ -167,8 +167,8 @@ Result<void> GroupLayout::setSpacing() {
     return {};
 }
 
-/// The grid in the frame of reference in which apex and transducer are stated; no value where the frames have no place
-/// in it. Fails where the slices lie otherwise there than in the patient.
+/// The grid in the frame of reference of apex and transducer; no value if the frames have no place in it. Fails if the
+/// slices lie otherwise there than in the patient.
 Result<std::optional<GridInVolumeFrame>> GroupLayout::gridInVolumeFrame() {
     const VolumeGeometry& geometry = m_layout.geometry;
     if (!m_inPatient) return GridInVolumeFrame{geometry.origin, geometry.direction};
@@ -227,7 +227,7 @@ Result<FrameLayout> GroupLayout::layOut(std::int64_t columns, std::int64_t rows)
     return m_layout;
 }
 
-/// Lays frames out whose places the old attributes at top level give.
+/// Lays frames out by the old attributes at top level.
 Result<FrameLayout> layOutStack(const ClassicPlaces& places, const std::string& path, const FrameExtent& extent) {
     const Vec3 normal = places.start.alongRow.cross(places.start.alongColumn);
     const auto planeAt = [&](double offset) {

@@ -51,7 +51,7 @@ std::string typeInWords(const std::string& term) {
     return fmt::format("{} ({})", words.substr(0, 64), term.substr(0, 64));
 }
 
-/// Splits the frames of one object; each of its functions looks for one kind of contradiction.
+/// Splits the frames of one object. Each function looks for one kind of contradiction.
 class PhaseSplitter {
 public:
     PhaseSplitter(const std::string& path, const std::vector<FrameDimension>& dimensions,
@@ -89,7 +89,6 @@ bool PhaseSplitter::counts(DimensionMeaning meaning) const {
     return std::ranges::any_of(m_dimensions, [&](const FrameDimension& one) { return one.meaning == meaning; });
 }
 
-/// Whether every frame has a place of its own.
 bool PhaseSplitter::allLieApart() const {
     std::set<std::array<double, 3>> places;
     for (const std::size_t frame : m_tissue) {
@@ -172,7 +171,7 @@ Result<void> PhaseSplitter::checkDimensions() const {
     return checkUnknownDimensions();
 }
 
-/// The time between phases; fails where times and index values order the phases differently.
+/// Sets the time between phases. Fails if times and index values order the phases differently.
 Result<void> PhaseSplitter::setTimes(FramePhases& result) const {
     if (result.phases.size() < 2 || !allHave([](const FrameGroups& frame) { return frame.timeOffset.has_value(); }))
         return {};

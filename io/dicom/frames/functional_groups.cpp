@@ -13,7 +13,7 @@ constexpr DicomTag orientationVolumeTag{0x0020, 0x9302};
 constexpr DicomTag orientationPatientTag{0x0020, 0x0037};
 constexpr DicomTag betweenSlicesTag{0x0018, 0x0088};
 
-/// Reads one item of functional groups into what is known of a frame. It stops at the first value that makes no sense.
+/// Reads one item of functional groups into the groups of a frame. Stops at the first value that makes no sense.
 class GroupsReader {
 public:
     GroupsReader(FrameGroups& groups, const std::string& path, std::string whose)
@@ -22,7 +22,7 @@ public:
     Result<void> read(DcmItem& item);
 
 private:
-    /// Takes over what `parse` finds in an attribute of a group; fails where it is there and `parse` finds nothing.
+    /// Takes what `parse` finds in an attribute of a group. Fails if the attribute is there but `parse` finds nothing.
     template <typename Value, typename Parse>
     void take(DcmItem& item, DicomTag group, DicomTag attribute, const char* name, const char* must,
               std::optional<Value>& value, const Parse& parse) {

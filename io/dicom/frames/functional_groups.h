@@ -33,7 +33,7 @@ struct StatedPlane {
     [[nodiscard]] bool isComplete() const { return position && orientation; }
 };
 
-/// What is said of one frame: by its own groups, else by those of all frames. What nobody says is empty.
+/// What the groups say of one frame: its own groups, else those of all frames. The rest is empty.
 struct FrameGroups {
     StatedPlane inVolume;                               ///< Plane Position and Orientation (Volume)
     StatedPlane inPatient;                              ///< Plane Position and Orientation (Patient), LPS
@@ -45,9 +45,9 @@ struct FrameGroups {
     std::vector<std::uint32_t> indexValues;             ///< Dimension Index Values, one a dimension
 };
 
-/// The groups of all `frames` frames, in the order of the file; none where the object has no groups of single frames.
-/// Fails (unreadable, about the file at `path`) where there are groups for more or fewer frames, or where one holds a
-/// position, an orientation, a spacing or a time that is none, NaN among them. `progress` is polled for cancel.
+/// The groups of all `frames` frames, in the order of the file; empty if the object has no groups of single frames.
+/// Fails (unreadable, about the file at `path`) if there are groups for more or fewer frames. It also fails if a
+/// position, an orientation, a spacing or a time makes no sense, such as NaN. `progress` is polled for cancel.
 [[nodiscard]] Result<std::vector<FrameGroups>> readFunctionalGroups(DcmItem& dataset, const std::string& path,
                                                                     std::size_t frames, const Progress& progress);
 

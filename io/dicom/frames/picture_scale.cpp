@@ -22,7 +22,7 @@ double numberOr(DcmItem& item, DicomTag tag, double missing) {
     return values.empty() ? missing : values[0];
 }
 
-/// Pixels in a region; 0 where its corners make no sense.
+/// The pixels of a region; 0 if its corners make no sense.
 double areaOf(DcmItem& region) {
     const double width = numberOr(region, {0x0018, 0x601c}, 0) - numberOr(region, {0x0018, 0x6018}, 0);
     const double height = numberOr(region, {0x0018, 0x601e}, 0) - numberOr(region, {0x0018, 0x601a}, 0);

@@ -1,4 +1,4 @@
-// How large the pixels of a data set's pictures are.
+// The size of the pixels of a data set's pictures.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@ class DcmItem;
 
 namespace echolucent {
 
-/// The scale of a picture.
 struct PictureScale {
     Vec3 spacing{1, 1, 1};  ///< mm; along x and y as stated, along z their mean: a guess
-    std::string source;     ///< the tags that gave x and y
+    std::string source;     ///< the tags of x and y
 };
 
-/// The scale that Pixel Spacing states, else the largest 2D region of the ultrasound regions (of M-modes and spectra
-/// none) whose deltas count in cm and make pixels that a scanner may have; no value where nothing states it.
+/// The scale that Pixel Spacing states. Else the scale of the largest 2D ultrasound region; M-modes and spectra do not
+/// count. The region's deltas must be in cm, and its pixels of a size that a scanner may have. No value if nothing
+/// states a scale.
 [[nodiscard]] std::optional<PictureScale> pictureScaleOf(DcmItem& dataset);
 
 }  // namespace echolucent

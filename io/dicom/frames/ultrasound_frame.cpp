@@ -65,14 +65,14 @@ void readMatrix(DcmItem& dataset, UltrasoundFrame& frame) {
 
 Vec3 axisOf(const cv::Matx44d& matrix, int row) { return {matrix(row, 0), matrix(row, 1), matrix(row, 2)}; }
 
-/// The part of a vector that is perpendicular to `forward`, made a unit vector; no value where hardly any is.
+/// The part of a vector that is perpendicular to `forward`, as a unit vector; no value if there is hardly any.
 std::optional<Vec3> across(const Vec3& vector, const Vec3& forward) {
     const Vec3 part = vector - forward * vector.dot(forward);
     if (length(part) < 0.05 * length(vector)) return std::nullopt;
     return normalized(part);
 }
 
-/// The direction that points down in a picture along the grid axis nearest to `forward`.
+/// The direction down in a picture along the grid axis nearest to `forward`.
 Vec3 downAlongNearestAxis(const Vec3& forward) {
     constexpr std::array axes{BeamAxis::plusX,  BeamAxis::minusX, BeamAxis::plusY,
                               BeamAxis::minusY, BeamAxis::plusZ,  BeamAxis::minusZ};
@@ -82,7 +82,6 @@ Vec3 downAlongNearestAxis(const Vec3& forward) {
     return *across(frameOf(Viewpoint{.beamAxis = *nearest}).down, forward);
 }
 
-/// Finds the probe on the axes of a grid.
 class ProbeFinder {
 public:
     ProbeFinder(const UltrasoundFrame& frame, const GridInVolumeFrame& grid, const VolumeGeometry& geometry)
@@ -120,7 +119,7 @@ bool ProbeFinder::takeApex(std::vector<std::string>& warnings) {
     return true;
 }
 
-/// The normal of the face is the direction of sound; a face whose normal points away from the data has it turned.
+/// Takes the normal of the face as the direction of sound, turned if it points away from the data.
 void ProbeFinder::takeFace(std::vector<std::string>& warnings) {
     const cv::Matx44d& matrix = *m_frame.transducerFromVolume;
     const Vec3 centre = m_grid.originMm + m_grid.direction * m_geometry.centreMm();

@@ -14,18 +14,18 @@ class DcmItem;
 
 namespace echolucent {
 
-/// The Ultrasound Frame of Reference module (PS3.3 C.8.24.2), each part where it is stated and makes sense.
+/// The Ultrasound Frame of Reference module (PS3.3 C.8.24.2). Parts that are missing or make no sense are empty.
 struct UltrasoundFrame {
-    std::string acquisitionGeometry;                  ///< APEX, PATIENT, or what else stands there
-    std::optional<Vec3> apexMm;                       ///< in the volume's frame of reference
-    std::optional<cv::Matx44d> transducerFromVolume;  ///< rigid; y is normal to the transducer's face, x its marker
-    std::string relationship;                         ///< FIXED, POSITION_VAR, ORIENTATION_VAR, ...; may be empty
+    std::string acquisitionGeometry;  ///< APEX, PATIENT, or another text
+    std::optional<Vec3> apexMm;       ///< in the volume's frame of reference
+    std::optional<cv::Matx44d>
+        transducerFromVolume;  ///< rigid; y is normal to the transducer's face, x points to its marker
+    std::string relationship;  ///< FIXED, POSITION_VAR, ORIENTATION_VAR, ...; may be empty
     std::vector<ImportFact> facts;
-    std::vector<std::string> warnings;  ///< what makes no sense and was left out
+    std::vector<std::string> warnings;  ///< on parts that make no sense and were left out
 };
 [[nodiscard]] UltrasoundFrame readUltrasoundFrame(DcmItem& dataset);
 
-/// A grid in the volume's frame of reference.
 struct GridInVolumeFrame {
     Vec3 originMm{0, 0, 0};        ///< of the centre of voxel (0,0,0)
     Mat3 direction = Mat3::eye();  ///< columns: unit vectors along the grid's axes
@@ -34,13 +34,13 @@ struct GridInVolumeFrame {
 /// A probe on the axes of a grid.
 struct FoundProbe {
     StatedProbe probe;
-    std::string source;  ///< the attributes that gave it
+    std::string source;  ///< the attributes that state it
 };
-/// The probe on the grid's axes. Sound runs from the apex to the middle of the grid, or along the normal of the
-/// transducer's face where no apex is stated or the spacing of the grid is not known. In the picture from there, the
-/// transducer's marker is on the right; where no matrix is stated, the picture is turned least against that along the
-/// nearest grid axis. No value where neither apex nor matrix says a direction; `warnings` then tells why, where
-/// something was stated.
+/// The probe on the grid's axes. Sound runs from the apex to the middle of the grid. If no apex is stated, or the
+/// grid's spacing is unknown, it runs along the normal of the transducer's face. In the picture from there, the
+/// transducer's marker is on the right. Without a matrix, the picture is turned as little as possible against the one
+/// along the nearest grid axis. No value if neither apex nor matrix gives a direction. If one was stated, `warnings`
+/// says why it gives none.
 [[nodiscard]] std::optional<FoundProbe> probeOf(const UltrasoundFrame& frame, const GridInVolumeFrame& grid,
                                                 const VolumeGeometry& geometry, std::vector<std::string>& warnings);
 

@@ -22,11 +22,10 @@ namespace echolucent {
 
 namespace {
 
-/// Compressed frames of more samples than this are refused: no scanner makes them, and decoders take ten bytes for
-/// each.
+/// Compressed frames of more samples are refused. No scanner makes them, and decoders take ten bytes for each sample.
 constexpr std::int64_t mostFrameSamples = std::int64_t{1} << 25;
 
-/// DCMTK's JPEG-LS decoder, from the first frame that needs it to the end of the program, when nobody decodes.
+/// Registers DCMTK's JPEG-LS decoder from the first frame that needs it to the end of the program.
 struct JpegLsDecoder {
     JpegLsDecoder() { DJLSDecoderRegistration::registerCodecs(EJLSUC_default, EJLSPC_colorByPixel); }
     ~JpegLsDecoder() { DJLSDecoderRegistration::cleanup(); }
@@ -52,7 +51,7 @@ struct CompressedFrames::State {
     DcmPixelData* pixelData = nullptr;
     PixelCoding coding = PixelCoding::unknown;
     DicomPixelFormat format;
-    FrameFragments map;  // which fragments make up which frame
+    FrameFragments map;  // the fragments of each frame
     DcmFileCache cache;
     std::vector<std::string> notes;
 
@@ -140,7 +139,7 @@ std::string CompressedFrames::decode(std::size_t index, DecodedFrame& frame) {
     }
 }
 
-/// Notes that `limited` values of a frame were limited, or says what is wrong where these are not few.
+/// Notes that `limited` values of a frame were limited, or says what is wrong if there are more than a few.
 std::string CompressedFrames::State::sayLimited(std::size_t limited) {
     if (limited == 0) return {};
     const std::string bits = fmt::format("{} {} bits", format.bitsStored, format.isSigned ? "signed" : "unsigned");
@@ -183,7 +182,7 @@ std::string CompressedFrames::State::decodeJpegFrame(std::size_t index, std::vec
     auto problem = coding == PixelCoding::jpegLs ? decodeJpegLsFrame(index, data, frame)
                                                  : decodeJpeg(data, jpegFrame(), frame.bytes, frame.lumaFirst);
     if (!problem.empty()) return problem;
-    // Overlays of old stand in the bits above those of the pixels.
+    // Old overlays use the bits above those of the pixels.
     if (dicomWholeNumber(*dataset, {0x6000, 0x0102}).value_or(0) > 0) return {};
     return sayLimited(limitToStoredBits(format, frame.bytes));
 }

@@ -1,4 +1,4 @@
-// The frames of encapsulated pixel data: found among the fragments, checked before memory is taken, decoded.
+// The frames of encapsulated pixel data: found among the fragments, checked, then decoded.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@ class DcmPixelData;
 
 namespace echolucent {
 
-/// How pixels are coded, as the transfer syntax says.
+/// The coding of pixels, as the transfer syntax says.
 enum class PixelCoding { native, rle, jpeg, jpegLs, jpeg2000, unknown };
 
-/// The compressed frames of a data set, which must outlive this object. What is wrong is a text as in Failure::problem,
-/// about (7fe0,0010) Pixel Data; an empty text means that nothing is.
+/// The compressed frames of a data set, which must outlive this object. Problems are texts as in Failure::problem,
+/// about (7fe0,0010) Pixel Data. An empty text means that nothing is wrong.
 class CompressedFrames {
 public:
-    /// Finds the fragments of each frame. Fails with what is wrong where they cannot be told apart, or where frames are
-    /// larger than any scanner makes.
+    /// Finds the fragments of each frame. Fails if they cannot be told apart, or if frames are larger than any scanner
+    /// makes.
     [[nodiscard]] static tl::expected<CompressedFrames, std::string> open(DcmDataset& dataset, DcmPixelData& pixels,
                                                                           const DicomPixelFormat& format,
                                                                           PixelCoding coding);
@@ -31,14 +31,14 @@ public:
     CompressedFrames& operator=(CompressedFrames&&) noexcept;
     ~CompressedFrames();
 
-    /// How many bytes all fragments hold.
+    /// The bytes of all fragments together.
     [[nodiscard]] std::uint64_t heldBytes() const;
-    /// Compares the header of frame `index` (from 0) with the data set, and whether all of it is there and can hold the
-    /// frame; nothing is decoded.
+    /// Compares the header of frame `index` (from 0) with the data set, without decoding. Checks too that all of the
+    /// frame is there, and that so few bytes can hold it.
     [[nodiscard]] std::string check(std::size_t index) const;
-    /// Decodes frame `index` (from 0). Values that the declared bits cannot hold are wrong where they are not few.
+    /// Decodes frame `index` (from 0). The frame is wrong if more than a few values do not fit into the declared bits.
     [[nodiscard]] std::string decode(std::size_t index, DecodedFrame& frame);
-    /// Sentences on what was wrong and read all the same, each once.
+    /// Sentences on errors that were accepted, each once.
     [[nodiscard]] const std::vector<std::string>& notes() const;
 
 private:

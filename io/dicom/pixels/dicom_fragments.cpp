@@ -13,8 +13,7 @@ namespace echolucent {
 
 namespace {
 
-/// Which fragments begin at these offsets, counted from the first fragment's own tag; no value where an offset is not
-/// where a fragment begins.
+/// The fragments at these offsets, counted from the first fragment's own tag; no value unless each offset meets one.
 std::optional<FragmentMap> mapByOffsets(const std::vector<DcmPixelItem*>& items,
                                         const std::vector<std::uint64_t>& offsets) {
     FragmentMap map;
@@ -57,7 +56,7 @@ bool endsPicture(std::span<const std::uint8_t> bytes) {
     return false;
 }
 
-/// Which fragments begin a picture of their own by what they hold.
+/// The fragments of each picture, by their content.
 FragmentMap mapByCodestreams(const std::vector<DcmPixelItem*>& items, Codestream kind) {
     FragmentMap map;
     bool ended = true;

@@ -20,24 +20,24 @@ struct FragmentRange {
 };
 using FragmentMap = std::vector<FragmentRange>;
 
-/// Which fragments make up which frame. It must not outlive the pixel sequence.
+/// The fragments of each frame. It must not outlive the pixel sequence.
 struct FrameFragments {
     std::vector<DcmPixelItem*> items;  ///< all fragments
     FragmentMap frames;
-    std::string warning{};  ///< a sentence where the file contradicts itself; else empty
+    std::string warning{};  ///< a sentence if the file contradicts itself; else empty
 };
 
-/// Codings whose codestreams tell where a picture begins and ends; JPEG-LS has the markers of JPEG.
+/// Codings that mark where a picture begins and ends; JPEG-LS has the markers of JPEG.
 enum class Codestream { none, jpeg, jpeg2000 };
 
-/// Which fragments make up each of `frames` frames: one fragment a frame, all fragments for a single frame, what the
-/// basic or the extended offset table says (`extendedOffsets`, (7FE0,0001); it may be empty), or which fragments begin
-/// a picture behind one that has ended. Fails with what is wrong where none of these fits.
+/// Finds the fragments of each of `frames` frames. One fragment may be one frame, or all fragments a single frame. Else
+/// the basic or the extended offset table tells (`extendedOffsets`, (7FE0,0001); it may be empty), or the fragments
+/// that begin a picture behind one that has ended. Fails with what is wrong if none of these fits.
 [[nodiscard]] tl::expected<FrameFragments, std::string> mapFragments(DcmPixelSequence& fragments, std::int64_t frames,
                                                                      Codestream kind,
                                                                      std::vector<std::uint64_t> extendedOffsets);
 
-/// The bytes of a frame's fragments put together; no value where a fragment cannot be read.
+/// The bytes of a frame's fragments put together; no value if a fragment cannot be read.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> fragmentBytes(const FrameFragments& fragments,
                                                                      std::size_t frame);
 

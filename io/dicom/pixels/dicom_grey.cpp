@@ -33,8 +33,8 @@ FormatProblem formatProblemAt(DicomTag tag, const char* name, std::string text) 
     return PixelFormatProblem{tagText(tag) + " " + name, std::move(text)};
 }
 
-/// Takes the only value of an attribute, which stays as it is where the attribute is missing or empty; says what is
-/// wrong where it is no whole number, or several.
+/// Takes the only value of an attribute into `value`, which stays if the attribute is missing or empty. Says what is
+/// wrong if it is no whole number, or several.
 FormatProblem take(DcmItem& item, DicomTag tag, const char* name, std::optional<std::int64_t>& value) {
     const std::string text = dicomText(item, tag);
     if (text.empty()) return std::nullopt;
@@ -45,7 +45,7 @@ FormatProblem take(DcmItem& item, DicomTag tag, const char* name, std::optional<
     return formatProblemAt(tag, name, "is no whole number: " + quotedText(text));
 }
 
-/// The problem, or what is wrong where the value is neither 0 nor 1.
+/// Takes a switch; says what is wrong if the value is neither 0 nor 1.
 FormatProblem takeSwitch(DcmItem& item, DicomTag tag, const char* name, bool& value) {
     std::optional<std::int64_t> number;
     if (auto problem = take(item, tag, name, number)) return problem;
@@ -145,7 +145,7 @@ FormatProblem readColour(DcmItem& item, DicomPixelFormat& format) {
     return format.model == ColourModel::palette ? readColours(item, format) : std::nullopt;
 }
 
-/// Sample `index` of the frame with the bits the data set says are in use.
+/// Reads sample `index` of the frame, using the bits that the data set names.
 class SampleReader {
 public:
     SampleReader(const DicomPixelFormat& format, const DecodedFrame& frame)
@@ -211,11 +211,11 @@ std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std:
         return fmt::format("holds {} bytes where {} x {} pixels in {} frame(s) need {}", held, format.columns,
                            format.rows, format.frames, needed ? std::to_string(*needed) : "more than can be counted");
     };
-    // DICOM counts in 32 bits: no file can hold more.
+    // DICOM counts in 32 bits, so no file holds more.
     if (!needed || static_cast<std::uint64_t>(*needed) > held || *needed > 0xfffffffeLL)
         return PixelFormatProblem{pixelData, holds()};
     const std::uint64_t left = held - static_cast<std::uint64_t>(*needed);
-    // Some writers pad the end; a false number of rows, columns or frames leaves more.
+    // Some writers pad the end. More bytes mean that the number of rows, columns or frames is false.
     if (left > static_cast<std::uint64_t>(std::max<std::int64_t>(1, format.storedFrameBytes() / 32)))
         return PixelFormatProblem{pixelData, holds() + ", so that it cannot be told what the picture's size is"};
     if (left > 1)

@@ -20,10 +20,10 @@ public:
         m_entries.reserve(count);
     }
 
-    /// False where a segment is not as it should be.
+    /// False if a segment is malformed.
     bool expandAll() {
         std::size_t position = 0;
-        // What stands behind the last entry is padding.
+        // Data behind the last entry are padding.
         while (m_entries.size() < m_count)
             if (!expandOne(position, true)) return false;
         return true;
@@ -31,7 +31,7 @@ public:
     std::vector<std::uint16_t> takeEntries() { return std::move(m_entries); }
 
 private:
-    /// Expands the segment at `position` and moves behind it.
+    /// Expands the segment at `position`, and moves behind it.
     bool expandOne(std::size_t& position, bool copiesAllowed) {
         if (position + 2 > m_data.size()) return false;
         const std::uint16_t kind = m_data[position];
@@ -53,7 +53,7 @@ private:
         return true;
     }
 
-    /// A straight line from the entry before it to its own last value.
+    /// Expands a straight line from the entry before it to its own last value.
     bool line(std::size_t& position, std::size_t length) {
         if (position + 1 > m_data.size() || m_entries.empty() || m_entries.size() + length > m_count) return false;
         const double from = m_entries.back();
@@ -64,8 +64,8 @@ private:
         return true;
     }
 
-    /// Expands `segments` segments again that stand from a byte offset on, copies not among them. Each gives at least
-    /// one entry, so that copies end.
+    /// Expands `segments` segments again, from a byte offset on. They may not be copies, so copies end, and each gives
+    /// at least one entry.
     bool copy(std::size_t& position, std::size_t segments) {
         const std::size_t words = m_bytes ? 4 : 2;
         if (position + words > m_data.size()) return false;
@@ -87,7 +87,7 @@ private:
     bool m_bytes;
     std::size_t m_count;
     std::vector<std::uint16_t> m_entries;
-    std::vector<bool> m_begins;  // where segments begin that have been expanded
+    std::vector<bool> m_begins;  // the places where expanded segments begin
 };
 
 /// A word holds two values of 8 bits, the lower one first.
@@ -101,7 +101,6 @@ std::vector<std::uint16_t> splitWords(const std::vector<std::uint16_t>& words) {
     return split;
 }
 
-/// Tags and texts of one colour of a palette.
 struct Colour {
     DicomTag descriptor, plain, segmented;
 };
@@ -109,7 +108,7 @@ constexpr std::array<Colour, 3> colours{Colour{{0x0028, 0x1101}, {0x0028, 0x1201
                                         Colour{{0x0028, 0x1102}, {0x0028, 0x1202}, {0x0028, 0x1222}},
                                         Colour{{0x0028, 0x1103}, {0x0028, 0x1203}, {0x0028, 0x1223}}};
 
-/// One colour's entries as 8-bit values; empty where `problem` says why there are none.
+/// One colour's entries as 8-bit values; empty if `problem` says why there are none.
 std::vector<std::uint8_t> entriesOf(DcmItem& item, const Colour& colour, std::string& problem) {
     const auto descriptor = dicomNumbers(item, colour.descriptor, 3);
     const bool segmented = !dicomHas(item, colour.plain) && dicomHas(item, colour.segmented);

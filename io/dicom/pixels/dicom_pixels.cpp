@@ -57,17 +57,17 @@ struct DicomFrames::State {
     std::string path;
     DcmDataset* dataset = nullptr;
     DcmPixelData* pixelData = nullptr;
-    std::optional<CompressedFrames> compressed;  // where they are
+    std::optional<CompressedFrames> compressed;  // no value if uncompressed
     DcmFileCache cache;
     E_TransferSyntax syntax = EXS_Unknown;
     PixelCoding coding = PixelCoding::unknown;
     DicomPixelFormat format;
     FrameRescales rescales;
-    std::vector<std::size_t> shown;    // the frames that are part of the volume; empty: all of them
-    bool rescaledAmongOthers = false;  // whether grey values are float32 in any case
-    bool rescaled = false;             // whether they are
+    std::vector<std::size_t> shown;    // the frames of the volume; empty: all of them
+    bool rescaledAmongOthers = false;  // whether another slice makes grey values float32
+    bool rescaled = false;             // whether grey values are float32
     DicomWindow window;
-    std::vector<std::string> notes;  // on what was wrong with the file and read all the same
+    std::vector<std::string> notes;  // on errors that were accepted
 
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& problem, const std::string& element = "",
                                                 const std::string& remedy = copyAgain) const {
@@ -76,11 +76,11 @@ struct DicomFrames::State {
     [[nodiscard]] bool isGrey() const {
         return format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
     }
-    /// The different rescalings of the frames that are shown; the first frame's comes first.
+    /// The different rescalings of the shown frames, that of the first frame first.
     [[nodiscard]] std::vector<Rescale> rescalesShown() const;
-    /// Finds out what depends on the frames that are shown.
+    /// Finds out what depends on the shown frames.
     void askShown();
-    /// The largest (sign 1) or smallest (sign -1) value that the stored bits of any frame shown can mean.
+    /// The largest (sign 1) or smallest (sign -1) value that the stored bits of any shown frame can mean.
     [[nodiscard]] double extreme(double sign) const;
     Result<void> readDescription();
     Result<void> checkNative(const DicomScan& scan);
@@ -183,7 +183,7 @@ Result<void> DicomFrames::State::checkEncapsulated() {
     auto found = CompressedFrames::open(*dataset, *pixelData, format, coding);
     if (!found) return wrong(found.error(), pixelDataName);
     compressed = std::move(*found);
-    // Few bytes may unpack to gigabytes: codings of empty pictures know hardly any bound.
+    // Few bytes may unpack to gigabytes, as there is hardly a bound on the coding of empty pictures.
     const std::uint64_t held = compressed->heldBytes();
     const std::int64_t voxelBytes = bytesOf(rescaled ? StoredType::float32 : format.greyType());
     const auto unpacked = checkedProduct(format.pixels() * voxelBytes, format.frames);

@@ -24,7 +24,7 @@ tl::unexpected<PixelFormatProblem> problemAt(DicomTag tag, const char* name, std
     return tl::unexpected(PixelFormatProblem{tagText(tag) + " " + name, std::move(text)});
 }
 
-/// Takes the attribute into `value`, which stays where it is missing or empty; false where it is no finite number.
+/// Takes the attribute into `value`, which stays if the attribute is missing or empty. False if it is no finite number.
 bool take(DcmItem& item, DicomTag tag, double& value) {
     const std::string text = dicomText(item, tag);
     if (text.empty()) return true;

@@ -12,19 +12,19 @@ namespace echolucent {
 
 /// The rescaling of every frame of a data set.
 struct FrameRescales {
-    Rescale all;                  ///< of the frames that have none of their own
-    std::vector<Rescale> single;  ///< of the first frames, where the groups of single frames hold any; or none
+    Rescale all;                  ///< of the frames without their own
+    std::vector<Rescale> single;  ///< of the first frames; empty if the groups of single frames hold none
     [[nodiscard]] const Rescale& of(std::size_t frame) const { return frame < single.size() ? single[frame] : all; }
 };
 
-/// Rescale Slope and Intercept of a data set: one for all frames (at top level or in the shared functional groups), or
-/// one a frame where the groups of frames hold them. What is missing or empty changes nothing. Fails with what is wrong
-/// where one is no number, where the slope is 0, or where the values of `format` would not fit into floats or could not
-/// be told apart there.
+/// Rescale Slope and Intercept of a data set. There is one pair for all frames (at top level or in the shared
+/// functional groups), or one a frame in the groups of frames. A missing or empty value changes nothing. Fails if one
+/// is no number or if the slope is 0. It also fails if the values of `format` would not fit into floats or could not be
+/// told apart there.
 [[nodiscard]] tl::expected<FrameRescales, PixelFormatProblem> readRescales(DcmItem& dataset,
                                                                            const DicomPixelFormat& format);
 
-/// Writes the values that grey values of `type` (as toGrey() gives them) stand for into `out`, as float32.
+/// Writes the rescaled values of the grey values of `type` (as toGrey() gives them) into `out`, as float32.
 void applyRescale(const Rescale& rescale, std::span<const std::uint8_t> grey, StoredType type,
                   std::span<std::uint8_t> out);
 

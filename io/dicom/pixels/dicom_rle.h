@@ -8,11 +8,11 @@
 
 namespace echolucent {
 
-/// Whether a frame of this size can come out of as few bytes: two make 128 at most. The text is empty, or says what is
-/// wrong.
+/// Checks that so few bytes can hold a frame of this size: two bytes make 128 at most. Gives an empty text, or says
+/// what is wrong.
 [[nodiscard]] std::string rleTooShort(std::size_t bytes, std::size_t pixels, int samples, int bytesPerSample);
 
-/// Decodes one frame into planes, sample after sample, each value in little-endian order. The text is empty, or says
+/// Decodes one frame into planes, sample after sample, each value in little-endian order. Gives an empty text, or says
 /// what is wrong with the data. out.size() must be pixels * samples * bytesPerSample.
 [[nodiscard]] std::string decodeRle(std::span<const std::uint8_t> data, std::size_t pixels, int samples,
                                     int bytesPerSample, std::span<std::uint8_t> out);

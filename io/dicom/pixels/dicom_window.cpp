@@ -18,13 +18,12 @@ constexpr DicomTag functionTag{0x0028, 0x1056};
 constexpr DicomTag lutTag{0x0028, 0x3010};
 constexpr DicomTag frameLutTag{0x0028, 0x9132};
 
-/// Where a window stands.
 struct WindowPlace {
     DcmItem* window = nullptr;
     std::string words;  ///< after the tag in the import report: ", frame 1"
 };
 
-/// The groups of one frame; null where it has none.
+/// The groups of one frame; null if it has none.
 DcmItem* groupsOf(DcmItem& dataset, std::size_t frame) {
     DcmItem* found = nullptr;
     std::size_t index = 0;
@@ -51,7 +50,7 @@ std::string firstValueOf(DcmItem& item, DicomTag tag) {
     return trimmed(text.substr(0, text.find('\\')));
 }
 
-/// The first value of the attribute; NaN where it is missing or no number.
+/// The first value of the attribute; NaN if it is missing or no number.
 double numberIn(DcmItem& item, DicomTag tag) { return realNumber(firstValueOf(item, tag)).value_or(NAN); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The display window that a DICOM data set declares, read as what is shown as white.
+// The display window that a DICOM data set declares, and the stored value that it shows as white.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,15 @@
 
 namespace echolucent {
 
-/// What a data set says of its display window.
 struct DicomWindow {
-    std::optional<WindowWhite> white;   ///< no value where no window is declared, or none that can be read
-    std::vector<std::string> warnings;  ///< sentences: a window that cannot be read, a VOI LUT that is not applied
+    std::optional<WindowWhite> white;   ///< no value if no readable window is declared
+    std::vector<std::string> warnings;  ///< on a window that cannot be read, or a VOI LUT that is not applied
 };
 
-/// Reads Window Center and Width (of several the first) at top level, else in the functional groups that all frames
-/// share, else in those of `frame` (counted from 0). White is centre + width / 2, of MONOCHROME1 centre - width / 2,
-/// which is inverted as the pixels are. Windows count in rescaled values; `rescale` is that of the frame. Only grey
-/// pixels of more than 8 stored bits have a window here; others say nothing.
+/// Reads the first Window Center and Width at top level. Else it reads them in the functional groups that all frames
+/// share, else in those of `frame` (counted from 0). White is centre + width / 2; of MONOCHROME1 it is centre - width /
+/// 2, inverted like the pixels. Windows count in rescaled values; `rescale` is that of the frame. Only grey pixels of
+/// more than 8 stored bits have a window here.
 [[nodiscard]] DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, std::size_t frame,
                                      const Rescale& rescale);
 

@@ -73,8 +73,8 @@ private:
                                columns, rows, samples, m_expected.columns, m_expected.rows, m_expected.samples);
         if (m_bits > m_expected.bitsAllocated || (m_bits <= 8) != (m_expected.bitsAllocated == 8))
             return fmt::format("has a JPEG frame of {} bits where {} are allocated", m_bits, m_expected.bitsAllocated);
-        // Not even an empty picture becomes smaller than this; a frame that claims to keeps decoders busy for nothing.
-        // Lossless JPEG takes a bit for each sample, JPEG-LS has no such bound.
+        // Not even an empty picture becomes smaller than this, and a false size keeps decoders busy for nothing.
+        // Lossless JPEG takes a bit for each sample. JPEG-LS has no such bound.
         const std::int64_t mostPixels = static_cast<std::int64_t>(m_data.size()) * (marker == losslessFrame ? 8 : 1024);
         if (!m_isJpegLs && rows * columns > mostPixels)
             return fmt::format("has a JPEG frame of {} bytes for {} x {} pixels, which cannot be", m_data.size(),
@@ -82,7 +82,7 @@ private:
         return {};
     }
 
-    /// Where the next marker stands behind coded data: JPEG marks a data byte 0xff by a 0 behind it, JPEG-LS by a bit.
+    /// The place of the next marker behind coded data. JPEG marks a data byte 0xff by a 0 behind it, JPEG-LS by a bit.
     [[nodiscard]] std::size_t behindScan(std::size_t position) const {
         for (; position + 2 <= m_data.size(); ++position) {
             const int next = m_data[position + 1];
@@ -106,7 +106,7 @@ private:
     bool m_isJpegLs = false;
 };
 
-/// One of DCMTK's decoders, which goes on where data are missing or damaged, makes up values, and only warns.
+/// A decoder of DCMTK that counts its warnings. DCMTK makes up missing or damaged data, goes on, and only warns.
 template <typename Decoder>
 class WarningCounter : public Decoder {
 public:
@@ -123,7 +123,7 @@ private:
 template <typename Decoder>
 std::string decodeBy(std::vector<std::uint8_t>& data, const JpegFrame& expected, std::span<std::uint8_t> out,
                      bool& lumaFirst) {
-    // Colours are not converted: the first sample of YBR is the luma that is wanted.
+    // Colours are not converted: the first sample of YBR is the luma.
     static const DJCodecParameter parameters(ECC_lossyYCbCr, EDC_never, EUC_default, EPC_colorByPixel);
     WarningCounter<Decoder> decoder(parameters, OFFalse);
     OFCondition done = decoder.init();

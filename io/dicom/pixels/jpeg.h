@@ -1,4 +1,4 @@
-// JPEG and JPEG-LS frames: what their own headers declare, and JPEG through DCMTK's decoders.
+// JPEG and JPEG-LS frames: what their headers declare, and decoding of JPEG by DCMTK.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// What a JPEG or JPEG-LS frame must look like by the data set.
+/// What the data set says of a JPEG or JPEG-LS frame.
 struct JpegFrame {
     std::int64_t columns = 0;
     std::int64_t rows = 0;
@@ -17,21 +17,21 @@ struct JpegFrame {
     bool isSigned = false;
 };
 
-/// What the header of a JPEG or JPEG-LS frame has to say.
+/// What the header of a JPEG or JPEG-LS frame declares.
 struct JpegHeader {
-    std::string problem;  ///< as in Failure::problem; empty where the frame can be decoded
+    std::string problem;  ///< as in Failure::problem; empty if the frame can be decoded
     int bits = 0;         ///< of each sample
 };
 
 /// Walks the markers of a JPEG or JPEG-LS codestream and compares them with `expected`, because decoders trust them
-/// with memory and time: size, samples and bits, that the picture can be in as few bytes, that it ends, and that it
-/// does not come in more scans than any encoder writes.
+/// with memory and time. Checks size, samples and bits, and that so few bytes can hold the picture. Checks too that the
+/// picture ends, and has no more scans than any encoder writes.
 [[nodiscard]] JpegHeader readJpegHeader(std::span<const std::uint8_t> data, const JpegFrame& expected);
 
-/// Decodes a JPEG frame (not JPEG-LS) that readJpegHeader() has found no problem with into `out`, which holds
-/// columns * rows * samples values of bitsAllocated / 8 bytes, the samples of a pixel one after the other. The text is
-/// empty, or says what is wrong; a decoder that had to make up values is wrong. `lumaFirst` is set where the frame says
-/// that its first sample is luma.
+/// Decodes a JPEG frame (not JPEG-LS) into `out`, after readJpegHeader() found no problem with it. `out` holds columns
+/// * rows * samples values of bitsAllocated / 8 bytes, the samples of a pixel one after the other. Gives an empty text,
+/// or says what is wrong, also if the decoder had to make up values. `lumaFirst` is set if the frame says that its
+/// first sample is luma.
 [[nodiscard]] std::string decodeJpeg(std::vector<std::uint8_t>& data, const JpegFrame& expected,
                                      std::span<std::uint8_t> out, bool& lumaFirst);
 

@@ -45,7 +45,7 @@ using Stream = std::unique_ptr<opj_stream_t, decltype(&opj_stream_destroy)>;
 using Codec = std::unique_ptr<opj_codec_t, decltype(&opj_destroy_codec)>;
 using Image = std::unique_ptr<opj_image_t, decltype(&opj_image_destroy)>;
 
-/// The decoded image, `halvings` times smaller; null where a part of it is missing or damaged.
+/// The decoded image, halved in size `halvings` times; null if a part of it is missing or damaged.
 Image decoded(std::span<const std::uint8_t> data, bool isJp2, unsigned halvings) {
     Memory memory{data};
     const Stream stream(opj_stream_create(std::size_t{1} << 16, OPJ_TRUE), &opj_stream_destroy);
@@ -75,8 +75,8 @@ std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Fra
     const auto sealed = sealCodestream(data, expected);
     if (!sealed) return sealed.error();
     samples.isSigned = sealed->isSigned;
-    // Missing packets are found in the sealed codestream, of which only the smallest image is decoded; data that are
-    // missing within a packet in the codestream as it is.
+    // The sealed codestream shows missing packets; only its smallest image is decoded. The codestream as it is shows
+    // data missing within a packet.
     const bool allPackets = decoded(sealed->bytes, sealed->isJp2, sealed->levels) != nullptr;
     const Image image = allPackets ? decoded(data, sealed->isJp2, 0) : Image(nullptr, &opj_image_destroy);
     if (!image || image->numcomps != expected.samples)

@@ -36,7 +36,7 @@ constexpr std::size_t sealBytes = 512;
 const char* const notJpeg2000 = "has a frame that is not JPEG 2000";
 const char* const damagedHeader = "has a JPEG 2000 frame with a damaged header";
 
-/// The big-endian number of `count` bytes that stands at `at`, which the caller has checked.
+/// The big-endian number of `count` bytes at `at`. The caller has checked that they are there.
 std::uint32_t number(Bytes data, std::size_t at, std::size_t count) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < count; ++i) value = value << 8 | data[at + i];
@@ -76,7 +76,7 @@ public:
             const TilePart& part = m_parts[i];
             const std::size_t begin = out.size();
             append(out, m_data.subspan(part.begin, part.end - part.begin));
-            // Ones alone: a packet that is there and whose lengths need more bits than there can be.
+            // Only ones: a packet that exists, but whose lengths need more bits than possible.
             if (m_lastPart[part.tile] == i)
                 for (std::size_t byte = 0; byte < sealBytes; ++byte) out.push_back(byte % 2 == 0 ? 0xff : 0x7f);
             const std::size_t length = out.size() - begin;
@@ -91,7 +91,7 @@ public:
     [[nodiscard]] unsigned levels() const { return m_levels; }
 
 private:
-    /// Reads the marker segments from `position` on up to the marker `last`, where `position` is left.
+    /// Reads the marker segments from `position` up to the marker `last`, and leaves `position` there.
     Problem readHeader(std::size_t& position, std::size_t end, std::uint32_t last) {
         while (position + 2 <= end) {
             const std::uint32_t marker = number(m_data, position, 2);
@@ -106,7 +106,7 @@ private:
         return "has a JPEG 2000 frame that ends within its header";
     }
 
-    /// Sealed tiles are longer than the table of their lengths says, and nobody needs it. One stretch is left out; a
+    /// Leaves out the table of tile lengths, as sealed tiles are longer and nobody needs it. One stretch is left out. A
     /// second table stays, as decoders do not read it.
     void leaveOut(std::size_t from, std::size_t to) {
         if (m_withoutLengthsTo != 0 || m_headerEnd != 0) return;
@@ -119,7 +119,7 @@ private:
             case imageSize: return readSize(segment);
             case codingStyle: return readCoding(segment);
             case codingStyleOfComponent:
-                // The component (one byte, as there are few) and its style stand before what both markers share.
+                // The component (one byte, as there are few) and its style precede what both markers share.
                 return segment.size() < 7 ? Problem(damagedHeader) : readBlocks(segment, 2, (segment[1] & 1) != 0);
             case packedHeadersMain:
             case packedHeadersTile:
@@ -169,7 +169,7 @@ private:
         return readBlocks(segment, 5, (segment[0] & 1) != 0);
     }
 
-    /// Counts the pieces that a component falls into; its levels, code-blocks and precincts stand from `at` on.
+    /// Counts the pieces of a component; its levels, code-blocks and precincts stand from `at` on.
     Problem readBlocks(Bytes segment, std::size_t at, bool hasPrecincts) {
         const unsigned levels = segment[at];
         const unsigned blockWidth = segment[at + 1] + 2U, blockHeight = segment[at + 2] + 2U;
@@ -224,7 +224,7 @@ private:
         return std::nullopt;
     }
 
-    /// How many bytes at the end are the end marker and padding behind it.
+    /// The bytes of the end marker and the padding behind it.
     [[nodiscard]] std::size_t trailingBytes() const {
         for (const std::size_t padding : {0, 1}) {
             if (m_data.size() >= padding + 2 && number(m_data, m_data.size() - padding - 2, 2) == endOfCodestream)
@@ -245,7 +245,7 @@ private:
     std::vector<std::size_t> m_lastPart;  // of each tile
 };
 
-/// Where the codestream begins and ends in a .jp2; no value where there is none.
+/// The begin and end of the codestream in a .jp2; no value if there is none.
 std::optional<std::pair<std::size_t, std::size_t>> codestreamIn(Bytes jp2, std::size_t& box) {
     for (box = 0; box + 8 <= jp2.size();) {
         std::uint64_t length = number(jp2, box, 4);
@@ -282,7 +282,7 @@ tl::expected<SealedCodestream, std::string> sealCodestream(Bytes data, const Jpe
     sealed.levels = walk.levels();
     if (sealed.isJp2) {
         append(sealed.bytes, data.first(box));
-        // A box of length 0 goes on to the end.
+        // A box of length 0 extends to the end.
         constexpr std::uint8_t lastBox[] = {0, 0, 0, 0, 'j', 'p', '2', 'c'};
         append(sealed.bytes, lastBox);
     }

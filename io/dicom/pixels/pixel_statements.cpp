@@ -9,14 +9,14 @@ namespace echolucent {
 
 namespace {
 
-/// Whether a transfer syntax always loses; JPEG 2000 may, which nothing but the attribute (0028,2110) tells.
+/// Whether a transfer syntax always loses. JPEG 2000 may; only the attribute (0028,2110) tells.
 bool syntaxLoses(E_TransferSyntax syntax) {
     return syntax == EXS_JPEGProcess1 || syntax == EXS_JPEGProcess2_4 || syntax == EXS_JPEGProcess6_8 ||
            syntax == EXS_JPEGProcess10_12 || syntax == EXS_JPEGLSLossy;
 }
 
-/// Whether text may have been drawn into the pixels without a word: into pictures of a screen, which are cines and what
-/// is in colour. The planes of an Enhanced US Volume are no pictures.
+/// Whether the pixels may hold text that nothing declares. Pictures of a screen may: cines and colour. The planes of an
+/// Enhanced US Volume are no pictures of a screen.
 bool couldHoldText(DcmDataset& dataset) {
     if (dicomText(dataset, {0x0008, 0x0016}) == UID_EnhancedUSVolumeStorage) return false;
     const std::string photometric = dicomText(dataset, {0x0028, 0x0004});

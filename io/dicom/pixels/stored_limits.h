@@ -1,4 +1,4 @@
-// Decoded samples against the stored bits that the data set declares: what does not fit must not wrap.
+// Limits decoded samples to the stored bits that the data set declares, so that larger values do not wrap.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace echolucent {
 
-/// Takes right-aligned samples of format.bytesPerSample() bytes, each in this machine's byte order, that the stored
-/// bits of `format` cannot hold as the largest that they can; samples whose upper bits repeat the sign fit. Returns how
-/// many did not fit.
+/// Limits right-aligned samples of format.bytesPerSample() bytes each, in this machine's byte order. A sample beyond
+/// the stored bits of `format` becomes the largest value that they can hold. Samples whose upper bits repeat the sign
+/// fit. Returns how many did not fit.
 std::size_t limitToStoredBits(const DicomPixelFormat& format, std::span<std::uint8_t> samples);
 
-/// Writes decoded JPEG 2000 values into `out` as limitToStoredBits() takes them; those that the stored bits cannot
-/// hold, negative ones of unsigned pixels among them, as the nearest that they can. Bits of an unsigned codestream mean
-/// signed values where the data set says so. Returns how many did not fit.
+/// Writes decoded JPEG 2000 values into `out`, in the form that limitToStoredBits() takes. A value beyond the stored
+/// bits becomes the nearest that they can hold; so does a negative value of unsigned pixels. The bits of an unsigned
+/// codestream mean signed values if the data set says so. Returns how many did not fit.
 std::size_t storeLimited(const DicomPixelFormat& format, const Jpeg2000Samples& samples,
                          std::vector<std::uint8_t>& out);
 

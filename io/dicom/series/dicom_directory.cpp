@@ -23,19 +23,19 @@ constexpr DicomTag recordsTag{0x0004, 0x1220};
 constexpr DicomTag inUseTag{0x0004, 0x1410};
 constexpr DicomTag fileTag{0x0004, 0x1500};
 
-/// A file's name below its folder, with one slash between the parts.
+/// The path of a file relative to `folder`, with one slash between the parts.
 std::string nameBelow(const std::string& folder, const std::string& path) {
     return std::filesystem::path(path).lexically_relative(folder).generic_string();
 }
 
-/// The files below a folder by their names: as they are spelled, and in small letters.
+/// The files below a folder by their names, as spelled and in small letters.
 class NamedFiles {
 public:
     void add(std::string name, const std::string& path) {
         m_small.emplace(lowerCase(name), path);
         m_exact.emplace(std::move(name), path);
     }
-    /// Null where there is none of that name.
+    /// Null if no file has that name.
     [[nodiscard]] const std::string* find(const std::string& name) const {
         if (const auto exact = m_exact.find(name); exact != m_exact.end()) return &exact->second;
         const auto small = m_small.find(lowerCase(name));
@@ -49,7 +49,7 @@ private:
 }  // namespace
 
 bool mayBeDirectory(std::string_view beginning) {
-    // The meta header stands there; most files are told apart without being walked.
+    // The meta header is in these bytes, so most files need no walk.
     return beginning.find(directorySopClass) != std::string_view::npos && looksLikeDicom(beginning);
 }
 

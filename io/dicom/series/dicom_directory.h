@@ -1,4 +1,4 @@
-// DICOMDIR: a list of the files on a medium.
+// DICOMDIR: the list of the files on a medium.
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,24 @@ namespace echolucent {
 
 /// The files of a DICOMDIR.
 struct DirectoryFiles {
-    std::vector<std::string> paths;     ///< that are there, in or below the DICOMDIR's own folder; each once
+    std::vector<std::string> paths;     ///< existing files in or below the DICOMDIR's own folder, each once
     std::size_t named = 0;              ///< how many different names the records hold
-    std::size_t missing = 0;            ///< how many of these are not there
+    std::size_t missing = 0;            ///< how many of these name no such file
     std::string firstMissing;           ///< the first of them, as the record spells it
-    std::vector<std::string> warnings;  ///< on folders that could not be looked through
+    std::vector<std::string> warnings;  ///< on folders that could not be read
 };
 
-/// Whether the first 4096 bytes of a file leave it possible that it is a DICOMDIR.
+/// Whether a file with these first 4096 bytes may be a DICOMDIR.
 [[nodiscard]] bool mayBeDirectory(std::string_view beginning);
 /// Whether an opened file is a DICOMDIR.
 [[nodiscard]] bool isDirectoryFile(const InputFile& file, const Progress& progress);
 
-/// The files that the records of a DICOMDIR name. Records are taken one after the other as they stand in the file:
-/// their links are not followed, so that none can lead in a circle. A name counts where the DICOMDIR's own folder holds
-/// such a file, whatever the case of its letters where none has the very name; names that lead out of it are missing.
-/// Fails (unreadable) where the file holds no records; (cancelled) where the person ended it. To be called in a thread
-/// with a large stack.
+/// The files that the records of a DICOMDIR name. The records are read in the order of the file. Their links are not
+/// followed, so none can lead in a circle. A name counts as found if the DICOMDIR's own folder holds such a file. If no
+/// file has exactly this name, upper and lower case are not told apart. A name that leads out of the folder counts as
+/// missing.
+/// Fails (unreadable) if the file holds no records; (cancelled) if the person ended it. Call it in a thread with a
+/// large stack.
 [[nodiscard]] Result<DirectoryFiles> filesOfDirectory(const InputFile& file, const Progress& progress);
 
 }  // namespace echolucent

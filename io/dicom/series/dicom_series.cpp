@@ -28,14 +28,14 @@ namespace {
 struct SliceOrder {
     std::vector<SeriesFile> files;
     bool rescaled = false;             // whether any slice is
-    bool differentlyRescaled = false;  // whether slices have lines of their own
-    bool inPlaneSpacingKnown = false;  // where the distance of slices is a guess
+    bool differentlyRescaled = false;  // whether slices differ in their rescaling
+    bool inPlaneSpacingKnown = false;  // the distance of slices is a guess
     VolumeGeometry geometry;
     std::string spacingSource;
     std::vector<std::string> warnings;
 };
 
-/// Says where instance numbers, which are all that orders these files, leave the order open or skip pictures.
+/// Warns if instance numbers leave the order open or skip pictures. Nothing else orders these files.
 void sayInstances(const std::vector<SeriesFile>& files, std::vector<std::string>& warnings) {
     std::size_t same = 0, skips = 0;
     for (std::size_t i = 1; i < files.size(); ++i) {
@@ -50,7 +50,7 @@ void sayInstances(const std::vector<SeriesFile>& files, std::vector<std::string>
             fmt::format("The instance numbers are not consecutive ({} gaps): pictures may be missing.", skips));
 }
 
-/// The order of the entry's files, which stand in the order of slices already.
+/// The order of the entry's files, which are already in the order of slices.
 Result<SliceOrder> orderOf(const SeriesList& list, const SeriesEntry& entry, const ReadOptions& options) {
     if (entry.whyNot && !(entry.whyNot->framesCouldBeSlices && options.framesAsSlices))
         return tl::unexpected(*entry.whyNot);
@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    /// Reads a slice, or keeps in mind that it cannot be read. Fails where the whole series cannot.
+    /// Reads a slice, or notes that it cannot be read. Fails if the whole series cannot be read.
     Result<void> readOrMiss(std::size_t slice) {
         const SeriesFile& file = m_order.files[slice];
         const auto grey = file.damage ? Result<Slice>(tl::unexpected(*file.damage)) : decode(file);
@@ -131,7 +131,7 @@ private:
         return {};
     }
 
-    /// A slice that was decoded. The frames keep the file's data set.
+    /// A decoded slice. The frames keep the file's data set.
     struct Slice {
         DicomFile file;
         DicomFrames frames;
@@ -188,7 +188,7 @@ private:
         m_parts.missingSlices = missingOfKept();
     }
 
-    /// The slices of the volume that is kept of which nothing could be read, in rising order.
+    /// The unreadable slices, in rising order, as slices of the reduced volume if it was reduced.
     [[nodiscard]] std::vector<std::size_t> missingOfKept() const {
         if (!m_parts.reduction) return m_missing;
         const auto thick = static_cast<std::size_t>(m_parts.reduction->reduction.by[2]);
@@ -203,7 +203,7 @@ private:
         return whole;
     }
 
-    /// The first slice that can be read says what all are; `before` slices could not be.
+    /// Takes the type and size of all slices from the first readable one; `before` slices were not readable.
     Result<void> begin(DcmItem& dataset, const DicomFrames& frames, std::size_t before) {
         m_type = frames.type();
         m_sliceBytes = static_cast<std::size_t>(frames.frameBytes());
@@ -227,7 +227,7 @@ private:
         return {};
     }
 
-    /// Counts the slices of which a sentence is said.
+    /// Counts how many slices have this warning.
     void note(const std::string& sentence) {
         const auto known = std::ranges::find(m_notes, sentence, &SliceNote::sentence);
         if (known != m_notes.end())
@@ -252,11 +252,11 @@ private:
         StudyParts said;
         frames.sayWhite(said);
         if (said.window) m_windows.push_back(std::move(*said.window));
-        // Slices that are rescaled otherwise reach otherwise far.
+        // Differently rescaled slices reach different values.
         if (m_parts.whiteLevel && said.whiteLevel) m_parts.whiteLevel = std::max(*m_parts.whiteLevel, *said.whiteLevel);
     }
 
-    /// The slices share one white level: where their windows differ, the median of their whites.
+    /// The slices share one white level. If their windows differ, it is the median of their whites.
     void shareWindow() {
         if (m_windows.empty()) return;
         std::sort(m_windows.begin(), m_windows.end(),
@@ -288,7 +288,6 @@ private:
         }
     }
 
-    /// A sentence of the slices' notes, and how many slices say it.
     struct SliceNote {
         std::string sentence;
         std::size_t slices = 0;
@@ -304,9 +303,9 @@ private:
     int m_bitsStored = 0;
     std::vector<SliceNote> m_notes;
     std::size_t m_notesLeftOut = 0;
-    std::vector<std::size_t> m_missing;   // slices that could not be read
+    std::vector<std::size_t> m_missing;   // unreadable slices
     std::optional<Failure> m_whyMissing;  // of the first of them
-    std::vector<WindowWhite> m_windows;   // of the slices that declare one
+    std::vector<WindowWhite> m_windows;   // of the slices with a window
     std::optional<PhaseSlices> m_slices;
 };
 

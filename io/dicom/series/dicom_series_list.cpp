@@ -26,7 +26,6 @@ constexpr int deepestFolder = 4;
 
 bool isFolder(const std::string& path) { return fileAccess().kindOf(path) == FileKind::folder; }
 
-/// The files that a folder or a DICOMDIR holds.
 Result<std::vector<std::string>> filesOf(SeriesList& list, const Progress& progress) {
     if (isFolder(list.path)) {
         FilesBelow found = fileAccess().filesBelow(list.path, deepestFolder, progress);
@@ -52,7 +51,7 @@ Result<std::vector<std::string>> filesOf(SeriesList& list, const Progress& progr
     return found->paths;
 }
 
-/// A file's name with its numbers left out: the slices of a series mostly have names that differ in numbers only.
+/// A file's name with its numbers left out. The names of a series' slices mostly differ only in numbers.
 std::string namePattern(const std::string& path) {
     std::string pattern;
     for (const char letter : lowerCase(nameFromPath(path)))
@@ -63,22 +62,21 @@ std::string namePattern(const std::string& path) {
     return pattern;
 }
 
-/// Files that are meant to be DICOM and are none.
 bool hasDicomEnding(const std::string& path) {
     const std::string name = lowerCase(path);
     return std::ranges::any_of(dicomEndings, [&](std::string_view ending) { return name.ends_with(ending); });
 }
 
-/// What all files of a folder turned out to be.
+/// What lookAt() found in all files of a folder.
 struct Findings {
     std::vector<ImageHeader> images;
     std::vector<DamagedFile> damaged;
     std::vector<std::string> packed, empty, unopened;
-    std::optional<Failure> whyUnopened;  // of the first
+    std::optional<Failure> whyUnopened;  // of the first in `unopened`
 };
 
-/// Files that are no whole images although they belong to a series: other objects that share its UID and its kind, and
-/// files that are no DICOM but are called as its slices are.
+/// Adds files that are no whole images but belong to a series. They share its UID and its SOP class, or they are no
+/// DICOM but have names like its slices.
 void findMeantSlices(const std::vector<std::string>& files, std::vector<LookedAt>& looked, Findings& found) {
     std::set<std::pair<std::string, std::string>> kinds;
     std::set<std::string> patterns;
@@ -123,7 +121,7 @@ Findings sortOut(const std::vector<std::string>& files, std::vector<LookedAt>& l
     return found;
 }
 
-/// What is wrong, without the file's name.
+/// A failure without the file's name.
 std::string reasonOf(const Failure& failure) {
     return failure.element.empty() ? failure.problem : failure.element + " " + failure.problem;
 }
@@ -135,7 +133,7 @@ std::vector<std::string> pathsOf(const std::vector<DamagedFile>& files) {
     return paths;
 }
 
-/// Says what was not taken into any series.
+/// Warns of files that are in no series.
 void sayLeftOut(const Findings& found, const std::vector<DamagedFile>& damaged, std::vector<std::string>& warnings) {
     if (!damaged.empty())
         warnings.push_back(fmt::format("{} damaged file(s) were left out: {}. The first {}.", damaged.size(),
@@ -152,7 +150,6 @@ void sayLeftOut(const Findings& found, const std::vector<DamagedFile>& damaged, 
             found.packed.size(), quotedText(nameFromPath(found.packed.front()))));
 }
 
-/// Why there is no series.
 tl::unexpected<Failure> noSeries(const SeriesList& list, const std::vector<DamagedFile>& damaged) {
     if (damaged.size() == 1) return tl::unexpected(damaged.front().damage);
     if (!damaged.empty())
@@ -168,7 +165,7 @@ tl::unexpected<Failure> noSeries(const SeriesList& list, const std::vector<Damag
                 "Choose a volume file, or the folder that holds a DICOM series.");
 }
 
-/// Where slices seem to be missing, those that cannot be read are named.
+/// Names the unreadable files beside a series that is no volume, since its slices may be among them.
 void nameMissing(const Findings& found, const std::vector<DamagedFile>& damaged, std::vector<SeriesEntry>& entries) {
     std::vector<std::string> lost = pathsOf(damaged);
     lost.insert(lost.end(), found.empty.begin(), found.empty.end());

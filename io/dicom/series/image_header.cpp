@@ -27,8 +27,8 @@ constexpr DicomTag positionTag{0x0020, 0x0032};
 constexpr DicomTag rowsTag{0x0028, 0x0010};
 constexpr DicomTag columnsTag{0x0028, 0x0011};
 
-/// What is wrong with the pixels of many frames, as far as header and length tell it: no more frames are looked at than
-/// the file can hold.
+/// Finds wrong pixels of many frames by the header and the file's length. No more frames are looked at than the file
+/// can hold.
 std::optional<Failure> wrongPixels(const DicomFile& file, std::uint64_t fileBytes) {
     const auto failure = [&](const PixelFormatProblem& problem) {
         return fail(FailureKind::unreadable, file.path(), problem.element, problem.text, "Export it again.").value();
@@ -40,21 +40,21 @@ std::optional<Failure> wrongPixels(const DicomFile& file, std::uint64_t fileByte
         const auto problem = wrongPixelBytes(format, scan.pixelBytesHeld);
         return problem ? std::optional(failure(*problem)) : std::nullopt;
     }
-    constexpr std::uint64_t itemBytes = 8;  // a frame has one fragment at least
+    constexpr std::uint64_t itemBytes = 8;  // a frame has at least one fragment
     if (static_cast<std::uint64_t>(format.frames) <= fileBytes / itemBytes) return std::nullopt;
     return failure({"(0028,0008) Number of Frames",
                     fmt::format("says {}, more than a file of {} bytes can hold", format.frames, fileBytes)});
 }
 
-/// Why the frames of one file are no volume, as far as the header says it.
+/// Why the frames of one file are no volume, as far as the header tells.
 std::optional<Failure> whyNoVolume(DcmItem& dataset, const ImageHeader& header, const Progress& progress) {
     const auto count = static_cast<std::size_t>(header.frames);
     const auto layout = layOutFrames(dataset, header.file.path, {count, header.columns, header.rows}, progress);
     return layout ? std::nullopt : std::optional(layout.error());
 }
 
-/// Finds out whether the file is a volume of its own, and why not. The size of a maker's private volume counts in place
-/// of its frames.
+/// Finds out whether the file is a volume of its own, and why not. A maker's private volume replaces the size of its
+/// frames.
 void takeVolume(const DicomFile& file, std::uint64_t fileBytes, ImageHeader& header, const Progress& progress) {
     header.volume = file.scan().holdsKretz;
     if (header.volume) return;
@@ -73,7 +73,7 @@ void takeVolume(const DicomFile& file, std::uint64_t fileBytes, ImageHeader& hea
     header.frames = (*philips)->size[2];
 }
 
-/// The line on which a single picture's values lie; that which changes nothing where it cannot be told.
+/// The rescaling of a single picture; none if it is unknown.
 Rescale rescaleOf(DcmItem& dataset) {
     DicomPixelFormat format;
     if (readPixelFormat(dataset, format)) return {};
@@ -81,7 +81,7 @@ Rescale rescaleOf(DcmItem& dataset) {
     return rescales ? rescales->of(0) : Rescale{};
 }
 
-/// A text to compare: programs differ in case and padding ("DOE^JANE^^^").
+/// A text for comparing, as programs differ in case and padding ("DOE^JANE^^^").
 std::string comparable(DcmItem& dataset, DicomTag tag) {
     std::string text = lowerCase(dicomText(dataset, tag));
     while (!text.empty() && (text.back() == '^' || text.back() == ' ')) text.pop_back();
@@ -99,7 +99,6 @@ PictureTraits traitsOf(DcmItem& dataset) {
     return traits;
 }
 
-/// The header of an image, whole or not.
 ImageHeader headerOf(const DicomFile& file) {
     DcmItem& dataset = file.dataset();
     ImageHeader header;
@@ -119,7 +118,7 @@ ImageHeader headerOf(const DicomFile& file) {
     return header;
 }
 
-/// What a picture lacks without which it is none; empty where it lacks nothing, or is no picture at all.
+/// What a picture lacks and must have; empty if it lacks nothing, or if the file is no picture.
 const char* lackOf(const DicomFile& file) {
     DcmItem& dataset = file.dataset();
     const bool sized = dicomWholeNumber(dataset, rowsTag) && dicomWholeNumber(dataset, columnsTag);

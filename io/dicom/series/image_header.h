@@ -1,4 +1,4 @@
-// What the headers of DICOM files say of the series that their pictures belong to, whole files and damaged ones.
+// What the header of a DICOM file says of its picture and its series. The file may be damaged.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace echolucent {
 
-/// What pictures share that make up one volume. What a file does not say is empty.
+/// What the pictures of one volume share. What a file does not say is empty.
 struct PictureTraits {
     std::string patientId, patientName, birthDate;  ///< only compared, never shown: small letters, no padding
     std::string frameOfReference;                   ///< UID
@@ -23,19 +23,19 @@ struct PictureTraits {
 /// What the header of one image says.
 struct ImageHeader {
     SeriesFile file;
-    std::string series, object, sopClass;  ///< UIDs of series, image and kind of object
+    std::string series, object, sopClass;  ///< UIDs of the series, the image and its SOP class
     std::string description, modality;
     std::int64_t rows = 0, columns = 0, frames = 1;
-    bool volume = false;            ///< whether the file alone is one, whatever its frames
-    std::optional<Failure> whyNot;  ///< of a multi-frame file
+    bool volume = false;            ///< whether the file alone is a volume, whatever its frames
+    std::optional<Failure> whyNot;  ///< why a multi-frame file is no volume
     PictureTraits traits;
 };
 
-/// What a file in a folder turned out to be.
+/// What lookAt() finds in a file.
 struct LookedAt {
     enum class Kind {
-        image,       ///< `header` holds what it says
-        damaged,     ///< `damage` says what is wrong; `header` what could still be read, where that is anything
+        image,       ///< `header` says which
+        damaged,     ///< `damage` says what is wrong; `header` holds what could still be read
         otherDicom,  ///< no image: a report, a presentation
         packed,      ///< with gzip
         empty,       ///< 0 bytes
@@ -43,14 +43,14 @@ struct LookedAt {
         unknown      ///< no DICOM
     };
     Kind kind = Kind::unknown;
-    std::unique_ptr<ImageHeader> header;  ///< null where there is none
-    Failure damage;                       ///< of kinds that have any
-    std::string series, sopClass;         ///< of otherDicom: its Series Instance UID and SOP class, where it has them
+    std::unique_ptr<ImageHeader> header;  ///< null if there is none
+    Failure damage;                       ///< of kinds damaged and unopened
+    std::string series, sopClass;         ///< of otherDicom: Series Instance UID and SOP class, if it has them
 };
 
-/// Looks at the file at `path`: at its beginning, and at its header where that is DICOM. A file that ends before its
-/// pixels do, or has the place or size of a picture but no pixels, is damaged. `progress` is polled for cancel between
-/// elements. To be called in a thread with a large stack.
+/// Looks at the beginning of the file at `path` and, if that is DICOM, at its header. A file is damaged if it ends
+/// before its pixels do. So is a file that has the place or the size of a picture but no pixels. `progress` is polled
+/// for cancel between elements. Call it in a thread with a large stack.
 [[nodiscard]] LookedAt lookAt(const std::string& path, const Progress& progress);
 
 }  // namespace echolucent

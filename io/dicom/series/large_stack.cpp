@@ -12,12 +12,12 @@ namespace echolucent {
 
 namespace {
 
-// The scan refuses deep nesting; this is the second net, for files that DCMTK reads in another way than the scan does.
-// Only touched pages cost memory.
+// The scan refuses deep nesting. The large stack is for files that DCMTK reads otherwise than the scan. Only touched
+// pages cost memory.
 constexpr std::size_t stackBytes = std::size_t{256} << 20;
 
-/// A thread with a large stack, which ends before the object does. Where no thread can be started, the work is done by
-/// the caller.
+/// A thread with a large stack, which ends before the object does. If no thread can be started, the caller does the
+/// work.
 class LargeStackThread {
 public:
     explicit LargeStackThread(const std::function<void()>& work) : m_work(work) {
@@ -36,7 +36,7 @@ public:
         if (m_started) pthread_join(m_thread, nullptr);
         m_started = false;
     }
-    /// What the work threw; to be asked after wait().
+    /// What the work threw. Call it after wait().
     [[nodiscard]] std::exception_ptr thrown() const { return m_thrown; }
 
 private:
@@ -76,7 +76,7 @@ void runEachWithLargeStack(std::size_t count, std::size_t threads, const std::fu
         for (std::size_t index = next.fetch_add(1); index < count && !progress.cancelled(); index = next.fetch_add(1)) {
             work(index);
             done.fetch_add(1);
-            // Nobody waits for a report; what is not said now is said after the next piece.
+            // Skip the report if another thread reports; the next piece reports again.
             if (const std::unique_lock lock(reporting, std::try_to_lock); lock)
                 progress.at(static_cast<double>(done.load()) / static_cast<double>(count));
         }

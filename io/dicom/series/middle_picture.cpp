@@ -1,4 +1,4 @@
-// The small picture that a person chooses a series by.
+// The small pictures in the list of series.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -19,7 +19,7 @@ namespace echolucent {
 
 namespace {
 
-/// A picture of more pixels is not made small: no scanner has any, and each takes up to 12 bytes on the way.
+/// Larger pictures are not reduced. No scanner makes any, and each pixel takes up to 12 bytes on the way.
 constexpr std::int64_t mostPixels = std::int64_t{1} << 24;
 
 double valueAt(const GreySlice& slice, std::size_t index) {
@@ -36,7 +36,7 @@ double valueAt(const GreySlice& slice, std::size_t index) {
     }
 }
 
-/// Means over the pixels that fall into each of the small picture's.
+/// Each pixel of the small picture is the mean of the pixels that fall into it.
 SmallPicture reduced(const GreySlice& slice, int longestEdge) {
     SmallPicture small;
     const std::int64_t columns = slice.columns, rows = slice.rows;
@@ -67,7 +67,7 @@ Result<void> requireSmall(const std::string& path, std::int64_t columns, std::in
                 fmt::format("has slices of {} x {} pixels, which are not shown small", columns, rows), "Open it.");
 }
 
-/// The frame that lies in the middle of the volume; of pictures that are none, the one in the middle of the file.
+/// The frame in the middle of the volume; if the frames are no volume, the one in the middle of the file.
 std::int64_t middleFrame(const DicomFile& file, const DicomFrames& frames, const Progress& progress) {
     if (frames.frames() < 2) return 0;
     const auto layout =
@@ -78,7 +78,7 @@ std::int64_t middleFrame(const DicomFile& file, const DicomFrames& frames, const
     return static_cast<std::int64_t>(slices[slices.size() / 2]);
 }
 
-/// The file in the middle, or one that is whole behind it or, where there is none, before it.
+/// The readable file in the middle, or the next one behind it, or else one before it.
 const SeriesFile& middleFile(const SeriesEntry& entry) {
     const auto isWhole = [](const SeriesFile& file) { return !file.damage; };
     const auto middle = entry.files.begin() + static_cast<std::ptrdiff_t>(entry.files.size() / 2);

@@ -14,12 +14,12 @@ bool isLetterOrDigit(char character) {
     return (character >= 'a' && character <= 'z') || (character >= '0' && character <= '9');
 }
 
-/// Whether all of the text is printable ASCII. An escape begins letters of another character set.
+/// Whether the text is printable ASCII. An escape begins letters of another character set.
 bool isPlain(const std::string& text) {
     return std::ranges::all_of(text, [](char character) { return character >= ' ' && character <= '~'; });
 }
 
-/// The runs of letters and digits of a text in small letters.
+/// The words of a text in small letters: its runs of letters and digits.
 std::vector<std::string> plainWords(std::string text) {
     std::ranges::replace_if(
         text, [](char character) { return !isLetterOrDigit(character); }, ' ');
@@ -29,7 +29,7 @@ std::vector<std::string> plainWords(std::string text) {
 }  // namespace
 
 std::string seriesDescription(DcmItem& dataset) {
-    // DICOM allows 64 letters each. Comparing longer ones word by word would take forever.
+    // DICOM allows 64 letters each. Longer texts take too long to compare word by word.
     constexpr std::size_t longest = 1024;
     const std::string description = dicomText(dataset, {0x0008, 0x103e});
     const std::string name = lowerCase(dicomText(dataset, {0x0010, 0x0010}));
@@ -38,7 +38,7 @@ std::string seriesDescription(DcmItem& dataset) {
     if (!isPlain(name) || !isPlain(identifier)) return {};
     const std::string small = lowerCase(description);
     const std::vector<std::string> said = plainWords(small);
-    // Two letters stand in many a word that names nobody.
+    // Two letters occur in many words that name nobody.
     const auto isSaid = [&](const std::string& part) {
         return part.size() > 2 ? small.find(part) != std::string::npos : std::ranges::find(said, part) != said.end();
     };

@@ -19,16 +19,16 @@ namespace echolucent {
 
 namespace {
 
-/// Pixel spacings that differ by less are one: programs write them with more or fewer digits.
+/// Pixel spacings that differ by less are equal, as programs write them with more or fewer digits.
 constexpr double sameScale = 1e-3;
 
 using Images = std::vector<ImageHeader>;
 
-/// Something that the slices of one volume have in common.
+/// A property that the slices of one volume share.
 struct Trait {
     const char* one;                                                // "patient"
     const char* many;                                               // "patients"
-    std::function<std::vector<std::string>(const Images&)> values;  // one an image; empty where it does not say it
+    std::function<std::vector<std::string>(const Images&)> values;  // one an image; empty if the image does not say it
 };
 
 Trait textTrait(const char* one, const char* many, std::function<std::string(const ImageHeader&)> text) {
@@ -39,7 +39,7 @@ Trait textTrait(const char* one, const char* many, std::function<std::string(con
             }};
 }
 
-/// The number of the group of nearly equal scales that each image belongs to.
+/// The number of each image's group of nearly equal scales.
 std::vector<std::string> scaleGroups(const Images& images) {
     std::vector<std::string> groups(images.size());
     for (const std::size_t axis : {0, 1}) {
@@ -60,7 +60,7 @@ std::vector<std::string> scaleGroups(const Images& images) {
     return groups;
 }
 
-/// The traits in the order in which they are named. Three of them tell patients apart.
+/// The traits in the order in which sentences name them. The first three tell patients apart.
 const std::vector<Trait>& allTraits() {
     static const std::vector<Trait> traits{
         textTrait("patient", "patients", [](const ImageHeader& image) { return image.traits.patientId; }),
@@ -83,7 +83,6 @@ std::size_t countDifferent(const std::vector<std::string>& values) {
     return different.size();
 }
 
-/// Whether every picture has another frame of reference than all others.
 bool noneShareTheirFrame(const Images& images) {
     std::set<std::string> frames;
     for (const ImageHeader& image : images)
@@ -91,15 +90,15 @@ bool noneShareTheirFrame(const Images& images) {
     return images.size() > 1;
 }
 
-/// Slices that share a Series Instance UID, as they are listed apart.
+/// Slices of one Series Instance UID, listed apart.
 struct Apart {
     std::vector<Images> groups;
-    std::vector<std::string> distinctions;  // of each group from the others; empty where there is one group
+    std::vector<std::string> distinctions;  // of each group from the others; empty if there is one group
     std::vector<std::string> reasons;       // "2 patients"
 };
 
 Apart listApart(Images images) {
-    std::vector<std::vector<std::string>> told(images.size());   // the values that tell each image apart
+    std::vector<std::vector<std::string>> told(images.size());   // the differing values of each image
     std::vector<std::vector<std::string>> named(images.size());  // the same for a person
     Apart apart;
     std::string last;
@@ -117,7 +116,7 @@ Apart listApart(Images images) {
             if (last != trait.one)
                 named[i].push_back(fmt::format("{} {} of {}", trait.one, numbers.at(values[i]), numbers.size()));
         }
-        // A patient may differ in name as well as in number.
+        // A patient may differ in name and in number.
         if (last != trait.one) apart.reasons.push_back(fmt::format("{} {}", different, trait.many));
         last = trait.one;
     }
@@ -133,7 +132,7 @@ Apart listApart(Images images) {
     return apart;
 }
 
-/// Whether two headers say different things of what slices of one volume share.
+/// Whether two headers contradict each other in what the slices of one volume share.
 bool contradict(const ImageHeader& a, const ImageHeader& b) {
     const auto differ = [](const auto& one, const auto& other) {
         return one != other && one != decltype(one){} && other != decltype(one){};
@@ -148,7 +147,6 @@ bool contradict(const ImageHeader& a, const ImageHeader& b) {
            (s.scale && t.scale && (far((*s.scale)[0], (*t.scale)[0]) || far((*s.scale)[1], (*t.scale)[1])));
 }
 
-/// The slices of one entry, and the damaged ones that belong among them.
 struct Group {
     Images images;
     std::vector<DamagedFile> damaged;
@@ -168,7 +166,7 @@ void putInOrder(std::vector<SeriesFile>& files, const SliceStack& stack) {
     files = std::move(ordered);
 }
 
-/// Why pictures that all have a place, or have none, are no volume although nothing is wrong with any of them.
+/// Why whole pictures are no volume.
 std::optional<Failure> whyNoStack(const std::string& folder, const Group& group, const std::vector<SeriesFile>& files) {
     if (files.size() < 2)
         return fail(FailureKind::unreadable, files.front().path, "", "is a single 2D picture, not a volume",
@@ -192,8 +190,8 @@ std::optional<Failure> whyNoStack(const std::string& folder, const Group& group,
     return framesWithoutGeometry(folder, which).value();
 }
 
-/// Puts the slices of an entry in order, damaged ones among them where they fit, and says why they are no volume.
-/// Those that do not fit come back.
+/// Puts the slices of an entry in order, damaged ones among them if they fit, and says why they are no volume. Gives
+/// back those that do not fit.
 std::vector<DamagedFile> orderSlices(const std::string& folder, Group& group, SeriesEntry& entry) {
     auto& files = entry.files;
     std::stable_sort(files.begin(), files.end(),
@@ -237,10 +235,10 @@ SeriesEntry entryOf(const ImageHeader& first) {
     return entry;
 }
 
-/// Gives each damaged slice to the one group that it can belong to; the others come back.
+/// Gives each damaged slice to the one group that it can belong to. Gives back the others.
 std::vector<DamagedFile> giveToGroups(std::vector<DamagedFile> damaged,
                                       std::map<std::string, std::vector<Group>>& series) {
-    constexpr std::size_t mostGroups = 16;  // among more, nobody could tell where a slice belongs
+    constexpr std::size_t mostGroups = 16;  // among more, no slice's group is certain
     std::vector<DamagedFile> others;
     for (DamagedFile& one : damaged) {
         const bool slice = one.header && one.header->file.plane && one.header->frames == 1;
@@ -254,10 +252,10 @@ std::vector<DamagedFile> giveToGroups(std::vector<DamagedFile> damaged,
     return others;
 }
 
-/// Gives entries that share a Series Instance UID names of their own.
+/// Gives entries that share a Series Instance UID different names.
 void nameApart(std::vector<SeriesEntry>& entries) {
     std::set<std::string> taken;
-    std::map<std::string, int> times;  // counting from 2 for each entry anew would be quadratic
+    std::map<std::string, int> times;  // keeps the counts, as counting anew would be quadratic
     for (SeriesEntry& entry : entries) {
         if (entry.uid.empty()) entry.uid = "unnamed";
         if (taken.insert(entry.uid).second) continue;
@@ -273,7 +271,7 @@ void nameApart(std::vector<SeriesEntry>& entries) {
     }
 }
 
-/// A sentence a series whose pictures are listed apart, of the first few.
+/// Warns of series whose pictures are listed apart, one sentence for each of the first few.
 void sayApart(const std::vector<std::vector<std::string>>& reasons, std::vector<std::string>& warnings) {
     constexpr std::size_t most = 3;
     for (std::size_t i = 0; i < std::min(most, reasons.size()); ++i)

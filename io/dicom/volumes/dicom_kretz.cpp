@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint16_t privateGroup = 0x7FE1;
 
-/// The element xx01 of the block that KRETZ_US has reserved; null where there is none.
+/// The element xx01 of the block that KRETZ_US reserves; null if there is none.
 DcmElement* volumeElement(DcmDataset& dataset, DicomTag& tag) {
     for (std::uint16_t block = 0x10; block <= 0xFF; ++block) {
         if (dicomText(dataset, {privateGroup, block}) != "KRETZ_US") continue;
@@ -30,10 +30,10 @@ DcmElement* volumeElement(DcmDataset& dataset, DicomTag& tag) {
     return nullptr;
 }
 
-/// Whether an element is of a value representation in which a volume is kept.
+/// Whether a volume may be kept in the value representation of an element.
 bool mayHoldVolume(DcmElement& element) {
     const DcmEVR vr = element.ident();
-    // Without value representations, the library has none for private elements.
+    // Without value representations, DCMTK knows none for private elements.
     return vr == EVR_OB || vr == EVR_OW || vr == EVR_UN || vr == EVR_UNKNOWN || vr == EVR_ox;
 }
 
@@ -47,7 +47,7 @@ std::optional<KretzSource> kretzVolumeIn(const DicomFile& file) {
     source.path = file.path();
     source.element = tagText(tag);
     source.size = element->getLength();
-    // What the file does not hold of a value that it declares, the library would give as zeros.
+    // DCMTK would give zeros for missing bytes of the value.
     if (const std::uint64_t held = file.scan().kretzBytesHeld; file.scan().holdsKretz && held < source.size) {
         source.read = [=, path = source.path, name = source.element, size = source.size](
                           std::uint64_t, std::span<std::uint8_t>) -> Result<void> {

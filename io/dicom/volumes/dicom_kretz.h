@@ -8,8 +8,8 @@
 
 namespace echolucent {
 
-/// The Kretz volume that a file holds in element (7FE1,xx01) of the private creator KRETZ_US; no value where it holds
-/// none. The source reads from the file, which must outlive it.
+/// The Kretz volume in element (7FE1,xx01) of the private creator KRETZ_US; no value if the file holds none. The source
+/// reads from the file, which must outlive it.
 [[nodiscard]] std::optional<KretzSource> kretzVolumeIn(const DicomFile& file);
 
 }  // namespace echolucent

@@ -22,7 +22,7 @@ namespace echolucent {
 
 namespace {
 
-/// What the report calls a kind of object: "DICOM Enhanced US Volume".
+/// The report's name for a kind of object: "DICOM Enhanced US Volume".
 std::string nameOfObject(const std::string& sopClass) {
     const std::string name = objectName(sopClass);
     return "DICOM " + name.substr(name.find(' ') + 1);  // behind the article

@@ -25,7 +25,7 @@ constexpr DicomTag sliceSpacingTag{0x3001, 0x1003};
 constexpr std::uint16_t scannerGroup = 0x200d;
 constexpr const char* shapeCreator = "Philips US Imaging DD 036";
 constexpr const char* voxelCreator = "Philips US Imaging DD 033";
-/// Ultrasound reaches no farther; a volume that is longer was not written in the unit that it names.
+/// Ultrasound reaches no farther. The unit that a longer volume names is false.
 constexpr double farthestReachMm = 1000;
 
 using Volume3 = std::array<std::int64_t, 3>;
@@ -108,7 +108,7 @@ Result<std::optional<PhilipsVolume>> qlabVolume(const DicomFile& file) {
             "", "is a Philips QLAB Cartesian volume, and (7fe0,0010) Pixel Data is absent, deflated or compressed");
     const std::uint64_t held = scan.fileBytes - std::min(scan.pixelStart, scan.fileBytes);
     const std::optional<std::int64_t> one = voxelsOf(volume.size);
-    // The end of the last row may be missing; it is no data then.
+    // The end of the last row may be missing. These voxels are no data then.
     if (!one || held + static_cast<std::uint64_t>(volume.size[0]) <= static_cast<std::uint64_t>(*one))
         return fail(FailureKind::unreadable, file.path(), "(7fe0,0010) Pixel Data",
                     fmt::format("holds {} bytes where one volume of {} voxels needs {}", held, sizeText(volume.size),
@@ -131,7 +131,7 @@ std::string privateText(DcmItem& dataset, DicomTag tag) {
     return trimmed(text.substr(0, text.find('\0')));
 }
 
-/// The block (0x10 to 0xff) that a maker's elements of the scanner's group stand in; no value where there is none.
+/// The block (0x10 to 0xff) of a maker's elements in the scanner's group; no value if there is none.
 std::optional<std::uint16_t> blockOf(DcmItem& dataset, const std::string& creator) {
     for (DcmObject* one = dataset.nextInContainer(nullptr); one != nullptr; one = dataset.nextInContainer(one)) {
         const std::uint16_t element = one->getETag();
@@ -145,7 +145,7 @@ DicomTag inBlock(std::uint16_t block, std::uint16_t element) {
     return {scannerGroup, static_cast<std::uint16_t>(block << 8 | element)};
 }
 
-/// Three numbers above 0 with backslashes between them; no value where there are others.
+/// Three numbers above 0 with backslashes between them; else no value.
 std::optional<Vec3> threeNumbers(const std::string& text) {
     std::string spaced = text;
     std::replace(spaced.begin(), spaced.end(), '\\', ' ');
@@ -156,7 +156,7 @@ std::optional<Vec3> threeNumbers(const std::string& text) {
     return values;
 }
 
-/// The size that a scanner says its volume has; all 0 where it says none.
+/// The size of a scanner's volume; all 0 if it states none.
 Volume3 scannerSize(DcmItem& dataset, DicomTag tag) {
     Volume3 size{0, 0, 0};
     const auto numbers = threeNumbers(privateText(dataset, tag));
@@ -169,7 +169,7 @@ Volume3 scannerSize(DcmItem& dataset, DicomTag tag) {
     return size;
 }
 
-/// Finds where the voxels of a scanner's volume are; false where no element holds them plainly.
+/// Finds the voxels of a scanner's volume. False if no element holds them in plain form.
 bool placeVoxels(const DicomFile& file, PhilipsVolume& volume) {
     DcmItem& dataset = file.dataset();
     const auto frames = dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1);
@@ -219,11 +219,10 @@ Result<std::optional<PhilipsVolume>> scannerVolume(const DicomFile& file) {
     return refused;
 }
 
-/// The voxels of all phases, and what is missing of them.
 struct PhilipsVoxels {
     std::vector<VoxelBytes> phases;
     StoredType type = StoredType::uint8;
-    std::int64_t missing = 0;  ///< voxels at the end of the last phase that the file does not hold
+    std::int64_t missing = 0;  ///< voxels that the file lacks at the end of the last phase
 };
 
 Result<void> readBytes(const InputFile& input, std::uint64_t offset, std::span<std::uint8_t> bytes,
@@ -241,13 +240,13 @@ Result<PhilipsVoxels> qlabVoxels(const InputFile& input, const DicomFile& file, 
                                  std::vector<std::string>& warnings, const Progress& progress) {
     const DicomScan& scan = file.scan();
     const std::int64_t declared = volume.phases;
-    // qlabVolume() has seen that the file holds one volume, but for the end of its last row.
+    // qlabVolume() checked that the file holds one volume, except perhaps the end of its last row.
     const std::optional<std::int64_t> one = voxelsOf(volume.size);
-    // The declared length is often false: what the file holds counts.
+    // The declared length is often false, so measure what the file holds.
     const auto held = static_cast<std::int64_t>(input.size() - std::min(scan.pixelStart, input.size()));
     const std::int64_t whole = one ? held / *one : 0;
     const std::int64_t rest = one ? held % *one : held;
-    // The cut of a few bytes leaves all but the end of the last row.
+    // If only the end of the last row is cut off, the phase still counts.
     const bool almost = one && whole < declared && *one - rest < volume.size[0];
     PhilipsVoxels voxels;
     const std::int64_t phases = std::min(declared, whole + (almost ? 1 : 0));
@@ -316,7 +315,8 @@ Result<PhilipsVoxels> privateVoxels(const DicomFile& file, const PhilipsVolume& 
     return voxels;
 }
 
-/// Voxels that are missing hold 0, which the guess takes for outside: a mask from here would keep it from guessing.
+/// Marks missing voxels as no data, unless a guess is wanted. They hold 0, which the guess takes for outside; a mask
+/// would stop it.
 void markMissing(const PhilipsVoxels& voxels, const ReadOptions& options, StudyParts& parts) {
     if (voxels.missing == 0 || options.guessNoData) return;
     std::vector<std::uint8_t> mask(voxels.phases.front().size(), std::uint8_t{1});

@@ -1,4 +1,4 @@
-// Philips's own ways to keep a volume in DICOM: QLAB's Cartesian export, and the private elements of scanners.
+// Philips's own ways to keep a volume in DICOM: QLAB's Cartesian export, and private elements of scanners.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace echolucent {
 /// What a file says of the volume in it.
 struct PhilipsVolume {
     enum class Kind {
-        qlab,            ///< Pixel Data hold slice after slice of all volumes, whatever length they declare
+        qlab,            ///< Pixel Data hold the slices of all volumes; their declared length may be false
         frames,          ///< each frame of Pixel Data is a slice
         privateElement,  ///< `voxels` holds the voxels, uncompressed
     };
@@ -24,30 +24,29 @@ struct PhilipsVolume {
     std::array<std::int64_t, 3> size{0, 0, 0};  ///< columns, rows, slices; above 0
     std::string sizeSource;
     std::int64_t phases = 1;               ///< as declared; a QLAB file may hold fewer
-    std::optional<Vec3> spacing;           ///< mm; no value where it is missing or makes no sense
-    std::string spacingSource;             ///< tags that gave it
+    std::optional<Vec3> spacing;           ///< mm; no value if it is missing or makes no sense
+    std::string spacingSource;             ///< the tags of the spacing
     std::optional<double> phaseSeconds{};  ///< from Frame Time, of a QLAB file
     DicomTag voxels{};                     ///< of a private element
-    std::string warning{};                 ///< a sentence where numbers contradict each other; else empty
+    std::string warning{};                 ///< a sentence if numbers contradict each other; else empty
 };
 
-/// The volume in a loaded file; no value where it holds none of Philips's. Fails (unreadable) where a QLAB file does
-/// not say its size, or where a scanner's volume is kept in the maker's own coding.
+/// The volume in a loaded file; no value if the file holds no volume of Philips's. Fails (unreadable) if a QLAB file
+/// does not say its size, or if the scanner kept its volume in the maker's own coding.
 [[nodiscard]] Result<std::optional<PhilipsVolume>> philipsVolumeOf(const DicomFile& file);
 
-/// One slice as grey values.
 struct GreySlice {
     std::int64_t columns = 0, rows = 0;
     StoredType type = StoredType::uint8;  ///< uint8, int8, uint16, int16 or float32
     std::vector<std::uint8_t> bytes;      ///< row after row, in this machine's byte order
 };
 
-/// Reads slice `index` (from 0) of the first phase alone.
+/// Reads slice `index` (from 0) of the first phase.
 [[nodiscard]] Result<GreySlice> readPhilipsSlice(const InputFile& input, const DicomFile& file,
                                                  const PhilipsVolume& volume, std::int64_t index,
                                                  const Progress& progress);
 
-/// Reads the volume that philipsVolumeOf() has found in `file`, which was loaded from `input`.
+/// Reads the volume that philipsVolumeOf() found in `file`, which was loaded from `input`.
 [[nodiscard]] Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file,
                                               const PhilipsVolume& volume, const ReadOptions& options,
                                               const Progress& progress);

@@ -1,10 +1,10 @@
-// The program that reads strangers' files for the workstation and the command line, and can do nothing else.
+// The program that reads strangers' files for the workstation and the command line. It can do nothing else.
 #include <cstdlib>
 #include <string_view>
 
 #include "io/restricted/reader_service.h"
 
-/// The workstation starts it; a person may run "echolucent-reader --try" to see what the kernel refuses it.
+/// The workstation starts it. A person may run "echolucent-reader --try" to see what the kernel refuses.
 int main(int count, char** arguments) {
     using namespace echolucent::restricted;
     ReaderStart start;

@@ -19,17 +19,16 @@
 
 namespace echolucent {
 
-/// Runs a designer. The result is empty only where progress.cancel was raised, and has the same bits for any number of
-/// threads. Throws std::invalid_argument where problemOf(config) is not empty, or where the volumes of the input have
-/// different grids.
+/// Runs a designer. The result is empty only if progress.cancel was raised. Its bits are the same for any number of
+/// threads. Throws std::invalid_argument if problemOf(config) is not empty or the volumes of the input have different
+/// grids.
 [[nodiscard]] std::optional<Design> design(const DesignerConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 
-/// What is out of range, lower case, no full stop; an empty text where nothing is.
+/// What is out of range: lower case, no full stop; empty if nothing is.
 [[nodiscard]] std::string problemOf(const DesignerConfig& config);
 
-/// Calls visit(row, values) for each row of the table of the designer's parameters; `values` is the config as its own
-/// type.
+/// Calls visit(row, values) for each row of the designer's table of parameters. `values` is the config in its own type.
 template <typename Visit>
 void forEachParameter(const DesignerConfig& config, const Visit& visit) {
     std::visit(

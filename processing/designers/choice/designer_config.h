@@ -1,5 +1,4 @@
-// The configs of all OTF designers as plain values; processing/designers/choice/designer.h says what they make of a
-// volume.
+// The configs of all OTF designers as plain values. processing/designers/designer.h says what they make of a volume.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@
 
 namespace echolucent {
 
-/// The config of one designer, in the order people are shown.
+/// The config of one designer, in the order in which people see them.
 using DesignerConfig = std::variant<AdaptiveConfig, LevoyConfig, KindlmannConfig, TemplateConfig, ContourSpectrumConfig,
                                     OtsuConfig, PercentileConfig, FetalPresetConfig, EchoRampConfig>;
 
@@ -47,13 +46,12 @@ inline constexpr std::array allDesigners = []<std::size_t... index>(std::index_s
 /// Its name for a person: "Adaptive", "Kindlmann and Durkin".
 [[nodiscard]] std::string_view labelOf(Designer designer);
 
-/// Which designer a config is of.
 [[nodiscard]] inline Designer designerOf(const DesignerConfig& config) { return allDesigners.at(config.index()); }
-/// The config of a designer nothing of which was chosen.
+/// The config of a designer with all its defaults.
 [[nodiscard]] DesignerConfig defaultConfigOf(Designer designer);
 
-/// Whether a designer reads tube cores, so that what it makes depends on the method and on the direction along which
-/// they lie. A config says so by a member of this name; one without it reads none.
+/// Whether a designer reads tube cores. If so, its result depends on the method and on the direction of the tube cores.
+/// A config has a member of this name, or it reads none.
 [[nodiscard]] bool readsTubeCores(const DesignerConfig& config);
 
 }  // namespace echolucent

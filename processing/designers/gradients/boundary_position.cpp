@@ -13,7 +13,7 @@ namespace echolucent {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double reliableVoxels = 30.0;  ///< a node of so many voxels weighs half of one of very many
+constexpr double reliableVoxels = 30.0;  ///< a node of so many voxels has half the weight of one with very many
 constexpr double leastVoxels = 16.0;
 constexpr double leastShareOfGradient = 0.3;
 constexpr double leastGradient = 1e-4;  ///< a fortieth of a level of 255 over a unit
@@ -46,24 +46,23 @@ std::optional<Mean> meanAround(const std::vector<DerivativeSums>& sums, int node
     return Mean{mean.intensity / weights, mean.gradient / weights, mean.second / weights};
 }
 
-/// The means that are known, of ascending intensities.
+/// The known means, by ascending intensity.
 std::vector<Mean> knownMeans(const std::vector<DerivativeSums>& sums, double smoothing) {
     std::vector<Mean> means;
     for (int node = 0; node < HistogramVolume::intensityNodes; ++node) {
         const std::optional<Mean> mean = meanAround(sums, node, smoothing);
-        // Nodes that see the same voxels stand at the same place.
+        // Nodes with the same voxels have the same mean, so one stands for all.
         if (mean && (means.empty() || mean->intensity > means.back().intensity + 1e-6)) means.push_back(*mean);
     }
     return means;
 }
 
-/// -sigma h / (g - g0).
 double positionOf(double gradient, double second, double sigma, double g0) {
     const double above = gradient - g0;
     return above > vanishing ? -sigma * second / above : unknown;
 }
 
-/// Weights, gradients and second derivatives over both axes, smoothed; rows are nodes of the gradient magnitude.
+/// Voxels, weights, gradients and second derivatives over both axes; rows are nodes of the gradient magnitude.
 struct Smoothed {
     cv::Mat voxels, weights, gradients, seconds;
 };
@@ -153,12 +152,12 @@ std::vector<double> boundaryPositions(const HistogramVolume& histogram, const Bo
     constexpr double leastFound = 4.0;
     std::vector<double> positions(histogram.overBoth.size(), unknown);
     const Smoothed sums = matricesOf(histogram);
-    // In units over the sigma that pictures see, without the prefilter.
+    // Pictures see the boundary's own sigma, without the prefilter.
     const double stretch = width.smoothed / std::max(width.sigma, 0.5 * width.smoothed);
     std::vector<bool> found(positions.size(), false);
     for (const double sigma : {finest, 2.0 * finest, 4.0 * finest}) {
         const Smoothed means = smoothedOverBoth(sums, sigma);
-        // Of what lies on the node itself the Gaussian leaves this share.
+        // The Gaussian leaves this share of a value on its own node.
         const double middle = 1.0 / (2.0 * std::numbers::pi * sigma * 0.5 * sigma);
         for (std::size_t i = 0; i < positions.size(); ++i) {
             const int row = static_cast<int>(i) / HistogramVolume::intensityNodes,

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view contourSpectrumPage = "docs/designers/contour-spectrum.md";
 
-/// The threshold means nothing while no person chooses it.
+/// The threshold has no meaning unless a person chooses it.
 bool thresholdIsGiven(const ContourSpectrumConfig& config) { return config.choice == IsovalueChoice::given; }
 
 constexpr auto isovalueChoices = parameter_rows::choicesOf<IsovalueChoice>(isovalueChoiceNames);
@@ -47,7 +47,7 @@ const ParameterTable<ContourSpectrumConfig>& contourSpectrumTable() {
     return table;
 }
 
-/// What of the ramp lies within [0,1].
+/// The part of the ramp within [0,1].
 ManualCurve rampAt(double threshold, const ContourSpectrumConfig& config) {
     const double begin = threshold - config.halfWidth, end = threshold + config.halfWidth;
     const auto at = [&](double intensity) { return config.opacity * (intensity - begin) / (end - begin); };
@@ -59,7 +59,7 @@ ManualCurve rampAt(double threshold, const ContourSpectrumConfig& config) {
 
 /// Area and volume as a person reads them.
 struct Lengths {
-    double perUnit;  ///< mm, or 1 where the spacing is a guess
+    double perUnit;  ///< mm; 1 if the spacing is a guess
     std::string area, volume, length;
 
     explicit Lengths(const VolumeGeometry& geometry)

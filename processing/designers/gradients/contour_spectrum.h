@@ -14,13 +14,13 @@ namespace echolucent {
 
 [[nodiscard]] const ParameterTable<ContourSpectrumConfig>& parametersOf(const ContourSpectrumConfig&);
 
-/// The ramp rises from 0 at the threshold less the half-width to the opacity at the threshold plus the half-width; what
-/// of it lies outside [0,1] is cut off. The plots are "area", "volume", "gradient_integral" and "mean_gradient"; the
-/// facts "threshold", "area", "volume_above" and "mean_gradient" at the ramp, and "maximum_1", "maximum_2", ..., at
-/// most mostMaximumFacts, the isovalues of maximaOf(), steepest first. Areas and volumes are in mm² and mm³ where the
-/// spacing is known, else in units² and units³. Where no isovalue is the steepest, the curve is opacity * x², and the
-/// message says why. It throws std::invalid_argument where a value is out of its range, or where the shown voxels have
-/// another grid.
+/// The ramp rises from 0 at the threshold less the half-width to the opacity at the threshold plus the half-width, cut
+/// off at 0 and 1. If no isovalue is the steepest, the curve is opacity * x², and the message says why.
+/// The plots are "area", "volume", "gradient_integral" and "mean_gradient". The facts are "threshold", then "area",
+/// "volume_above" and "mean_gradient" at the ramp, and "maximum_1", "maximum_2", ...: the isovalues of maximaOf(),
+/// steepest first, at most mostMaximumFacts. Areas and volumes are in mm² and mm³ if the spacing is known, else in
+/// units² and units³.
+/// Throws std::invalid_argument if a value is out of its range or the shown voxels have another grid.
 [[nodiscard]] std::optional<Design> design(const ContourSpectrumConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 inline constexpr std::size_t mostMaximumFacts = 6;

@@ -13,12 +13,12 @@ enum class IsovalueChoice {
 };
 inline constexpr ChoiceNames<2> isovalueChoiceNames{"steepest", "given"};
 
-/// The ranges stand in parametersOf(), too.
+/// parametersOf() has the ranges too.
 struct ContourSpectrumConfig {
     static constexpr DesignerWords words{"contour-spectrum", "Contour spectrum"};
     IsovalueChoice choice = IsovalueChoice::steepest;
-    double threshold = 0.2;   ///< normalised intensity, [0,1]; it plays a part where it is the choice
-    double leastArea = 0.1;   ///< share of the largest area, [0,1]: what smaller isosurfaces are like is noise
+    double threshold = 0.2;   ///< normalised intensity, [0,1]; only for IsovalueChoice::given
+    double leastArea = 0.1;   ///< share of the largest area, [0,1]: smaller isosurfaces are noise
     double halfWidth = 0.08;  ///< of the ramp, normalised intensity, [0,1]
     double opacity = 0.6;     ///< behind the ramp, per unit, [0,1]
     friend bool operator==(const ContourSpectrumConfig&, const ContourSpectrumConfig&) = default;

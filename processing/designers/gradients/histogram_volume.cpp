@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t slabVoxels = std::int64_t{1} << 21, leastSlabSlices = 8;
 
-/// Sums of the slices that one loop body takes; they are added in one order afterwards.
+/// Sums of the slices of one loop body. They are added in one order afterwards.
 struct Part {
     std::vector<DerivativeSums> overIntensity, overBoth;
     std::uint64_t dataVoxels = 0, usedVoxels = 0;
@@ -28,7 +28,7 @@ std::size_t nearestNode(double value, double largest, int count) {
     return static_cast<std::size_t>(std::lround(node));
 }
 
-/// What pictures read of the gradient.
+/// Gradient magnitudes as pictures read them.
 struct PictureGradients {
     explicit PictureGradients(const Volume& volume) : filled(filledVoxels(volume)), magnitudes(filled) {}
     PictureGradients(const PictureGradients&) = delete;
@@ -82,7 +82,7 @@ private:
 
     const Volume& m_volume;
     const NormalDerivativeSlices& m_derivatives;
-    const PictureGradients* m_pictures;  ///< null where they are not asked for
+    const PictureGradients* m_pictures;  ///< null if not asked for
     int m_gradients;
 };
 
@@ -130,7 +130,7 @@ std::optional<HistogramVolume> histogramVolume(const Volume& volume, const Histo
     }
     NormalDerivativeSlices derivatives(volume, config.prefilter);
     const Accumulation accumulation(volume, derivatives, pictures ? &*pictures : nullptr, config.gradients);
-    // However many threads there are, the slices of a part are the same and come in the same order.
+    // The slices of a part and their order do not depend on the number of threads.
     constexpr std::int64_t partCount = 16;
     std::vector<Part> parts(partCount, accumulation.emptyPart());
     const std::int64_t slices = volume.geometry().size[2], slice = volume.geometry().offset(0, 0, 1);

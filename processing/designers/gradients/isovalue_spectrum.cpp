@@ -21,8 +21,7 @@ namespace {
 constexpr std::size_t isovalueCount = ContourSpectrum::count;
 constexpr double lastIsovalue = isovalueCount - 1;
 
-/// Sums over the isovalues as whole numbers, so that no order of summing changes a bit, and what is 0 stays 0. 2^39
-/// voxels fit.
+/// Sums over the isovalues as whole numbers: no order of adding changes a bit, and 0 stays 0. 2^39 voxels fit.
 class SpreadSums {
 public:
     static constexpr double one = 1 << 24;
@@ -64,14 +63,14 @@ public:
 
 private:
     std::array<std::int64_t, isovalueCount> m_single{};
-    std::array<std::int64_t, isovalueCount> m_step{};  ///< how much more each isovalue from here on holds
+    std::array<std::int64_t, isovalueCount> m_step{};  ///< how much more each isovalue holds from here on
 };
 
 struct Sums {
     SpreadSums voxels, gradients, squares;
 };
 
-/// Adds the rows of a slice. `edge` is a voxel's, units.
+/// Adds the rows of a slice. `edge` is a voxel's edge, units.
 template <typename Voxel>
 void addSlice(const Volume& volume, const VoxelArray<Voxel>& voxels, const GradientMagnitude& gradients, std::int64_t z,
               double edge, Sums& sums) {
@@ -90,7 +89,7 @@ void addSlice(const Volume& volume, const VoxelArray<Voxel>& voxels, const Gradi
             const double share = stored / volume.whiteLevel();
             const double middle = 0.5 + lastIsovalue * (share > 0.0 ? std::min(share, 1.0) : 0.0);
             const double reach = std::max(0.5, 0.5 * lastIsovalue * edge * gradient);
-            // What would lie beyond black or white is pressed together before it.
+            // A range is cut at black and white; its whole amount goes to the rest.
             const double low = std::max(middle - reach, 0.5), high = std::min(middle + reach, lastIsovalue + 0.5);
             sums.voxels.add(1.0, low, high);
             sums.gradients.add(gradient, low, high);
@@ -99,8 +98,8 @@ void addSlice(const Volume& volume, const VoxelArray<Voxel>& voxels, const Gradi
     }
 }
 
-/// A row of isovalues under a Gaussian with a standard deviation of two steps. The ends, which are no surfaces, take no
-/// part.
+/// A row of isovalues, smoothed by a Gaussian with a standard deviation of two steps. The ends are no surfaces and take
+/// no part.
 std::vector<double> smoothedOverIsovalues(const std::vector<double>& values) {
     constexpr int taps = 13;
     std::vector<double> inner(values.begin() + 1, values.end() - 1);
@@ -118,13 +117,13 @@ std::vector<double> ratios(const std::vector<double>& above, const std::vector<d
     return ratios;
 }
 
-/// How far the values fall from a place on, in one direction, before one is above it; NaN ends the way.
+/// How far the values fall from a place in one direction, before one rises above it; NaN ends the way.
 double fallFrom(const std::vector<double>& values, std::size_t from, std::ptrdiff_t step) {
     double least = values[from];
     for (auto i = static_cast<std::ptrdiff_t>(from) + step; i >= 0 && i < static_cast<std::ptrdiff_t>(values.size());
          i += step) {
         const double value = values[static_cast<std::size_t>(i)];
-        // The first of equal values is the maximum: it ends the way of those behind it.
+        // Of equal values the first is the maximum: it ends the way of the later ones.
         if (std::isnan(value) || value > values[from] || (step < 0 && value == values[from])) break;
         least = std::min(least, value);
     }
@@ -171,7 +170,7 @@ std::optional<ContourSpectrum> contourSpectrum(const Volume& volume, const Progr
         const double width = ContourSpectrum::width(i);
         spectrum.area[i] = first[i] * voxelVolume / width;
         spectrum.gradientIntegral[i] = second[i] * voxelVolume / width;
-        // Half of what an isovalue owns lies below it; at 0 all of it is above, at 1 nothing is.
+        // Half of an isovalue's share lies below it; at 0 all of it lies above, at 1 nothing.
         const double half = i == 0 ? 1.0 : i + 1 == isovalueCount ? 0.0 : 0.5;
         spectrum.volume[i] = (above + half * voxels[i]) * voxelVolume;
         above += voxels[i];

@@ -25,7 +25,7 @@ constexpr std::string_view kindlmannPage = "docs/designers/kindlmann.md";
 constexpr auto kindlmannDimensions = parameter_rows::choicesOf<KindlmannDimensions>(kindlmannDimensionsNames);
 constexpr auto boundaryEmphases = parameter_rows::choicesOf<BoundaryEmphasis>(boundaryEmphasisNames);
 
-/// What a person draws stands in no row.
+/// The drawn function has no row, so it is checked here.
 std::string problemOfDrawn(const KindlmannConfig& config) {
     const std::vector<EmphasisNode>& nodes = config.drawn;
     if (nodes.size() < 2 || nodes.size() > mostEmphasisNodes)
@@ -42,7 +42,7 @@ std::string problemOfDrawn(const KindlmannConfig& config) {
 const ParameterTable<KindlmannConfig>& kindlmannTable() {
     using namespace parameter_rows;
     using Config = KindlmannConfig;
-    // Numbers of the hat mean nothing of what a person drew.
+    // The numbers of the hat do not apply to a drawn function.
     constexpr ParameterScope ofHat{"emphasis", "hat"};
     static const ParameterTable<Config> table{
         {
@@ -103,12 +103,12 @@ std::string threeDigitsInWords(double number) {
 
 std::string level(double intensity) { return textOf(std::round(255.0 * intensity)); }
 
-/// Intensities at which the position passes 0, from the darker side to the brighter one.
+/// Intensities at which the position passes 0, from the darker to the brighter side.
 std::vector<double> middles(const std::vector<double>& positions) {
     std::vector<double> found;
     for (std::size_t i = 1; i < positions.size(); ++i) {
         const double before = positions[i - 1], here = positions[i];
-        // Comparisons with what is not known are false.
+        // Comparisons with NaN are false.
         if (!(before < 0.0 && here >= 0.0)) continue;
         const double share = -before / (here - before);
         found.push_back((static_cast<double>(i) - 1.0 + share) / (static_cast<double>(positions.size()) - 1.0));
@@ -116,12 +116,11 @@ std::vector<double> middles(const std::vector<double>& positions) {
     return found;
 }
 
-/// All that was found on the way to the opacity.
 struct Findings {
     HistogramVolume histogram;
     MeanDerivatives means;
     std::optional<BoundaryWidth> width;
-    std::vector<double> positions;  ///< over the intensity; empty where there is no width
+    std::vector<double> positions;  ///< over the intensity; empty without a width
 };
 
 std::string counted(double number, std::string_view thing) {
@@ -215,7 +214,7 @@ bool showsSomething(const Classification& classification) {
     return std::ranges::any_of(std::get<SampledCurve>(classification.curve()).opacities, above);
 }
 
-/// The widest sigma that is taken for a boundary's, units: most of its transition, four sigma, fits the longest edge.
+/// The widest sigma of a boundary, units: most of its transition, four sigma, must fit into the longest edge.
 double widestSigma(const VolumeGeometry& geometry) {
     double longest = 0.0;
     for (int axis = 0; axis < 3; ++axis)

@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// What opacity is a function of.
+/// What opacity depends on.
 enum class KindlmannDimensions {
     one,  ///< the intensity: alpha(v) = b(p(v))
     two,  ///< the intensity and the gradient magnitude: alpha(v, g) = b(p(v, g))
@@ -18,19 +18,18 @@ inline constexpr ChoiceNames<2> kindlmannDimensionsNames{"one", "two"};
 
 /// Where the boundary emphasis function b comes from.
 enum class BoundaryEmphasis {
-    hat,    ///< made of three numbers
+    hat,    ///< from centre, half-width and peak
     drawn,  ///< KindlmannConfig::drawn
 };
 inline constexpr ChoiceNames<2> boundaryEmphasisNames{"hat", "drawn"};
 
-/// One point of the boundary emphasis function.
 struct EmphasisNode {
-    double position = 0.0;  ///< within the boundary, standard deviations of it, negative on the darker side
+    double position = 0.0;  ///< within the boundary, in its standard deviations, negative on the darker side
     double opacity = 0.0;   ///< per reference step, [0,1]
     friend bool operator==(const EmphasisNode&, const EmphasisNode&) = default;
 };
 
-/// The most nodes that KindlmannConfig::drawn may have; it must have two.
+/// The most nodes of KindlmannConfig::drawn; the least is two.
 inline constexpr std::size_t mostEmphasisNodes = 64;
 
 /// parametersOf() has the ranges, the meanings and the sources of all members but `drawn`.
@@ -44,10 +43,10 @@ struct KindlmannConfig {
     double centre = 0.0;     ///< of the hat, standard deviations of the boundary
     double halfWidth = 1.0;  ///< of the hat, standard deviations of the boundary
     double peak = 1.0;       ///< of the hat, opacity per reference step
-    /// What a person drew, piecewise linear, constant beyond its first and last node; two nodes at one position make a
-    /// step, of which the later one holds there. It counts where `emphasis` says so, and is kept where it does not, so
-    /// that a person can go to the hat and back. Tables of parameters hold scalars and so do not hold it. 2 to
-    /// mostEmphasisNodes nodes, of positions in [-8,8] that do not descend; the default is the default hat.
+    /// The function that a person drew: piecewise linear, constant beyond its first and last node. Two nodes at one
+    /// position make a step; the later one holds there. Only BoundaryEmphasis::drawn uses it, but it is always kept, so
+    /// that a person can go to the hat and back. Tables of parameters hold scalars, so they do not hold it. 2 to
+    /// mostEmphasisNodes nodes, at positions in [-8,8] that do not descend. The default is the default hat.
     std::vector<EmphasisNode> drawn{{-1.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}};
     friend bool operator==(const KindlmannConfig&, const KindlmannConfig&) = default;
 };

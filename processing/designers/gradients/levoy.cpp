@@ -72,7 +72,7 @@ const ParameterTable<LevoyConfig>& levoyTable() {
     return table;
 }
 
-/// The levels, where they come from, and what could not be done; both levels are 0 where there are none.
+/// The levels, where they come from, and what could not be done. Without levels both are 0.
 struct Levels {
     double fluid = 0.0, tissue = 0.0;
     std::string origin{}, message{};
@@ -88,13 +88,13 @@ Levels otsuLevels(const Volume& shown) {
         "They are the means of the voxels below and above Otsu's threshold at " + inWords(classes->threshold) + "."};
 }
 
-/// Nothing where the run was cancelled.
+/// Empty if the work was cancelled.
 std::optional<Levels> tubeCoreLevels(const DesignerInput& input, const Progress& progress) {
     const auto otf =
         adaptOpacity(input.raw, input.view, input.method, progress, QuietVoxels{&input.shown, input.reduction});
     if (!otf) return std::nullopt;
     const MeanInterface mean = meanInterfaceOf(*otf);
-    // Before surfaces at which the data begin lies no fluid.
+    // No fluid lies before surfaces at which the data begin.
     if (otf->surfacesWhereDataBegin || !(mean.high > mean.low)) return Levels{};
     return Levels{mean.low,
                   mean.high,
@@ -104,7 +104,7 @@ std::optional<Levels> tubeCoreLevels(const DesignerInput& input, const Progress&
                   {{"surfaces_with_weight", "Surfaces with a weight", static_cast<double>(otf->tubesWithWeight)}}};
 }
 
-/// Nothing where the run was cancelled.
+/// Empty if the work was cancelled.
 std::optional<Levels> levelsOf(const LevoyConfig& config, const DesignerInput& input, const Progress& progress) {
     std::string message;
     switch (config.levels) {
@@ -130,7 +130,7 @@ double atNode(double intensity) {
     return std::round(intensity * (levoyIntensityNodes - 1)) / (levoyIntensityNodes - 1);
 }
 
-/// The contours of a volume's levels, those that are clear left out.
+/// The contours of a volume's levels without the clear ones.
 std::vector<LevoyLevel> contoursOf(const LevoyConfig& config, const Levels& levels) {
     std::vector<LevoyLevel> contours{
         {atNode(levels.fluid), config.fluidOpacity},
@@ -148,7 +148,7 @@ TwoDimensionalOtf isovalueTable(const std::vector<LevoyLevel>& contours, double 
     });
 }
 
-/// Along the gradient the form is a straight line up to the gradient that counts as 1, and constant beyond.
+/// Along the gradient the opacity is a straight line up to the gradient that counts as 1, and constant beyond.
 TwoDimensionalOtf boundaryTable(std::span<const LevoyLevel> levels, double gradientScale) {
     return tabulated(levoyIntensityNodes, 2, gradientScale, [&](double intensity, double gradient) {
         return boundaryOpacity(intensity, gradient / gradientScale, levels);
@@ -222,7 +222,7 @@ std::optional<Design> design(const LevoyConfig& config, const DesignerInput& inp
         design.classification = Classification(isovalueTable(contours, config.transitionWidth, range->largest));
         explainIsovalues(config, contours, design);
     } else {
-        // Where fewer than one voxel in a hundred has a gradient, the quantile is none, but for what it is exact to.
+        // If fewer than one voxel in a hundred has a gradient, the quantile is 0 within its accuracy.
         constexpr double none = 3e-5;
         const bool byLargest = config.gradientScale == LevoyGradientScale::largest || !(range->quantile99 > none);
         const double scale = byLargest ? range->largest : range->quantile99;

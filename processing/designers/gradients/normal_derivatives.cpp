@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-/// Voxels along an axis that derivatives of unit gradients reach.
+/// Derivatives of unit gradients reach so many voxels along an axis.
 constexpr std::int64_t axisReach = 2;
 
 /// The standard deviation in the unit of gaussianFiltered(), mean voxels.
@@ -27,14 +27,14 @@ double inMeanVoxels(const VolumeGeometry& geometry, double units) {
     return finest < 0 ? units : units * geometry.unit() / geometry.spacing[finest] * apart[finest];
 }
 
-/// Makes room for so many values; what was there need not stay.
+/// Makes room for `count` values. The old values may be lost.
 template <typename Value>
 void makeRoom(std::vector<Value>& values, std::int64_t count) {
     if (static_cast<std::int64_t>(values.size()) < count) values = std::vector<Value>(static_cast<std::size_t>(count));
 }
 
-/// Offsets of the voxels that must be scanned around one: all that its derivatives are taken of, and where the margin
-/// is wider, some on a ball of that radius.
+/// Offsets of the voxels around one that must be scanned: all that its derivatives use. If the margin is wider, also
+/// some on a ball of that radius.
 std::vector<std::int64_t> neighboursAround(const std::array<std::int64_t, 3>& stride,
                                            const std::array<std::int64_t, 3>& margin) {
     std::vector<std::int64_t> offsets{0}, corners{0};
@@ -65,14 +65,14 @@ NormalDerivativeSlices::NormalDerivativeSlices(const Volume& volume, double pref
     : m_scanned(volume.withCut(nullptr)),
       m_geometry(volume.geometry()),
       m_slice(m_geometry.size[0] * m_geometry.size[1]) {
-    // Derivatives and Gaussian must agree on what a length is, be the spacing known or guessed.
+    // Derivatives and Gaussian must use the same lengths, whether the spacing is known or guessed.
     m_geometry.spacingKnown = true;
     const double sigma = inMeanVoxels(m_geometry, prefilter);
     const Vec3 apart = filterSpacing(m_geometry);
     std::int64_t stride = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int component = static_cast<int>(axis);
-        // A little less, so that rounding does not make a whole voxel of it.
+        // Slightly less, so that rounding does not add a voxel.
         const std::int64_t margin = axisReach + static_cast<std::int64_t>(std::ceil(sigma / apart[component] - 1e-6));
         if (m_geometry.size[axis] > 2 * margin) {
             m_stride[axis] = stride;
@@ -98,7 +98,7 @@ void NormalDerivativeSlices::readIntensities(std::int64_t first, std::int64_t en
                     const std::int64_t from = z * m_slice + i;
                     const bool isData = mask == nullptr || mask[from] != 0;
                     const double stored = static_cast<double>(voxels[static_cast<std::size_t>(from)]);
-                    // Whoever set a mask may not have asked what is finite; written so that NaN becomes 0.
+                    // A mask may mark voxels that are not finite. NaN becomes 0 here.
                     const double share = isData ? stored / white : 0.0;
                     to[i] = share > 0.0 ? static_cast<float>(std::min(share, 1.0)) : 0.0F;
                 }

@@ -18,20 +18,20 @@ struct NormalDerivatives {
     float intensity = 0.0F, gradient = 0.0F, second = 0.0F;
 };
 
-/// Derivatives under a Gaussian, defined in HistogramVolume. What a scalpel cut is read as it was scanned.
+/// Derivatives under a Gaussian, as HistogramVolume defines them. It reads voxels that a scalpel cut as they were
+/// scanned.
 class NormalDerivativeSlices {
 public:
     /// The volume must outlive this; `prefilter` is the Gaussian's standard deviation in units, or 0.
     NormalDerivativeSlices(const Volume& volume, double prefilter);
 
-    /// Makes slices [first, end). False where the run was cancelled.
+    /// Makes slices [first, end). False if the work was cancelled.
     [[nodiscard]] bool make(std::int64_t first, std::int64_t end, const Progress& progress);
-    /// Whether a voxel counts, as far as what was scanned around it decides.
+    /// Whether enough was scanned around a voxel for it to count.
     [[nodiscard]] bool knownAt(std::int64_t x, std::int64_t y, std::int64_t z) const;
-    /// At a voxel of the slices that were made last, at which knownAt() is true.
+    /// At a voxel of the slices made last; knownAt() must be true there.
     [[nodiscard]] NormalDerivatives at(std::int64_t x, std::int64_t y, std::int64_t z) const;
-    /// A row of normalised intensities, without the Gaussian, of the slices that were made last; 0 where nothing was
-    /// scanned.
+    /// A row of normalised intensities, without the Gaussian, of the slices made last; 0 for voxels not scanned.
     [[nodiscard]] std::span<const float> intensities(std::int64_t y, std::int64_t z) const;
 
 private:

@@ -1,5 +1,5 @@
-// The template that stands ready. tests/processing/designers/template/template_reference.cpp makes its numbers anew
-// from the phantom and compares.
+// The built-in template. tests/processing/designers/template/template_reference.cpp makes its numbers anew from the
+// phantom and compares.
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-/// Voxels by normalised intensity: value i counts [i/256, (i+1)/256[; above the last one there are none.
+/// Voxels by normalised intensity: value i counts [i/256, (i+1)/256[. Above the last value there are no voxels.
 constexpr std::uint32_t fetusCounts[] = {
     0,     0,     0,     0,     0,     0,     0,     0,     0,     0,     1090,  29463, 147262, 268910, 258650, 148710,
     62195, 22981, 10033, 6107,  4754,  4208,  3962,  3952,  3806,  3886,  3715,  3587,  3397,   3379,   3411,   3280,
@@ -30,7 +30,7 @@ constexpr std::uint32_t fetusCounts[] = {
     24,    29,    20,    13,    19,    17,    10,    9,     8,     6,     8,     1,     0,      0,      2,      1,
     0,     1,     1};
 
-/// The adaptive curve within 0.02, its nodes at intensities of 255.
+/// The adaptive curve within 0.02. Its nodes are given at intensities of 255.
 ManualCurve fetusCurve() {
     ManualCurve curve{{{47, 0.0},
                        {54, 0.02},

@@ -16,15 +16,15 @@ namespace {
 
 constexpr std::size_t binsPerStep = 2, steps = warpBins / binsPerStep;
 constexpr std::ptrdiff_t placesPerBin = 8;
-// No slope is above 1 that must be taken, so that a warp that enters or leaves [0,1] needs no more than this.
+// The least slope is at most 1, so a warp can always stay within these places as it enters or leaves [0,1].
 constexpr auto firstPlace = -static_cast<std::ptrdiff_t>(warpBins) * placesPerBin;
 constexpr std::size_t places = 3 * warpBins * placesPerBin + 1;
-// The inner edges of the bins that hold all that was cut off.
+// The inner edges of the first and last bin, which hold all that was cut off.
 constexpr auto lowPlace = static_cast<std::size_t>(placesPerBin - firstPlace);
 constexpr std::size_t highPlace = lowPlace + (warpBins - 2) * placesPerBin;
 
-/// Cumulative distribution at the edges of the bins, linear between them. What the first or the last bin holds may lie
-/// anywhere beyond its inner edge, so that there is a range of values.
+/// Cumulative distribution at the edges of the bins, linear between them. Voxels of the first or the last bin may lie
+/// anywhere beyond its inner edge. So least() and largest() give the range of possible values.
 class Cumulative {
 public:
     explicit Cumulative(std::span<const double> shares) : m_edges(warpBins + 1, 0.0) {
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] double largest(double place) const {
         return isLow(place) ? m_edges[1] : isHigh(place) ? 1.0 : at(place);
     }
-    /// Whether all that lies below, or above, a place was cut off, or lies in the bin that holds what was.
+    /// Whether a place lies within or beyond the first, or the last, bin, which hold all that was cut off.
     [[nodiscard]] static bool isLow(double place) { return place <= 1.0; }
     [[nodiscard]] static bool isHigh(double place) { return place >= static_cast<double>(warpBins - 1); }
 
@@ -51,8 +51,8 @@ private:
     std::vector<double> m_edges;
 };
 
-/// What a comparison asks: squared differences of logarithms of shares and of cumulative distributions, and squared
-/// logarithms of slopes, each with its weight. docs/designers/template.md says how they were chosen.
+/// The weights of a comparison: for squared differences of logarithms of shares, for those of cumulative distributions,
+/// and for squared logarithms of slopes. docs/designers/template.md says how they were chosen.
 struct Weights {
     double logarithm, cumulative, slope;
 };
@@ -72,7 +72,7 @@ public:
     Costs(const Cumulative& reference, const Cumulative& other, const WarpRule& rule)
         : m_weights(weightsOf(rule.comparison)), m_reference(reference), m_other(other) {
         constexpr double one = binsPerStep * placesPerBin;
-        // A slope that is a whole number of places stays allowed where it was rounded.
+        // A slope of a whole number of places stays allowed despite rounding.
         m_shortest = static_cast<std::size_t>(std::ceil(rule.leastSlope * one - 1e-9));
         m_longest = static_cast<std::size_t>(std::floor(rule.largestSlope * one + 1e-9));
         for (std::size_t length = m_shortest; length <= m_longest; ++length)
@@ -90,7 +90,7 @@ public:
     [[nodiscard]] std::size_t lengths() const { return m_longest - m_shortest + 1; }
     [[nodiscard]] double slope(std::size_t length) const { return m_slopes[length - m_shortest]; }
 
-    /// Of a node: how far the cumulative distributions are apart.
+    /// Cost of a node: the difference of the cumulative distributions.
     [[nodiscard]] double atNode(std::size_t step, std::size_t place) const {
         const auto v = static_cast<double>(step * binsPerStep);
         const double u = placeInBins(place);
@@ -99,16 +99,16 @@ public:
         return m_weights.cumulative * square(apart);
     }
 
-    /// What a step along the reference's axis holds, in logarithms.
+    /// The shares that a step along the reference's axis holds, as logarithms.
     struct Step {
         bool first, last;
-        double share[2][2];      ///< without and with what lies before it, without and with what lies behind it
-        double cutLow, cutHigh;  ///< cost of the step where it lies beyond an end of the other axis
+        double share[2][2];      ///< [with all that lies before it][with all that lies behind it]
+        double cutLow, cutHigh;  ///< cost of the step if it lies beyond an end of the other axis
     };
     [[nodiscard]] Step alongReference(std::size_t step) const {
         const double before = m_reference.at(static_cast<double>((step - 1) * binsPerStep));
         const double until = m_reference.at(static_cast<double>(step * binsPerStep));
-        // What the reference holds up to there must be in the bin at that end.
+        // The bin at that end must hold what the reference holds up to there.
         const auto cutOff = [&](double needed, double held) {
             return m_weights.logarithm * square(std::max(0.0, logOf(needed) - logOf(held)));
         };
@@ -119,7 +119,7 @@ public:
                 cutOff(1.0 - before, 1.0 - m_other.at(warpBins - 1))};
     }
 
-    /// Of a step that ends at a place, by how far it goes: the shares that lie along it.
+    /// Cost of a step that ends at `to`: the difference of the shares along it.
     [[nodiscard]] double alongStep(const Step& step, std::size_t to, std::size_t length) const {
         if (m_weights.logarithm == 0.0) return 0.0;
         const std::size_t from = to - length;
@@ -131,11 +131,11 @@ public:
     }
 
 private:
-    /// The share of voxels from a place to another, or of all before or behind them.
+    /// The share of voxels between two places; `low` adds all before, `high` all behind.
     [[nodiscard]] double shareOf(std::size_t from, std::size_t to, bool low, bool high) const {
         return (high ? 1.0 : m_other.at(placeInBins(to))) - (low ? 0.0 : m_other.at(placeInBins(from)));
     }
-    /// Shares below this one are no more than chance.
+    /// Shares below `least` are no more than chance.
     [[nodiscard]] static double logOf(double share) {
         constexpr double least = 2e-4 * binsPerStep;
         return std::log(std::max(share, 0.0) + least);
@@ -171,7 +171,7 @@ void requireShares(std::span<const double> shares) {
         throw std::invalid_argument("findWarp: a histogram has 256 shares, 0 or more, with a sum of 1");
 }
 
-/// The place of each node of the cheapest warp; empty where it was cancelled.
+/// The place of each node of the cheapest warp; empty if the work was cancelled.
 std::optional<std::vector<std::size_t>> cheapestPath(const Costs& costs, const Progress& progress) {
     constexpr double never = std::numeric_limits<double>::infinity();
     std::vector<double> cost(places), next(places);

@@ -12,10 +12,10 @@
 
 namespace echolucent {
 
-/// t: the intensity of another volume that means what an intensity of the reference means. Both are normalised.
+/// t: an intensity of the reference becomes the intensity of another volume with the same meaning. Both are normalised.
 struct IntensityWarp {
-    /// t at equidistant intensities of the reference from 0 to 1, two or more, ascending, linear between them. Outside
-    /// [0,1] they say that the other volume cuts these intensities off.
+    /// t at equidistant intensities of the reference from 0 to 1: two or more, ascending, linear between them. A value
+    /// outside [0,1] means that the other volume cuts this intensity off.
     std::vector<double> values{0.0, 1.0};
 
     /// t(v); v is clamped into [0,1].
@@ -30,8 +30,9 @@ struct WarpRule {
     double largestSlope = 4.0;  ///< of t, [1,8]
 };
 
-/// A warp, and how unlike the distributions are without it and with it. A distance is the root of the mean over the
-/// reference's axis of what the comparison asks, without the price of slopes: 0 for equal distributions.
+/// A warp, and how unlike the distributions are before and after it. A distance is the root of the mean over the
+/// reference's axis of the squared differences that the comparison weighs, without the price of slopes; 0 for equal
+/// distributions.
 struct FoundWarp {
     IntensityWarp warp;
     double distanceBefore = 0.0;
@@ -42,12 +43,12 @@ struct FoundWarp {
 inline constexpr std::size_t warpBins = 256;
 
 /// The warp of the least distance, by dynamic programming over steps of 2 bins of the reference and eighths of a bin of
-/// the other (in the way of Rezk-Salama and others 2000). Shares are taken between the ends of a step, so that the
-/// warp's own stretching is part of the comparison; what lies beyond an end of either axis is taken together, because
-/// the first and the last bin hold all that was cut off. A small price on slopes other than 1 decides where no voxel
-/// does. Histograms are shares of voxels, warpBins of them, 0 or more, with a sum of 1; anything else, and slopes out
-/// of their range, throw std::invalid_argument. The result is empty only where progress.cancel was raised, and has the
-/// same bits for any number of threads.
+/// the other (in the way of Rezk-Salama and others 2000). Shares are compared between the ends of a step, so that the
+/// comparison includes the warp's own stretching. Everything beyond an end of either axis is compared together, because
+/// the first and the last bin hold all that was cut off. A small price on slopes other than 1 decides if no voxel does.
+/// Histograms are warpBins shares of voxels, 0 or more, with a sum of 1. Throws std::invalid_argument for other
+/// histograms and for slopes out of their range. The result is empty only if progress.cancel was raised. Its bits are
+/// the same for any number of threads.
 [[nodiscard]] std::optional<FoundWarp> findWarp(std::span<const double> reference, std::span<const double> other,
                                                 const WarpRule& rule, const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-// What the distributions of intensities of a volume and of a template are compared by.
+// How the intensities of a volume and of a template are compared.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace echolucent {
 
-/// What two distributions are compared by.
+/// What is compared of two distributions.
 enum class TemplateComparison {
-    logarithm,   ///< logarithms of the shares of voxels along the axis, and a little the cumulative distributions
+    logarithm,   ///< logarithms of the shares of voxels, and with less weight the cumulative distributions
     cumulative,  ///< the cumulative distributions alone
 };
 inline constexpr std::array allTemplateComparisons{TemplateComparison::logarithm, TemplateComparison::cumulative};

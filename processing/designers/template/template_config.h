@@ -7,7 +7,7 @@
 
 namespace echolucent {
 
-/// The ranges of the slopes stand in parametersOf(), too.
+/// parametersOf() has the ranges of the slopes too.
 struct TemplateConfig {
     static constexpr DesignerWords words{"template", "Template"};
     SharedTemplate reference = fetusTemplate();  ///< no row of the table

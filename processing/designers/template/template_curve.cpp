@@ -21,14 +21,14 @@ namespace {
 constexpr std::string_view templatePage = "docs/designers/template.md";
 constexpr int curveNodes = 256;
 
-/// Whether a reference that came from elsewhere holds a histogram.
+/// Whether a reference from elsewhere holds a histogram.
 bool isHistogram(const std::vector<double>& histogram) {
     const double sum = std::accumulate(histogram.begin(), histogram.end(), 0.0);
     const bool areShares = std::ranges::all_of(histogram, [](double share) { return share >= 0.0; });
     return histogram.size() == warpBins && areShares && (sum == 0.0 || std::abs(sum - 1.0) < 1e-6);
 }
 
-/// A reference stands in no row.
+/// The reference has no row, so it is checked here.
 std::string problemOfReference(const TemplateConfig& config) {
     if (isHistogram(config.reference->histogram)) return {};
     return "the histogram of the reference must be 256 shares, 0 or more, with a sum of 1, or 0";
@@ -62,7 +62,7 @@ const ParameterTable<TemplateConfig>& templateTable() {
     return table;
 }
 
-/// Why a histogram cannot be compared; empty where it can.
+/// Why a histogram cannot be compared; empty if it can.
 std::string whyNotCompared(const std::vector<double>& histogram, const std::string& what) {
     const auto filled = std::ranges::count_if(histogram, [](double share) { return share > 0.0; });
     if (filled == 0) return what + " holds no data";

@@ -11,17 +11,17 @@
 
 namespace echolucent {
 
-/// Its table, which also knows what is wrong with the reference; the argument only selects it.
+/// Its table, which also checks the reference; the argument only selects it.
 [[nodiscard]] const ParameterTable<TemplateConfig>& parametersOf(const TemplateConfig&);
 
-/// The curve alpha(t^-1(v)) at 256 equidistant intensities v, alpha the reference's curve and t the warp that
-/// findWarp() finds between the reference's histogram and that of the shown voxels. The plots are "warp" (NaN where the
-/// volume cuts the reference's intensities off), "reference_histogram" and "histogram"; the facts "largest_shift" (of
-/// the warp, with its sign, where it is within [0,1]), "mean_slope", "distance_before" and "distance".
-/// Where the volume or the reference holds no data, or one intensity alone, the curve is the reference's as it is, and
-/// the message says why. Where that curve is 0 everywhere, the curve is x².
-/// It throws std::invalid_argument where a value is out of its range, where the reference's histogram is not one, or
-/// where the shown voxels have another grid.
+/// The curve alpha(t^-1(v)) at 256 equidistant intensities v. alpha is the reference's curve, and t the warp that
+/// findWarp() finds from the reference's histogram to that of the shown voxels. The plots are "warp" (NaN if the volume
+/// cuts the reference's intensity off), "reference_histogram" and "histogram". The facts are "largest_shift" (of the
+/// warp within [0,1], with its sign), "mean_slope", "distance_before" and "distance".
+/// If the volume or the reference holds no data, or one intensity alone, the curve is the reference's unchanged, and
+/// the message says why. If that curve is 0 everywhere, the curve is x².
+/// Throws std::invalid_argument if a value is out of its range, the reference's histogram is none, or the shown voxels
+/// have another grid.
 [[nodiscard]] std::optional<Design> design(const TemplateConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

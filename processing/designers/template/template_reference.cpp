@@ -15,7 +15,7 @@ namespace echolucent {
 
 namespace {
 
-/// A volume whose mask marks no voxel that is not finite: whoever set a mask may not have asked.
+/// The volume with voxels that are not finite masked as no data: its own mask may mark them as data.
 Volume withoutNotFinite(const Volume& volume) {
     const auto* voxels = std::get_if<VoxelArray<float>>(&volume.voxels());
     const auto isFinite = [](float value) { return std::isfinite(value); };

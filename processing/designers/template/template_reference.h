@@ -1,4 +1,4 @@
-// A curve that suits a volume, and what must be known of that volume to carry the curve to others.
+// A curve that suits a volume, and the intensities of that volume, from which the curve is carried to others.
 #pragma once
 
 #include <memory>
@@ -15,20 +15,21 @@ struct PhantomConfig;
 
 /// A volume's intensities, and the curve that was made for it.
 struct TemplateReference {
-    std::string name;               ///< for a person
-    std::vector<double> histogram;  ///< 256 shares of its voxels with data by normalised intensity: bin i holds
-                                    ///< [i/256, (i+1)/256[; their sum is 1, or all are 0 where there were none
+    std::string name;  ///< for a person
+    /// Shares of its voxels with data by normalised intensity: bin i of 256 holds [i/256, (i+1)/256[. Their sum is 1,
+    /// or 0 without data.
+    std::vector<double> histogram;
     OpacityCurve curve = ManualCurve{};
     friend bool operator==(const TemplateReference&, const TemplateReference&) = default;
 };
 
-/// A reference that copies share. They are equal where the references are.
+/// A reference that copies share. Two are equal if their references are.
 class SharedTemplate {
 public:
-    /// It converts by itself, so that a reference stands wherever a shared one does.
+    /// It converts implicitly, so that a reference can stand for a shared one.
     SharedTemplate(TemplateReference reference)
         : m_reference(std::make_shared<const TemplateReference>(std::move(reference))) {}
-    // Without moves none is left without a reference.
+    // No moves: a moved-from object would have no reference.
     SharedTemplate(const SharedTemplate&) = default;
     SharedTemplate& operator=(const SharedTemplate&) = default;
     ~SharedTemplate() = default;
@@ -43,14 +44,14 @@ private:
     std::shared_ptr<const TemplateReference> m_reference;  ///< never null
 };
 
-/// The reference of a volume for which a curve was made: its voxels as the picture shows them. Voxels that are not
-/// finite are no data.
+/// The reference of a volume with a curve made for it. `volume` holds the voxels as the picture shows them. Voxels that
+/// are not finite are no data.
 [[nodiscard]] TemplateReference templateFrom(const Volume& volume, OpacityCurve curve, std::string name);
 
-/// The scene of fetusTemplate(): the fetus in its base condition.
+/// The phantom of fetusTemplate(): the fetus in its base condition.
 [[nodiscard]] PhantomConfig fetusTemplateConfig();
-/// The simulated fetus: makePhantom() of fetusTemplateConfig() with the default speckle reduction, and its adaptive
-/// curve seen along +z, reduced to a few nodes. Its numbers are stored, because the phantom takes a while.
+/// The simulated fetus: makePhantom() of fetusTemplateConfig() with the default speckle reduction. Its curve is the
+/// adaptive one along +z, reduced to a few nodes. Its numbers are stored, because making the phantom takes a while.
 [[nodiscard]] const SharedTemplate& fetusTemplate();
 
 }  // namespace echolucent

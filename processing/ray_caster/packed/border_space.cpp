@@ -30,7 +30,7 @@ void BorderSpace::follow(const PackedPresence& presence, const RowMarks& rows) {
     if (findBorders(presence, rows) || m_distances.empty()) findDistances();
 }
 
-/// Whether any brick became a border or none.
+/// Whether any brick became a border or stopped being one.
 bool BorderSpace::findBorders(const PackedPresence& presence, const RowMarks& rows) {
     const std::int64_t lastCube = presence.order().size[0];
     std::atomic<bool> changed = false;
@@ -51,7 +51,7 @@ bool BorderSpace::findBorders(const PackedPresence& presence, const RowMarks& ro
 
 namespace {
 
-/// Adds what lies beside the bits of a row on it.
+/// Sets the bits beside each set bit of a row.
 void widenAlongRow(std::uint64_t* row, std::int64_t words) {
     std::uint64_t before = 0;
     for (std::int64_t i = 0; i < words; ++i) {
@@ -61,7 +61,7 @@ void widenAlongRow(std::uint64_t* row, std::int64_t words) {
     }
 }
 
-/// Adds the rows beside each row along y or z; rows beyond the grid hold nothing.
+/// Adds to each row the rows beside it along y or z. Rows beyond the grid are empty.
 BitGrid widenedAcross(const BitGrid& grid, std::int64_t downwards, std::int64_t behind) {
     BitGrid wider = grid;
     const auto& size = grid.size();
@@ -79,7 +79,7 @@ BitGrid widenedAcross(const BitGrid& grid, std::int64_t downwards, std::int64_t 
 
 }  // namespace
 
-/// The borders grow by one brick on every axis, again and again; the round that reaches a brick is its distance.
+/// The borders grow by one brick on every axis in each round. A brick's distance is the round that reaches it.
 void BorderSpace::findDistances() {
     BitGrid reached = m_borders;
     m_distances.assign(static_cast<std::size_t>(m_size[0] * m_size[1] * m_size[2]), farthest);

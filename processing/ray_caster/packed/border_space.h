@@ -1,4 +1,4 @@
-// Where data ends: how far away the next brick is in which the presence of data must be asked.
+// Distances to the next brick where data may end. Only there a sample must read the presence of data.
 #pragma once
 
 #include <array>
@@ -12,21 +12,21 @@
 
 namespace echolucent::ray_casting {
 
-/// A grid of bricks of 4 x 4 x 4 cubes (see packed_order.h); brick b holds cubes 4b ... 4b+3 on each axis. They are
-/// smaller than those of empty space, so that few samples ask for the presence of data.
+/// A grid of bricks of 4 x 4 x 4 cubes (see packed_order.h). Brick b holds cubes 4b ... 4b+3 on each axis. The bricks
+/// are smaller than those of empty space, so that few samples read the presence of data.
 class BorderSpace {
 public:
     static constexpr int edge = 4, shift = 2;
-    /// Distances beyond this one are not told apart.
+    /// The largest distance; farther bricks have it too.
     static constexpr std::uint8_t farthest = 16;
 
     explicit BorderSpace(const PackedPresence& presence);
-    /// Follows a presence of which the marked rows of voxels may be others than before.
+    /// Follows a changed presence. Only the marked rows of voxels may have changed.
     void follow(const PackedPresence& presence, const RowMarks& rows);
 
     [[nodiscard]] const std::array<std::int64_t, 3>& size() const { return m_size; }
-    /// One number a brick, x fastest: 0 where the presence around the brick's cubes is below PresenceUse::allFrom, else
-    /// d where it is nowhere in all bricks less than d away on every axis. Empty where all voxels carry data.
+    /// One number a brick, x fastest: 0 if the presence around the brick's cubes is below PresenceUse::allFrom
+    /// anywhere. Else d, if it is so in no brick less than d away on every axis. Empty if all voxels carry data.
     [[nodiscard]] const std::vector<std::uint8_t>& distances() const { return m_distances; }
 
 private:

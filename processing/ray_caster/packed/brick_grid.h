@@ -1,4 +1,4 @@
-// Bricks of cubes: what pictures know of many samples at once.
+// Bricks of cubes. A brick tells about many samples at once.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace echolucent::ray_casting {
 
-/// A grid of bricks of 8 x 8 x 8 cubes (see packed_order.h); brick b holds cubes 8b ... 8b+7 on each axis.
+/// A grid of bricks of 8 x 8 x 8 cubes (see packed_order.h). Brick b holds cubes 8b ... 8b+7 on each axis.
 struct BrickGrid {
     static constexpr int edge = 8, shift = 3;
     std::array<std::int64_t, 3> size{};

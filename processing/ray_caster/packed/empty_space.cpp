@@ -27,7 +27,7 @@ struct RangeOf {
     }
 };
 
-/// Of the voxels that hold a value.
+/// The range of the voxels with a value.
 template <typename Voxel>
 RangeOf<Voxel> rangeOf(const Volume& volume, const Voxel* voxels, const std::array<std::int64_t, 3>& brick) {
     const std::uint8_t* known = volume.dataMaskOrNull();
@@ -57,7 +57,7 @@ BrickRanges::BrickRanges(const Volume& filled, const PackedPresence& presence)
             forEachBrick(m_grid, [&](const std::array<std::int64_t, 3>& at, std::size_t brick) {
                 const auto found = rangeOf(filled, voxels.data(), at);
                 const bool anyData = found.lowest <= found.highest;
-                // Rounding in the kernel may leave the range of the voxels by a hair.
+                // Rounding in the kernel may leave the voxels' range by very little.
                 m_lowestHeld[brick] = anyData ? std::max(0.0f, position(found.lowest) - 0.125f) : 1.0f;
                 m_highestHeld[brick] =
                     anyData ? std::min(static_cast<float>(TransferTable::intervals), position(found.highest) + 0.125f)
@@ -83,7 +83,7 @@ void BrickRanges::follow(const PackedPresence& presence, const RowMarks& rows) {
             const auto first = bricks.columns.begin() + x * BrickGrid::edge * voxelsPerCube;
             const auto end = bricks.columns.begin() +
                              (std::min(x * BrickGrid::edge + BrickGrid::edge, lastCube) + 1) * voxelsPerCube;
-            // Samples in a brick show nothing of its voxels where none of them is covered.
+            // A brick shows nothing if no voxel has enough presence.
             const bool shown = std::any_of(first, end, [](auto here) { return here > PresenceUse::noneUpTo; });
             const std::size_t brick = m_grid.offset(x, bricks.y, bricks.z);
             m_lowest[brick] = shown ? m_lowestHeld[brick] : 1.0f;
@@ -113,7 +113,7 @@ void EmptySpace::follow(const IsEmpty& isEmpty) {
                 }
             }
     if (changed.last[0] == 0) return;
-    // A brick farther away than that from all changed ones keeps its distance.
+    // Bricks farther away from all changed ones keep their distance.
     for (std::size_t axis = 0; axis < 3; ++axis) {
         changed.first[axis] = std::max<std::int64_t>(0, changed.first[axis] - farthest);
         changed.last[axis] = std::min(m_grid.size[axis], changed.last[axis] + farthest);
@@ -159,7 +159,7 @@ void EmptySpace::findDistances(const Box& box) {
         const std::size_t brick = m_grid.offset(x, y, z);
         m_distances[brick] = m_empty[brick] != 0 ? farthest : 0;
     });
-    // Two sweeps settle the whole grid; what comes in over a box's border may need another.
+    // Two sweeps settle the whole grid. A box may need more, for distances from beyond its border.
     for (bool anyChanged = true; anyChanged;) {
         anyChanged = false;
         forEach([&](std::int64_t x, std::int64_t y, std::int64_t z) { anyChanged = relax(x, y, z) || anyChanged; });

@@ -1,4 +1,4 @@
-// Where rays may jump: regions that the curve makes transparent.
+// Regions that the curve makes transparent. Rays may jump over them.
 #pragma once
 
 #include <array>
@@ -14,49 +14,49 @@
 
 namespace echolucent::ray_casting {
 
-/// The smallest and largest intensity that the cubes of each brick may show. One pass over the volume finds them.
+/// The smallest and largest intensity that the cubes of each brick may show, found in one pass over the volume.
 class BrickRanges {
 public:
     /// `filled` is FilledVolume::voxels.
     BrickRanges(const Volume& filled, const PackedPresence& presence);
-    /// Follows a presence of which the marked rows of voxels may be others than before.
+    /// Follows a changed presence. Only the marked rows of voxels may have changed.
     void follow(const PackedPresence& presence, const RowMarks& rows);
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
-    /// Table positions. In a brick without any data the lowest is above the highest.
+    /// Table positions. If a brick has no data, its lowest is above its highest.
     [[nodiscard]] const std::vector<float>& lowest() const { return m_lowest; }
     [[nodiscard]] const std::vector<float>& highest() const { return m_highest; }
 
 private:
     BrickGrid m_grid;
-    std::vector<float> m_lowestHeld, m_highestHeld;  ///< of the voxels that hold a value, whatever is present
+    std::vector<float> m_lowestHeld, m_highestHeld;  ///< of all voxels with a value, for any presence
     std::vector<float> m_lowest, m_highest;
 };
 
-/// How far away the next brick is that shows something.
+/// The distance from each brick to the next one that shows something.
 class EmptySpace {
 public:
-    /// Distances beyond this one are not told apart.
+    /// The largest distance; farther bricks have it too.
     static constexpr int farthest = 8;
 
     explicit EmptySpace(const BrickGrid& grid);
 
-    /// Follows a curve. Distances are computed anew only around the bricks that became visible or invisible; the result
-    /// is that of a fresh object.
+    /// Follows a curve. It computes distances again only around bricks that became visible or invisible. The result is
+    /// that of a fresh object.
     void update(const BrickRanges& ranges, const TransferTable& table);
-    /// Follows a two-dimensional OTF, of whose nodes `visible` tells.
+    /// Follows a two-dimensional OTF with these visible nodes.
     void update(const BrickRanges& ranges, const PackedGradients& gradients, const VisibleNodes& visible);
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
     /// Whether any brick shows nothing.
     [[nodiscard]] bool any() const { return m_emptyBricks > 0; }
-    /// One number a brick: 0 where the brick shows something, else d where all bricks less than d away on every axis
-    /// show nothing.
+    /// One number a brick: 0 if the brick shows something. Else d, if no brick less than d away on every axis shows
+    /// anything.
     [[nodiscard]] const std::vector<std::uint8_t>& distances() const { return m_distances; }
 
 private:
     struct Box {
-        std::array<std::int64_t, 3> first, last;  ///< `last` is one beyond
+        std::array<std::int64_t, 3> first, last;  ///< `last` is one beyond the last
     };
     /// isEmpty(brick) says whether a brick shows nothing.
     template <typename IsEmpty>

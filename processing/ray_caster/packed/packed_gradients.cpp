@@ -11,7 +11,7 @@ namespace echolucent::ray_casting {
 
 namespace {
 
-/// The gradients as a volume of bytes, which are shared. Of its geometry only the size counts here.
+/// The gradients as a volume of bytes. It shares the bytes, and only its size matters.
 Volume volumeOf(const Volume& filled, const std::shared_ptr<const GradientLevels>& levels) {
     VolumeGeometry geometry;
     geometry.size = filled.geometry().size;
@@ -57,7 +57,7 @@ VisibleNodes::VisibleNodes(const TwoDimensionalOtf& otf) : m_intensities(otf.int
 
 bool VisibleNodes::transparentBetween(float lowest, float highest, std::uint8_t lowestGradient,
                                       std::uint8_t highestGradient) const {
-    // Rounding in the kernel may leave the range of the bytes by a hair; the mean of equal bytes is exact.
+    // Rounding in the kernel may leave the bytes' range by very little. The mean of equal bytes is exact.
     const double rounding = lowestGradient < highestGradient ? 0.01 : 0.0;
     const auto nodesOf = [](double low, double high, int nodes) {
         const double first = std::clamp(low, 0.0, 1.0) * (nodes - 1), last = std::clamp(high, 0.0, 1.0) * (nodes - 1);

@@ -1,4 +1,4 @@
-// What the kernel reads of a two-dimensional OTF: gradient magnitudes in the order of the packed voxels, and nodes.
+// The kernel's data for a two-dimensional OTF: gradient magnitudes in the order of the packed voxels, and nodes.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,16 @@
 
 namespace echolucent::ray_casting {
 
-/// The gradient magnitudes of a volume for pictures with one two-dimensional OTF, and in which bricks it shows nothing.
+/// A volume's gradient magnitudes for two-dimensional OTFs of one largest gradient, with their range in each brick.
 class PackedGradients {
 public:
-    /// `filled` is FilledVolume::voxels, `levels` are its gradients. `bricks` are those of the empty space.
+    /// `filled` is FilledVolume::voxels, `levels` are its gradients, `bricks` are those of the empty space.
     PackedGradients(const Volume& filled, std::shared_ptr<const GradientLevels> levels, const BrickGrid& bricks);
 
     [[nodiscard]] const std::shared_ptr<const GradientLevels>& levels() const { return m_levels; }
     /// In the order of PackedVoxels: two bytes a cube.
     [[nodiscard]] const std::uint8_t* cubes() const { return m_packed.cubes(); }
-    /// The smallest and the largest byte that samples in a brick may be made of.
+    /// The smallest and the largest byte that the samples in each brick may read.
     [[nodiscard]] const std::vector<std::uint8_t>& lowest() const { return m_lowest; }
     [[nodiscard]] const std::vector<std::uint8_t>& highest() const { return m_highest; }
 
@@ -32,12 +32,12 @@ private:
     std::vector<std::uint8_t> m_lowest, m_highest;
 };
 
-/// How many nodes of a two-dimensional OTF are visible in each rectangle of nodes: sums over all nodes before.
+/// Counts the visible nodes of a two-dimensional OTF in any rectangle of nodes, by sums over all nodes before.
 class VisibleNodes {
 public:
     explicit VisibleNodes(const TwoDimensionalOtf& otf);
-    /// True where no intensity between two table positions, at a gradient between two bytes, is more opaque than
-    /// TransferTable::negligible.
+    /// Whether opacity stays up to TransferTable::negligible for all intensities between two table positions and all
+    /// gradients between two bytes.
     [[nodiscard]] bool transparentBetween(float lowest, float highest, std::uint8_t lowestGradient,
                                           std::uint8_t highestGradient) const;
     /// Table positions up to this one have opacity 0 at any gradient.

@@ -1,4 +1,4 @@
-// The order in which the kernel reads what belongs to voxels.
+// The kernel's order for values of voxels.
 #pragma once
 
 #include <algorithm>
@@ -8,18 +8,18 @@
 
 namespace echolucent::ray_casting {
 
-/// Cube (x,y,z) of the packed order is the space between voxels x-1 and x, y-1 and y, z-1 and z; voxels beyond the grid
-/// repeat its outermost ones. So a position p in voxels lies in cube floor(p) + 1, for all p in the volume's box. Each
-/// axis has size + 2 cubes; the last one only ends the cube before it.
+/// Cube (x,y,z) of the packed order is the space between voxels x-1 and x, y-1 and y, z-1 and z. Beyond the grid its
+/// outermost voxels repeat. So a position p in voxels lies in cube floor(p) + 1, for all p in the volume's box. Each
+/// axis has size + 2 cubes. The last cube only ends the cube before it.
 inline constexpr int cubeShift = 1;
 inline constexpr int extraCubes = 2;
 
-/// Of each cube the two voxels at its lower x and z are stored, that of lower y first: twice the volume's memory. So
-/// one load of four bytes (8 bits) or eight bytes (16 bits) brings the four voxels of a cube in one slice, of floats
-/// two.
+/// A cube stores the two voxels at its lower x and z, the one of lower y first. That is twice the volume's memory. So
+/// one load of four bytes (8 bits) or eight bytes (16 bits) gives the four voxels of a cube in one slice. Floats need
+/// two loads.
 inline constexpr int voxelsPerCube = 2;
 
-/// Rows of cubes are filled up to a multiple of this, so that strides of rows and slices fit words when divided by it.
+/// Rows of cubes are padded to a multiple of this. Divided by it, strides of rows and slices fit into words.
 inline constexpr int rowAlignment = 16;
 
 /// Rows and slices of cubes over a grid of voxels.
@@ -32,22 +32,21 @@ struct PackedOrder {
           rowStride((voxels[0] + extraCubes + rowAlignment - 1) / rowAlignment * rowAlignment),
           rows(voxels[1] + extraCubes),
           sliceStride(rowStride * rows),
-          slices(voxels[2] + extraCubes + 1) {}  // the last is read with weight 0 by what is rounded up
+          slices(voxels[2] + extraCubes + 1) {}  // places that are rounded up read the last slice, with weight 0
 
     [[nodiscard]] std::size_t stored() const { return static_cast<std::size_t>(sliceStride * slices * voxelsPerCube); }
-    /// Where the first cube of a row is stored.
+    /// The index of a row's first stored value.
     [[nodiscard]] std::size_t first(std::int64_t row, std::int64_t slice) const {
         return static_cast<std::size_t>((slice * sliceStride + row * rowStride) * voxelsPerCube);
     }
-    /// The rows (axis 1) or slices (axis 2) of voxels at the lower and the upper side of a row or slice of cubes.
+    /// The row (axis 1) or slice (axis 2) of voxels on the lower or the upper side of a row or slice of cubes.
     [[nodiscard]] std::int64_t lower(std::int64_t cube, std::size_t axis) const {
         return std::clamp<std::int64_t>(cube - cubeShift, 0, size[axis] - 1);
     }
     [[nodiscard]] std::int64_t upper(std::int64_t cube, std::size_t axis) const { return lower(cube + 1, axis); }
 };
 
-/// Writes what holds voxels [first, last) of one row of cubes, from the two rows of voxels whose voxels each cube
-/// holds.
+/// Writes the cubes of voxels [first, last) into one row of cubes, from the two rows of voxels that the cubes store.
 template <typename Out, typename Voxel, typename Convert>
 void packRow(const PackedOrder& order, const Voxel* upper, const Voxel* lower, std::int64_t first, std::int64_t last,
              Out* __restrict out, const Convert& convert) {
@@ -61,7 +60,7 @@ void packRow(const PackedOrder& order, const Voxel* upper, const Voxel* lower, s
         out[(x + cubeShift) * voxelsPerCube] = convert(upper[x]);
         out[(x + cubeShift) * voxelsPerCube + 1] = convert(lower[x]);
     }
-    // The row's rest is read by no sample.
+    // No sample reads the rest of the row.
     for (std::int64_t cube = size + 1; cube < order.rowStride && last == size; ++cube) write(cube, size - 1);
 }
 

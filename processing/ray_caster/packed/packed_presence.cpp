@@ -28,7 +28,7 @@ RowMarks PackedPresence::follow(const Volume& volume, const RowMarks& masked) {
 }
 
 void PackedPresence::pack(const Volume& volume, const RowMarks& rows) {
-    // A row of cubes holds the row of voxels beside the one that changed too.
+    // A changed row of voxels is also in the row of cubes beside it.
     makePresence(volume, rows.widened({0, 1, 0}), [&](std::int64_t z, const std::uint8_t* voxels) {
         const auto rowOf = [&](std::int64_t y) { return voxels + m_order.size[0] * y; };
         // The outermost slices repeat.

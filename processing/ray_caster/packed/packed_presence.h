@@ -1,4 +1,4 @@
-// The presence of data in the order the kernel reads it.
+// The presence of data in the kernel's order.
 #pragma once
 
 #include <algorithm>
@@ -19,23 +19,23 @@ class PackedPresence {
 public:
     explicit PackedPresence(const Volume& volume);
 
-    /// Follows another cut of the same scan: `masked` are the rows that it marks otherwise (rowsMaskedOtherwise()).
-    /// Returns the rows whose presence may be another than before.
+    /// Follows another cut of the same scan. `masked` are the rows that the new cut marks otherwise
+    /// (rowsMaskedOtherwise()). Returns the rows whose presence may have changed.
     RowMarks follow(const Volume& volume, const RowMarks& masked);
 
     [[nodiscard]] const PackedOrder& order() const { return m_order; }
-    /// Null where all voxels carry data.
+    /// Null if all voxels carry data.
     [[nodiscard]] const std::uint8_t* cubes() const { return m_cubes.get(); }
 
-    /// Bricks [first, last) of a row of bricks along x, and what is folded in them.
+    /// Bricks [first, last) of a row of bricks along x, with their folded presence.
     struct FoldedBricks {
         std::int64_t first, last, y, z;
-        /// Of each column of cubes two bytes: folded together they are the fold over all voxels around the row of
-        /// bricks at the cubes' lower x. It holds what the samples in these bricks may read.
+        /// Two bytes for each column of cubes. Folded together, they are the fold of all voxels around the row of
+        /// bricks at the cubes' lower x. Samples in these bricks read no other voxels.
         const std::vector<std::uint8_t>& columns;
     };
-    /// Folds what the samples in those bricks may read that may read a marked voxel. Rows of bricks are visited side by
-    /// side. There must be cubes.
+    /// Folds the presence that samples read, in each brick with samples that may read a marked voxel. It visits rows of
+    /// bricks in parallel. There must be cubes.
     template <typename Fold, typename Visit>
     void foldBricks(std::int64_t edge, const std::array<std::int64_t, 3>& bricks, const RowMarks& rows,
                     const Fold& fold, const Visit& visit) const;
@@ -55,7 +55,7 @@ void PackedPresence::foldBricks(std::int64_t edge, const std::array<std::int64_t
         std::vector<std::uint8_t> columns(static_cast<std::size_t>(bytes));
         for (std::int64_t brick = range.begin(); brick < range.end(); ++brick) {
             const std::int64_t y = brick % bricks[1] * edge, z = brick / bricks[1] * edge;
-            // Its cubes read voxels from one before its first to its last.
+            // The brick's cubes read voxels from one before its first to its last.
             const RowPart part = rows.partWithin({y - cubeShift, y + edge}, {z - cubeShift, z + edge});
             if (!part.any()) continue;
             const FoldedBricks folded{part.first / edge, std::min(part.last / edge + 1, bricks[0]), brick % bricks[1],
@@ -74,7 +74,7 @@ void PackedPresence::foldBricks(std::int64_t edge, const std::array<std::int64_t
                 for (std::int64_t i = begin; i < end; ++i) to[i] = fold(to[i], bytesOfRow[i]);
             };
             for (std::int64_t slice = z; slice < endSlice; ++slice) {
-                // A row of cubes holds two rows of voxels: every other one, and the last, hold all.
+                // A row of cubes holds two rows of voxels. So every other row of cubes, and the last, hold all.
                 for (std::int64_t row = y; row < endRow - 1; row += 2) add(row, slice);
                 add(endRow - 1, slice);
             }

@@ -13,8 +13,8 @@ namespace echolucent::ray_casting {
 
 namespace {
 
-/// What the kernel may interpolate of a voxel: a float as its table position. Differences, and the squares of
-/// gradients, of what is packed must be finite.
+/// A voxel as the kernel interpolates it: a float becomes its table position. Differences of packed values, and the
+/// squares of gradients, must be finite.
 template <typename Voxel>
 struct Packing {
     double floatsToTable;
@@ -31,8 +31,8 @@ struct Packing {
 template <typename Voxel>
 float PackedVoxels<Voxel>::toTable(double whiteLevel) {
     if constexpr (std::is_same_v<Voxel, float>) return 1.0f;
-    // More than that makes the smallest stored value white already, less the largest one black; both must be finite and
-    // have an inverse.
+    // Beyond 1e12 the smallest stored value is white already. Below 1e-12 the largest one is black. The factor and its
+    // inverse must be finite.
     return static_cast<float>(std::clamp(TransferTable::intervals / whiteLevel, 1e-12, 1e12));
 }
 

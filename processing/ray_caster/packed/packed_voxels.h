@@ -1,4 +1,4 @@
-// The voxels of a volume in the order the kernel reads them.
+// The voxels of a volume in the kernel's order.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace echolucent::ray_casting {
 
-/// Makes one pass over the volume. Floats are stored as table positions (see transfer_table.h): their white level may
+/// Packs a volume in one pass. Floats are stored as table positions (see transfer_table.h), since their white level may
 /// be of any magnitude.
 template <typename Voxel>
 class PackedVoxels {

@@ -24,15 +24,15 @@ double stored(double value, const PlainCasting& casting) {
 
 }  // namespace
 
-/// What one step of a ray shows.
+/// One step of a ray.
 struct PlainCaster::Step {
-    double opacity = 0.0;  ///< of the intensity
-    double alpha = 0.0;    ///< of what data covers of it
+    double opacity = 0.0;  ///< by the intensity alone
+    double alpha = 0.0;    ///< `opacity` times the coverage by data
     double border = 0.0;   ///< PresenceUse::border()
     Vec3 colour{0, 0, 0};
 };
 
-/// A step and how it is seen.
+/// A step as the viewer sees it.
 struct PlainCaster::Seen {
     Vec3 colour, voxel, rayDirection;
     double added;  ///< to its pixel's opacity
@@ -41,7 +41,7 @@ struct PlainCaster::Seen {
 
 namespace {
 
-/// A step of a ray or what is left of it, in steps from the ray's origin.
+/// A step of a ray or the rest of a cut one, in steps from the ray's origin.
 struct Stretch {
     double begin, end;
     [[nodiscard]] double length() const { return end - begin; }
@@ -115,7 +115,7 @@ double PlainCaster::depthOf(const Vec3& voxel) const {
     return m_settings.camera.frame.forward.dot(m_geometry.gridMmFromVoxel(voxel));
 }
 
-/// How present data is at a place, 0 to 1.
+/// The presence of data at a place, 0 to 1.
 double PlainCaster::presenceAt(const Vec3& voxel) const {
     return m_filled.presence ? VolumeSampler(*m_filled.presence, m_settings.interpolation).intensityAt(voxel).value()
                              : 1.0;
@@ -123,7 +123,7 @@ double PlainCaster::presenceAt(const Vec3& voxel) const {
 
 namespace {
 
-/// What CutFace says of half a step.
+/// The factor of a cut face's share over half a step (CutFace).
 double leftOfCutFace(double opacity, double units) {
     const double tissue = std::min(1.0, opacity / (units * CutFace::tissueOpacity));
     const double rate = 1.0 / CutFace::tissueDepth + (1.0 - tissue) / CutFace::fluidDepth;
@@ -182,7 +182,7 @@ PlainPixel PlainCaster::projected(const ray_casting::Ray& ray) const {
     return pixel;
 }
 
-/// Per reference step.
+/// Opacity per reference step.
 double PlainCaster::opacityOf(const Vec3& voxel, double intensity) const {
     if (!m_gradients) return opacityAt(m_classification.curve(), intensity);
     const double share = VolumeSampler(*m_gradients, m_settings.interpolation).intensityAt(voxel).value();

@@ -1,4 +1,4 @@
-// The slow, obvious route from volume to picture: what the fast one is measured against.
+// The slow, obvious way from a volume to a picture. Tests measure the fast way against it.
 #pragma once
 
 #include <functional>
@@ -19,43 +19,43 @@
 namespace echolucent {
 
 struct PlainCasting {
-    /// How a pixel's colour and transmittance are rounded after every sample; null: they stay in double.
+    /// Rounds a pixel's colour and transmittance after every sample. Null: they stay in double.
     double (*rounded)(double) = nullptr;
-    /// A step that adds less than this to its pixel's opacity is lit as if there were no surface (w = 0 of Shading).
-    /// Where it is 0, every step is lit by its gradient, so that pictures converge; castRays() uses min(1, step) / 128.
+    /// A step is lit as if there were no surface (w = 0 of Shading) if it adds less than this to its pixel's opacity.
+    /// At 0 every step is lit by its gradient, so that pictures converge. castRays() uses min(1, step) / 128.
     double leastLitOpacity = 0.0;
-    /// Whether no step is cut: then each counts whole where its middle is rendered, else not at all, as many volume
-    /// renderers do. A ray then errs by up to half a step at either end: on opaque faces of the box by many levels,
-    /// still at steps of 0.1.
+    /// Whether no step is cut. Then a step counts whole if its middle is rendered, else not at all. Many volume
+    /// renderers do so. A ray then errs by up to half a step at either end. On opaque faces of the box that is many
+    /// levels, still at steps of 0.1.
     bool wholeSteps = false;
-    /// What reaches a place in grid mm, for steps that are lit by their gradient; null: a light volume says it. It must
-    /// outlive the casting.
+    /// The light that reaches a place in grid mm, for steps that are lit by their gradient. Null: a light volume gives
+    /// it. It must outlive the casting.
     const std::function<ReachingShares(const Vec3& gridMm)>* reaching = nullptr;
     friend bool operator==(const PlainCasting&, const PlainCasting&) = default;
 };
 
-/// What one step of a ray meets.
+/// One step of a ray and what it meets.
 struct RaySample {
     Vec3 voxel;                       ///< the middle of the step, in voxels
-    double length = 1.0;              ///< of what is rendered of the step, in steps: below 1 where it is cut
-    std::optional<double> intensity;  ///< normalised; not set where there is no data
+    double length = 1.0;              ///< of the step's rendered part, in steps: below 1 if the step is cut
+    std::optional<double> intensity;  ///< normalised; empty without data
 };
 
-/// A pixel in double: colour times alpha, alpha, and Picture::depthMm.
+/// A pixel in double: colour times alpha, alpha, and depth as in Picture::depthMm.
 struct PlainPixel {
     Vec3 colour{0, 0, 0};
     double alpha = 0.0;
     double depthMm = std::numeric_limits<double>::infinity();
 };
 
-/// Casts one ray at a time, for whoever asks for single pixels.
+/// Casts one ray at a time, for callers that need single pixels.
 class PlainCaster {
 public:
-    /// Volume and settings must outlive the caster. Throws std::invalid_argument where castRays() does.
+    /// Volume and settings must outlive the caster. Throws std::invalid_argument for the same settings as castRays().
     PlainCaster(const Volume& volume, Classification classification, const RayCastSettings& settings,
                 const PlainCasting& casting = {});
 
-    /// As castRaysPlainly() makes it.
+    /// A pixel of the picture that castRaysPlainly() makes.
     [[nodiscard]] PlainPixel pixel(int column, int row) const;
 
 private:
@@ -73,9 +73,9 @@ private:
 
     const VolumeGeometry& m_geometry;
     FilledVolume m_filled;
-    std::optional<LightVolume> m_light;  ///< where the shading asks what reaches
+    std::optional<LightVolume> m_light;  ///< set if the shading asks for a light volume
     Classification m_classification;
-    std::optional<Volume> m_gradients;  ///< where the classification is two-dimensional
+    std::optional<Volume> m_gradients;  ///< set if the classification is two-dimensional
     const RayCastSettings& m_settings;
     PlainCasting m_casting;
     ray_casting::RayGeometry m_rays;
@@ -84,21 +84,20 @@ private:
     Vec3 m_towardsLight{0, 0, 0};
 };
 
-/// All steps of a pixel's ray from front to back, at the places at which the picture samples. What they meet is read
-/// from the voxels as they are, without the filling at the border of the data that a picture needs, so that it takes no
-/// longer than the ray is. Throws std::invalid_argument where castRays() does.
+/// All steps of a pixel's ray from front to back, at the places of the picture's samples. They read the voxels as they
+/// are, without the filling at the border of the data. So the time grows only with the ray's length. Throws
+/// std::invalid_argument for the same settings as castRays().
 [[nodiscard]] std::vector<RaySample> samplesAlongRay(const Volume& volume, const RayCastSettings& settings, int column,
                                                      int row);
 
-/// The picture that castRays() documents, step by step in double. Rays and places of samples are the same; opacity and
-/// colour come straight from the classification and the colour map, without a table, and gradient magnitudes at voxels
-/// are not rounded to levels; nothing is skipped, and a ray ends early
-/// only where terminationTransmittance is above 0, after the very step that falls below it. Places in the outermost
-/// half voxel are read at the outermost voxel centres. Depth colouring is applied after the light.
+/// The picture of castRays(), step by step in double. Rays and places of samples are the same. Opacity and colour come
+/// straight from the classification and the colour map, without a table. Gradient magnitudes at voxels are not rounded
+/// to levels. No region is skipped. A ray ends early only if terminationTransmittance is above 0, right after the step
+/// that falls below it. Places in the outermost half voxel are read at the outermost voxel centres. Depth colouring is
+/// applied after the light.
 ///
-/// The result is empty only where progress.cancel was raised (it is polled once a row). The work is done in the calling
-/// thread's oneTBB arena, and the pixels are the same for any number of threads. Throws std::invalid_argument where
-/// castRays() does.
+/// Empty only if the caller set progress.cancel (polled once a row). Works in the calling thread's oneTBB arena. The
+/// pixels are the same for any number of threads. Throws std::invalid_argument for the same settings as castRays().
 [[nodiscard]] std::optional<Picture> castRaysPlainly(const Volume& volume, const Classification& classification,
                                                      const RayCastSettings& settings, const PlainCasting& casting = {},
                                                      const Progress& progress = {});

@@ -1,4 +1,4 @@
-// The ways in which the tube cores bend the initial function, of which a method has one.
+// The two ways in which tube cores can bend the initial function. A method uses one.
 #pragma once
 
 #include <variant>
@@ -19,11 +19,11 @@ struct ProductRule {
 struct RampRule {
     double begin = 0.4;          ///< an intensity is clear up to this share of the way from I_L to I_H
     double clearSpreads = 2.5;   ///< an intensity is clear, too, up to this many standard deviations of the fluid's
-                                 ///< own voxels above I_L
+                                 ///< voxels above I_L
     double end = 1.6;            ///< the ramp is full from this share of the way on; above begin
-    double opacity = 1.0;        ///< opacity where all tube cores say surface, per unit length
-    double trustedShare = 0.05;  ///< share of the tube cores that must have a weight for the initial function to have
-                                 ///< no say in the curve; below it both are mixed
+    double opacity = 1.0;        ///< opacity per unit length if all tube cores say surface
+    double trustedShare = 0.05;  ///< if at least this share of the tube cores has a weight, the initial function has no
+                                 ///< say in the curve; below it both are mixed
     friend bool operator==(const RampRule&, const RampRule&) = default;
 };
 

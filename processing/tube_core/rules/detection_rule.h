@@ -1,4 +1,4 @@
-// The ways of telling tissue from fluid along a tube core, of which a method has one.
+// The two ways of telling tissue from fluid along a tube core. A method uses one.
 #pragma once
 
 #include <variant>

@@ -5,13 +5,13 @@ namespace echolucent {
 
 /// Lengths are in units: the volume's smallest spacing. The ranges stand in methodParameters().
 struct SurfaceRule {
-    int lowReach = 10;  ///< I_L is the mean of this many of the last prior cells, or of all of them where it is 0
-                        ///< (Petersch 2005, 4.1)
-    int highReach = 8;  ///< I_H is the largest cell mean from the surface to this many units behind it; where it is 0,
-                        ///< the mean at the surface (Petersch 2005, 4.1)
+    int lowReach = 10;  ///< I_L is the mean of this many of the last cells that end before the surface cell; if 0, of
+                        ///< all prior cells (Petersch 2005, 4.1)
+    int highReach = 8;  ///< I_H is the largest cell mean from the surface to this many units behind it; if 0, the mean
+                        ///< at the surface (Petersch 2005, 4.1)
     int slopeHalfStep = 5;              ///< the slope is a central difference of cell means over +- this many units
-    bool priorCellsMayOverlap = false;  ///< where true, prior cells begin before the surface cell, i < s (Petersch
-                                        ///< 2005, eq. 8); else they end before it, i <= s - cell size
+    bool priorCellsMayOverlap = false;  ///< if true, prior cells begin before the surface cell, i < s (Petersch 2005,
+                                        ///< eq. 8); else they end before it, i <= s - cell size
     friend bool operator==(const SurfaceRule&, const SurfaceRule&) = default;
 };
 

@@ -3,7 +3,7 @@
 
 namespace echolucent {
 
-/// What lies beyond a tube's ends when its interface function is smoothed.
+/// What stands beyond a tube's ends while its interface function is smoothed.
 enum class TubeBorder {
     mirrorThenZero,  ///< the function mirrored in front, zero behind the far end
     circular,        ///< the far end again, as an FFT without padding gives it
@@ -21,15 +21,15 @@ struct VarianceRule {
     bool kernelEndsAtZero = true;      ///< whether kernels are lowered so that they end at zero; else they are cut
     TubeBorder border = TubeBorder::mirrorThenZero;
     SmoothingRoute smoothing = SmoothingRoute::direct;
-    double significance = 0.4;   ///< a local maximum counts from this share of the largest value in its range
-    double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is taken off before tracking; where
-                                 ///< it is 0, nothing is taken off
+    double significance = 0.4;   ///< a local maximum counts if it reaches this share of the largest value in its range
+    double floorQuantile = 0.1;  ///< this quantile of a tube's interface function is subtracted before tracking; if 0,
+                                 ///< nothing is
     double trackingRangeSigmas = 0.0;  ///< the next scale looks this many of the present scale's standard deviations
-                                       ///< around its maximum; where it is 0, from valley to valley
-    bool coarsestMustHaveMaximum = false;  ///< where true, there is no surface without a maximum at the coarsest scale;
-                                           ///< else tracking begins at the coarsest scale that has one
-    double leastEdgeToNoise = 4.0;  ///< a surface of less edge to noise weighs nothing: the absolute test that ranks
-                                    ///< cannot be; where it is 0, there is no test
+                                       ///< around its maximum; if 0, from valley to valley
+    bool coarsestMustHaveMaximum = false;  ///< if true, there is no surface without a maximum at the coarsest scale;
+                                           ///< else tracking begins at the coarsest scale with a maximum
+    double leastEdgeToNoise = 4.0;  ///< a surface with less edge to noise has no weight: ranks are relative, this test
+                                    ///< is absolute; if 0, there is no test
     friend bool operator==(const VarianceRule&, const VarianceRule&) = default;
 };
 

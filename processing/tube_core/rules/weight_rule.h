@@ -5,8 +5,8 @@ namespace echolucent {
 
 /// The range stands in methodParameters().
 struct WeightRule {
-    int rankBins = 0;  ///< bins of the histograms of Petersch 2005, eqs. 9 and 10, from 0 to the largest value; where
-                       ///< it is 0, ranks are exact
+    int rankBins = 0;  ///< bins of the histograms of Petersch 2005, eqs. 9 and 10, from 0 to the largest value; if 0,
+                       ///< ranks are exact
     friend bool operator==(const WeightRule&, const WeightRule&) = default;
 };
 

@@ -14,7 +14,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::CappedTag<double, 8>;
 using OneDouble = hn::CappedTag<double, 1>;
 
-/// Calls run(tag, i) for vectors from i on: whole ones first, then lane by lane.
+/// Calls run(tag, i) for vectors from i on: first whole ones, then single lanes.
 template <typename Run>
 HWY_INLINE void forVectors(std::size_t count, const Run& run) {
     const std::size_t lanes = hn::Lanes(Doubles());

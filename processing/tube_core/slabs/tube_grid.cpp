@@ -9,14 +9,14 @@ namespace echolucent {
 
 namespace {
 
-/// Slack for positions that are whole numbers but for rounding.
+/// Tolerance for positions that are whole numbers but for rounding.
 constexpr double gridRounding = 1e-9;
 
 bool isGridAxis(const Vec3& direction) {
     return std::abs(direction[0]) + std::abs(direction[1]) + std::abs(direction[2]) == 1.0;
 }
 
-/// Moves the components across `forward` so that a cell of `cellSize` samples, centred there, lies on voxel centres.
+/// Moves the components across `forward`, so that a cell of `cellSize` samples around them lies on voxel centres.
 Vec3 onVoxelCentres(const Vec3& voxel, const Vec3& forward, int cellSize) {
     const double half = cellSize % 2 == 1 ? 0.0 : 0.5;
     Vec3 moved = voxel;
@@ -25,15 +25,15 @@ Vec3 onVoxelCentres(const Vec3& voxel, const Vec3& forward, int cellSize) {
     return moved;
 }
 
-/// mm along the axis from its point.
+/// A part of an axis, in mm from the axis's point.
 using Chord = CutSurface::Stretch;
 
-/// What the tube cores cover: the view's box, or the volume's.
+/// The box that the tube cores cover: the view's box or, if it has none, the volume's.
 OrientedBox coveredBox(const VolumeGeometry& geometry, const Viewpoint& view) {
     return view.box.value_or(orientedBoxOf(DataBox(geometry)));
 }
 
-/// What is left of a chord behind the faces of a box.
+/// The part of a chord behind the faces of a box; no value if nothing is left.
 std::optional<Chord> chordWithin(const std::vector<CuttingFace>& faces, const Vec3& point, const Vec3& direction,
                                  Chord chord) {
     for (const CuttingFace& face : faces) {
@@ -52,7 +52,7 @@ std::optional<Chord> chordWithin(const std::vector<CuttingFace>& faces, const Ve
     return chord;
 }
 
-/// The part of a line inside the volume's box and behind the near plane; nothing where no part of it is.
+/// The part of a line inside the volume's box and behind the near plane; no value if there is none.
 std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction,
                                 double nearDepth) {
     Chord chord{nearDepth - direction.dot(point), std::numeric_limits<double>::infinity()};
@@ -71,7 +71,7 @@ std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& poin
     return chord;
 }
 
-/// The same, within the faces of the view's box and behind the cut surface.
+/// The part that is also within the faces of the view's box and behind the cut surface.
 std::optional<Chord> chordOf(const VolumeGeometry& geometry, const std::vector<CuttingFace>& faces, const Vec3& point,
                              const Viewpoint& view, double nearDepth) {
     const Vec3 direction = frameOf(view).forward;
@@ -80,8 +80,7 @@ std::optional<Chord> chordOf(const VolumeGeometry& geometry, const std::vector<C
     return chord && view.cutSurface ? view.cutSurface->firstLeft(point, direction, *chord) : chord;
 }
 
-/// The axes of a box that a frame's axes are nearest to: how the box is seen straight onto the side that faces the
-/// view.
+/// The box's axes that are nearest to the frame's axes. They look straight onto the side that faces the view.
 ViewFrame straightOnto(const OrientedBox& box, const ViewFrame& frame) {
     std::vector<Vec3> left{box.axes.right, box.axes.down, box.axes.forward};
     const auto takeNearest = [&](const Vec3& direction) {

@@ -13,8 +13,8 @@ namespace {
 constexpr double rounding = 1e-9;
 constexpr double noData = std::numeric_limits<double>::quiet_NaN();
 
-/// Where the slabs of a tube on voxels begin and how many there are. A cut surface or the
-/// view's box may end it before the volume does.
+/// Sets where the slabs of a tube on voxels begin, and their number. A cut surface or the view's box may end the tube
+/// before the volume does.
 void placeOnVoxels(const TubeAxis& axis, const VolumeGeometry& geometry, bool endsEarlier, TubeSamples& samples) {
     samples.first = *axis.entryVoxel;
     for (int component = 0; component < 3; ++component) {
@@ -61,7 +61,7 @@ std::vector<TubeSamples> samplesOf(std::span<const TubeAxis> axes, const VolumeG
 
 namespace {
 
-/// Reads interpolated intensities of one volume; the voxel type is fixed once, not for each sample.
+/// Reads interpolated intensities of one volume. The voxel type is chosen once, not for each sample.
 template <typename Stored>
 class Sampler {
 public:
@@ -84,7 +84,7 @@ public:
         return m_mask == nullptr || m_mask[offset] != 0 ? value(offset) : noData;
     }
 
-    /// The intensity between the voxels around.
+    /// The intensity, interpolated between the voxels around.
     [[nodiscard]] double at(const Vec3& voxel) const {
         if (!inBox(m_geometry, voxel)) return noData;
         std::array<std::int64_t, 3> low{}, high{};
@@ -123,7 +123,7 @@ private:
         }
         return false;
     }
-    /// A neighbour without share may be NaN, and so may a voxel of a volume whose mask was taken away: 0 stands for it.
+    /// A neighbour without share may be NaN, and so may any voxel if the volume's mask was taken away. NaN counts as 0.
     [[nodiscard]] double value(std::int64_t offset) const {
         const double intensity = static_cast<double>(m_voxels[offset]) / m_white;
         return intensity > 0.0 ? std::min(intensity, 1.0) : 0.0;
@@ -136,8 +136,8 @@ private:
     double m_white;
 };
 
-/// Two passes: no cancellation however large the mean is beside the spread. As deviations from the first value, so that
-/// equal values have that mean to the last bit and no spread.
+/// Two passes lose no digits, even if the mean is far larger than the spread. Deviations from the first value give
+/// equal values that mean to the last bit, and no spread.
 SlabMoments momentsOf(std::span<const double> values) {
     const auto first = std::find_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
     SlabMoments moments;

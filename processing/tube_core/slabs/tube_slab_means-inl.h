@@ -1,4 +1,4 @@
-// Interpolated samples of a piece of a tube core as Highway vectors; compiled once for each instruction set.
+// Interpolated samples of a piece of a tube core, as Highway vectors. Compiled once for each instruction set.
 #include <type_traits>
 
 #include "processing/tube_core/slabs/tube_slab_means.h"
@@ -23,11 +23,11 @@ using FloatVector = hn::Vec<Floats>;
 using IntVector = hn::Vec<Ints>;
 using FloatMask = hn::Mask<Floats>;
 
-/// Bytes are blended along x in integers, with weights of byteWeightBits binary places, which is exact and takes few
+/// Bytes are blended along x in integers, with weights of byteWeightBits binary places. This is exact and takes few
 /// instructions.
 constexpr int byteWeightBits = 14;
 
-/// What blended values must be multiplied by to be stored values.
+/// Multiplies blended values to give stored values.
 template <typename Voxel>
 constexpr float storedScale = sizeof(Voxel) == 1 ? 1.0f / (1 << byteWeightBits) : 1.0f;
 
@@ -39,14 +39,14 @@ struct Position {
     IntVector x, y, z;
 };
 
-/// The cell of a position: offset of its first voxel, and the shares of its far side.
+/// The cell of a position: offset of its first voxel, and the weights of its far side.
 struct Cell {
     IntVector offset;  ///< voxels
     IntVector shareX;  ///< fixed point, and as the weights that blend() takes
     FloatVector partX, shareY, shareZ;
 };
 
-/// The word of four bytes from each offset on. careful: where there are no four, those that there are.
+/// The word of four bytes from each offset on. careful: near the array's end, only the bytes that exist.
 template <bool careful>
 HWY_INLINE IntVector bytesAt(const std::uint8_t* first, IntVector offset, std::int32_t lastWord) {
     const Ints ints;
@@ -79,14 +79,14 @@ HWY_INLINE FloatVector blendBytes(IntVector words, IntVector weights) {
 #endif
 }
 
-/// Scaled, from 0 to the white level; what is not a number becomes 0.
+/// The value times scale, limited to 0 ... white level. NaN becomes 0.
 HWY_INLINE FloatVector limited(FloatVector value, const Piece<float>& piece) {
     const Floats floats;
     const auto scaled = hn::Mul(value, hn::Set(floats, piece.scale));
     return hn::IfThenElseZero(hn::Gt(scaled, hn::Zero(floats)), hn::Min(scaled, hn::Set(floats, piece.white)));
 }
 
-/// The blend along x of the voxels at the cell's offset, moved by `shift` voxels, and of the next ones.
+/// The blend along x of the voxels at the cell's offset, moved by `shift` voxels, and of their next ones.
 template <typename Voxel, bool careful>
 HWY_INLINE FloatVector pairAt(const Piece<Voxel>& piece, std::ptrdiff_t shift, const Cell& cell) {
     const Floats floats;
@@ -109,7 +109,7 @@ HWY_INLINE FloatVector pairAt(const Piece<Voxel>& piece, std::ptrdiff_t shift, c
     }
 }
 
-/// Like pairAt, of the mask: 1 where both voxels that have a share carry data, else less.
+/// Like pairAt() of the mask: 1 if both voxels with a share carry data, else less.
 template <typename Voxel>
 HWY_INLINE FloatVector dataAt(const Piece<Voxel>& piece, std::int32_t shift, const Cell& cell) {
     const Floats floats;
@@ -175,7 +175,7 @@ HWY_INLINE FloatVector trilinear(const Piece<Voxel>& piece, const Cell& cell) {
     return between(front, back, cell.shareZ);
 }
 
-/// Whether every voxel that has a share carries data.
+/// Whether every voxel with a share carries data.
 template <typename Voxel>
 HWY_INLINE FloatMask completeAt(const Piece<Voxel>& piece, const Cell& cell) {
     const std::int32_t row = piece.rowStride, slice = piece.sliceStride;
@@ -184,7 +184,7 @@ HWY_INLINE FloatMask completeAt(const Piece<Voxel>& piece, const Cell& cell) {
     return hn::Ge(between(front, back, cell.shareZ), hn::Set(Floats(), 1.0f));
 }
 
-/// Offset of the nearest voxel; positions half way belong to the farther one.
+/// Offset of the nearest voxel. A position half way belongs to the farther one.
 template <typename Voxel>
 HWY_INLINE IntVector nearestOffset(const Piece<Voxel>& piece, const Position& position) {
     const auto nearest = [](IntVector at) {
@@ -203,7 +203,7 @@ HWY_INLINE FloatVector voxelAt(const Piece<Voxel>& piece, IntVector offset) {
     } else if constexpr (std::is_same_v<Voxel, float>) {
         return limited(hn::GatherOffset(floats, piece.first, hn::ShiftLeft<2>(offset)), piece);
     } else {
-        // The last voxel has no other behind it: the word that ends with it, then.
+        // The last voxel has no next one, so it is read from the word that ends with it.
         const auto last = hn::Set(ints, piece.lastWord + 2);
         const auto from = hn::Min(offset, last);
         const auto words =
@@ -233,7 +233,7 @@ HWY_INLINE FloatVector completeSample(const Piece<Voxel>& piece, const Position&
     return trilinear<Voxel, false>(piece, cellAt<Voxel, false>(piece, position));
 }
 
-/// Half a voxel around the outermost voxels belongs to them; beyond there is nothing.
+/// Clamps positions into the volume. Positions up to half a voxel outside count as inside.
 HWY_INLINE hn::Mask<Ints> clampInto(IntVector& position, std::int32_t lowest, std::int32_t highest) {
     const Ints ints;
     const auto inside = hn::And(hn::Gt(position, hn::Set(ints, lowest - oneVoxel / 2 - 1)),
@@ -262,7 +262,7 @@ HWY_INLINE Sample carefulSample(const Piece<Voxel>& piece, Position position) {
             hn::And(valid, hn::Or(complete, hasDataAt(piece, at)))};
 }
 
-/// Deviations are taken from each slab's first sample: small numbers, and none at all where all samples are equal.
+/// Deviations are counted from each slab's first sample: they are small, and 0 if all samples are equal.
 template <typename Voxel>
 HWY_INLINE void store(FloatVector count, FloatVector origin, FloatVector sum, FloatVector squares, int lane,
                       PieceMoments& moments) {

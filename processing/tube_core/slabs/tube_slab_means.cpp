@@ -63,7 +63,7 @@ namespace {
 
 using namespace tube_slabs;
 
-/// Positions of slabs are added up with this many binary places more, so that their steps do not drift.
+/// Positions of slabs are added up with this many binary places, so that their steps do not drift.
 constexpr int stepBits = 32;
 
 std::int64_t fixedPoint(double value, int bits) { return std::llround(std::ldexp(value, bits)); }
@@ -87,7 +87,7 @@ struct SlabRange {
     [[nodiscard]] bool empty() const { return end <= begin; }
 };
 
-/// One volume, and what all tubes of one view have in common.
+/// Reads pieces of the tubes of one view in one volume.
 template <typename Voxel>
 class PieceReader {
 public:
@@ -108,12 +108,12 @@ public:
         }
     }
 
-    /// The slabs whose samples all have eight voxels around them, and three more in memory.
+    /// The slabs whose samples all have eight voxels around them and three more behind in memory.
     [[nodiscard]] SlabRange insideOf(const TubeSamples& tube) const {
         double begin = 0.0, end = tube.slabs - 1.0;
         for (int axis = 0; axis < 3; ++axis) {
             const double low = m_reach[axis];
-            // One voxel less than there are cells along z: the four bytes of any sample end before the array does.
+            // One less than there are cells along z: the four bytes of any sample end before the array does.
             const double high = static_cast<double>(size(axis) - (axis == 2 ? 2 : 1)) - m_reach[axis];
             const double at = tube.first[axis], step = tube.along[axis];
             if (step == 0.0) {
@@ -127,7 +127,7 @@ public:
         return {static_cast<int>(std::ceil(begin)), static_cast<int>(std::floor(end)) + 1};
     }
 
-    /// Up to pieceLength slabs of the range, into the tube's arrays.
+    /// Reads up to pieceLength slabs of the range into the tube's arrays.
     void read(const TubeSamples& tube, SlabRange range, bool inside, SlabMeans& slabs) const {
         Piece<Voxel> piece;
         place(tube, range, piece);
@@ -141,7 +141,7 @@ public:
     }
 
 private:
-    /// Positions are rounded, so that what is this near to the border counts as at it.
+    /// Positions are rounded, so a position this near to the border counts as on it.
     static constexpr double slack = 4.0 / oneVoxel;
 
     [[nodiscard]] std::int64_t size(int axis) const { return m_size[static_cast<std::size_t>(axis)]; }
@@ -176,13 +176,13 @@ private:
         piece.scale = m_scale;
     }
 
-    /// Pieces are short: what is farther than this need not be told from what is farther still.
+    /// A piece is short and never reaches beyond this distance, so bounds are cut there.
     [[nodiscard]] static std::int32_t fixedBound(std::int64_t voxels) {
         constexpr std::int64_t far = 1 << 13;
         return static_cast<std::int32_t>(std::clamp(voxels, -far, far)) * oneVoxel;
     }
 
-    /// Whether all voxels of the box around the slabs' samples carry data; the box lies in the volume.
+    /// Whether all voxels of the box around the slabs' samples carry data. The box lies in the volume.
     [[nodiscard]] bool allData(const TubeSamples& tube, SlabRange range) const {
         std::array<std::int64_t, 3> low{}, high{};
         for (int axis = 0; axis < 3; ++axis) {
@@ -206,7 +206,7 @@ private:
     float m_scale, m_white;
     SlabPattern m_pattern;
     PieceRoute m_route;
-    Vec3 m_reach{0, 0, 0};                 ///< of a slab's samples from the axis
+    Vec3 m_reach{0, 0, 0};                 ///< how far a slab's samples reach from the axis
     std::array<std::int64_t, 3> m_step{};  ///< from slab to slab, fixed point with stepBits
 };
 
@@ -261,7 +261,7 @@ void meanSlabs(const Volume& volume, Interpolation sampling, std::span<const Tub
                 pieces.push_back(piecesOf(tube, reader.insideOf(tube)));
                 most = std::max(most, pieces.back().size());
             }
-            // All tubes at one depth before the next depth: neighbours in the grid share cache lines.
+            // Takes one depth of all tubes before the next depth: neighbours in the grid share cache lines.
             for (std::size_t piece = 0; piece < most; ++piece)
                 for (std::size_t t = 0; t < tubes.size(); ++t)
                     if (piece < pieces[t].size())

@@ -1,4 +1,4 @@
-// What meanSlabs() hands to the vector code: a short piece of a tube core, counted from a voxel near it.
+// A short piece of a tube core, counted from a voxel near it. meanSlabs() hands it to the vector code.
 #pragma once
 
 #include <array>
@@ -7,15 +7,15 @@
 
 namespace echolucent::tube_slabs {
 
-/// Slabs in one piece at most, and one vector's lanes at most.
+/// The most slabs in one piece, and the most lanes of one vector.
 inline constexpr int pieceLength = 16;
 
-/// Positions are fixed-point numbers with positionBits binary places, so that sums are exact and a shift gives a cell
-/// and its share.
+/// Positions are fixed-point numbers with positionBits binary places. So sums are exact, and a shift gives a cell and
+/// its share.
 inline constexpr int positionBits = 16;
 inline constexpr std::int32_t oneVoxel = 1 << positionBits;
 
-/// Samples of a slab beside its axis, fixed point; the same for all slabs of a view.
+/// Offsets of a slab's samples from its axis, fixed point; the same for all slabs of a view.
 struct SlabPattern {
     std::vector<std::int32_t> x, y, z;
 };
@@ -26,28 +26,28 @@ enum class Surroundings {
     any,
 };
 
-/// Up to pieceLength slabs of one tube. Positions are counted from `first`, a voxel of the volume, in fixed point.
+/// Up to pieceLength slabs of one tube. Positions are counted from the voxel at `first`, fixed point.
 template <typename Voxel>
 struct Piece {
     const Voxel* first = nullptr;
-    const std::uint8_t* mask = nullptr;               ///< of the voxel at `first`; null where all are data
-    std::int32_t rowStride = 0, sliceStride = 0;      ///< voxels; 0 along an axis of one voxel
+    const std::uint8_t* mask = nullptr;               ///< of the voxel at `first`; null if all voxels are data
+    std::int32_t rowStride = 0, sliceStride = 0;      ///< in voxels; 0 along an axis of one voxel
     std::array<std::int32_t, 3> lowest{}, highest{};  ///< the outermost voxels' positions
-    std::array<std::int32_t, 3> lastCell{};           ///< the last cell with a voxel on either side
-    std::int32_t lastWord = 0;  ///< offset of the last voxel from which four bytes can be read, voxels of a byte
+    std::array<std::int32_t, 3> lastCell{};           ///< the last cell with a voxel on each side
+    std::int32_t lastWord = 0;  ///< offset in voxels of a byte: the last place from which four bytes can be read
     float white = 1.0f;         ///< intensity 1: stored value times scale
-    float scale = 1.0f;         ///< of float voxels: a power of two, see slabScale()
-    alignas(64) std::array<std::int32_t, pieceLength> x{}, y{}, z{};  ///< of the slabs' axis points; beyond the last
-                                                                      ///< slab the last one's again
+    float scale = 1.0f;         ///< for float voxels: a power of two, see slabScale()
+    alignas(64) std::array<std::int32_t, pieceLength> x{}, y{}, z{};  ///< positions of the slabs on the axis; entries
+                                                                      ///< beyond the last slab repeat it
     int slabs = 0;
 };
 
-/// One value a slab of the piece.
+/// One value for each slab of the piece.
 struct PieceMoments {
     alignas(64) std::array<float, pieceLength> counts, means, squaredDeviations;
 };
 
-/// How a piece is to be read.
+/// How a piece is read.
 struct PieceRoute {
     bool nearest = false;
     Surroundings surroundings = Surroundings::any;

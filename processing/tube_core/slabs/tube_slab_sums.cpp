@@ -15,31 +15,30 @@
 #define ECHOLUCENT_TUBE_SLAB_SUMS
 namespace echolucent::tube_slabs {
 
-/// The voxels that tubes lie on.
+/// The volume whose voxels the tubes lie on.
 template <typename Stored>
 struct VoxelGrid {
     const Stored* voxels;
-    const std::uint8_t* mask;  ///< null where all are data
+    const std::uint8_t* mask;  ///< null if all are data
     std::int64_t count;        ///< voxels
     Stored limit;              ///< larger ones count as this
 };
 
-/// A tube on voxels as memory sees it, without what hangs over the volume's border: strides in voxels. Either columns
-/// follow each other in memory (across = 1), or slabs do (along = 1 or -1).
+/// A tube on voxels as memory holds it, without the parts outside the volume; strides in voxels. Either its columns
+/// follow each other in memory (across = 1), or its slabs do (along = 1 or -1).
 struct VoxelTube {
     std::int64_t first = 0;  ///< offset of the first sample of slab 0
     std::int64_t along = 0, across = 0, down = 0;
     int columns = 0, rows = 0, slabs = 0;
 };
 
-/// A tube's results.
 struct SumColumns {
     std::int32_t* counts;
     std::int32_t* sums;
     std::uint64_t* sumsOfSquares;
 };
 
-/// Slabs of one call at most; tubes side by side take turns.
+/// The most slabs of one call; tubes side by side take turns.
 constexpr int slabsPerTurn = 16;
 
 }  // namespace echolucent::tube_slabs
@@ -51,7 +50,7 @@ namespace echolucent::tube_slabs::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
-// A lane of 64 bits holds the voxels of one row of one slab that follow each other, as many as fit.
+// A lane of 64 bits holds voxels of one row of one slab that follow each other, as many as fit.
 using Lanes = hn::CappedTag<std::uint64_t, slabsPerTurn>;
 using LaneVector = hn::Vec<Lanes>;
 using Bytes = hn::Repartition<std::uint8_t, Lanes>;
@@ -69,7 +68,7 @@ HWY_INLINE LaneVector shortPairsAdded(LaneVector shorts) {
     return hn::BitCast(Lanes(), hn::Add(hn::And(words, hn::Set(Words(), 0xFFFFu)), hn::ShiftRight<16>(words)));
 }
 
-/// Each lane's sum of its voxels.
+/// The sum of each lane's voxels.
 template <typename Stored>
 HWY_INLINE LaneVector sumOf(LaneVector voxels) {
     if constexpr (sizeof(Stored) == 1) return hn::SumsOf8(hn::BitCast(Bytes(), voxels));
@@ -92,7 +91,7 @@ HWY_INLINE LaneVector sumOfSquares(LaneVector voxels) {
     }
 }
 
-/// The mask's bytes, one a voxel, as all ones where there is data, as wide as the voxels.
+/// The mask's bytes, one for each voxel, widened to the voxels' width: all ones if there is data.
 template <typename Stored>
 HWY_INLINE LaneVector dataOf(LaneVector mask) {
     const auto data = hn::VecFromMask(Bytes(), hn::Ne(hn::BitCast(Bytes(), mask), hn::Zero(Bytes())));
@@ -113,7 +112,7 @@ HWY_INLINE LaneVector gather(const Stored* first, hn::Vec<hn::RebindToSigned<Lan
     return hn::GatherOffset(Lanes(), reinterpret_cast<const std::uint64_t*>(first), hn::ShiftLeft<shift>(offsets));
 }
 
-/// Slabs begin ... end - 1, at most slabsPerTurn, a lane a slab. All their lanes must lie in the volume.
+/// Adds the slabs begin ... end - 1, at most slabsPerTurn, one to a lane. All their lanes must lie in the volume.
 template <typename Stored, bool masked>
 HWY_INLINE void sumLanes(const VoxelGrid<Stored>& grid, const VoxelTube& tube, int begin, int end,
                          const SumColumns& columns) {
@@ -160,7 +159,7 @@ HWY_INLINE void sumLanes(const VoxelGrid<Stored>& grid, const VoxelTube& tube, i
 
 #endif
 
-/// Adds one line of voxels to as many slabs: the compiler makes vectors of it.
+/// Adds one line of voxels to as many slabs. The compiler makes vectors of it.
 template <typename Stored, bool masked>
 HWY_INLINE void addLine(const Stored* voxels, const std::uint8_t* mask, Stored limit, int count,
                         const SumColumns& columns) {
@@ -176,7 +175,7 @@ HWY_INLINE void addLine(const Stored* voxels, const std::uint8_t* mask, Stored l
     }
 }
 
-/// A tube whose slabs follow each other in memory.
+/// Adds a tube whose slabs follow each other in memory.
 template <typename Stored, bool masked>
 HWY_INLINE void sumAlong(const VoxelGrid<Stored>& grid, const VoxelTube& tube, const SumColumns& columns) {
     const bool backwards = tube.along < 0;
@@ -196,7 +195,7 @@ HWY_INLINE void sumAlong(const VoxelGrid<Stored>& grid, const VoxelTube& tube, c
     std::reverse(columns.sumsOfSquares, columns.sumsOfSquares + tube.slabs);
 }
 
-/// Slabs whose lanes would end behind the array: voxel by voxel.
+/// Adds slabs whose lanes would end behind the array, voxel by voxel.
 template <typename Stored, bool masked>
 HWY_INLINE void sumOneByOne(const VoxelGrid<Stored>& grid, const VoxelTube& tube, int begin, int end,
                             const SumColumns& columns) {
@@ -224,7 +223,7 @@ HWY_INLINE void sumTube(const VoxelGrid<Stored>& grid, const VoxelTube& tube, in
     const std::int64_t lastLane = (tube.columns - 1) / perLane * perLane + 8;
     const std::int64_t farthest = tube.first + std::max(begin * tube.along, (end - 1) * tube.along) +
                                   std::max<std::int64_t>(0, (tube.rows - 1) * tube.down) + lastLane;
-    // The mask's lanes hold eight voxels, whatever the voxels' lanes hold.
+    // The mask's lanes hold eight voxels each, whatever the voxels' lanes hold.
     if (farthest <= grid.count) return sumLanes<Stored, masked>(grid, tube, begin, end, columns);
 #endif
     sumOneByOne<Stored, masked>(grid, tube, begin, end, columns);
@@ -253,7 +252,7 @@ HWY_EXPORT(sumShorts);
 
 namespace {
 
-/// Turns a lateral direction round where it runs backwards in memory: a sum does not mind.
+/// Reverses a lateral direction that runs backwards in memory: a sum does not depend on the order.
 void turnForwards(std::int64_t& stride, int count, std::int64_t& first) {
     if (stride >= 0) return;
     first += stride * (count - 1);
@@ -329,7 +328,7 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
     const auto sum = [&]<typename Stored>(const VoxelArray<Stored>& voxels) {
         const VoxelGrid<Stored> grid{voxels.data(), volume.dataMaskOrNull(), volume.geometry().voxelCount(),
                                      static_cast<Stored>(storedLimit)};
-        // All tubes at one depth before the next depth: neighbours in the grid share cache lines.
+        // Takes one depth of all tubes before the next depth: neighbours in the grid share cache lines.
         for (int begin = 0; begin < longest; begin += slabsPerTurn)
             for (std::size_t t = 0; t < tubes.size(); ++t) {
                 if (begin >= tubes[t].slabs || layout[t].columns == 0 || layout[t].rows == 0) continue;
