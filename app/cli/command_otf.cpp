@@ -79,8 +79,8 @@ Result<void> checkOtfOutputs(const OtfOptions& options, const std::vector<std::s
     return checkOutputs(outputs, {options.method.initial});
 }
 
-/// Fails (wrong usage) if tube cores are asked for, and a designer does not make its OTF of them alone.
-/// `says` is who names the designer.
+/// Fails (wrong usage) if tube cores are asked for and the designer is another than the adaptive one: only that makes
+/// its OTF of tube cores alone. `says` begins the refusal: "--designer".
 Result<void> checkTubes(const OtfOptions& options, const DesignerConfig* designer, const std::string& says) {
     if (options.tubesCsv.empty() || designer == nullptr || designerOf(*designer) == Designer::adaptive) return {};
     return wrongUsage("--tubes-csv", "plays no part beside " + says + " " + std::string(nameOf(designerOf(*designer))),

@@ -6,9 +6,9 @@
 
 namespace echolucent {
 
-/// Frames are due at even intervals. If a frame is late by less than an interval, the next wait is shorter, so the
-/// motion keeps its speed. A longer delay is given up, so the motion does not hurry afterwards. This class has no
-/// clock: times count from any fixed moment.
+/// Frames are due at even intervals. If a frame is late, the next wait is shorter by that delay, at most by one
+/// interval, so the motion keeps its speed. What goes beyond an interval is given up, so a motion that was held up does
+/// not hurry for long. This class has no clock: times count from any fixed moment.
 class FramePacing {
 public:
     using Time = std::chrono::nanoseconds;

@@ -16,8 +16,8 @@ class VolumeViewWidget;
 [[nodiscard]] std::vector<ShownMeasurement> measurementsIn(const VolumeViewWidget& picture, const OpenStudy& openStudy,
                                                            const std::vector<Measurement>& measurements);
 
-/// VolumeViewWidget::convergedImage() with measurementsIn() the view, drawn as in panes. Null if the view was never
-/// drawn.
+/// The converged image of the view with the measurements of measurementsIn() over it, as panes draw them. Null if the
+/// view was never drawn.
 [[nodiscard]] QImage pictureToKeep(VolumeViewWidget& picture, const OpenStudy& openStudy,
                                    const std::vector<Measurement>& measurements);
 

@@ -28,8 +28,8 @@ public:
     /// cut is made, the earlier one is shown. Without strokes nothing is cut, at once.
     void want(int phase, const std::vector<ScalpelStroke>& strokes);
 
-    /// The voxels of a phase, raw or quiet, with what is cut of them so far. It is the same object as long as neither
-    /// changes. If nothing is cut, it is `voxels` itself.
+    /// The voxels of a phase, raw or quiet, without what is cut of them so far. The result is the same object as long
+    /// as neither voxels nor cut change. If nothing is cut, it is `voxels` itself.
     [[nodiscard]] std::shared_ptr<const Volume> of(int phase, const std::shared_ptr<const Volume>& voxels);
     [[nodiscard]] const std::vector<ScalpelStroke>& strokes() const { return m_strokes; }
     /// Whether the cut of a phase is that of the strokes.

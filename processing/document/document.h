@@ -43,7 +43,7 @@ struct Document {
 /// From where the panes look now: the shown pose behind the front, within the box.
 [[nodiscard]] Viewpoint viewpointOf(const Document& document);
 /// From where the adaptive OTF of a pane is computed: from the scene's side behind the front, within the box. If the
-/// pane itself asks for an OTF of each frame (Pane::motionOtf), it is viewpointOf().
+/// pane itself asks for an OTF of each frame (Pane::motionOtf), the result is viewpointOf().
 [[nodiscard]] Viewpoint otfViewpointOf(const Document& document, std::size_t pane);
 /// The adjusted curve that a pane is rendered with if it has no designer. `adaptive` is as in curveOf(CurveSet, ...).
 [[nodiscard]] OpacityCurve curveOf(const Document& document, std::size_t pane, const SampledCurve& adaptive);

@@ -24,8 +24,8 @@ struct RenderedPart {
 /// so that light does not jump from place to place along an oblique face.
 class RenderedShares {
 public:
-    /// `placeMm` is the size of a place along x, y, z, each above 0. Throws std::invalid_argument for a plane without a
-    /// normal.
+    /// `placeMm` is the size of a place of the light's grid along x, y, z, each above 0. Throws std::invalid_argument
+    /// if the normal of a clipping plane is 0.
     RenderedShares(const RenderedPart& part, const Vec3& placeMm);
 
     [[nodiscard]] bool everywhere() const { return m_faces.empty() && !m_surface; }

@@ -48,8 +48,8 @@ struct MotionPosition {
     friend bool operator==(const MotionPosition&, const MotionPosition&) = default;
 };
 
-/// The next frame in a study of `phases` phases (>= 1). Back and forth, each end is shown once. A phase outside the
-/// range goes on with the range's first one.
+/// The next frame in a study of `phases` phases (>= 1). If a motion goes back and forth, its ends are not shown
+/// twice in a row. After a phase outside the range comes the range's first one.
 [[nodiscard]] MotionPosition nextFrame(const MotionPosition& position, const MotionChoice& motion, int phases);
 
 /// The frames of one turn of a motion: from its first angle and phase until the first comes again. If probe and object

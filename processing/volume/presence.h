@@ -9,9 +9,10 @@
 
 namespace echolucent {
 
-/// The presence of data is the data mask, smoothed by the binomial [1 4 6 4 1] / 16 along each axis, in bytes with a
-/// white level of 255. So the surface at one half has no stairs. A structure or gap that is only one voxel wide would
-/// vanish: its voxels keep what the mask says. A voxel that is not finite is no data.
+// The presence of data is one byte a voxel, 255 for full presence. It is the data mask, smoothed by the binomial
+// [1 4 6 4 1] / 16 along each axis, so that the surface at which it is one half has no stairs. A structure or a gap
+// that is only one voxel wide would vanish: its voxels keep what the mask says. A voxel that is not finite is no data.
+
 inline constexpr std::int64_t presenceReach = 2;  ///< how many voxels along each axis a mark reaches
 
 /// Whether any voxel carries no data.

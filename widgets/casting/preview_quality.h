@@ -28,8 +28,8 @@ public:
     void reclassified(const RayCastSettings& settings, double milliseconds);
     /// Learns that the caster could not keep the samples of that many rays and steps.
     void couldNotKeep(const RayCastSettings& settings);
-    /// Learns the time to bring a picture to the screen, without casting. The first time prepares OpenGL and does not
-    /// count.
+    /// Learns how long it took to bring a picture to the screen, without the casting. The first picture does not count:
+    /// it prepares OpenGL.
     void drawn(double milliseconds);
 
     /// Learns the time of the light volume of a picture in motion. It does not depend on rays and steps.

@@ -27,8 +27,8 @@ public:
     void setGeometry(const PolarGeometry& geometry);
     /// The geometry for a number of samples, lines and planes.
     [[nodiscard]] PolarGeometry geometry(const std::array<std::int64_t, 3>& size) const;
-    /// A sentence, after a space, that geometry() replaces uneven lines or planes by even ones. Empty if it replaces
-    /// none.
+    /// A space and a sentence: geometry() replaces the uneven lines or planes that were set by even ones. Empty if it
+    /// replaces none.
     [[nodiscard]] QString replacedSentence(const std::array<std::int64_t, 3>& size) const;
 
 signals:

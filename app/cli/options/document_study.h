@@ -49,7 +49,7 @@ struct DocumentStudy {
 /// Opens the study of `volume` with the document that the window begins with fresh settings, in a picture of
 /// width / height `aspect`. The look is edited, and so is what the options of the view say: the beam, the side from
 /// which the scan is looked into and seen, and the front. The phase of `volume` is shown, and its OTF computed. Fails
-/// as VolumeOptions::readAll() does, and where a front leaves nothing (leavesSomething()).
+/// as VolumeOptions::readAll() does, and if a front leaves nothing (leavesSomething()).
 [[nodiscard]] Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& view, const Look& look,
                                               const std::vector<std::string>& outputs, double aspect);
 

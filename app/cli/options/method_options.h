@@ -19,7 +19,7 @@ class Option;
 namespace echolucent::cli {
 
 /// The method's options: --reading, --initial, --tube-grid, --without-tube, and one for each row of methodParameters().
-/// The reading sets everything; an option overrides it where it stands on the command line.
+/// The reading sets everything; an option that is given overrides it.
 struct MethodOptions {
     std::string reading = "default";
     std::string initial = "parabolic";
@@ -28,8 +28,8 @@ struct MethodOptions {
     std::optional<double> opacityScale;
     /// Adds the options to a command. They must stay where they are from here to get().
     void addTo(CLI::App& command);
-    /// The default reading for a command without these options. Fails (wrong usage) where a value is out of range, or
-    /// where an option belongs to a detection or a form that is not chosen.
+    /// The default reading for a command without these options. Fails (wrong usage) if a value is out of range, or
+    /// if an option belongs to a detection or a form that is not chosen.
     [[nodiscard]] Result<AdaptiveOtfConfig> get() const;
 
 private:
@@ -37,16 +37,16 @@ private:
     const CLI::Option* m_initialOption = nullptr;
 };
 
-/// "NxM" as columns and rows, within the ranges of the table; fails (wrong usage) where it is something else.
+/// "NxM" as columns and rows, within the ranges of the table; fails (wrong usage) if the text is something else.
 [[nodiscard]] Result<TubeGrid> tubeGridFrom(const std::string& text, TubeGrid grid);
 
-/// The grid in which tube cores of these indices are never placed; fails (wrong usage) where it has no such tube core.
+/// The grid in which tube cores of these indices are never placed; fails (wrong usage) if it has no such tube core.
 [[nodiscard]] Result<TubeGrid> gridWithout(const std::vector<std::int64_t>& tubes, TubeGrid grid);
 
 /// The FILE of the curve name manual:FILE; empty for every other name.
 [[nodiscard]] std::string curveFileOf(const std::string& name);
 
-/// The curve called linear, parabolic, quartic or manual:FILE. Its opacities are multiplied by `opacityScale`; where
+/// The curve called linear, parabolic, quartic or manual:FILE. Its opacities are multiplied by `opacityScale`; if
 /// that is not given, a manual curve stays as it is and the others have the scale that docs/cli.md names.
 [[nodiscard]] Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale);
 /// The curve of --otf: as curveFromName(), and no curve for "adaptive", which is computed for the rendered view.

@@ -47,9 +47,9 @@ struct ViewOptions {
     [[nodiscard]] SaidOnOpening said() const;
     /// The axis of --beam-axis, else +z: that of simulated scans. An option that is out of range counts as not given.
     [[nodiscard]] ChosenBeam beam() const;
-    /// The axis of --beam-axis, else the guess for a volume that was read from a file; +z where that is not sure.
+    /// The axis of --beam-axis, else the guess for a volume that was read from a file; +z if that is not sure.
     [[nodiscard]] ChosenBeam beamOf(const Volume& volume) const;
-    /// The view of a volume with that beam, the near cut suggested where that was asked for. A sure guess and
+    /// The view of a volume with that beam, with a suggested near cut if that was asked for. A sure guess and
     /// a suggestion are said on stderr.
     [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const ChosenBeam& beam) const;
     /// The same with the beam of beamOf().

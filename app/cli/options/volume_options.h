@@ -25,18 +25,18 @@ struct VolumeOptions {
     std::string path;
     int phase = 0;
     ReadOptions read;
-    std::string series;  ///< UID or number in the list of a folder's series, from 1; empty where it is not given
+    std::string series;  ///< UID or number in the list of a folder's series, from 1; empty if it is not given
     std::string rawSize, rawSpacing, rawType, rawByteOrder;
     std::int64_t rawHeaderBytes = 0;
     PolarOptions rawPolar;
 
     void addTo(CLI::App& command);
-    /// Reads the study. Fails (wrong usage) where --phase is out of range, or where one of the `outputs` of the command
+    /// Reads the study. Fails (wrong usage) if --phase is out of range, or if one of the `outputs` of the command
     /// is a file of the study: an input is never overwritten.
     [[nodiscard]] Result<Study> readAll(const std::vector<std::string>& outputs) const;
     /// The series of a folder or DICOMDIR; no value for other files, of which --series is wrong usage.
     [[nodiscard]] Result<std::optional<SeriesList>> listedSeries() const;
-    /// The series that --series names, else the first. Fails (wrong usage) where there is no such series.
+    /// The series that --series names, else the first. Fails (wrong usage) if there is no such series.
     [[nodiscard]] Result<const SeriesEntry*> chosenSeries(const SeriesList& list) const;
     /// Reads the study as readAll() does, from what listedSeries() has found.
     [[nodiscard]] Result<Study> readListed(const std::optional<SeriesList>& list,
@@ -51,9 +51,9 @@ struct VolumeOptions {
     [[nodiscard]] Result<std::shared_ptr<const Volume>> readPhase(const std::vector<std::string>& outputs) const;
 };
 
-/// Checks the outputs of a command before it begins: fails (wrong usage) where two of the `outputs` name the same file,
+/// Checks the outputs of a command before it begins: fails (wrong usage) if two of the `outputs` name the same file,
 /// and as placeOfOutput() does. The files of manual curves among `curveNames` (names as curveFromName() takes them) are
-/// inputs from here on, which no output may be. The files of the volume are checked where it is read
+/// inputs from here on, which no output may be. The files of the volume are checked when it is read
 /// (VolumeOptions::readAll()). Empty outputs are left out.
 [[nodiscard]] Result<void> checkOutputs(const std::vector<std::string>& outputs,
                                         const std::vector<std::string>& curveNames = {});
