@@ -196,7 +196,8 @@ void CompareRoom::writeWaitingPage() {
     for (std::size_t i = 0; i < frame->panes.size(); ++i) {
         const PaneRequest& shown = frame->request.panes[i];
         if (shown.pane >= document.panes.size() || shown.pane >= rows.size()) continue;
-        ComparePage::Pane pane{shown.pane, rows[shown.pane], m_views.images()[i], shown.classification};
+        ComparePage::Pane pane{shown.pane, rows[shown.pane], m_views.images()[i],
+                               m_views.paneAt(shown.pane).classification};
         if (const auto otf = m_parts.otfs.of(shown.pane)) pane.explanation = otf->design.explanation;
         page.panes.push_back(std::move(pane));
     }

@@ -136,8 +136,13 @@ void ComparedViews::take(const std::shared_ptr<const CastPicture>& frame) {
         m_frame = before;
         return;
     }
-    m_images.clear();
-    for (const CastPane& pane : frame->panes) m_images.push_back(imageOf(*pane.screen));
+    std::vector<QImage> images;
+    for (std::size_t i = 0; i < frame->panes.size(); ++i) {
+        // A pane that stayed keeps its image.
+        const bool stayed = before && i < m_images.size() && before->panes[i].screen == frame->panes[i].screen;
+        images.push_back(stayed ? m_images[i] : imageOf(*frame->panes[i].screen));
+    }
+    m_images = std::move(images);
     showFrame();
     emit frameShown();
 }

@@ -1,5 +1,7 @@
 #include "app/otf/editor_otfs.h"
 
+#include <utility>
+
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -31,6 +33,9 @@ void EditorOtfs::showAdaptive() {
 
 void EditorOtfs::showDesign() {
     const DesignerConfig* config = designerConfigOf(m_parts.model.document(), firstPane);
+    // The panel forgets what was made if another designer is chosen.
+    const auto kind = config != nullptr ? std::optional(config->index()) : std::nullopt;
+    if (std::exchange(m_kindInPanel, kind) != kind) m_inPanel.reset();
     if (config == nullptr) return;
     const auto made = m_parts.otfs.designOf(firstPane);
     m_parts.editor.setDesign(labelOf(made ? made->asked.config : *config),

@@ -3,6 +3,9 @@
 
 #include <QObject>
 #include <QString>
+#include <cstddef>
+#include <memory>
+#include <optional>
 
 #include "app/otf/shown_panes.h"
 
@@ -37,6 +40,7 @@ private:
 
     Parts m_parts;
     std::shared_ptr<const ComputedOtf> m_inPanel;
+    std::optional<std::size_t> m_kindInPanel;  ///< of designer
 };
 
 /// "Levoy", ...

@@ -16,6 +16,9 @@ namespace {
 /// A picture depends on the rendered curve. The adaptive curve depends on the curve with which the method begins.
 Document pictured(Document document) {
     document.scene.planes = {};
+    document.panes.resize(1);
+    document.comparison = {};
+    document.measurements = {};
     document.scene.phase = 0;  // the voxels are of one phase already
     document.panes.at(firstPane).phase.reset();
     // At another angle the motion's axis matters: the pose turns about it.
@@ -27,6 +30,7 @@ Document pictured(Document document) {
         document.method = {};
         document.scene.side = {};
         document.panes.at(firstPane).curve = CurveKind::adaptive;
+        document.panes.at(firstPane).designer.reset();
     }
     return document;
 }

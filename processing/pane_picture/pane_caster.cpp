@@ -96,8 +96,12 @@ std::optional<PaneCaster::OtfVoxels> PaneCaster::otfVoxels(const Document& docum
 std::optional<PaneOtf> PaneCaster::otf(const Document& document, std::size_t pane, const Progress& progress) {
     if (!needsComputedOtf(document, pane)) return PaneOtf{};
     const DesignerConfig* designer = designerConfigOf(document, pane);
-    AskedOtf asked{askedVoxels(document, otfPhaseOf(document, pane, phaseCount())), otfViewpointOf(document, pane),
-                   configOf(document, pane), designer ? std::optional(*designer) : std::nullopt};
+    AskedOtf asked{.voxels = askedVoxels(document, otfPhaseOf(document, pane, phaseCount()))};
+    if (designer != nullptr) asked.designer = *designer;
+    if (designer == nullptr || readsTubeCores(*designer)) {
+        asked.viewpoint = otfViewpointOf(document, pane);
+        asked.method = configOf(document, pane);
+    }
     if (m_askedOtf == asked) return m_otf;
     auto computed = computedOtf(document, pane, progress);
     if (!computed) return std::nullopt;
@@ -157,7 +161,7 @@ std::optional<PanePicture> PaneCaster::pictureWith(const PaneOtf& otf, const Doc
     const RayCastSettings settings = isConverged ? converged(asked) : asked;
     const Classification classification = classificationOf(document, pane, otf);
     // A picture that RayCaster makes from kept samples is exact to half a level only.
-    RayCaster& rays = raysThrough(of->shown, isConverged && m_cast == settings);
+    RayCaster& rays = raysThrough(of->shown, isConverged && m_cast.camera == settings.camera);
     m_cast = settings;
     auto picture = rays.cast(classification, settings, progress);
     if (!picture) return std::nullopt;

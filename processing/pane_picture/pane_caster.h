@@ -119,10 +119,10 @@ private:
         friend bool operator==(const AskedVoxels&, const AskedVoxels&) = default;
     };
     struct AskedOtf {
-        AskedVoxels voxels;
-        Viewpoint viewpoint;
-        AdaptiveOtfConfig config;
-        std::optional<DesignerConfig> designer;
+        AskedVoxels voxels{};
+        std::optional<DesignerConfig> designer{};
+        Viewpoint viewpoint{};       ///< only of what reads tube cores
+        AdaptiveOtfConfig method{};  ///< only of what reads tube cores
         friend bool operator==(const AskedOtf&, const AskedOtf&) = default;
     };
     struct Voxels {

@@ -10,6 +10,4 @@ constexpr ChoiceNames<3> lightingNames{"flat", "surface", "depth"};
 
 std::string_view nameOf(Lighting lighting) { return nameIn(lightingNames, lighting); }
 
-std::optional<Lighting> lightingFromName(std::string_view name) { return choiceNamed<Lighting>(lightingNames, name); }
-
 }  // namespace echolucent

@@ -15,6 +15,5 @@ enum class Lighting {
 
 /// "flat", "surface", "depth".
 [[nodiscard]] std::string_view nameOf(Lighting lighting);
-[[nodiscard]] std::optional<Lighting> lightingFromName(std::string_view name);
 
 }  // namespace echolucent

@@ -25,7 +25,7 @@ struct PictureRequest {
     RayCastSettings settings{};  ///< at the panes' full size
 };
 
-/// True if both give the same pixels. Volumes are the same if they are one object.
+/// True if both show the same panes with the same pixels. Volumes are the same if they are one object.
 [[nodiscard]] bool samePicture(const PictureRequest& one, const PictureRequest& other);
 /// True if both cast through the same volumes.
 [[nodiscard]] bool sameVolumes(const PictureRequest& one, const PictureRequest& other);

@@ -10,8 +10,4 @@ constexpr ChoiceNames<2> interpolationNames{"nearest", "trilinear"};
 
 std::string_view nameOf(Interpolation interpolation) { return nameIn(interpolationNames, interpolation); }
 
-std::optional<Interpolation> interpolationFromName(std::string_view name) {
-    return choiceNamed<Interpolation>(interpolationNames, name);
-}
-
 }  // namespace echolucent

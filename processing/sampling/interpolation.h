@@ -10,6 +10,5 @@ enum class Interpolation { nearest, trilinear };
 
 /// "nearest", "trilinear".
 [[nodiscard]] std::string_view nameOf(Interpolation interpolation);
-[[nodiscard]] std::optional<Interpolation> interpolationFromName(std::string_view name);
 
 }  // namespace echolucent

@@ -43,8 +43,6 @@ double threePlanesHeightMm(BeamAxis beam, const DataBox& data, double aspect) {
 
 std::string_view nameOf(PlaneName plane) { return nameIn(planeNames, plane); }
 
-std::optional<PlaneName> planeNamed(std::string_view name) { return choiceNamed<PlaneName>(planeNames, name); }
-
 ViewFrame frameOf(PlaneName plane, const Planes& planes, BeamAxis beam) { return frameOf(plane, axesOf(planes, beam)); }
 
 Vec3 referencePointOf(const Planes& planes, const DataBox& data) { return data.centreMm() + planes.offsetMm; }

@@ -24,7 +24,6 @@ inline constexpr std::array<PlaneName, 3> allPlaneNames{PlaneName::a, PlaneName:
 
 /// "A", "B", "C".
 [[nodiscard]] std::string_view nameOf(PlaneName plane);
-[[nodiscard]] std::optional<PlaneName> planeNamed(std::string_view name);
 
 /// Which part of a plane its picture shows.
 struct PlaneCrop {

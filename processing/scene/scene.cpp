@@ -44,7 +44,7 @@ std::optional<FrontSource> frontSourceFromName(std::string_view name) {
 Scene withFrontAcrossPose(Scene scene, BeamAxis beam, const VolumeGeometry& geometry) {
     Front& front = scene.front;
     const auto across = std::exchange(front.direction, std::nullopt);
-    if (!across || *across == scene.pose.direction || front.depthMm == 0.0) return scene;
+    if (!across || front.depthMm == 0.0) return scene;
     const Viewpoint view = viewpointOf(beam, *across, std::exchange(front.depthMm, 0.0));
     const ViewFrame frame = frameOf(view);
     const double behind = std::min(view.nearCutMm, depthAlongViewMm(view, geometry));  // deeper leaves nothing either

@@ -19,7 +19,6 @@ ProgressiveCaster::ProgressiveCaster(Works& works, const PreviewQuality& quality
       m_frames(std::make_unique<KeptFrames>()),
       m_waits(works, {}),
       m_thread(works, "ray caster") {
-    connect(&m_thread, &NewestWinsThread::busyChanged, this, &ProgressiveCaster::busyChanged);
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, [this] {
         refine();
@@ -87,6 +86,7 @@ std::size_t ProgressiveCaster::qualityFor(const PictureRequest& request, bool ed
 }
 
 void ProgressiveCaster::clear() {
+    if (!m_playing) m_frames->clear();
     if (!m_newest) return;
     m_newest.reset();
     m_rest.stop();
@@ -103,7 +103,6 @@ void ProgressiveCaster::clear() {
             NewestWinsThread::WhenSuperseded::finish);
     }
     m_waits.end();
-    emit busyChanged();
 }
 
 void ProgressiveCaster::waitForRest(int milliseconds) {

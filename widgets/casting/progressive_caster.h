@@ -60,7 +60,6 @@ signals:
     void delivered(const std::shared_ptr<const echolucent::CastPicture>& picture);
     /// A picture needs more memory than there is. Nothing better follows before the next request.
     void failed();
-    void busyChanged();
 
 private:
     [[nodiscard]] std::size_t qualityFor(const PictureRequest& request, bool edited);

@@ -26,7 +26,8 @@ struct CastResult {
 using Cast = std::function<CastResult(const PictureRequest& request, const Progress& progress)>;
 
 /// Casts each pane through a RayCaster, which is kept as long as the pane shows the same scan. Casters of one scan
-/// share its packed voxels. A pane without a change is not cast again.
+/// share its packed voxels. A pane is not cast again if nothing changed since its
+/// last cast, quality included.
 [[nodiscard]] Cast castThroughRayCasters();
 
 }  // namespace echolucent

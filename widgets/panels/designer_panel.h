@@ -41,7 +41,7 @@ public:
     void setProgress(double share);
 
 signals:
-    /// Shows a finished OTF and the time it took. `design` is null if there is none yet.
+    /// A person cancels the designer.
     void cancelRequested();
     /// A person asks for the OTF that was cancelled.
     void computeRequested();

@@ -1,4 +1,5 @@
-// The configs of all OTF designers as plain values. processing/designers/designer.h says what they make of a volume.
+// The configs of all OTF designers as plain values. processing/designers/choice/designer.h says what they make of a
+// volume.
 #pragma once
 
 #include <array>

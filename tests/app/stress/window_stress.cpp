@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QTest>
+#include <QTimer>
 #include <algorithm>
 
 #include "app/compare/compare_room.h"
@@ -14,6 +15,7 @@
 #include "app/sessions/session_keeping.h"
 #include "app/window/review_room.h"
 #include "io/document/document_file.h"
+#include "processing/document/panes.h"
 #include "tests/app/stress/document_changes.h"
 
 namespace echolucent {
@@ -304,6 +306,8 @@ QString WindowStress::rest() {
     m_window.motionPlayer().pause();
     QElapsedTimer waited;
     waited.start();
+    QTimer wakes;  // a work that never ends sends no event
+    wakes.start(100);
     while (!m_window.idle()) {
         if (waited.elapsed() > longestRest) return "the window never rests: " + underWay();
         QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
@@ -319,8 +323,12 @@ QString WindowStress::checkRest() {
     if (study.phase() != document.scene.phase) return "the study shows another phase than the document";
     if (study.strokes() != document.scene.strokes.values()) return "other strokes are cut than the document's";
     if (m_window.volumeView().look() != document.scene.look) return "the picture has another look than the document";
-    if (m_window.volumeView().isVisible() && !m_window.volumeView().pictureIsCurrent())
-        return "the picture is not that of the document";
+    if (m_window.volumeView().isVisible() &&
+        !(m_window.volumeView().pictureIsCurrent() && m_window.volumeView().pictureIsFine()))
+        return "the picture is not that of the document, converged";
+    const ComparedViews& compared = m_window.compareRoom().views();
+    if (m_window.compareRoom().shown() && isCompared(document) && !compared.settled() && !compared.refused())
+        return "the comparison is not that of the document, converged";
     return checkReading();
 }
 

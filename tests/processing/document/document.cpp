@@ -151,6 +151,10 @@ TEST(Scene, AFrontThatStaysInTheVolumeCutsTheSameWhateverThePose) {
             }
     EXPECT_GT(cut, places / 20);
     EXPECT_LT(cut, places / 2);
+    // Also if it lies across the pose of the moment.
+    scene.pose.direction = *scene.front.direction;
+    const Scene fixed = withFrontAcrossPose(scene, BeamAxis::plusZ, geometry);
+    EXPECT_EQ(fixed.front, turned.front);
 }
 
 /// A surface over a cube of 40 voxels, bowed along its columns.
