@@ -1,6 +1,7 @@
 // What opening finds of a scan: it is shown, said in the picture, and taken back by one step or one key.
 #include <QComboBox>
 
+#include "app/otf/near_cut_finder.h"
 #include "io/writers/enhanced_us_writer.h"
 #include "processing/document/opening_finds.h"
 #include "tests/app/walled_sector.h"

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "processing/classification.h"
 #include "processing/picture/renderer_choice.h"
 #include "processing/picture/screen_picture.h"
 #include "widgets/volume_view/scene/annotation/caption.h"
