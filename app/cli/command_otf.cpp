@@ -105,7 +105,7 @@ Result<DocumentStudy> openedForOtf(const OtfOptions& options, const std::vector<
     return opened;
 }
 
-/// The study of --document, a pane of which is rendered with an OTF that is computed.
+/// Reads --document and its study. Fails (wrong usage) if the pane is rendered with a named curve.
 Result<DocumentStudy> documentForOtf(const OtfOptions& options, const std::vector<std::string>& outputs) {
     auto read = readDocumentStudy(options.document.path, options.volume, outputs, options.document.view);
     if (!read) return read;

@@ -168,7 +168,7 @@ Result<DocumentStudy> openedForSweep(const SweepOptions& options, double aspect)
     return opened;
 }
 
-/// The study of --document, a pane of which is rendered with the adaptive OTF.
+/// Reads --document and its study. Fails (wrong usage) unless the pane is rendered with the adaptive OTF.
 Result<DocumentStudy> documentForSweep(const SweepOptions& options) {
     auto read = readDocumentStudy(options.document.path, options.volume, outputsOf(options), options.document.view);
     if (!read || isAdaptive(read->document, read->pane)) return read;

@@ -36,6 +36,7 @@ void ComparePane::setFace(const PaneFace& face) {
 }
 
 void ComparePane::setImage(const QImage& image) {
+    if (image.cacheKey() == m_image.cacheKey()) return;  // an edit of one pane draws that pane alone
     m_image = image;
     update();
 }

@@ -26,7 +26,7 @@ struct MethodOptions {
     std::string tubeGrid;
     std::vector<std::int64_t> withoutTubes;  ///< in any order, also twice
     std::optional<double> opacityScale;
-    /// Adds the options to a command. They must stay where they are from here to get().
+    /// Adds the options to a command. This object must not move until get() is called.
     void addTo(CLI::App& command);
     /// The default reading for a command without these options. Fails (wrong usage) if a value is out of range, or
     /// if an option belongs to a detection or a form that is not chosen.

@@ -16,7 +16,7 @@ class Option;
 
 namespace echolucent::cli {
 
-/// The beam axis of a command, and where it is from.
+/// The beam axis of a command, with its source.
 struct ChosenBeam {
     BeamAxis axis = BeamAxis::plusZ;
     std::string source = "assumed";    ///< "option", "file", "sector shape", "echo" or "assumed"
@@ -36,7 +36,7 @@ struct ViewOptions {
     Viewpoint view;
     std::string beamAxis;  ///< empty: not given
     std::string near;      ///< empty: not given
-    /// Adds the options to a command. They must stay where they are from here to get().
+    /// Adds the options to a command. This object must not move until get() is called.
     void addTo(CLI::App& command, ViewOf of = ViewOf::file);
     [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
     /// The view. It has a cut only if --near says how deep. Fails (wrong usage) if an option is out of range.

@@ -34,7 +34,7 @@ struct VolumeOptions {
     /// Reads the study. Fails (wrong usage) if --phase is out of range, or if one of the `outputs` of the command
     /// is a file of the study: an input is never overwritten.
     [[nodiscard]] Result<Study> readAll(const std::vector<std::string>& outputs) const;
-    /// The series of a folder or DICOMDIR; no value for other files, of which --series is wrong usage.
+    /// The series of a folder or DICOMDIR. Other files have none: --series is wrong usage for them.
     [[nodiscard]] Result<std::optional<SeriesList>> listedSeries() const;
     /// The series that --series names, else the first. Fails (wrong usage) if there is no such series.
     [[nodiscard]] Result<const SeriesEntry*> chosenSeries(const SeriesList& list) const;
