@@ -3,7 +3,6 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QKeyEvent>
 #include <QMimeData>
@@ -30,8 +29,10 @@
 #include "app/window/window_menus.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/run_status.h"
+#include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/panels/explain_panel.h"
+#include "widgets/panels/history_panel.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/motion_panel.h"
 #include "widgets/panels/view_panel.h"
@@ -239,10 +240,7 @@ void MainWindow::createActions() {
     };
     commands.saveSession = [this] { m_sessions->save(); };
     commands.saveSessionAs = [this] { m_sessions->chooseAndSave(); };
-    commands.showHistory = [this] {
-        m_widgets.studyDock->show();
-        m_widgets.studyDock->raise();
-    };
+    commands.showHistory = [this] { showDockOf(*m_widgets.history); };
     commands.copyPicture = [this] { m_files->copyPicture(); };
     commands.resetAll = [this] { emit m_widgets.controls->resetAllRequested(); };
     commands.toggleFullScreen = [this] { m_fullScreen->toggle(); };
@@ -257,11 +255,8 @@ void MainWindow::createActions() {
     commands.playOrPause = [this] { m_motionPlayer.togglePlaying(); };
     commands.turnMotion = [this](int degrees) { m_motionPlayer.stepBy(degrees); };
     commands.stepPhase = [this](int step) { m_motion->stepPhase(step); };
-    commands.explain = [this] {
-        m_widgets.explainDock->show();
-        m_widgets.explainDock->raise();
-    };
-    createMenus(*this, *m_widgets.editor, *m_widgets.courseDock, commands);
+    commands.explain = [this] { showDockOf(*m_widgets.explain); };
+    createMenus(*this, *m_widgets.editor, dockOf(*m_widgets.course), commands);
     findChild<QAction*>("view.lightTheme")->setChecked(m_settings.theme() == Theme::light);
     findChild<QAction*>("view.numbersForNames")->setChecked(m_names.showsNumbers());
     connect(&m_openStudy, &OpenStudy::studyOpened, this,

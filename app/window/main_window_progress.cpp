@@ -59,15 +59,15 @@ void MainWindow::connectProgress() {
 
 /// A comparison shows no planes, so their tab makes way for its own.
 void MainWindow::arrangeForComparison(bool shown) {
-    auto* planes = findChild<QDockWidget*>("dock.room");
+    QDockWidget &planes = dockOf(*m_widgets.room), &compare = dockOf(*m_widgets.compare);
     if (shown) {
-        m_planesTabWasThere = !planes->isHidden();
-        planes->hide();
+        m_planesTabWasThere = !planes.isHidden();
+        planes.hide();
     } else {
-        planes->setVisible(m_planesTabWasThere);
+        planes.setVisible(m_planesTabWasThere);
     }
-    m_widgets.compareDock->setVisible(shown);
-    (shown ? m_widgets.compareDock : findChild<QDockWidget*>("dock.view"))->raise();
+    compare.setVisible(shown);
+    (shown ? compare : dockOf(*m_widgets.controls)).raise();
 }
 
 void MainWindow::followWorks() {

@@ -8,6 +8,8 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
+#include <stdexcept>
+#include <vector>
 
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_panel.h"
@@ -61,69 +63,41 @@ private:
     }
 };
 
-QDockWidget* addDock(QMainWindow& window, const QString& title, const QString& name, QWidget* content) {
-    auto* dock = new QDockWidget(title, &window);
-    dock->setObjectName(name);
-    dock->setWidget(new PanelScrollArea(content, dock));
-    window.addDockWidget(Qt::RightDockWidgetArea, dock);
-    return dock;
-}
+/// A dock of the column: its panels from top to bottom.
+struct Dock {
+    const char* title;
+    const char* name;
+    std::vector<QWidget*> panels;
+    std::vector<int> stretches{1};  ///< of the panels; 0: as high as it needs to be
+    bool shown = true;              ///< at the first start. The tabs of those that are shown fill the column
+};
 
-/// The controls that a person turns first stand on top.
-QWidget* pictureContent(const WindowLayout& layout) {
+QWidget* contentOf(const Dock& dock) {
+    if (dock.panels.size() == 1) return dock.panels.front();
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(layout.presets);
-    column->addWidget(layout.sliders);
-    column->addWidget(layout.controls, 1);
+    for (std::size_t i = 0; i < dock.panels.size(); ++i) column->addWidget(dock.panels[i], dock.stretches.at(i));
     return content;
 }
 
-/// The measurements stand above the controls that are set once, so that their list is visible while measuring.
-QWidget* planesContent(const WindowLayout& layout) {
-    auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(layout.measurements);
-    column->addWidget(layout.room, 1);
-    return content;
-}
-
-/// What was read, and below it the steps done with it.
-QWidget* studyContent(const WindowLayout& layout) {
-    auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(layout.facts, 3);
-    column->addWidget(layout.history, 2);
-    return content;
-}
-
-/// One column of panels, tabbed by a person's tasks. Opening one makes nothing grow beside the 3D view.
-void arrangeDocks(QMainWindow& window, WindowLayout& layout) {
-    const auto title = [](const char* text) { return QMainWindow::tr(text); };
+/// One column of panels, tabbed by a person's tasks. Opening one makes nothing grow beside the 3D view. The first dock
+/// is in front.
+void addDocks(QMainWindow& window, const std::vector<Dock>& docks) {
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    QDockWidget* picture = addDock(window, title("Picture"), "dock.view", pictureContent(layout));
-    QDockWidget* curve = addDock(window, title("Curve"), "dock.otfEditor", layout.editor);
-    QDockWidget* room = addDock(window, title("Planes"), "dock.room", planesContent(layout));
-    QDockWidget* method = addDock(window, title("Method"), "dock.method", layout.method);
-    QDockWidget* designers = addDock(window, title("Designers"), "dock.designers", layout.designers);
-    layout.compareDock = addDock(window, title("Compare"), "dock.compare", layout.compare);
-    layout.studyDock = addDock(window, title("Study"), "dock.study", studyContent(layout));
-    layout.courseDock = addDock(window, title("Motion"), "dock.motionMap", layout.course);
-    layout.explainDock = addDock(window, title("Explain"), "dock.explain", layout.explain);
-    for (QDockWidget* dock :
-         {curve, room, method, designers, layout.compareDock, layout.studyDock, layout.courseDock, layout.explainDock})
-        window.tabifyDockWidget(picture, dock);
-    layout.compareDock->hide();
-    layout.courseDock->hide();
-    layout.explainDock->hide();
-    picture->raise();
-    window.resizeDocks({picture}, {columnWidth}, Qt::Horizontal);
+    QDockWidget* first = nullptr;
+    for (const Dock& each : docks) {
+        auto* dock = new QDockWidget(QMainWindow::tr(each.title), &window);
+        dock->setObjectName(each.name);
+        dock->setWidget(new PanelScrollArea(contentOf(each), dock));
+        window.addDockWidget(Qt::RightDockWidgetArea, dock);
+        if (first != nullptr) window.tabifyDockWidget(first, dock);
+        if (!each.shown) dock->hide();
+        if (first == nullptr) first = dock;
+    }
+    first->raise();
+    window.resizeDocks({first}, {columnWidth}, Qt::Horizontal);
 }
 
 }  // namespace
@@ -153,8 +127,8 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     layout.designers = new DesignerPanel(document, &window);
     layout.controls = new ViewPanel(&window);
     layout.presets = new PresetsPanel(&window);
-    layout.sliders = new CurveSliders(document, &window);
-    QObject::connect(layout.sliders, &CurveSliders::resetRequested, layout.editor->resetAction(), &QAction::trigger);
+    auto* sliders = new CurveSliders(document, &window);
+    QObject::connect(sliders, &CurveSliders::resetRequested, layout.editor->resetAction(), &QAction::trigger);
     layout.room = new RoomPanel(document, &window);
     layout.measurements = new MeasurementsPanel(&window);
     layout.compare = new ComparePanel(&window);
@@ -162,12 +136,36 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     layout.course = new OtfCoursePanel(course, &window);
     layout.explain = new ExplainPanel(&window);
     layout.history = new HistoryPanel(document.steps(), &window);
-    arrangeDocks(window, layout);
+    const std::vector<Dock> docks{
+        // What a person turns first stands on top.
+        {"Picture", "dock.view", {layout.presets, sliders, layout.controls}, {0, 0, 1}},
+        {"Curve", "dock.otfEditor", {layout.editor}},
+        // The list of measurements is visible while measuring, above what is set once.
+        {"Planes", "dock.room", {layout.measurements, layout.room}, {0, 1}},
+        {"Method", "dock.method", {layout.method}},
+        {"Designers", "dock.designers", {layout.designers}},
+        {.title = "Compare", .name = "dock.compare", .panels = {layout.compare}, .shown = false},
+        {"Study", "dock.study", {layout.facts, layout.history}, {3, 2}},
+        {.title = "Motion", .name = "dock.motionMap", .panels = {layout.course}, .shown = false},
+        {.title = "Explain", .name = "dock.explain", .panels = {layout.explain}, .shown = false},
+    };
+    addDocks(window, docks);
 
     layout.status = new RunStatus(&window);
     window.statusBar()->addWidget(layout.status, 1);
     window.statusBar()->setSizeGripEnabled(false);
     return layout;
+}
+
+QDockWidget& dockOf(const QWidget& panel) {
+    for (QWidget* above = panel.parentWidget(); above != nullptr; above = above->parentWidget())
+        if (auto* dock = qobject_cast<QDockWidget*>(above)) return *dock;
+    throw std::invalid_argument("dockOf: the panel stands in no dock");
+}
+
+void showDockOf(const QWidget& panel) {
+    dockOf(panel).show();
+    dockOf(panel).raise();
 }
 
 }  // namespace echolucent

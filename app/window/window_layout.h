@@ -6,12 +6,12 @@
 class QDockWidget;
 class QMainWindow;
 class QStackedWidget;
+class QWidget;
 
 namespace echolucent {
 
 class CompareGrid;
 class ComparePanel;
-class CurveSliders;
 class DesignerPanel;
 class DocumentModel;
 class ExplainPanel;
@@ -33,14 +33,13 @@ class ViewPanel;
 class VolumeViewWidget;
 class Works;
 
-/// The widgets of the window, which owns them.
+/// The widgets of the window that others ask for. The window owns them.
 struct WindowLayout {
     MessageBar* messages = nullptr;
     QStackedWidget* rooms = nullptr;  ///< the review room, then the comparison
     PaneGrid* panes = nullptr;
     CompareGrid* compared = nullptr;
     ComparePanel* compare = nullptr;
-    QDockWidget* compareDock = nullptr;
     std::array<PlanePane*, 3> planes{};  ///< A, B, C
     VolumeViewWidget* picture = nullptr;
     OtfEditor* editor = nullptr;
@@ -48,22 +47,23 @@ struct WindowLayout {
     DesignerPanel* designers = nullptr;
     ViewPanel* controls = nullptr;
     PresetsPanel* presets = nullptr;
-    CurveSliders* sliders = nullptr;
     RoomPanel* room = nullptr;
     MeasurementsPanel* measurements = nullptr;
     MotionPanel* motion = nullptr;
     OtfCoursePanel* course = nullptr;
-    QDockWidget* courseDock = nullptr;
     StudyPanel* facts = nullptr;
     ExplainPanel* explain = nullptr;
-    QDockWidget* explainDock = nullptr;
     HistoryPanel* history = nullptr;
-    QDockWidget* studyDock = nullptr;
     RunStatus* status = nullptr;
 };
 
 /// Makes the widgets and puts them into the window: planes and picture in the middle, the panels in one column of tabs
 /// beside them, the messages over the picture's lower edge. Works and document must outlive them.
 [[nodiscard]] WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, const OtfCourse& course);
+
+/// The dock in which a panel stands. Throws std::invalid_argument if it stands in none.
+[[nodiscard]] QDockWidget& dockOf(const QWidget& panel);
+/// Shows it in front of the others.
+void showDockOf(const QWidget& panel);
 
 }  // namespace echolucent
