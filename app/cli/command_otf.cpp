@@ -79,8 +79,8 @@ Result<void> checkOtfOutputs(const OtfOptions& options, const std::vector<std::s
     return checkOutputs(outputs, {options.method.initial});
 }
 
-/// Fails (wrong usage) if tube cores are asked for and the designer is another than the adaptive one: only that makes
-/// its OTF of tube cores alone. `says` begins the refusal: "--designer".
+/// Fails (wrong usage) if --tubes-csv is given and the designer is not the adaptive one. Only that one makes its OTF
+/// from tube cores alone. The refusal puts `says` before the designer's name: "--designer".
 Result<void> checkTubes(const OtfOptions& options, const DesignerConfig* designer, const std::string& says) {
     if (options.tubesCsv.empty() || designer == nullptr || designerOf(*designer) == Designer::adaptive) return {};
     return wrongUsage("--tubes-csv", "plays no part beside " + says + " " + std::string(nameOf(designerOf(*designer))),

@@ -26,8 +26,9 @@ QString writeWhole(const Autosave::Write& write, const QString& file, const Save
 
 }  // namespace
 
-/// Runs in whatever thread. Gives an empty text, or a sentence that says what went wrong. Then no earlier file is
-/// removed.
+/// Runs in any thread. Writes the order's session to `file`, or removes `file` if the order has none. Then removes the
+/// order's earlier files. If writing fails, removes nothing and returns a sentence that says why. Else the text is
+/// empty.
 QString Autosave::carriedOut(const Write& write, const QString& file, const Order& order) {
     if (!order.session) {
         QFile::remove(file);

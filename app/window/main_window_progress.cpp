@@ -31,8 +31,8 @@ void MainWindow::connectProgress() {
     connect(m_panes.get(), &ShownPanes::changed, this, announce);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, announce);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDrawn, this, announce);
-    // The end of a work may make a frame current. While one frame follows another, works begin before the picture has
-    // followed, so ask afterwards.
+    // The end of a work may be all that a frame still waited for, so ask then too. Ask queued: the work for the next
+    // frame may begin while the picture still shows the one before, which would pass for the next.
     connect(&m_works, &Works::changed, this, announce, Qt::QueuedConnection);
     connect(m_room.get(), &ReviewRoom::pointed, this, [this](std::optional<double> intensity) {
         m_widgets.status->setPointed(intensity, std::nullopt);

@@ -13,9 +13,9 @@ struct ViewOfVersion1 {
     std::optional<int> id{};
     bool windows = false;  ///< without an id, the view that the window showed: view 1, if there is one
 };
-/// A view as a pane. With neither `id` nor view 1, it is the first view. A flat cut becomes a front that lies across
-/// the view. Of several views, only those compared with this one become panes. Problems are told to the problems of
-/// `root`. Empty if no view has the id.
+/// The document with one of its views as a pane: the view with `id`; without an id view 1 if `windows` is set and there
+/// is one, else the first view. If that view is compared with others, each of them becomes a pane. A flat cut becomes a
+/// front across the view. What is wrong in the file is noted in `root`. Empty if no view has the id.
 [[nodiscard]] std::optional<DocumentPane> paneInVersion1(JsonFields root, const ViewOfVersion1& which);
 
 }  // namespace echolucent

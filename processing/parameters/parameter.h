@@ -29,8 +29,8 @@ struct ParameterChoice {
     friend bool operator==(const ParameterChoice&, const ParameterChoice&) = default;
 };
 
-/// Where a parameter applies: only while another parameter, a choice, has this name chosen. If both are empty, the
-/// parameter applies always.
+/// When a parameter applies: only if the parameter named `parameter` has the choice named `choice`. If both names are
+/// empty, it always applies.
 struct ParameterScope {
     std::string_view parameter{};
     std::string_view choice{};

@@ -14,8 +14,9 @@ class KeptViews {
 public:
     /// Forgets all samples, because the voxels have changed.
     void forget() { m_views.clear(); }
-    /// The place for this view's samples, filled or to fill. Null if the view is new or its samples would not fit into
-    /// memoryLimit bytes.
+    /// Where the samples of this view are kept. Null at the view's first picture, in a mode other than direct, and if
+    /// the samples would not fit into memoryLimit bytes. At the second picture the place is empty, and the caster fills
+    /// it.
     [[nodiscard]] KeptSamples* samplesFor(const RayCastSettings& settings, const RayGeometry& rays,
                                           std::size_t memoryLimit);
     /// A picture begins that neither keeps nor uses samples.

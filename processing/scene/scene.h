@@ -52,8 +52,9 @@ struct Scene {
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// The scene whose only plane, if any, lies across its pose. A plane that is fixed in another direction becomes a
-/// surface that cuts away the same. If there is a bowed surface already, each node moves to the deeper of both.
+/// The same scene without a plane that is fixed in a direction: if its front still has a plane, the plane lies across
+/// the pose. A fixed plane becomes a surface that cuts away the same. If the front has a surface already, each of its
+/// nodes moves back to the plane if the plane lies deeper.
 [[nodiscard]] Scene withFrontAcrossPose(Scene scene, BeamAxis beam, const VolumeGeometry& geometry);
 
 /// What is wrong with a scene, with its key ("box has a size that is not above 0"): lower case, no full stop. Empty if

@@ -6,9 +6,9 @@
 
 namespace echolucent {
 
-/// A line takes as many items as fit at the width they ask for. The widest item is the least width. Items that expand
-/// share the free room of their line, the others keep their width. Items after addStretch() stand at the right end, if
-/// earlier ones share their line.
+/// A line takes as many items as fit at their preferred width. The layout is never narrower than its widest item. Items
+/// that expand share the free room of their line; the others keep their width. If a line holds items from before and
+/// after addStretch(), those after it stand at its right end.
 class FlowLayout : public QLayout {
     Q_OBJECT
 

@@ -10,8 +10,9 @@
 
 namespace echolucent {
 
-/// A column per curve: a radio button renders it, a check box beside a piece of its line draws it. While a designer's
-/// OTF is rendered, a row below has its name. Choosing one of the five leaves it.
+/// The five curves, two in a row. Each has a radio button that renders it, and a check box with a piece of its line
+/// that shows it in the plot. If a designer's OTF is rendered, one more row has the designer's name; a click on any of
+/// the five curves then leaves the designer.
 class CurveLegend : public QWidget {
     Q_OBJECT
 

@@ -14,8 +14,9 @@ namespace echolucent {
 
 [[nodiscard]] const ParameterTable<ContourSpectrumConfig>& parametersOf(const ContourSpectrumConfig&);
 
-/// The ramp rises from 0 at the threshold less the half-width to the opacity at the threshold plus the half-width, cut
-/// off at 0 and 1. If no isovalue is the steepest, the curve is opacity * x², and the message says why.
+/// The curve is a ramp: opacity 0 at threshold - halfWidth, `opacity` at threshold + halfWidth. Only its part within
+/// [0,1] is kept. If no threshold is given and no isovalue is the steepest, the curve is opacity * x², there are no
+/// facts, and the message says why.
 /// The plots are "area", "volume", "gradient_integral" and "mean_gradient". The facts are "threshold", then "area",
 /// "volume_above" and "mean_gradient" at the ramp, and "maximum_1", "maximum_2", ...: the isovalues of maximaOf(),
 /// steepest first, at most mostMaximumFacts. Areas and volumes are in mm² and mm³ if the spacing is known, else in
