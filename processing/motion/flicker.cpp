@@ -40,7 +40,7 @@ std::optional<PictureFlicker> flickerOf(std::span<const SweepFrame> frames, std:
     if (std::ranges::adjacent_find(otfs, std::not_equal_to<>()) == otfs.end()) return PictureFlicker{};
     SquareSum changes, flickers;
     for (std::size_t k = 1; k < frames.size(); ++k) {
-        // Equal OTFs give equal pictures, so each OTF is rendered once.
+        // Equal OTFs give equal pictures, so an OTF that equals its neighbour is not rendered again.
         const auto newest = render(frames[k], otfs[k]);
         const auto before = otfs[k] == otfs[k - 1] ? newest : render(frames[k], otfs[k - 1]);
         if (!newest || !before) return std::nullopt;
@@ -87,7 +87,7 @@ FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phase
         if (!caster) caster.emplace(volumes[phase]);
         RayCastSettings ofFrame = settings;
         ofFrame.camera = defaultCamera(volume.dataBox(), frame.view, aspect);
-        // One scale for all: otherwise the box would seem to come and go as its outline grows and shrinks.
+        // All frames have one scale: otherwise the box would seem to come and go while the view turns.
         ofFrame.camera.heightMm = heightMm;
         ofFrame = limitedTo(frame.view, volume.geometry(), ofFrame);
         return caster->cast(otf, ofFrame, {{}, progress.cancel});
@@ -110,7 +110,7 @@ SmoothingLag lagOf(OtfSmoothing smoothing) {
     const auto opacityOf = [](OtfHistory& history, int frame, double opacity) {
         return history.add(frame, SampledCurve{{opacity, opacity}}).opacities.front();
     };
-    // Half-way between 0 and 1, so that an overshoot is not clamped.
+    // The step lies half-way between 0 and 1, so that no overshoot is clamped.
     constexpr double slope = 0.01, low = 0.25, high = 0.75, nearlyDone = 0.9;
     SmoothingLag lag;
     OtfHistory onRamp(smoothing), onStep(smoothing);

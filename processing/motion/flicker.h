@@ -32,22 +32,23 @@ struct PictureFlicker {
 
 /// Renders a frame's view and phase with an OTF. The result is empty only if the work was cancelled.
 using FrameRenderer = std::function<std::optional<Picture>(const SweepFrame&, const SampledCurve&)>;
-/// The same with any classification.
+/// Like FrameRenderer, with any classification in place of the curve.
 using ClassificationRenderer = std::function<std::optional<Picture>(const SweepFrame&, const Classification&)>;
 
-/// Renders these frames with these settings in parallel projection; for one thread at a time. Direction and near plane
-/// follow each frame's view. All frames have one scale, so that the whole box fits into every picture.
+/// Renders frames of a motion with `settings` in parallel projection. Only one thread at a time may call the result.
+/// Direction, near plane, cut surface and box follow each frame's view. All frames have one scale, so that each frame's
+/// whole box fits into its picture. `progress` only cancels. Every frame's phase must be in `phases`.
 [[nodiscard]] FrameRenderer frameRenderer(std::span<const std::shared_ptr<const Volume>> phases,
                                           std::span<const SweepFrame> frames, const RayCastSettings& settings,
                                           const Progress& progress = {});
 
-/// Measures the flicker of the OTFs as shown, one a frame. It renders up to three pictures a frame, and none if all
-/// OTFs are equal: equal OTFs give equal pictures. The result is empty only if the work was cancelled. Throws
-/// std::invalid_argument if the numbers of frames and OTFs differ.
+/// Measures the flicker of the OTFs as shown, one a frame; fewer than two frames give 0. It renders up to three
+/// pictures a frame, and none if all OTFs are equal: equal OTFs give equal pictures. The result is empty only if the
+/// work was cancelled. Throws std::invalid_argument if the numbers of frames and OTFs differ.
 [[nodiscard]] std::optional<PictureFlicker> pictureFlicker(std::span<const SweepFrame> frames,
                                                            std::span<const SampledCurve> otfs,
                                                            const FrameRenderer& render, const Progress& progress = {});
-/// The same with any classifications.
+/// Like pictureFlicker() of curves, with any classifications.
 [[nodiscard]] std::optional<PictureFlicker> pictureFlicker(std::span<const SweepFrame> frames,
                                                            std::span<const Classification> classifications,
                                                            const ClassificationRenderer& render,
@@ -58,7 +59,8 @@ struct SmoothingLag {
     double ramp = 0.0;  ///< frames by which a steady change is shown late
     /// Frames after the first changed one until a sudden change is shown to 90 % and stays so.
     int stepToNineTenths = 0;
-    /// How far the shown OTF overshoots a sudden change before it is clamped, as a share of the change.
+    /// How far the shown OTF overshoots a sudden change, as a share of the change. The change is small enough that the
+    /// clamp to [0,1] takes nothing off.
     double overshoot = 0.0;
 };
 [[nodiscard]] SmoothingLag lagOf(OtfSmoothing smoothing);

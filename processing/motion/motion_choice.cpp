@@ -11,7 +11,7 @@ struct Step {
     bool back;
 };
 
-/// The next value of a count from `first` to `last`.
+/// The next value of a count from `first` to `last`. After a value outside of them comes `first`.
 Step next(int value, bool back, int first, int last, bool pingPong) {
     if (value < first || value > last || first == last) return {first, false};
     if (!pingPong) return {value == last ? first : value + 1, false};

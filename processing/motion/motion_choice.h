@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// The phases that play, from the first to the last, counted from 0.
+/// The phases that play, from `first` to `last`, both included, counted from 0.
 struct PhaseRange {
     int first = 0, last = 0;
     friend bool operator==(const PhaseRange&, const PhaseRange&) = default;
@@ -20,40 +20,44 @@ struct MotionChoice {
     MotionScenario scenario = MotionScenario::probe;
     MotionOtf otf = MotionOtf::oneOtf;
     bool pingPong = true;         ///< true: the probe turns back at its ends; false: it starts again at the first angle
-    bool phasesPingPong = false;  ///< the same for the phases
+    bool phasesPingPong = false;  ///< as pingPong, for the phases
     std::optional<PhaseRange> phaseRange = {};  ///< the phases that play; empty: all
-    int otfPhase = 0;                           ///< the phase, from 0, whose OTF all frames show; for MotionOtf::oneOtf
-    double speed = 1.0;                         ///< times the speed of the scan, or of motionDegreesPerSecond
+    int otfPhase = 0;                           ///< for MotionOtf::oneOtf: the phase, from 0, whose OTF all frames show
+    double speed = 1.0;                         ///< a factor on the rate of frames, see frameSeconds()
     friend bool operator==(const MotionChoice&, const MotionChoice&) = default;
 };
 
 inline constexpr double leastMotionSpeed = 1.0 / 16.0, largestMotionSpeed = 16.0;
 
-/// At speed 1 a moving probe turns by so many degrees in a second.
+/// Degrees by which a moving probe turns in a second at speed 1 if the object stays. If the object moves too, the probe
+/// turns by one degree a phase.
 inline constexpr double motionDegreesPerSecond = 30.0;
-/// At speed 1 so many phases are shown in a second if the study does not know the time between phases.
+/// Phases that are shown in a second at speed 1 if the study does not know the time between phases.
 inline constexpr double assumedPhasesPerSecond = 20.0;
 
-/// The phases that play in a study of `phases` phases (>= 1). A range that reaches beyond the study ends with it.
+/// The phases that play in a study of `phases` phases (>= 1). An end of the range that lies beyond the study becomes
+/// the study's last phase.
 [[nodiscard]] PhaseRange playedPhases(const MotionChoice& motion, int phases);
 
-/// Seconds from one frame to the next, above 0. If the object moves: phaseSeconds, or that of assumedPhasesPerSecond if
-/// unknown. Otherwise the time of one degree at motionDegreesPerSecond. Both are divided by the speed.
+/// Seconds from one frame to the next. If the object moves: `phaseSeconds` (> 0), or 1 / assumedPhasesPerSecond if it
+/// is empty. Otherwise 1 / motionDegreesPerSecond. Either is divided by MotionChoice::speed (> 0).
 [[nodiscard]] double frameSeconds(const MotionChoice& motion, std::optional<double> phaseSeconds);
 
 struct MotionPosition {
-    int angle = 0;                              ///< whole degrees from the view in which the motion began
-    int phase = 0;                              ///< counted from 0
-    bool angleBack = false, phaseBack = false;  ///< whether angle or phase goes backwards; only back and forth
+    int angle = 0;  ///< whole degrees from the view in which the motion began
+    int phase = 0;  ///< counted from 0
+    /// Whether angle or phase goes backwards. True only in a motion that goes back and forth.
+    bool angleBack = false, phaseBack = false;
     friend bool operator==(const MotionPosition&, const MotionPosition&) = default;
 };
 
-/// The next frame in a study of `phases` phases (>= 1). If a motion goes back and forth, its ends are not shown
-/// twice in a row. After a phase outside the range comes the range's first one.
+/// The next frame in a study of `phases` phases (>= 1). If a motion goes back and forth, its ends are not shown twice
+/// in a row. After an angle or a phase outside its range comes the first one of the range. What does not move stays.
 [[nodiscard]] MotionPosition nextFrame(const MotionPosition& position, const MotionChoice& motion, int phases);
 
-/// The frames of one turn of a motion: from its first angle and phase until the first comes again. If probe and object
-/// move, the probe's turn counts. A still probe stays at the angle of `at`, a still object at its phase.
+/// The frames of one turn of a motion. A turn begins at the first angle and the first phase. If the probe moves, it
+/// ends before the first angle comes again, else before the first phase does. A still probe stays at the angle of `at`,
+/// a still object at the phase of `at`.
 [[nodiscard]] std::vector<MotionPosition> framesOfTurn(const MotionChoice& motion, int phases,
                                                        const MotionPosition& at);
 

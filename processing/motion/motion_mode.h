@@ -27,11 +27,11 @@ enum class MotionScenario {
 
 /// Which OTF the frames of a motion show.
 enum class MotionOtf {
-    oneOtf,              ///< the one that was computed before the motion, for every frame
+    oneOtf,              ///< one for every frame, of the phase MotionChoice::otfPhase
     eachView,            ///< computed anew for each frame, not smoothed
     mean,                ///< computed for each frame and smoothed over time by OtfSmoothing::mean
-    movingLeastSquares,  ///< the same, smoothed by OtfSmoothing::movingLeastSquares
-    leastFlicker,        ///< the same, smoothed by OtfSmoothing::leastFlicker
+    movingLeastSquares,  ///< computed for each frame and smoothed by OtfSmoothing::movingLeastSquares
+    leastFlicker,        ///< computed for each frame and smoothed by OtfSmoothing::leastFlicker
 };
 inline constexpr std::array allMotionOtfs{MotionOtf::oneOtf, MotionOtf::eachView, MotionOtf::mean,
                                           MotionOtf::movingLeastSquares, MotionOtf::leastFlicker};

@@ -30,8 +30,9 @@ double dot(const Column& left, const Column& right) {
     return sum;
 }
 
-/// Times from the newest back, as shares of the history's span in [0,1]. Differences come first and in extended
-/// precision: epoch milliseconds keep every digit, and no span overflows or underflows.
+/// How far each time lies before the newest one, as a share [0,1] of the span from the oldest to the newest.
+/// Differences come first and in extended precision: epoch milliseconds keep every digit, and no span overflows or
+/// underflows.
 std::vector<double> sharesOfSpan(std::span<const double> times) {
     const long double newest = times.back(), span = newest - static_cast<long double>(times.front());
     std::vector<double> shares;
@@ -76,8 +77,8 @@ double leastFlickerTapAt(double age) {
     return std::lerp(leastFlickerTaps[before], leastFlickerTaps[after], age - static_cast<double>(before));
 }
 
-/// How much of the time each frame stands for: half-way to its neighbours. The outermost reach as far outwards as
-/// inwards.
+/// For how long each frame stands: half of the time to the frame before and half of the time to the frame after. The
+/// oldest and the newest frame stand outwards for as long as inwards. A single frame has 1.
 std::vector<double> heldShares(const std::vector<double>& ages) {
     const std::size_t count = ages.size();
     std::vector<double> held(count, 1.0);

@@ -11,7 +11,8 @@
 
 namespace echolucent {
 
-/// How the OTF of a frame follows from the OTFs of the frames before it (docs/motion.md tells delay and gains).
+/// How the shown OTF of a frame follows from its own OTF and those of the frames before it (docs/motion.md lists delays
+/// and gains).
 enum class OtfSmoothing {
     none,                ///< each frame has its own OTF
     mean,                ///< the mean of the newest five, the present one included
@@ -25,16 +26,16 @@ enum class OtfSmoothing {
 /// How many frames a smoothing uses, the present one included.
 [[nodiscard]] std::size_t framesUsed(OtfSmoothing smoothing);
 
-/// How much each frame weighs in the OTF of the newest. `times` holds 1 to framesUsed() times, oldest first, strictly
-/// ascending, finite, of any unit and origin. The weights have the same order and sum to 1. Only those of
-/// movingLeastSquares can be negative.
+/// How much each frame weighs in the OTF that the newest frame shows. `times` holds 1 to framesUsed() times, oldest
+/// first, strictly ascending, finite, of any unit and origin. The weights are in the order of `times` and sum to 1.
+/// Only those of movingLeastSquares can be negative.
 ///   mean                Each of n frames weighs 1/n.
 ///   movingLeastSquares  The newest time's row of the projection onto the polynomials of order min(2, n - 1), by QR on
 ///                       centred, scaled times. If times are too close to tell the powers apart, the order is lower.
 ///   leastFlicker        The taps of docs/motion.md, linear between taps at each frame's age in mean intervals. Each is
 ///                       multiplied by the time its frame stands for, and divided by the sum of all. At equal intervals
 ///                       these are the newest n taps over their sum.
-/// Throws std::invalid_argument for other times.
+/// Throws std::invalid_argument if `times` breaks one of these rules.
 [[nodiscard]] std::vector<double> smoothingWeights(OtfSmoothing smoothing, std::span<const double> times);
 
 /// What weights do to a motion whose frames follow each other at equal intervals.
@@ -55,10 +56,10 @@ public:
     explicit OtfHistory(OtfSmoothing smoothing = OtfSmoothing::leastFlicker) : m_smoothing(smoothing) {}
 
     [[nodiscard]] OtfSmoothing smoothing() const { return m_smoothing; }
-    /// Takes the unsmoothed OTF of a new frame and returns the OTF to show, with as many samples, in [0,1]. Times have
-    /// any unit and origin. A frame at the time of the newest replaces it. Equal frames give the same OTF, to the bit.
-    /// Opacities outside [0,1] are clamped, NaN counts as 0. Throws std::invalid_argument if the time descends or is
-    /// not finite, or if the number of samples changes.
+    /// Takes the unsmoothed OTF of a new frame and returns the OTF to show. It has the same number of samples, all in
+    /// [0,1]. Times have any unit and origin. A frame at the time of the newest frame replaces that frame. If all
+    /// frames have equal OTFs, the shown OTF equals them to the bit. Opacities outside [0,1] are clamped, NaN counts as
+    /// 0. Throws std::invalid_argument if the time descends or is not finite, or if the number of samples changes.
     [[nodiscard]] SampledCurve add(double time, const SampledCurve& unsmoothed);
     /// Forgets the past: the next frame has no history. Call it if another volume is shown or the view jumps.
     void clear() { m_frames.clear(); }

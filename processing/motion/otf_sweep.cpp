@@ -36,8 +36,9 @@ bool sameOtf(const SweepFrame& left, const SweepFrame& right) {
     return left.phase == right.phase && left.view == right.view;
 }
 
-/// For each frame the first one with the same phase and view. There may be thousands of frames, so it sorts instead of
-/// comparing all pairs.
+/// For each frame the first one with the same phase and view. There may be thousands of frames, so the frames are
+/// sorted, and only neighbours are compared. The key leaves out box and cut surface: frames that differ in these alone
+/// may come between equal ones, which are then not found.
 std::vector<std::size_t> firstOfEqual(std::span<const SweepFrame> frames) {
     std::vector<std::size_t> order(frames.size()), first(frames.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -60,7 +61,7 @@ void check(std::span<const std::shared_ptr<const Volume>> phases, std::span<cons
             throw std::invalid_argument("sweepOtfs: a frame's phase is not there");
 }
 
-/// Computes the frames named in `wanted` side by side. False if the work was cancelled.
+/// Computes the frames at the places `wanted` side by side. False if the work was cancelled.
 bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,
                    std::span<const std::size_t> wanted, const AdaptiveOtfConfig& config, const Progress& progress,
                    std::span<const QuietVoxels> shown, std::span<FrameOtf> results) {
@@ -72,7 +73,8 @@ bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::s
             const auto phase = static_cast<std::size_t>(frame.phase);
             const Volume& volume = *phases[phase];
             const QuietVoxels meantFor = shown.empty() ? QuietVoxels{} : shown[phase];
-            // A thread that waits for a frame's tubes must not begin another frame: frames would pile up on its stack.
+            // A thread that waits for a frame's tube cores must not begin another frame: frames would pile up on its
+            // stack.
             const auto otf = tbb::this_task_arena::isolate(
                 [&] { return adaptOpacity(volume, frame.view, config, quiet, meantFor); });
             if (!otf) return;

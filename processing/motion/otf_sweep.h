@@ -22,7 +22,7 @@ namespace echolucent {
 
 struct SweepFrame {
     double time = 0.0;     ///< number of frames since the first
-    double degrees = 0.0;  ///< angle from the first view
+    double degrees = 0.0;  ///< angle from the view in which the motion began
     int phase = 0;         ///< phase of the 4D study, from 0
     Viewpoint view;
 };
@@ -39,30 +39,33 @@ struct SweptOtf {
 
 /// The frames of a probe that turns from `from` to `to` degrees in steps. If `to` is below `from`, it turns backwards.
 /// `to` itself is a frame if the range is a whole number of steps. With several phases the object moves by one phase a
-/// frame, over and over. Throws std::invalid_argument for angles that are not finite, a step not above 0, no phase, or
-/// more than a million frames.
+/// frame, from phase 0 on, over and over. Throws std::invalid_argument for angles that are not finite, a step not above
+/// 0, no phase, or more than a million frames.
 [[nodiscard]] std::vector<SweepFrame> sweepFrames(const Viewpoint& start, MotionAxis axis, double from, double to,
                                                   double step, int phases);
 
-/// What moves: one of the three scenarios of Petersch 2005, section 5. There is a frame for each step of the angle.
+/// What moves: one of the three scenarios of Petersch 2005, section 5. There is a frame for each step of the angle,
+/// also if the probe does not move.
 struct Motion {
     MotionAxis axis = MotionAxis::y;
     double from = firstMotionAngle, to = lastMotionAngle, step = 1.0;  ///< degrees, as for sweepFrames()
-    bool probeMoves = true;    ///< if false, every frame has the first view, at 0 degrees
-    bool objectMoves = false;  ///< if false, every frame has firstPhase
+    bool probeMoves = true;    ///< if false, every frame has the view `start`, at 0 degrees
+    bool objectMoves = false;  ///< if false, every frame has firstPhase; if true, the first frame has it
     int firstPhase = 0;
 };
 /// The frames of a motion in a study of `phases` phases. Throws std::invalid_argument as sweepFrames() does, and if the
 /// study has no firstPhase.
 [[nodiscard]] std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motion, int phases);
 
-/// Computes every frame's OTF; `phases` are the volumes of the study. The OTFs are meant for the voxels `shown`, one a
-/// phase; if it is empty, for those of `phases`. The result is empty only if the work was cancelled.
+/// Computes every frame's OTF; `phases` are the volumes of the study. The OTFs are meant for the voxels in `shown`,
+/// which has one entry a phase. If `shown` is empty, they are meant for the voxels of `phases`. The result is empty
+/// only if the work was cancelled.
 ///
 /// Frames are computed side by side; the bits are the same for any number of threads. Frames of one phase and view are
-/// computed once. A roll is another view, because it turns the grid of tube cores with the picture. Smoothing runs
-/// afterwards in frame order, so frame times must not descend. Throws std::invalid_argument if a phase is missing,
-/// `shown` holds another number of phases, or problemOf(config) is not empty.
+/// computed once. (Frames whose views differ in nothing but box or cut surface may be computed again.) A roll is
+/// another view, because it turns the grid of tube cores with the picture. Smoothing runs afterwards in frame order.
+/// Throws std::invalid_argument if a frame's phase is missing, `shown` holds another number of phases,
+/// problemOf(config) is not empty, or a frame's time descends or is not finite.
 [[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                              std::span<const SweepFrame> frames,
                                                              const AdaptiveOtfConfig& config, OtfSmoothing smoothing,

@@ -9,15 +9,15 @@ namespace echolucent {
 
 namespace {
 
-constexpr int nodesAcross = 16;  // along the longer side
+constexpr int nodesAcross = 16;  // nodes along the longer side
 constexpr int leastTubes = 30;   // fewer tell no shape
 // Samples behind the place where a stretch begins: there the wall's ramp, as wide as the smoothing, is over.
 constexpr double farEnoughInside = 2.5;
-constexpr double steepest = 1.75;    // depth over distance
-constexpr double flattening = 0.02;  // of the mean weight of a node: draws to the plane what no tube core tells
+constexpr double steepest = 1.75;    // depth over distance, between neighbouring nodes
+constexpr double flattening = 0.02;  // share of a node's mean weight with which the flat cut draws every node
 constexpr int fits = 10;
 
-/// A place that the surface should pass: where a tube core is just inside fluid. Lengths are in samples.
+/// A place that the surface should pass: there a tube core is just inside fluid.
 struct Target {
     double column, row;  ///< in nodes
     double depth, weight;
@@ -28,7 +28,8 @@ class Plate {
 public:
     Plate(int columns, int rows) : m_columns(columns), m_rows(rows) {}
 
-    /// The heights that pass the targets, the smoother the larger `stiffness` is; `pull` draws them to `level`.
+    /// The heights that come nearest to the targets. The larger `stiffness`, the smoother they are; `pull` draws them
+    /// to `level`.
     [[nodiscard]] cv::Mat1d fitted(std::span<const Target> targets, double stiffness, double pull, double level) const {
         const int nodes = m_columns * m_rows;
         cv::Mat1d normal(nodes, nodes, 0.0), right(nodes, 1, 0.0), heights;
@@ -119,7 +120,8 @@ Nodes nodesOver(const TubeEcho& tubes) {
     return {count(tubes.columns), count(tubes.rows), apart};
 }
 
-/// One fit: every tube core votes with that of its stretches that begins nearest to the surface.
+/// One fit. Every tube core votes with one of its stretches: at first as chooseFirst() says, then with the one that
+/// enters fluid nearest to the surface.
 class Fit {
 public:
     Fit(const TubeEcho& tubes, std::span<const FluidStretch> stretches, double flatSample)
@@ -184,7 +186,7 @@ private:
             m_targets.push_back(targetOf(m_stretches[best]));
         }
     }
-    /// At first that which the plane opens, else the longest.
+    /// Before there is a surface: the stretch that the flat cut opens, else the longest one.
     void chooseFirst() {
         choose([&](const FluidStretch& stretch) {
             const bool opened = stretch.begin <= m_flat && m_flat < stretch.end;
@@ -197,7 +199,7 @@ private:
             return std::abs(m_plate.heightAt(m_heights, target) - target.depth);
         });
     }
-    /// Cauchy's weights: what stays far from the surface counts little, however far it is.
+    /// Cauchy's weights: a target far from the surface counts little. Far is what exceeds `scale`, in samples.
     void weigh(double scale) {
         for (Target& target : m_targets) {
             const double miss = (target.depth - m_plate.heightAt(m_heights, target)) / scale;
@@ -207,7 +209,7 @@ private:
     void solve() {
         double weights = 0.0;
         for (const Target& target : m_targets) weights += target.weight;
-        // The plate is stiff over a good node; where it came out too steep, over more.
+        // If the plate came out too steep, it is fitted again, eight times as stiff.
         const double ofNode = weights / (m_nodes.columns * m_nodes.rows);
         double stiffness = 5.0 * ofNode;
         constexpr int stiffenings = 5;

@@ -8,11 +8,11 @@ namespace echolucent {
 namespace {
 
 constexpr double nearlyAsMuch = 0.9;      // of the worth of the best depth
-constexpr double smoothingSamples = 2.0;  // standard deviation, of the worth over the depth
+constexpr double smoothingSamples = 2.0;  // standard deviation of the smoothing of the worth
 
-/// What stands at each depth.
+/// What stands behind walls: at each depth, and in all.
 struct FluidByDepth {
-    std::vector<double> weight;  ///< of the stretches there
+    std::vector<double> weight;  ///< of each depth: sum of contrast times length over the stretches there
     double samples = 0.0, contrast = 0.0;
 };
 

@@ -12,18 +12,20 @@ namespace echolucent {
 
 /// A plane across the view, and how much fluid stands behind walls.
 struct FlatCut {
-    int sample = 0;         ///< of TubeEcho
+    int sample = 0;         ///< depth of the plane, in samples of TubeEcho
     double fluid = 0.0;     ///< share of the samples with data that are fluid behind a wall, mean of the levels
-    double contrast = 0.0;  ///< mean of the stretches', as FluidStretch::contrast
+    double contrast = 0.0;  ///< mean FluidStretch::contrast of these stretches, weighted by their lengths
 };
 
-/// Where a plane opens the fluid: each depth is worth the tube cores in fluid there, counted by how long and how clear
-/// their stretches are, times the share of all fluid that is left behind; the cut is the least depth before the best
-/// one from which on every depth is worth nearly as much. `levels` holds the stretches of each level, of which those at
-/// the front play no part.
+/// Where a plane opens the fluid. A stretch weighs its length times its contrast. The worth of a depth is a product:
+/// the weight of the stretches at this depth, and the sum of such weights from this depth on. The worth is smoothed
+/// over the depth. The cut lies before the depth of greatest worth, as far as the worth stays at nine tenths of the
+/// greatest. `levels` holds the stretches of each level; those at the front do not count. If there are no others, the
+/// result is FlatCut{}.
 [[nodiscard]] FlatCut findFlatCut(const TubeEcho& tubes, std::span<const std::vector<FluidStretch>> levels);
 
-/// How many tube cores are in fluid at a depth each, in samples: at one of the levels at least, behind a wall.
+/// How many tube cores are in fluid behind a wall, in one of the levels at least. `depthOf(tube)` is the depth at which
+/// a tube core is asked, in samples.
 template <typename DepthOfTube>
 [[nodiscard]] int tubesInFluid(std::span<const std::vector<FluidStretch>> levels, std::size_t tubes,
                                const DepthOfTube& depthOf) {

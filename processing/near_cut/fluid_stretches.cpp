@@ -12,8 +12,8 @@ namespace {
 constexpr int leastLength = 3;       // samples: shorter gaps are speckle, or the slits between layers of tissue
 constexpr int leastFrontLength = 6;  // the border of the data is dim in many scans
 constexpr int wallReach = 5;         // samples before and behind a stretch among which its wall is looked for
-constexpr double leastWall = 1.6;    // a wall is as much brighter than the fluid's mean
-constexpr float darkest = 1e-3F;     // of the white level: fluid that is 0 has a contrast too
+constexpr double leastWall = 1.6;    // a wall is at least so many times as bright as the fluid's mean
+constexpr float darkest = 1e-3F;     // of the white level: a darker mean counts as this one, so contrast is finite
 
 /// A run of samples with data.
 struct Run {
@@ -46,7 +46,8 @@ void addRun(const Run& run, int tube, bool first, float level, std::vector<Fluid
         }
         const int begin = sample;
         while (sample < run.end && run.echo[sample] < level) ++sample;
-        // One that begins behind a gap in the data has no wall that could be seen.
+        // A stretch that begins at a gap in the data has no visible wall before it. One that ends with the data has
+        // none behind.
         const bool atEdge = begin < run.begin + 2;
         if (sample < run.end && (first || !atEdge)) addStretch(run, tube, begin, sample, atEdge, found);
     }
@@ -68,7 +69,7 @@ void addTube(const TubeEcho& tubes, int tube, float level, std::vector<FluidStre
     }
 }
 
-/// Joins stretches that lie side by side for at least two samples.
+/// Joins stretches of neighbouring tube cores that lie side by side for at least two samples.
 class Cavities {
 public:
     Cavities(const TubeEcho& tubes, const std::vector<FluidStretch>& stretches)
@@ -81,7 +82,7 @@ public:
         for (std::size_t i = 0; i < m_parent.size(); ++i) m_parent[i] = i;
         join();
     }
-    /// The stretches of cavities of at least that many samples.
+    /// The stretches of cavities that hold at least `samples` samples.
     [[nodiscard]] std::vector<FluidStretch> atLeast(double samples) {
         std::vector<double> sum(m_parent.size());
         for (std::size_t i = 0; i < m_parent.size(); ++i) sum[root(i)] += m_stretches[i].length();
@@ -114,7 +115,7 @@ private:
 
     const TubeEcho& m_tubes;
     const std::vector<FluidStretch>& m_stretches;
-    std::vector<std::size_t> m_firstOf;  ///< of each tube core
+    std::vector<std::size_t> m_firstOf;  ///< of each tube core: place of its first stretch, or of the next tube core's
     std::vector<std::size_t> m_parent;
 };
 

@@ -26,16 +26,20 @@ constexpr ChoiceNames<3> answerNames{"fluid at the front", "wall before fluid", 
 constexpr std::array fluidLevels{0.35, 0.45, 0.55};
 constexpr double leastCavityEdge = 6.4;  // samples, a tenth of the data's extent
 constexpr double leastFluid = 0.004;     // of the data's samples
-constexpr double mostlyAtFront = 0.5;    // of the tube cores that meet data
-constexpr double someAtFront = 0.1;      // of the tube cores that meet data; also far more than a cut would open:
-constexpr double farMoreAtFront = 12.0;  // dim tissue may begin at the front too
-constexpr double moreAtFront = 3.0;      // enough for clear fluid, which is no dim tissue
+// The fluid is at the front if `mostlyAtFront` of the tube cores that meet data begin in fluid. `someAtFront` of them
+// are enough if they are also `farMoreAtFront` times as many as a cut would open: dim tissue may begin at the front
+// too. If their stretches have `clearFrontContrast` in the mean, which dim tissue has not, `moreAtFront` times as many
+// are enough. Then it is also enough if `mostlySurrounded` of the tube cores that a cut would open begin in fluid.
+constexpr double mostlyAtFront = 0.5;
+constexpr double someAtFront = 0.1;
+constexpr double farMoreAtFront = 12.0;
+constexpr double moreAtFront = 3.0;
 constexpr double clearFrontContrast = 1.3;
-constexpr double mostlySurrounded = 0.5;  // of the tube cores that a cut would open: so many begin in fluid
-constexpr double clearFluid = 0.03;       // of the data: this much fluid is beyond doubt
+constexpr double mostlySurrounded = 0.5;
+constexpr double clearFluid = 0.03;                           // of the data: this much fluid is beyond doubt
 constexpr double faintContrast = 0.47, clearContrast = 0.77;  // ln 1.6 (every wall has it), and ln 2.16
 constexpr double sureFrom = 0.5;
-constexpr double asManyAsFlat = 0.95;  // as many tube cores in fluid as behind the flat cut: then the curved cut fits
+constexpr double asManyAsFlat = 0.95;  // of the tube cores in fluid at the flat cut: with fewer there is no curved cut
 
 using Levels = std::vector<std::vector<FluidStretch>>;
 
@@ -44,7 +48,7 @@ struct Seen {
     TubeEcho tubes;
     Levels levels;
     int meetData = 0;
-    int front = 0;                    ///< the first sample at which a tube core meets data
+    int front = 0;                    ///< the least sample at which any tube core meets data
     std::vector<bool> beginsInFluid;  ///< of each tube core
     int beginInFluid = 0, meetFluid = 0;
     double frontContrast = 0.0;  ///< mean FluidStretch::contrast of the stretches at the front
@@ -119,7 +123,8 @@ void addSurface(const Seen& seen, int flatSample, NearCutFinding& finding) {
 
 double clampedShare(double value, double from, double to) { return std::clamp((value - from) / (to - from), 0.0, 1.0); }
 
-/// `flatSample` is the sample at which the flat cut lies.
+/// A finding without its curved cut and its sentence; nearCutMm is counted from the grid's origin. `flatSample` is the
+/// sample at which the flat cut lies.
 struct Judged {
     NearCutFinding finding;
     int flatSample = 0;
@@ -137,7 +142,8 @@ Judged judged(const Seen& seen) {
     const double frontShare = static_cast<double>(seen.beginInFluid) / std::max(1, seen.meetData);
     const bool clearFront = seen.frontContrast >= clearFrontContrast;
     const double timesOpened = clearFront ? moreAtFront : farMoreAtFront;
-    // In a wide sector few tube cores meet the fluid at the front. More fluid lies behind the tissue it surrounds.
+    // In a wide sector few tube cores begin in the fluid at the front. This fluid surrounds the tissue if at least half
+    // of the tube cores that a cut would open begin in fluid.
     const bool surrounds = clearFront && openedBehindFluid >= mostlySurrounded * opened;
     if (frontShare >= mostlyAtFront ||
         (frontShare >= someAtFront && (seen.beginInFluid >= timesOpened * opened || surrounds))) {
@@ -153,7 +159,7 @@ Judged judged(const Seen& seen) {
         finding.confidence = clampedShare(flat.fluid, 0.0, clearFluid) *
                              clampedShare(flat.contrast, faintContrast, clearContrast) * (1.0 - frontShare);
         finding.behindDataMm = (flat.sample - seen.front) * seen.tubes.stepMm;
-        finding.nearCutMm = seen.tubes.depthMm(flat.sample);  // from the grid's origin until the box is known
+        finding.nearCutMm = seen.tubes.depthMm(flat.sample);  // from the grid's origin; found() makes it relative
     }
     finding.sure = finding.confidence >= sureFrom;
     return {std::move(finding), flat.sample};

@@ -1,4 +1,4 @@
-// Where to cut off a wall of tissue that stands before the fluid.
+// The search for the place at which to cut off a wall of tissue that stands before the fluid.
 #pragma once
 
 #include <optional>
@@ -25,27 +25,29 @@ enum class NearCutAnswer {
 struct NearCutFinding {
     NearCutAnswer answer = NearCutAnswer::noFluid;
     double nearCutMm = 0.0;     ///< the flat cut, as Viewpoint::nearCutMm; above 0 for wallBeforeFluid only
-    double behindDataMm = 0.0;  ///< the flat cut, counted from where the data begin along the view
-    /// The curved cut, for wallBeforeFluid only. Set if it keeps 95 % of the flat cut's number of tube cores in fluid.
+    double behindDataMm = 0.0;  ///< the flat cut, from where the data begin along the view; for wallBeforeFluid only
+    /// The curved cut, for wallBeforeFluid only. Empty if fitCurvedCut() makes none, if fewer tube cores are in fluid
+    /// at it than 95 % of those at the flat cut, or if findFlatNearCut() searched.
     std::optional<CutSurface> surface{};
     int tubes = 0;  ///< tube cores of the search that meet data, many more than in the adaptive method
     /// How many of `tubes` support the answer: they begin in fluid, are in fluid at the flat cut, or meet no fluid.
     int tubesThatSaySo = 0;
-    int tubesInFluidBehindSurface = 0;  ///< tube cores in fluid at the curved cut
+    int tubesInFluidBehindSurface = 0;  ///< tube cores in fluid at the fitted curved cut, even if `surface` is empty
     double confidence = 0.0;            ///< [0,1]
     bool sure = false;                  ///< whether a program may act on the answer without asking
     std::string message{};              ///< a sentence that says the answer
 };
 
 /// Looks along a view for large dark regions with a wall before and behind them. It stays within the view's box and
-/// ignores the view's cuts. The volume's resolution does not change the answer, and a turned view changes it only by
-/// what it shows. The answer has the same bits for any number of threads. Empty only if cancelled.
+/// ignores the view's cuts. The volume's resolution hardly changes the answer, because the size of the cells that the
+/// search reads is a share of the data's extent. The answer has the same bits for any number of threads. The result is
+/// empty only if progress.cancel was raised.
 [[nodiscard]] std::optional<NearCutFinding> findNearCut(const Volume& volume, const Viewpoint& view,
                                                         const Progress& progress = {});
-/// The same without a curved cut, which is a quarter of the work, for those who offer none.
+/// Like findNearCut(), but without the curved cut: for callers that offer none. It takes less time.
 [[nodiscard]] std::optional<NearCutFinding> findFlatNearCut(const Volume& volume, const Viewpoint& view,
                                                             const Progress& progress = {});
-/// One of both.
+/// Either findNearCut() or findFlatNearCut().
 using NearCutSearch = std::optional<NearCutFinding> (*)(const Volume&, const Viewpoint&, const Progress&);
 
 }  // namespace echolucent

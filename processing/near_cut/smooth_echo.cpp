@@ -17,13 +17,13 @@ constexpr double cellsPerExtent = 64.0;
 constexpr double smoothingCells = 1.25;  ///< standard deviation
 constexpr double mostCells = 160.0;      ///< along an edge, 50 MB: sparse data in a large box get larger cells
 
-/// Which cells a voxel reaches into along one axis, and with how much of its extent.
+/// A cell that a voxel reaches into along one axis, and how much of the cell the voxel covers.
 struct Overlap {
     int cell;
     float share;  ///< of the cell's edge
 };
 
-/// For each voxel along an axis its overlaps, at most as many as cells it touches.
+/// For each voxel along an axis its overlaps with cells, in ascending order.
 std::vector<std::vector<Overlap>> overlapsAlong(std::int64_t voxels, double spacing, double firstEdge, double cellMm,
                                                 int cells) {
     std::vector<std::vector<Overlap>> all(static_cast<std::size_t>(voxels));
@@ -39,7 +39,7 @@ std::vector<std::vector<Overlap>> overlapsAlong(std::int64_t voxels, double spac
     return all;
 }
 
-/// The voxels of a row that reach into a cell, and with how much of its edge.
+/// The voxels of a row that reach into a cell, from `first` on, and how much of the cell's edge each covers.
 struct Reach {
     std::int64_t first = 0;
     std::vector<float> shares{};
@@ -56,7 +56,7 @@ std::vector<Reach> reachesOf(const std::vector<std::vector<Overlap>>& overlaps, 
     return reaches;
 }
 
-/// Adds numbers times a share to others.
+/// Adds `numbers` times `share` to `sums`.
 void add(const float* numbers, float share, std::ptrdiff_t count, float* sums) {
     for (std::ptrdiff_t i = 0; i < count; ++i) sums[i] += share * numbers[i];
 }
@@ -74,12 +74,13 @@ public:
           m_isData(m_intensity.size(), 1.0F),
           m_sums(2 * cells.size()) {}
 
-    /// Of each cell the sum of intensity times share, and that of shares, over the row that begins with voxel `first`.
+    /// For each cell two sums over the row that begins with voxel `first`: of intensity times share, and of shares.
+    /// Only voxels with data count. Valid until the next call.
     [[nodiscard]] const float* sumsOf(std::int64_t first) {
         const Stored* voxels = m_voxels + first;
         for (std::size_t x = 0; x < m_intensity.size(); ++x) {
             const float stored = static_cast<float>(voxels[x]) / m_white;
-            m_intensity[x] = stored > 0.0F ? std::min(stored, 1.0F) : 0.0F;  // NaN too
+            m_intensity[x] = stored > 0.0F ? std::min(stored, 1.0F) : 0.0F;  // NaN becomes 0 too
         }
         if (m_mask != nullptr) {
             const std::uint8_t* mask = m_mask + first;
@@ -178,7 +179,8 @@ bool SmoothEcho::gather(const Volume& volume, const Progress& progress) {
     const auto down = overlaps(1), deep = overlaps(2);
     const std::ptrdiff_t inRow = 2 * std::ptrdiff_t{m_size[0]}, inSlice = inRow * m_size[1];
     m_echo.assign(static_cast<std::size_t>(inSlice * m_size[2]), 0.0F);
-    // A thread sums whole slices of cells. Only slices of voxels that reach into those of two threads are read twice.
+    // A thread sums whole slices of cells. A slice of voxels is read twice only if it reaches into the cells of two
+    // parts.
     constexpr int slicesTogether = 4;
     std::visit(
         [&](const auto& voxels) {

@@ -11,8 +11,8 @@ namespace echolucent {
 
 namespace {
 
-/// Sorts numbers of which none is below 0: these order as their bits do. Everybody waits for it who opens a volume, and
-/// sorting by comparisons takes four times as long, also by vectors.
+/// Sorts numbers of which none is below 0: such numbers have the order of their bits. Whoever opens a volume waits for
+/// this sort. A sort by comparisons takes four times as long, also a vectorised one.
 std::vector<float> sorted(std::vector<float> values) {
     constexpr int digits = 3, bitsOfDigit = 11;
     const auto digitOf = [](float value, int digit) {

@@ -6,8 +6,8 @@
 
 namespace echolucent {
 
-/// The mean of the brighter of the two classes into which a threshold splits intensities best (Otsu 1979). Nothing
-/// where there are no intensities, or none above 0. No intensity is below 0.
+/// The mean of the brighter of the two classes into which a threshold splits intensities best (Otsu 1979). Empty if
+/// there are no intensities, or none above 0. `intensities` must hold nothing below 0 and no NaN.
 [[nodiscard]] std::optional<double> tissueLevel(std::vector<float> intensities);
 
 }  // namespace echolucent

@@ -8,7 +8,7 @@ namespace echolucent {
 
 namespace {
 
-/// Places a step apart that cover a stretch and hit its pivot.
+/// Places a step apart that cover the volume along a direction. One of them is `pivot`.
 struct Places {
     double first;
     int count;

@@ -16,7 +16,7 @@ struct TubeEcho {
     double stepMm = 1.0;                           ///< between samples, and between tube cores
     double firstRightMm = 0.0, firstDownMm = 0.0;  ///< place of tube core (0,0) along right and down
     double firstDepthMm = 0.0;                     ///< of the first plane, from the grid origin
-    int columns = 0, rows = 0, samples = 0;        ///< samples of one tube core
+    int columns = 0, rows = 0, samples = 0;        ///< tube cores along right and down; samples in each
     std::vector<float> echo;                       ///< sample after sample of a tube core; below 0: no data
 
     [[nodiscard]] const float* tube(std::size_t index) const {
@@ -28,7 +28,7 @@ struct TubeEcho {
     [[nodiscard]] double depthMm(double sample) const { return firstDepthMm + sample * stepMm; }
 };
 
-/// Reads the tube cores of a view, uncut.
+/// Reads the tube cores of a view. The view's cuts and box are ignored.
 [[nodiscard]] TubeEcho readTubeEcho(const SmoothEcho& coarse, const VolumeGeometry& geometry, const Viewpoint& view);
 
 }  // namespace echolucent

@@ -16,13 +16,14 @@ namespace {
 
 // Along the picture's shorter edge: three rays for two voxels of the largest grid.
 constexpr double mostRays = 1.5 * static_cast<double>(mostCoarseVoxels);
-constexpr int curveSamples = 2041;  // as the ray caster's own table
+constexpr int curveSamples = 2041;  // as many as in the ray caster's own table
 
 int raysFor(int pixels, double reduction) {
     return std::max(1, static_cast<int>(std::lround(static_cast<double>(pixels) / reduction)));
 }
 
-/// The curve per unit of the coarse grid. It shows what the given curve shows per unit of the volume.
+/// The curve per unit of the coarse grid, which is `units` units of the volume long. It shows what `curve` shows per
+/// unit of the volume.
 SampledCurve overUnits(const OpacityCurve& curve, double units) {
     SampledCurve longer{sampledOpacities(curve, curveSamples)};
     for (double& opacity : longer.opacities) opacity = opacityForStep(opacity, units);

@@ -29,14 +29,14 @@ namespace echolucent {
 /// How much a pane's picture spares.
 enum class PictureQuality {
     converged,  ///< converged(): what the window shows at rest, and saves
-    quick,      ///< the look's own step and the ray caster's own end of rays
+    quick,      ///< the look's own step, and RayCastSettings{}.terminationTransmittance
 };
 
 /// What a pane shows.
 struct PanePicture {
     Picture picture;
     RayCastSettings cast;                  ///< the settings that it was cast with
-    Classification classification;         ///< and the classification
+    Classification classification;         ///< the classification that it was cast with
     std::shared_ptr<const Volume> voxels;  ///< quiet if speckle is reduced, and cut by the strokes
     std::string message;                   ///< from the computed OTF; empty if there is none
 };
@@ -52,36 +52,39 @@ struct StudyPhases {
 /// The OTF that is computed from the voxels for a pane.
 struct PaneOtf {
     SampledCurve curve{};                      ///< the adaptive one, if the pane is rendered with it
-    std::optional<Classification> designed{};  ///< its designer's, if it has one
-    std::string message{};                     ///< from either
+    std::optional<Classification> designed{};  ///< the designer's, if the pane has a designer
+    std::string message{};                     ///< of the adaptive method or the designer
 };
 
 /// Whether a pane's picture needs an OTF that is computed: in direct mode, if the pane is rendered with the adaptive
 /// OTF or a designer's.
 [[nodiscard]] bool needsComputedOtf(const Document& document, std::size_t pane);
 
-/// What a pane is rendered with, adjusted. A designer's OTF that is not computed yet is clear everywhere.
+/// What a pane is rendered with, adjusted as CurveSet::adjustment says. If the pane has a designer and `otf` holds no
+/// OTF of a designer, it is clear everywhere.
 [[nodiscard]] Classification classificationOf(const Document& document, std::size_t pane, const PaneOtf& otf);
 
-/// What the designer of a pane is given, if it has one. The volumes outlive it. The viewpoint is otfViewpointOf().
+/// What the designer of a pane is given. The volumes must outlive the result. The viewpoint is otfViewpointOf().
 [[nodiscard]] DesignerInput designerInputOf(const Document& document, std::size_t pane, const Volume& raw,
                                             const Volume& shown, SpeckleReduction reduction);
 
-/// The phase whose computed OTF a pane shows. With one OTF for all frames of several phases it is
-/// MotionChoice::otfPhase, or the last phase if there are fewer. Else it is the phase that the pane shows.
+/// The phase whose computed OTF a pane shows. If there are several phases and all frames show one OTF (Pane::motionOtf,
+/// else MotionChoice::otf), the phase is MotionChoice::otfPhase, or the last phase if there are fewer. Else it is the
+/// phase that the pane shows.
 [[nodiscard]] int otfPhaseOf(const Document& document, std::size_t pane, int phases);
 
-/// Keeps what pictures have in common: what the scalpel cut, the voxels of the newest phase, their ray caster, and the
+/// Keeps what pictures have in common: what the scalpel cut, the voxels asked for last, their ray caster, and the
 /// newest OTF. Converged pictures are the same, to the bit, as if each were the only one. Only one thread at a time may
-/// use it.
+/// use it. Functions throw std::out_of_range if there is no such pane, or no such phase in the study.
 class PaneCaster {
 public:
+    /// Throws std::invalid_argument if there is no scan.
     explicit PaneCaster(StudyPhases phases);
 
     [[nodiscard]] int phaseCount() const { return static_cast<int>(m_phases.scans.size()); }
     /// The OTF that a pane needs, of the phase otfPhaseOf(). If the pane has a designer, the designer computes it; else
-    /// it is the adaptive one, computed from raw voxels along otfViewpointOf() for the voxels that are shown. Unless
-    /// needsComputedOtf(), nothing is computed. The result is empty only if progress.cancel was raised.
+    /// it is the adaptive one, computed from raw voxels along otfViewpointOf() for the voxels that are shown. If
+    /// needsComputedOtf() is false, the result is PaneOtf{}. The result is empty only if progress.cancel was raised.
     [[nodiscard]] std::optional<PaneOtf> otf(const Document& document, std::size_t pane, const Progress& progress = {});
     /// Voxels of the phase otfPhaseOf(), cut by the strokes.
     struct OtfVoxels {
@@ -101,17 +104,17 @@ public:
     [[nodiscard]] std::optional<TubeCoreReading> readTubeCores(const Document& document, std::size_t pane,
                                                                const Progress& progress = {});
     /// The picture of the phase that a pane shows, `width` x `height` pixels, with its otf(). The result is empty only
-    /// if progress.cancel was raised. Throws std::out_of_range if there is no such phase.
+    /// if progress.cancel was raised.
     [[nodiscard]] std::optional<PanePicture> picture(const Document& document, std::size_t pane, int width, int height,
                                                      const Progress& progress = {},
                                                      PictureQuality quality = PictureQuality::converged);
-    /// The same with another OTF in the place of otf().
+    /// Like picture(), but with `otf` in place of otf().
     [[nodiscard]] std::optional<PanePicture> pictureWith(const PaneOtf& otf, const Document& document, std::size_t pane,
                                                          int width, int height, const Progress& progress = {},
                                                          PictureQuality quality = PictureQuality::converged);
 
 private:
-    /// All that voxels and OTF of a phase are made from.
+    /// All that the voxels of a phase are made from.
     struct AskedVoxels {
         int phase = 0;
         SharedList<ScalpelStroke> strokes{};
@@ -121,8 +124,8 @@ private:
     struct AskedOtf {
         AskedVoxels voxels{};
         std::optional<DesignerConfig> designer{};
-        Viewpoint viewpoint{};       ///< only of what reads tube cores
-        AdaptiveOtfConfig method{};  ///< only of what reads tube cores
+        Viewpoint viewpoint{};       ///< set only if the OTF reads tube cores
+        AdaptiveOtfConfig method{};  ///< set only if the OTF reads tube cores
         friend bool operator==(const AskedOtf&, const AskedOtf&) = default;
     };
     struct Voxels {

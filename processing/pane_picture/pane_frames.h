@@ -18,20 +18,20 @@ namespace echolucent {
 
 /// One turn of a motion (turnOf()), which may be shown over and over. A frame is the document's pane turned by the
 /// frame's angle, of the frame's phase, in converged quality. If the pane is rendered with the adaptive OTF,
-/// MotionChoice::otf chooses it:
+/// MotionChoice::otf chooses which (Pane::motionOtf must be empty, as it is in the first pane):
 ///   oneOtf      the OTF of otfPhaseOf() along the method's direction, for every frame;
 ///   eachView    the OTF of the frame's own view and phase: the frame is panePicture() of documentOf(), to the bit;
-///   the others  the same, smoothed over the frames before it. The turn counts as shown before, so that the first frame
+///   the others  as eachView, smoothed over the frames before. The turn counts as shown before, so that the first frame
 ///               follows the last one smoothly.
-/// If the pane has a designer, it computes one OTF of otfPhaseOf() in the first case and an OTF for each frame in all
-/// others. Only one thread at a time may use it.
+/// If the pane has a designer, the designer computes one OTF, of otfPhaseOf(), for oneOtf. For all other choices it
+/// computes an OTF for each frame, and none is smoothed. Only one thread at a time may use a PaneFrames.
 class PaneFrames {
 public:
     PaneFrames(Document document, std::size_t pane, StudyPhases phases);
 
     /// At least one.
     [[nodiscard]] int count() const { return static_cast<int>(m_turn.size()); }
-    /// Angle and phase of a frame, counted from 0 (std::out_of_range if there is none).
+    /// Angle and phase of a frame; frames count from 0 (std::out_of_range if there is no such frame).
     [[nodiscard]] const MotionPosition& position(int frame) const { return m_turn.at(static_cast<std::size_t>(frame)); }
     /// The document that shows a frame at rest. If each frame has its own OTF, smoothed or not, the document's OTF is
     /// computed along the frame's direction.
@@ -48,7 +48,7 @@ private:
     std::size_t m_pane;
     PaneCaster m_caster;
     std::vector<MotionPosition> m_turn;
-    std::map<std::pair<int, int>, PaneOtf> m_otfs;  ///< unsmoothed, by angle and phase; one OTF stands at {0, 0}
+    std::map<std::pair<int, int>, PaneOtf> m_otfs;  ///< unsmoothed, by angle and phase; for oneOtf only {0, 0}
 };
 
 }  // namespace echolucent

@@ -12,7 +12,7 @@ namespace echolucent {
 /// The measures of each pane, in their order. They are taken at the surfaces that the first pane's tube cores found. A
 /// pane has no value if it shows another phase than the one whose tube cores are read for the first pane, or if no tube
 /// core has a surface and a weight. The result is empty only if progress.cancel was raised. Throws std::out_of_range if
-/// a pane shows a phase that is not there.
+/// the study lacks the phase whose tube cores are read.
 [[nodiscard]] std::optional<std::vector<std::optional<ClassificationMeasures>>> measuresOfPanes(
     const Document& document, StudyPhases phases, const Progress& progress = {});
 

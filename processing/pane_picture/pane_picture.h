@@ -12,7 +12,8 @@
 namespace echolucent {
 
 /// PaneCaster::picture() of one pane. `scans`: all phases of the study, as they were read. The pane shows one of them
-/// (std::out_of_range if there are not so many). The result is empty only if progress.cancel was raised.
+/// (std::out_of_range if its phase is not among them). Throws std::invalid_argument if there are none. The result is
+/// empty only if progress.cancel was raised.
 [[nodiscard]] std::optional<PanePicture> panePicture(const Document& document, std::size_t pane,
                                                      std::span<const std::shared_ptr<const Volume>> scans, int width,
                                                      int height, const Progress& progress = {},

@@ -11,8 +11,8 @@
 namespace echolucent {
 
 /// A pane's picture, `width` x `height` pixels, each the mean of four rays in quick quality (PictureQuality::quick).
-/// Like quick pictures it keeps the caster's samples for the next curve. The result is empty only if progress.cancel
-/// was raised.
+/// The caster keeps the samples of a view's second picture for the next curve (RayCaster::cast()). The result is empty
+/// only if progress.cancel was raised.
 [[nodiscard]] std::optional<Picture> smallPicture(PaneCaster& caster, const Document& document, std::size_t pane,
                                                   int width, int height, const Progress& progress = {});
 

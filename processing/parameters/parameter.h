@@ -104,7 +104,7 @@ struct ParameterTable {
     return std::nullopt;
 }
 
-/// A number as people write it: the shortest text of at most seven digits ("0.25", "1000000", "1e+12").
+/// A number rounded to seven digits, as people write it ("0.25", "1000000", "1e+12").
 [[nodiscard]] std::string textOf(double number);
 
 /// A choice's name for a person: its label, or its name in sentence case ("Tube cores" of "tube_cores").
@@ -116,16 +116,17 @@ struct ParameterTable {
 /// When a row applies, in words that end a sentence: "always", "if form is ramp", "in direct mode".
 [[nodiscard]] std::string whenOf(const AnyParameter& row);
 
-/// Whether a value lies within a range; a value that is not a number lies in none.
+/// Whether a value lies within a range; NaN lies in none.
 [[nodiscard]] inline bool inRange(double value, const ParameterRange& range) {
     return value >= range.least && value <= range.largest;
 }
 
-/// What is wrong with a value of a row, lower case, no full stop ("the cell size must be 2 to 32"). Empty if nothing
-/// is.
+/// What is wrong with a value of a row, lower case, no full stop ("the cell size must be 2 to 32"). Only a number out
+/// of the range is wrong, else the result is empty.
 [[nodiscard]] std::string problemOfValue(const AnyParameter& row, const ParameterValue& value);
 
-/// What is wrong in the values, by their rows and by ParameterTable::problem. Empty if nothing is.
+/// The first thing that is wrong in the values, by their rows, then by ParameterTable::problem. Empty if nothing is
+/// wrong.
 template <typename Values>
 [[nodiscard]] std::string problemIn(const ParameterTable<Values>& table, const Values& values) {
     for (const Parameter<Values>& row : table)
@@ -149,7 +150,8 @@ template <typename Values>
     return row.get(values).has_value() && (row.plays == nullptr || row.plays(values));
 }
 
-/// Makes the choice that gives a row its value.
+/// Makes the choice in `values` that the row's scope names, so that the row has a value. Does nothing if the row always
+/// applies.
 template <typename Values>
 void chooseScope(const ParameterTable<Values>& table, const AnyParameter& row, Values& values) {
     if (row.scope.parameter.empty()) return;

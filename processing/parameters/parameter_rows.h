@@ -34,7 +34,7 @@ struct More {
 
 // The way to a value is a list of steps. Each step is one of
 // - a member of the object reached so far,
-// - a member of one alternative of the variant reached so far (no value while the variant holds another alternative),
+// - a member of one alternative of the variant reached so far (no value if the variant holds another alternative),
 // - a function that asks the object reached so far whether there is a value.
 template <typename Step>
 struct StepTraits;
@@ -210,7 +210,7 @@ Parameter<ValuesOf<variant>> alternative(const Words& words) {
     return row;
 }
 
-/// The rows, each with the scope of a choice.
+/// The rows, each with `scope` in place of its own.
 template <typename Values>
 std::vector<Parameter<Values>> within(const ParameterScope& scope, std::vector<Parameter<Values>> rows) {
     for (Parameter<Values>& row : rows) row.scope = scope;

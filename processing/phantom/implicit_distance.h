@@ -24,7 +24,8 @@ struct LocalFrame {
     }
 };
 
-/// The distance is |q/r| (|q/r| - 1) / |q/r^2|, which is exact to first order at the surface.
+/// With q the point in local axes and r the radii, the distance is |q/r| (|q/r| - 1) / |q/r^2|. It is exact to first
+/// order at the surface. At the centre it is minus the smallest radius.
 struct EllipsoidDistance {
     LocalFrame local;
     Vec3 inverse;

@@ -7,7 +7,8 @@
 
 namespace echolucent {
 
-/// One primitive in grid mm. Its distance function is negative inside, exact to first order at the surface.
+/// One primitive in grid mm. Its distance function is negative inside. At the surface it is exact to first order, but
+/// for a cone's ends and a wavy plane: there it may be too small by the factor `slant`.
 struct ImplicitPrimitive {
     enum class Kind { ellipsoid, roundCone, roundBox, cylinder, wavyPlane };
     Kind kind = Kind::ellipsoid;
@@ -23,7 +24,7 @@ struct ImplicitPrimitive {
     Vec3 inverseRadii{1, 1, 1};
     Vec3 along{0, 0, 0};              ///< end - centre
     double inverseLengthSquared = 0;  ///< of `along`
-    double slant = 1;                 ///< cosine that turns radial into normal distance on a cone
+    double slant = 1;  ///< cosine: turns a cone's radial distance, a wavy plane's height, into a distance
     Vec3 boundCentre{0, 0, 0};
     double boundRadius = 0;  ///< of a ball around the primitive
     void prepare();

@@ -120,7 +120,7 @@ double signedDistance(const ImplicitPrimitive& primitive, const Vec3& point) {
 
 double innerRadius(const ImplicitPrimitive& primitive, const Vec3& point) {
     if (primitive.kind != ImplicitPrimitive::Kind::ellipsoid) {
-        // A cone's distance is exact on its side. Elsewhere inside, it overstates by no more than its slant.
+        // A cone's distance is exact on its side. Elsewhere inside, it overstates by no more than the factor 1 / slant.
         return -signedDistance(primitive, point) * primitive.slant;
     }
     const Vec3 local = primitive.axes.t() * (point - primitive.centre);

@@ -81,8 +81,8 @@ public:
 
     /// The place of a ball relative to the body and a band of `band` mm about its surface.
     enum class Standing { outside, inside, mixed };
-    /// If the ball is mixed, `active` gets the terms that can matter within it. The other terms change only distances
-    /// beyond +-band.
+    /// If the ball is mixed, `active` gets the places in terms() of those that can matter within it. The other terms
+    /// change only distances beyond +-band.
     [[nodiscard]] Standing standingOf(const Vec3& centre, double radius, double band, std::vector<int>& active) const;
 
 private:

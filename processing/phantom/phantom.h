@@ -37,8 +37,8 @@ public:
     /// Throws std::invalid_argument if the config makes no sense (see makePhantom()).
     explicit PhantomTruth(const PhantomConfig& config);
     [[nodiscard]] std::vector<PhantomPrimitive> primitives() const;
-    /// Echo (0..255) at a position in grid mm, with ramps, but without noise, gain variation, specular brightening and
-    /// attenuation.
+    /// Echo (0..255) at a position in grid mm, with ramps, but without speckle, gain variation, specular brightening,
+    /// shadow, attenuation and compression.
     [[nodiscard]] double echoAt(const Vec3& gridMm) const;
     /// Distance in units from the ray's entry into the volume's box to the first interface, if any. That is the first
     /// transition from at least 8 units of fluid to tissue or object (the sharp boundary, the middle of the ramp).
@@ -47,11 +47,11 @@ public:
     [[nodiscard]] std::optional<double> firstInterface(
         const Vec3& originMm, const Vec3& direction,
         double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;
-    /// The same transition as a point in grid mm.
+    /// The transition of firstInterface() as a point in grid mm.
     [[nodiscard]] std::optional<Vec3> firstInterfacePoint(
         const Vec3& originMm, const Vec3& direction,
         double nearPlaneDepthMm = -std::numeric_limits<double>::infinity()) const;
-    /// The sharp material at a position in grid mm. On a boundary, the material of the body inside.
+    /// The sharp material at a position in grid mm. A point on a body's boundary belongs to the body.
     [[nodiscard]] PhantomMaterial materialAt(const Vec3& gridMm) const;
     /// Signed distance (mm) to the fluid with sharp boundaries, negative in the fluid.
     [[nodiscard]] double fluidDistance(const Vec3& gridMm) const;
@@ -68,16 +68,17 @@ private:
 };
 
 /// Builds the volume, with the same bits for the same config on any number of threads. Empty only if cancelled. The
-/// white level is 255, 4095 or 65535. Throws std::invalid_argument if the config makes no sense: a size below 1, a
-/// spacing not above 0, bits other than 8, 12, 16, a negative length or share.
+/// white level is 255, 4095 or 65535, by the config's bits. Throws std::invalid_argument if the config makes no sense:
+/// a size below 1, a spacing not above 0, bits other than 8, 12, 16, a negative length or share, speckle larger than 64
+/// voxels.
 [[nodiscard]] std::optional<Volume> makePhantom(const PhantomConfig& config, const Progress& progress = {});
 
 /// The scene's config on the grid of a converted polar volume. The anatomy is laid out in that grid, so the config's
 /// truth is that of the converted volume.
 [[nodiscard]] PhantomConfig configOnGrid(PhantomConfig config, const ConversionGrid& grid);
-/// The scene of such a config, seen along the beams of `polar`, in its index order. Attenuation, shadow and glints
-/// follow the beams. Speckle has its size in samples, lines and planes. Empty only if cancelled. Throws as
-/// makePhantom() does.
+/// The scene of a config from configOnGrid(), seen along the beams of `polar`, in the index order of `polar`.
+/// Attenuation, shadow and glints follow the beams. Speckle has its size in samples, lines and planes. Empty only if
+/// cancelled. Throws as makePhantom() does.
 [[nodiscard]] std::optional<Voxels> makePolarPhantom(const PhantomConfig& config, const PolarGeometry& polar,
                                                      const ConversionGrid& grid, const Progress& progress = {});
 

@@ -35,20 +35,20 @@ struct PhantomConfig {
     double gainVariation = 0.15;  ///< slow change of gain across the volume: between 1 - this and 1 + this
     double speckle = 0.5;         ///< s of 1 + s (R - 1), R Rayleigh of unit mean; [0,1]
     double speckleSize = 2;  ///< FWHM of the smoothing of the complex noise, voxels; if 0, the noise is uncorrelated
-    double attenuation = 0;  ///< per unit along +z
-    double shadow = 0;       ///< per unit of object passed along +z
-    double specular = 0;     ///< brightening of surfaces that face the probe, share, times the cosine
+    double attenuation = 0;  ///< echo falls by exp(-attenuation) per unit along the beam (+z)
+    double shadow = 0;       ///< echo falls by exp(-shadow) per unit of object passed along the beam
+    double specular = 0;     ///< brightening of surfaces: this share times the cosine between normal and beam
     double logCompressDecibel = 0;  ///< dynamic range of logarithmic compression; if 0, there is none
-    bool frontWall = false;  ///< tissue before the fluid, across the whole field, 20 to 25 units thick (at most a fifth
-                             ///< of the depth)
+    bool frontWall = false;  ///< tissue before the fluid, across the whole field, 20 to 25 units thick (in the mean at
+                             ///< most a fifth of the depth); not in the empty scene
     int bits = 8;            ///< 8, 12 or 16
     std::uint64_t seed = 1;
-    double phase = 0;  ///< of the movement (an arm, the heart), in turns [0,1)
+    double phase = 0;  ///< of the fetus' movement (an arm, the heart), in turns [0,1)
     friend bool operator==(const PhantomConfig&, const PhantomConfig&) = default;
 };
 
 /// The usual config of a scene: the base condition. A fetus gets less speckle, and attenuation, shadow and glints on
-/// surfaces that face the probe. The program shows it if no file is given.
+/// surfaces that face the probe. If no file is given, the program shows a fetus with this config.
 [[nodiscard]] PhantomConfig defaultPhantom(PhantomScene scene);
 
 }  // namespace echolucent

@@ -19,7 +19,7 @@ void addSpine(Sculpture bone) {
     }
 }
 
-/// Five fingers or toes from a palm, fanned in the plane of `ahead` and `across`.
+/// Four fingers and a thumb from a palm, fanned in the plane of `ahead` and `across`.
 void addDigits(Sculpture flesh, const Vec3& root, const Vec3& ahead, const Vec3& across, double length, double spread,
                double radius) {
     for (int digit = 0; digit < 4; ++digit) {

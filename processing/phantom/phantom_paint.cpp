@@ -1,5 +1,5 @@
-// From closed-form bodies to voxels. A block that no surface can meet is filled at once. Other blocks are painted voxel
-// by voxel, with only the primitives that can matter there.
+// From closed-form bodies to voxels. A block that no surface can meet is filled at once. Other blocks are painted
+// sample by sample, with only the primitives that can matter there.
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@ namespace echolucent {
 
 namespace {
 
-/// A wall of tissue before all else: 20 to 25 units thick, but at most a fifth of the depth.
+/// A wall of tissue before all else: 20 to 25 units thick, but in the mean at most a fifth of the depth.
 void addFrontWall(PhantomScenery& scenery, const VolumeGeometry& geometry) {
     const double depth = geometry.boxMaxMm()[2] - geometry.boxMinMm()[2];
     const double scale = std::min(geometry.unit(), depth / 5 / 22.5);

@@ -13,7 +13,7 @@ PhantomSampling polarSampling(const PolarGeometry& polar, const ConversionGrid& 
         for (std::int64_t sample = first[2]; sample < first[2] + paintedEdge; ++sample)
             for (std::int64_t plane = first[1]; plane < first[1] + paintedEdge; ++plane)
                 for (std::int64_t line = first[0]; line < first[0] + paintedEdge; ++line, ++i) {
-                    // Places beyond the last index get the last one's place.
+                    // Samples beyond the last index get the place of the last index.
                     const Vec3 mm = probeMmFromPolar(polar, {static_cast<double>(std::min(sample, size[0] - 1)),
                                                              static_cast<double>(std::min(line, size[1] - 1)),
                                                              static_cast<double>(std::min(plane, size[2] - 1))}) -

@@ -10,8 +10,8 @@ namespace echolucent {
 /// fastest, then planes. Samples run along the beam.
 [[nodiscard]] PhantomSampling polarSampling(const PolarGeometry& polar, const ConversionGrid& grid);
 
-/// The usual probe of a kind, with `samples` along its beams, `stepMm` apart. Its field is about as wide as deep. It
-/// serves if a person says no more of the probe.
+/// The usual probe of a kind, with `samples` along its beams, `stepMm` apart. Its field is about as wide as deep.
+/// Commands take it if a person names no more than the kind.
 [[nodiscard]] EvenPolar usualPolar(PolarKind kind, std::int64_t samples, double stepMm);
 
 }  // namespace echolucent

@@ -61,7 +61,7 @@ HWY_INLINE FloatVector naturalLog(FloatVector value) {
     return hn::Add(hn::Add(x, result), hn::Mul(exponent, hn::Set(d, 0.693359375F)));
 }
 
-/// -2 ln of a uniform number in (0,1), made of the upper 24 bits.
+/// -2 ln of a uniform number in (0,1], made of the upper 24 bits.
 HWY_INLINE FloatVector squaredRadius(WordVector bits) {
     const Floats d;
     const hn::RebindToSigned<Floats> integers;
@@ -202,7 +202,7 @@ void makeUncorrelated(const SpeckleConfig& config, std::int64_t first, std::int6
     }
 }
 
-/// A complex picture as two planes of rows.
+/// Rows of complex numbers, real and imaginary parts apart. It is a ring: row y takes the place of row y - `rows`.
 struct ComplexRows {
     std::int64_t stride, rows;
     std::vector<float> parts[2];

@@ -20,8 +20,9 @@ struct SpeckleConfig {
 [[nodiscard]] std::vector<float> speckleTaps(double smoothing);
 
 /// Gives the unit-mean Rayleigh field of slices [first, last) in order of z to `use(z, values, stride)`. Row y begins
-/// at values + y * stride. A voxel's value follows from the seed and its index alone. So it has the same bits for any
-/// range, thread or instruction set. The field goes on beyond the volume's borders, so they are not special.
+/// at values + y * stride. A voxel's value follows from the seed, the smoothing and its index alone. So it has the same
+/// bits for any range, thread or instruction set. The field goes on beyond the volume's borders, so they are not
+/// special.
 using SpeckleUse = std::function<void(std::int64_t z, const float* values, std::int64_t stride)>;
 void makeSpeckle(const SpeckleConfig& config, std::int64_t first, std::int64_t last, const SpeckleUse& use);
 

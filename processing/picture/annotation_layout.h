@@ -67,8 +67,8 @@ struct RoundLength {
 [[nodiscard]] Vec3 seenFrom(const ViewFrame& frame, const Vec3& axis);
 
 /// Three arms along the grid's axes x, y and z from a common foot, lettered in this order, in the lower left corner.
-/// The arm nearest the viewer is drawn last. An axis along the line of sight is a disc, brighter if it comes towards
-/// the viewer.
+/// `scale` is as in scaleBarLayout(). The arm nearest the viewer is drawn last. An axis nearly along the line of sight
+/// is a disc. What points away from the viewer is darker.
 [[nodiscard]] AnnotationLayout orientationLayout(double scale, const ViewFrame& frame);
 
 }  // namespace echolucent

@@ -28,7 +28,8 @@ struct Camera {
 
 /// The camera of the default picture: parallel, along the view, for a picture of this width / height (> 0). It fits the
 /// view's box, or the data box if the view has none. The box is centred and whole in the picture, with 4 % of its
-/// extent to spare. The perspective values are set too, so a change of projection keeps the box in the picture.
+/// extent to spare. The perspective values are set too, so a change of projection keeps the box in the picture. Throws
+/// std::invalid_argument if `aspect` is not above 0 or not finite.
 [[nodiscard]] Camera defaultCamera(const DataBox& box, const Viewpoint& view, double aspect);
 
 }  // namespace echolucent

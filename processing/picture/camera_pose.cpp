@@ -37,7 +37,8 @@ CameraPose fittedPose(const DataBox& box, const Viewpoint& view, Projection proj
 }
 
 CameraPose orbited(CameraPose pose, double right, double down) {
-    // The two angles turn about the picture's axes before its roll: take the drag in these.
+    // Azimuth and elevation turn about the axes that the picture has before its roll. So the drag is expressed in these
+    // axes.
     const Vec3 drag = rotationZ(pose.view.rollDegrees) * Vec3{right, down, 0};
     pose.view.azimuthDegrees = wrappedDegrees(pose.view.azimuthDegrees + degreesPerHeight * drag[0]);
     pose.view.elevationDegrees = std::clamp(pose.view.elevationDegrees - degreesPerHeight * drag[1], -90.0, 90.0);

@@ -6,7 +6,7 @@
 
 namespace echolucent {
 
-/// A camera kept as angles. So orbiting never rolls, and the view can be told exactly.
+/// A camera kept as angles. So orbiting never rolls, and the view can be stated exactly.
 struct CameraPose {
     Viewpoint view;            ///< direction, roll and near cut
     Vec3 focalPoint{0, 0, 0};  ///< grid mm; seen at the picture's centre
@@ -15,15 +15,15 @@ struct CameraPose {
     friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
-/// The smallest and the largest height of the picture for a zoom: two voxels, and ten times the volume.
+/// The smallest and the largest height of the picture for a zoom: two units, and ten times the diagonal of the volume.
 struct ZoomLimits {
     double smallestHeightMm = 0.0;
     double largestHeightMm = 0.0;
 };
 [[nodiscard]] ZoomLimits zoomLimits(const VolumeGeometry& geometry);
 
-/// The camera for the ray caster. In perspective the eye stands where the picture's height in the focal plane is the
-/// pose's.
+/// The camera for the ray caster. In perspective the eye stands so far away that the picture's height in the focal
+/// plane is the pose's.
 [[nodiscard]] Camera cameraFor(const CameraPose& pose);
 
 /// The pose along the view that shows the view's box whole, or the data box if the view has none (see defaultCamera()).
@@ -41,7 +41,8 @@ inline constexpr double degreesPerHeight = 180.0;
 /// exactly.
 [[nodiscard]] CameraPose panned(CameraPose pose, double right, double down);
 
-/// Magnifies. A factor of 2 shows everything in the focal plane twice as large. The factor is above 0.
+/// Magnifies. A factor of 2 shows everything in the focal plane twice as large. The factor is above 0. The picture's
+/// height stays within `limits`.
 [[nodiscard]] CameraPose zoomed(CameraPose pose, double factor, const ZoomLimits& limits);
 
 /// Magnifies about a place in the picture, in shares of its height right of and below its centre. The point of the

@@ -10,7 +10,7 @@ namespace echolucent {
 
 namespace {
 
-/// The mode of the picture. If the mixed mode hides the direct mode completely, it is cast alone.
+/// The mode of the picture. If the mixed mode hides the direct mode completely, the mixed mode is cast alone.
 RenderMode seenMode(const Look& look) {
     return look.mode == RenderMode::direct && look.mixing >= 1.0 ? look.mixedMode : look.mode;
 }

@@ -20,8 +20,9 @@ struct Look {
     RenderMode mixedMode = RenderMode::maximum;  ///< maximum or mean; plays a part if mixing is above 0
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels in the picture
     Lighting lighting = Lighting::flat;                  ///< plays a part in direct mode only
-    LightDirection light;        ///< where the light stands; plays a part unless lighting is flat
-    double lightSoftness = 8.0;  ///< degrees, [0, 45]: half the angle under which the light is seen
+    LightDirection light;  ///< where the light stands; plays a part unless lighting is flat
+    /// Degrees, [0, 45]: half the angle under which the light is seen. Plays a part if the light casts shadows.
+    double lightSoftness = 8.0;
     ReachingLight reaching;      ///< plays a part if lighting is depth
     bool depthColoured = false;  ///< colours change with depth; plays a part in direct mode only
     ColourMap colourMap = ColourMap::sepia;
@@ -40,8 +41,8 @@ struct Look {
 /// angles are whole degrees, as on the panel's sliders.
 [[nodiscard]] Look lookAtStart();
 
-/// The settings of a look. Size, camera place and cuts stay as in RayCastSettings{}. Modes that use no light or depth
-/// colours get none, so that equal pictures have equal settings.
+/// The settings of a look. Size, camera place and cuts stay as in RayCastSettings{}. If mixing is 1, the mode is the
+/// mixed mode alone. Modes that use no light or depth colours get none, so that equal pictures have equal settings.
 [[nodiscard]] RayCastSettings rayCastSettings(const Look& look);
 
 }  // namespace echolucent

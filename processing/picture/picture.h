@@ -21,7 +21,7 @@ struct Picture {
 /// A picture without anything in it. If it has depths, all of them are infinite.
 [[nodiscard]] Picture emptyPicture(int width, int height, bool withDepth = false);
 
-/// Mixes in another picture of the same size: `share` parts of it with 1 - share parts of this one. Depths stay.
+/// Mixes in another picture of the same size: `share` parts of `other` with 1 - share parts of `picture`. Depths stay.
 void mixIn(Picture& picture, const Picture& other, double share);
 
 /// Multiplies colours by a factor above 0. No colour becomes brighter than white at its alpha. Depths stay.

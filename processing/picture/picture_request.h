@@ -25,11 +25,13 @@ struct PictureRequest {
     RayCastSettings settings{};  ///< at the panes' full size
 };
 
-/// True if both show the same panes with the same pixels. Volumes are the same if they are one object.
+/// True if both show the same panes with the same pixels. Classifications count in direct mode only. Volumes are the
+/// same if they are one object.
 [[nodiscard]] bool samePicture(const PictureRequest& one, const PictureRequest& other);
 /// True if both cast through the same volumes.
 [[nodiscard]] bool sameVolumes(const PictureRequest& one, const PictureRequest& other);
-/// True if the pictures differ in classifications and colour map at most: they are made of the same samples.
+/// True if both have the same volumes, and settings that differ in the colour map at most: they are made of the same
+/// samples.
 [[nodiscard]] bool sameSamples(const PictureRequest& one, const PictureRequest& other);
 
 }  // namespace echolucent

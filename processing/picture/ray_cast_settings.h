@@ -47,9 +47,9 @@ struct RayCastSettings {
     ModeMixing mixing{};  ///< direct mode only
     ColourMap colourMap = ColourMap::sepia;
     double brightness = 1.0;  ///< a factor on the picture's colours, above 0; no colour becomes brighter than white
-    std::optional<Shading> shading;                ///< direct mode only; without it, no gradient is computed
-    int lightCoarseness = 2;                       ///< of the light of a usual volume, see lightSceneOf(); [1, 16]
-    std::optional<DepthColouring> depthColouring;  ///< direct mode only; without it, it costs nothing
+    std::optional<Shading> shading;  ///< direct mode only; without it, no gradient is computed
+    int lightCoarseness = 2;         ///< [1, 16]: of the light in a volume of usual size, see lightSceneOf()
+    std::optional<DepthColouring> depthColouring;  ///< direct mode only
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
     std::optional<CutSurface> cutSurface;  ///< nothing is shown before it; fixed to the volume, not to the camera

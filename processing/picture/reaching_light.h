@@ -10,8 +10,8 @@ namespace echolucent {
 /// each place. Chosen by looking.
 inline constexpr double ambientWithReachingLight = 0.5, diffuseWithReachingLight = 1.3;
 
-/// What a sample's gradient says of the light on it (Shading): w, max(0, (n.l + wrap) / (1 + wrap)) and
-/// max(0, n.h)^specularPower.
+/// What a sample's gradient says of the light on it, in the terms of Shading. All are 0 if the gradient is 0.
+/// `share` is w, `diffuse` is max(0, (n.l + wrap) / (1 + wrap)), `highlight` is max(0, n.h)^specularPower.
 struct SurfaceLight {
     double share = 0.0, diffuse = 0.0, highlight = 0.0;
 };
@@ -24,9 +24,9 @@ struct SurfaceLight {
 ///     c      = (k + translucency (sqrt(k) - k),  k,  k + translucency (k k - k))
 ///     k'     = 1 - shadow (1 - c)                  o' = 1 - occlusion (1 - o)
 ///     factor = ambient o' + k' (diffuse (w lambert + (1 - w) evenLight) + w specular highlight)
-/// If shadow and occlusion are 0, this is the factor of Shading. Shading applies the factor, channel by channel. Tissue
-/// scatters red deepest and blue least, so light through a little tissue is warm. Full light is white, and no place
-/// glows without light.
+/// w, lambert and highlight are the share, diffuse and highlight of `surface`. If shadow and occlusion are 0, this is
+/// the factor of Shading. Shading applies the factor, channel by channel. Tissue scatters red deepest and blue least,
+/// so light through a little tissue is warm. Full light is white, and no place glows without light.
 [[nodiscard]] Vec3 reachingFactor(const Shading& shading, double key, double around, const SurfaceLight& surface);
 
 }  // namespace echolucent

@@ -9,7 +9,7 @@
 namespace echolucent {
 
 enum class RendererChoice {
-    automatic,     ///< the graphics card if a real one can show the look, else the software; a wish only
+    automatic,     ///< the graphics card if a real one can show the look, else the software
     software,      ///< castRays(), on the processor
     graphicsCard,  ///< VTK's GPU mapper, through OpenGL, even if OpenGL is software
 };

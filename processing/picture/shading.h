@@ -15,8 +15,8 @@ struct ReachingLight {
     friend bool operator==(const ReachingLight&, const ReachingLight&) = default;
 };
 
-/// Light in a picture: gradient (Blinn-Phong) shading by one directional key light. It also says how much key light and
-/// how much light from around the viewer reaches a place.
+/// Light in a picture: gradient (Blinn-Phong) shading by one directional key light. `reaching` says how the picture
+/// uses a light volume: how much key light and how much light from around the viewer reaches a place.
 ///
 /// The gradient is a central difference of trilinear samples in normalised intensity per unit. The surface's normal
 /// points to the darker side. Speckle has gradients too, so weak gradients count for less. With m the gradient's
@@ -49,10 +49,10 @@ struct Shading {
 };
 
 /// The face of a cut. If the rendered part begins within tissue, the gradients there belong to speckle, not to
-/// surfaces. A ray's share u of a cut's face is 1 at the ray's beginning and at every edge of the data (1 up to
-/// presence 1/2, 0 from 7/8; PresenceUse::border). Along s units u falls by 1 / (1 + r s), half of it before a sample
-/// and half behind. r = 1 / tissueDepth + (1 - min(1, a / tissueOpacity)) / fluidDepth, with a the opacity of the step
-/// over its length. So u falls slowly within tissue, at once in fluid.
+/// surfaces. A ray's share u of a cut's face is 1 at the ray's beginning. At the edges of the data it is at least
+/// PresenceUse::border (1 up to presence 1/2, 0 from 7/8). A step of s units multiplies u by 1 / (1 + r s / 2) before
+/// its sample and once more behind it. r = 1 / tissueDepth + (1 - min(1, a / tissueOpacity)) / fluidDepth, with a the
+/// opacity of the step over its length s. So u falls slowly within tissue, at once in fluid.
 struct CutFace {
     static constexpr double tissueOpacity = 1.0 / 16;  ///< per unit: any more opaque step is tissue
     static constexpr double tissueDepth = 16.0;        ///< units

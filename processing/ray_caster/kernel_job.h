@@ -23,10 +23,10 @@ struct DepthTint {
     double nearDepthMm = 0.0, perMm = 0.0;  ///< t = (depth - nearDepth) * perMm
 };
 
-/// Table positions of the samples of one view, so that another curve need not sample again. The samples of a packet of
-/// rays follow each other: all rays' first samples, then all rays' second samples and so on. A kept value is the table
-/// position times KernelJob::keptPerPosition, in shaded and plain pictures alike. The presence of data is looked up
-/// again.
+/// Table positions of the samples of one view, so that a picture with another curve need not sample again. The samples
+/// of a packet of rays follow each other: all rays' first samples, then all rays' second samples and so on. A kept
+/// value is the table position times KernelJob::keptPerPosition, in shaded and plain pictures alike. The presence of
+/// data is looked up again.
 struct KeptSamples {
     static constexpr float perTablePosition = 32.0f;
     static constexpr float perByte = 256.0f;
@@ -53,7 +53,7 @@ struct KernelJob {
     const RayGeometry* rays = nullptr;
     float toTable = 0.0f;  ///< factor from a packed value to its table position
     const TransferTable* table = nullptr;
-    const ColourBends* colourBends = nullptr;  ///< null if the picture has light, depth colours or depths
+    const ColourBends* colourBends = nullptr;  ///< null unless DirectKernel casts plainly (castPlainly())
     /// For bytes of a white level of at least ByteOpacities::leastWhite. If null, the kernel reads `table`.
     const ByteOpacities* byteOpacities = nullptr;
     const TwoDimensionalNodes* twoDimensional = nullptr;  ///< null if `table` gives opacities

@@ -1,4 +1,5 @@
-// The light volume for the pictures of one volume. It is made again only if its inputs change.
+// The light volume for the pictures of one volume. It is made again if its inputs changed, or if the picture before
+// needed none.
 #pragma once
 
 #include <memory>
@@ -14,7 +15,8 @@ class LightReaching {
 public:
     explicit LightReaching(std::shared_ptr<const Volume> volume) : m_volume(std::move(volume)) {}
 
-    /// Follows another cut of the same scan. It marks the `masked` rows otherwise (rowsMaskedOtherwise()).
+    /// Follows another cut of the same scan. `masked` are the rows that the new cut marks otherwise
+    /// (rowsMaskedOtherwise()).
     void setCut(std::shared_ptr<const Volume> volume, const RowMarks& masked) {
         m_volume = std::move(volume);
         if (m_sweep) m_sweep->setCut(m_volume, masked);
@@ -24,7 +26,7 @@ public:
     [[nodiscard]] bool update(const LightOtf& otf, const RayCastSettings& settings, const Progress& progress);
     /// Time of the newest update. 0 if the light volume stayed as it was, or nobody asked for one.
     [[nodiscard]] double milliseconds() const { return m_milliseconds; }
-    /// Null if the newest picture's light asks for no light volume.
+    /// Null if the newest update() needed no light volume or was cancelled.
     [[nodiscard]] const PackedLight* packed() const { return m_packed ? &*m_packed : nullptr; }
 
 private:

@@ -151,7 +151,8 @@ private:
         if constexpr (axis == 2) return at.z;
     }
 
-    /// Derivative along an axis, normalised intensity per unit: a central difference between the outermost voxels.
+    /// Derivative along an axis, normalised intensity per unit: a central difference, whose ends do not go beyond the
+    /// outermost voxels.
     template <int axis>
     HWY_INLINE FloatVector differenceAlong(const Run<Voxel>& run, const Position& at, LaneMask active) const {
         Position before = at, after = at;

@@ -32,7 +32,7 @@ public:
         hn::Store(hn::IfThenElse(inRange, hn::Mul(unlit, left), before), floats, m_unlit);
         return unlit;
     }
-    /// Moves the rays behind so many clear steps of `units`.
+    /// Moves each ray behind `steps` clear steps of `units` each.
     HWY_INLINE void passClear(FloatVector steps, float units) {
         const double each = -2.0 * std::log1p(0.5 * clearRate * static_cast<double>(units));
         const Floats floats;

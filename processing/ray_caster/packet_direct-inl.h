@@ -100,8 +100,8 @@ private:
         }
     }
 
-    /// Returns the number of samples done: all of the run, or only those before the rest that shows nothing. 0 if
-    /// nothing behind shows either.
+    /// Returns the number of samples done. If the rest of the run shows nothing, because its rays have ended or empty
+    /// space begins, the rest does not count. 0 if its rays show nothing from `first` on.
     HWY_NOINLINE std::int64_t castRun(const Run<Voxel>& run) {
         for (int i = 0; i < lanes; ++i) m_middle[i] = static_cast<double>(run.first) + 0.5;
         prepareLanes(m_middle, 1.0);
@@ -357,8 +357,8 @@ private:
                   light.lit(colour.blue, by.blue, unlit, 2)};
     }
 
-    /// Passes `count` empty samples from `first` on. If data may end, looks at the last ones only: those farther behind
-    /// a ray no longer matter.
+    /// Passes `count` empty samples from `first` on. If data may end, it looks for edges in the last block only: edges
+    /// farther back hardly matter any more.
     HWY_NOINLINE void passEmpty(std::int64_t first, std::int64_t count, bool together) {
         const std::int64_t looked = m_job.borders != nullptr ? blockSize : 0, behind = first + count - looked;
         const RayBundle<lanes>& rays = m_rays->packet.rays();

@@ -34,7 +34,7 @@ struct Gathered {
 /// The light of one run, in shares of the light that reaches it.
 struct Blend {
     FloatVector opacity, red, green, blue;
-    FloatVector half;  ///< the sample at which the pixel's opacity reaches one half
+    FloatVector half;  ///< the sample at which the pixel's opacity reaches one half; below 0 if there is none
 };
 
 /// A packet of rays on its way.

@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// What else happens to the samples of a run.
+/// Whether the samples of a run are kept on the way, or kept ones are used.
 enum class Keeping { none, keep, reuse };
 
 /// A run and its constants. Values of samples are sums of meanOfBytes for bytes, else table positions.
@@ -27,7 +27,7 @@ struct PlainRun {
     bool nearest;            ///< whether values are those of the nearest voxel, not means of those around
     float keptPerValue;
     std::uint16_t* kept;  ///< of the run's first sample; null if samples are not kept
-    FloatVector limit;    ///< a ray ends if the run's opacity is above it
+    FloatVector limit;    ///< a ray ends if the run's opacity reaches it
 };
 
 /// The sums of one run, in shares of the light that reaches it: its opacity, the values, and their parts beyond each
@@ -105,8 +105,9 @@ HWY_INLINE FloatVector limited(FloatVector value) {
     return hn::Max(hn::Min(value, set(highest)), set(0.0f));
 }
 
-/// Reads values of samples i ... i + group - 1 from `at` on, and moves `at` behind them. Each stage handles all samples
-/// before the next stage begins. So the processor has other samples to begin while one waits for its voxels.
+/// Reads values of samples i ... i + group - 1 from `at` on, and moves `at` behind them. If `all`, it reads the samples
+/// of rays that have ended too. Each stage handles all samples before the next stage begins. So the processor has other
+/// samples to begin while one waits for its voxels.
 template <bool all, int group, bool cut, typename Voxel>
 HWY_INLINE void readGroup(const PlainRun<Voxel>& from, const BlockLanes& in, std::int64_t i, const Position& step,
                           Position& at, FloatVector (&value)[group]) {
@@ -222,7 +223,7 @@ HWY_INLINE void blendBlock(const PlainRun<Voxel>& from, std::int64_t block, std:
 }
 
 /// endsAt(sample): the run shows nothing from there on. bordersOn(sample): data may end in the block from there on;
-/// asked only if `bordering`. Returns the number of samples done, as DirectKernel::castRun.
+/// asked only if `bordering`. Returns the end of the last block done, which may lie behind the run's end.
 template <Keeping keeping, bool bordering, typename Voxel, typename EndsAt, typename BordersOn>
 HWY_NOINLINE std::int64_t blendRun(const PlainRun<Voxel>& from, const EndsAt& endsAt, const BordersOn& bordersOn,
                                    PlainSums& result) {

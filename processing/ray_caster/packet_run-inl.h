@@ -20,8 +20,8 @@ constexpr std::int64_t blockSize = 8;
 /// The most samples in a run from one corner.
 constexpr std::int64_t longestRun = 64;
 
-/// Consecutive samples of all rays of a packet, in floats from a corner near them. Sample i of a run is number
-/// first + i.
+/// Consecutive samples of all rays of a packet, or of one of them, in floats from a corner near them. Sample i of a run
+/// is number first + i.
 template <typename Voxel>
 struct Run {
     // A defaulted constructor would belong to no instruction set, but its calls do.
@@ -120,7 +120,7 @@ public:
     [[nodiscard]] std::int64_t last() const { return m_last; }
     [[nodiscard]] const RayBundle<lanes>& rays() const { return m_rays; }
 
-    /// How many samples from `sample` on show nothing on any ray. Both are multiples of blockSize.
+    /// How many samples from `sample` on show nothing on any ray. `sample` and the result are multiples of blockSize.
     [[nodiscard]] std::int64_t emptyFrom(std::int64_t sample) const {
         const double number = static_cast<double>(sample);
         double low[3], high[3];
@@ -161,8 +161,7 @@ public:
         return touchesBorder(low, high);
     }
 
-    /// The run from `first`, a multiple of blockSize, of at most `count` samples. It takes the ray of `lane` alone, or
-    /// all rays if lane is -1.
+    /// The run from `first`, of at most `count` samples. It takes the ray of `lane` alone, or all rays if lane is -1.
     [[nodiscard]] Run<Voxel> run(std::int64_t first, std::int64_t count, int lane) const {
         Run<Voxel> run;
         run.first = first;

@@ -59,7 +59,7 @@ HWY_INLINE IntVector rounded(FloatVector value) {
 #endif
 }
 
-/// Positions in 1/65536 of a cube from a corner. None is negative.
+/// Positions in 1/65536 of a cube from a corner. Those of samples are not negative; a gradient's places may be.
 struct Position {
     IntVector x, y, z;
 
@@ -69,7 +69,7 @@ struct Position {
 };
 constexpr std::int32_t oneCube = 1 << 16;
 
-/// Two neighbouring dwords in memory for each lane, `offset` times 2^shift bytes after `base`.
+/// Two neighbouring dwords in memory for each lane. loadPairs() reads them `offset` times 2^shift bytes after `base`.
 struct DwordPair {
     IntVector low, high;
 };
@@ -97,7 +97,8 @@ HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     return {set(pair[0]), set(pair[1])};
 }
 
-/// Loads four bytes for each lane, from the cube `offset` cubes after the first and the cube behind it.
+/// Loads four bytes for each active lane, from the cube `offset` cubes after the first and the next cube along x. Other
+/// lanes read the first cube.
 HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
     const auto first = static_cast<std::ptrdiff_t>(hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset).raw);
     std::int32_t four;
@@ -186,8 +187,8 @@ HWY_INLINE IntVector pairSums(hn::Vec<Words> values, hn::Vec<Words> factors) {
     const auto sum = hn::ReorderWidenMulAccumulate(ints, values, factors, hn::Zero(ints), rest);
     return hn::RearrangeToOddPlusEven(sum, rest);
 }
-/// Loads four bytes for each active lane, from the cubes `offset` cubes after the first. Other lanes read nothing and
-/// get 0.
+/// Loads four bytes for each active lane, from the cube `offset` cubes after the first and the next cube along x. What
+/// other lanes get must not matter: 0, or on some machines the first cube's bytes.
 HWY_INLINE hn::Vec<Bytes> gatherCubes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return hn::Vec<Bytes>{
@@ -207,7 +208,7 @@ HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, Lane
 
 /// The eight bytes around a position in each lane, and their shares.
 struct CubeOfBytes {
-    HWY_INLINE CubeOfBytes() {}  // written down for the same reason as in Run
+    HWY_INLINE CubeOfBytes() {}  // for the same reason as in Run (packet_run-inl.h)
     hn::Vec<Bytes> near, far, shareY;
     hn::Vec<Words> shareX, shareZ;
 };
@@ -239,7 +240,7 @@ HWY_INLINE FloatVector meanOfBytes(const std::uint8_t* cubes, std::int64_t slice
                                    const Position& at, LaneMask active) {
     return meanOf(cubeOfBytes(cubes, sliceStride, offset, at, active));
 }
-/// The same mean, with the shares of means of other voxels than bytes.
+/// The mean of meanOfBytes(), but in float with shares of 16 bits, as words and floats are interpolated.
 HWY_INLINE FloatVector fineMeanOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
                                        const Position& at, LaneMask active) {
     const Floats floats;
@@ -317,7 +318,7 @@ HWY_INLINE FloatVector meanOf(const Cubes<float>& volume, IntVector offset, cons
     return between(slice(0), slice(volume.sliceStride), shareOf(at.z));
 }
 
-/// The presence of data at a place near the data's end, 0 to 1, with the same shares as the mean.
+/// The presence of data at a place near the data's end, 0 to 1. It is interpolated with the same shares as the voxels.
 template <typename Voxel>
 HWY_INLINE FloatVector presenceAt(const Cubes<Voxel>& volume, IntVector offset, const Position& at, LaneMask active) {
     constexpr bool bytes = std::is_same_v<Voxel, std::uint8_t>;
@@ -337,7 +338,7 @@ HWY_INLINE FloatVector borderOf(FloatVector presence) {
     return hn::Min(hn::Max(share, set(0.0f)), set(1.0f));
 }
 
-/// Moves each component to the nearest voxel, the lower one in the cube of its number.
+/// Moves each component to the nearest voxel, which is the lower one of the cube at the new position.
 HWY_INLINE Position nearestVoxel(const Position& at) {
     const auto round = [](IntVector value) { return hn::And(hn::Add(value, set(oneCube / 2)), set(~(oneCube - 1))); };
     return {round(at.x), round(at.y), round(at.z)};

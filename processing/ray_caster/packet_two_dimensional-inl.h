@@ -34,7 +34,7 @@ HWY_INLINE BetweenNodes betweenNodes(FloatVector position, int count) {
 }
 
 /// Opacity of sample `number` of a run in a step of `units` units, at a known table position. Bilinear between the
-/// nodes of the OTF, then corrected for the step. 0 if no lane is active.
+/// nodes of the OTF, then corrected for the step. 0 in lanes that are not active.
 template <typename Voxel>
 HWY_INLINE FloatVector twoDimensionalOpacity(const KernelJob<Voxel>& job, const Run<Voxel>& run, FloatVector number,
                                              FloatVector position, LaneMask active, FloatVector units) {

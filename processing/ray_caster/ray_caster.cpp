@@ -96,7 +96,7 @@ public:
     std::optional<Picture> cast(const Classification& otf, const RayCastSettings& settings, const Progress& progress) {
         const bool mixes = settings.mode == RenderMode::direct && settings.mixing.share > 0.0;
         std::optional<Picture> other;
-        // Cast it first, so that the samples kept at the end are the direct picture's.
+        // Cast the mixed-in picture first, so that the samples kept at the end are the direct picture's.
         if (mixes && !(other = castOne(otf, mixedIn(settings), progress))) return std::nullopt;
         auto picture = castOne(otf, settings, progress);
         if (picture && mixes) mixIn(*picture, *other, settings.mixing.share);

@@ -28,12 +28,12 @@ namespace echolucent {
 /// 2e-7 for x^2 of scale 1, and to 1/2040 in intensity at a step of a curve. Bytes of a white level from 128 on take
 /// the nearest of 16 intensities between two values: exact to 1/8160 in intensity. Opacity is added up in float over at
 /// most 64 samples and then in double, as opacity, not as transmittance. It is exact to 1e-5 over 2e5 samples. A ray
-/// ends at a multiple of 8 steps. A step is not lit (w = 0) if it adds less than min(1, step) / 128 to its pixel's
-/// opacity. Memory: twice the volume's, and two bytes a voxel more if voxels lack data.
+/// ends at a multiple of 8 steps. If a step adds less than min(1, step) / 128 to its pixel's opacity, it is lit evenly
+/// (w = 0), as if all light reached it. Memory: twice the volume's, and two bytes a voxel more if voxels lack data.
 ///
 /// For a two-dimensional OTF, the caster interpolates the nodes' opacities bilinearly and then corrects them for the
-/// step. It interpolates gradient magnitudes (GradientLevels) as it does bytes. They take three bytes a voxel more,
-/// made for the first such picture.
+/// step. It interpolates gradient magnitudes (GradientLevels) as it does bytes. They take three bytes a voxel more.
+/// They are made for the first such picture, and again for another largest gradient.
 ///
 /// Empty only if the caller set progress.cancel (polled once a tile of 32 x 32 pixels). Works in the calling thread's
 /// oneTBB arena. The pixels are the same for any number of threads. Throws std::invalid_argument for settings that make
@@ -41,10 +41,10 @@ namespace echolucent {
 [[nodiscard]] std::optional<Picture> castRays(const Volume& volume, const Classification& classification,
                                               const RayCastSettings& settings, const Progress& progress = {});
 
-/// Casts rays through one volume again and again, and keeps what its pictures have in common. It keeps the voxels in
-/// the order the kernel reads them, and the empty regions under the curve. For edits of the curve under a fixed camera
-/// it keeps the samples themselves, 16 bits each. Pictures are those of castRays(); from kept samples they differ by up
-/// to half an 8-bit level (RMSE 0.02). Only one thread at a time may use it.
+/// Casts rays through one volume (not null) again and again, and keeps what its pictures have in common. It keeps the
+/// voxels in the order the kernel reads them, and the empty regions under the curve. For edits of the curve under a
+/// fixed camera it keeps the samples themselves, 16 bits each. Pictures are those of castRays(); from kept samples they
+/// differ by up to half an 8-bit level (RMSE 0.02). Only one thread at a time may use it.
 class RayCaster {
 public:
     explicit RayCaster(std::shared_ptr<const Volume> volume);
@@ -59,13 +59,13 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const Volume>& volume() const;
     /// Casts from now on through the same scan with another scalpel cut. It packs no voxel again and renews only what
-    /// lies around changed rows of the mask. Pictures are those of a new RayCaster, to the bit. If memory runs out it
-    /// throws, and the caller must make a new caster. Throws std::invalid_argument for another scan
-    /// (Volume::isSameScanAs()).
+    /// lies around changed rows of the mask. It forgets the kept samples. Pictures are those of a new RayCaster, to the
+    /// bit. If memory runs out it throws, and the caller must make a new caster. Throws std::invalid_argument for
+    /// another scan (Volume::isSameScanAs()).
     void setCut(std::shared_ptr<const Volume> volume);
-    /// As castRays(). If a call samples as an earlier one did (only the curve, colours or light differ), the caster
-    /// keeps the view's samples (up to sampleMemoryLimit). From then on it only classifies and composites them again.
-    /// It keeps no samples for two-dimensional OTFs.
+    /// As castRays(). If a call in direct mode samples as an earlier one did (only the curve, colours or light differ),
+    /// the caster keeps the view's samples (up to sampleMemoryLimit). From then on it only classifies and composites
+    /// them again. It keeps no samples for two-dimensional OTFs.
     [[nodiscard]] std::optional<Picture> cast(const Classification& classification, const RayCastSettings& settings,
                                               const Progress& progress = {});
 

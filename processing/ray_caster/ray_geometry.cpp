@@ -115,7 +115,7 @@ RayGeometry::PixelBox RayGeometry::visiblePixels() const {
         Vec3 seen = point - m_eye;
         const double depth = seen.dot(m_forward);
         if (!m_parallel && !(depth > 1e-9 * length(seen))) return whole;  // around or behind the eye
-        // The place of the ray of pixel (0,0), then pixels from there.
+        // First the way from the ray of pixel (0,0) to the corner, then this way in pixels.
         seen = m_parallel ? point - m_first : seen * (1.0 / depth) - m_first;
         const double across[2] = {seen.dot(m_right) / length(m_perColumn), seen.dot(m_down) / length(m_perRow)};
         for (int i = 0; i < 2; ++i) {

@@ -75,7 +75,8 @@ struct RayBundle {
 /// The rays of one picture.
 class RayGeometry {
 public:
-    /// Throws std::invalid_argument for a size, step, camera or plane that makes no sense.
+    /// Throws std::invalid_argument for settings that make no sense, also for those that only the caster reads (light,
+    /// mixing, brightness).
     RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& settings);
 
     [[nodiscard]] Ray rayThrough(int column, int row) const;
@@ -121,10 +122,11 @@ private:
     int m_width, m_height;
     double m_stepMm;
     double m_eyeDepth = 0.0;  ///< in perspective, the depth of the eye from the grid origin
-    double m_startDepth;      ///< depth of sample plane -0.5 from the grid origin, in perspective from the eye
-    double m_nearDepth;       ///< the near plane's depth, counted from the same place
-    Vec3 m_first, m_perColumn,
-        m_perRow;           ///< grid mm: the first place of parallel rays; in perspective a direction of any length
+    double m_startDepth;      ///< where rays begin: depth from the grid origin, in perspective distance from the eye
+    double m_nearDepth;       ///< the near plane's depth, from the grid origin, in perspective from the eye
+    /// Parallel: where the ray of pixel (0,0) begins, and how this place moves with column and row; grid mm. In
+    /// perspective: the ray's direction, of any length, and how it changes.
+    Vec3 m_first, m_perColumn, m_perRow;
     Vec3 m_eye, m_forward;  ///< grid mm
     Vec3 m_right, m_down;
     Vec3 m_inverseSpacing;
@@ -168,7 +170,8 @@ inline void RayGeometry::aimPerspective(RayBundle<lanes>& bundle, int column, in
         }
         bundle.depthMm[i] = m_eyeDepth + m_startDepth * cosine;
         bundle.depthStepMm[i] = m_stepMm * cosine;
-        // A ray towards the picture's corner has a smaller depth than distance. It may start before the near plane.
+        // Towards the picture's corner, a place on a ray has a smaller depth than distance. So the ray may begin before
+        // the near plane.
         bundle.enter[i] = std::max((m_nearDepth / cosine - m_startDepth) / m_stepMm, 0.0);
     }
 }

@@ -17,8 +17,8 @@ struct GradientLevels {
     std::vector<std::uint8_t> bytes;  ///< one a voxel, x fastest
 };
 
-/// One pass over the volume without edges (filledVoxels()). Empty only if the caller set progress.cancel. Throws
-/// std::invalid_argument if `largest` is not above 0.
+/// The gradient levels of a volume without edges: `filled` is filledVoxels(volume). The result is empty only if
+/// progress.cancel was raised. Throws std::invalid_argument if `largest` is not above 0.
 [[nodiscard]] std::optional<GradientLevels> gradientLevels(const Volume& filled, double largest,
                                                            const Progress& progress = {});
 

@@ -16,9 +16,10 @@ namespace echolucent {
 /// Between voxels g is the trilinear mean of the voxels around.
 class GradientMagnitude {
 public:
-    /// The volume must outlive it.
+    /// The volume must outlive this object.
     explicit GradientMagnitude(const Volume& filled);
-    /// A row of voxels: `magnitudes` gets one value for each voxel along x.
+    /// A row of voxels: `magnitudes` gets one value for each voxel along x. Throws std::invalid_argument if it has
+    /// another size.
     void row(std::int64_t y, std::int64_t z, std::span<float> magnitudes) const;
     /// At a place in voxels, clamped to the outermost voxel centres. For a few places only; pictures take rows.
     [[nodiscard]] double at(const Vec3& voxel) const;

@@ -18,7 +18,7 @@ struct PlaneGrid {
 
 struct PlaneSamples {
     int columns = 0, rows = 0;
-    /// Normalised, row by row. NaN outside the volume's box and without data.
+    /// Normalised, row by row. NaN outside the volume's box, and where VolumeSampler::intensityAt() is empty.
     std::vector<float> intensity;
 };
 

@@ -21,8 +21,8 @@ public:
     /// voxel, empty if it has no data; half way between two voxels, the one of larger index.
     [[nodiscard]] std::optional<double> intensityAt(const Vec3& voxel) const;
 
-    /// Central difference of trilinear samples, normalised intensity per unit. Zero if a voxel that it needs has no
-    /// data. `reach` is the distance from the place to each sample, units, above 0.
+    /// Central difference of trilinear samples, normalised intensity per unit. Zero if a voxel of more than vanishing
+    /// weight in these samples has no data. `reach` is the distance from the place to each sample, units, above 0.
     [[nodiscard]] Vec3 gradientAt(const Vec3& voxel, double reach) const;
 
 private:

@@ -1,5 +1,5 @@
-// The pieces of a stroke's line, as cutsAway() tests them. They have one definition, so a caller that tests only some
-// pieces gets the same bits.
+// How cutsAway() tests the pieces of a stroke's line. A caller that tests only some pieces calls the same functions, so
+// that it gets the same bits.
 #pragma once
 
 #include "processing/picture/picture_place.h"

@@ -65,8 +65,9 @@ public:
         const double reach = std::max({length(geometry.boxMinMm()), length(geometry.boxMaxMm()),
                                        length(camera.focalPoint), m_parallel ? 0.0 : camera.distanceMm});
         const double cells = std::max(m_cells.perHeight[0], m_cells.perHeight[1]);
-        // Voxels nearer to the eye, or nearer to the depth at which a stroke ends, need the exact test. Floats hold
-        // sums of lengths up to `reach` to about 2^-22 of it, and a place must not err by half a cell.
+        // Voxels need the exact test if the picture is lower at them than m_leastHeight (near the eye), or if they lie
+        // within m_depthError of the depth at which the stroke ends. Floats hold sums of lengths up to `reach` to about
+        // 2^-22 of it, and a place must not err by half a cell.
         m_leastHeight = reach * std::max(5e-6 * cells, m_parallel ? 0.0 : 5e-3 * m_heightPerMm);
         m_depthError = 1e-9 * reach;
         const double first = std::max(std::abs(m_cells.first[0]), std::abs(m_cells.first[1]));
@@ -239,7 +240,8 @@ bool sameBytes(const DataMask& a, const DataMask& b) { return &a == &b || a == b
 
 ScalpelCuts::ScalpelCuts(const VolumeGeometry& geometry) : m_geometry(geometry) {}
 
-/// Forgets the cuts of the strokes from `kept` on. If strokes share that number, it forgets them from their first on.
+/// Forgets the cuts of the strokes from `kept` on (counted from 0). If these share the number 255 with strokes before,
+/// it forgets all strokes of this number.
 void ScalpelCuts::forgetFrom(std::size_t kept) {
     if (kept >= m_carried.size()) return;
     kept = std::min(kept, sharedNumber - 1);
@@ -283,14 +285,15 @@ bool ScalpelCuts::add(const ScalpelStroke& stroke, const Progress& progress) {
 bool ScalpelCuts::follow(std::span<const ScalpelStroke> strokes, const Progress& progress) {
     const auto differing = std::ranges::mismatch(strokes, m_carried, {}, {}, &Carried::stroke);
     const auto same = static_cast<std::size_t>(differing.in1 - strokes.begin());
-    // If the list only became shorter, the numbers tell what its end cut, except for strokes that share a number.
+    // If the list only became shorter, nothing is forgotten: m_firstCut still tells the missing strokes from the
+    // others. Strokes that share a number cannot be told apart.
     if (same < strokes.size() || (same < m_carried.size() && same >= sharedNumber)) forgetFrom(same);
     while (m_carried.size() < strokes.size())
         if (progress.cancelled() || !add(strokes[m_carried.size()], progress)) return false;
     return true;
 }
 
-/// The mask of the first strokes of m_carried, at least one.
+/// The mask after the first `strokes` (at least one) of m_carried.
 Volume::SharedMask ScalpelCuts::maskFor(const Volume& scan, std::size_t strokes) const {
     const std::uint8_t last = numberOf(strokes - 1);
     const DataMask& scanned = scan.scannedMask();

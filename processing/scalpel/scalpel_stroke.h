@@ -47,7 +47,8 @@ struct ScalpelStroke {
 /// What is wrong with a stroke read from a file, lower case, no full stop. Empty if nothing is wrong.
 [[nodiscard]] std::string problemOf(const ScalpelStroke& stroke);
 
-/// Whether a stroke cuts a place of the grid, mm: the plain definition.
+/// Whether a stroke cuts a place of the grid, mm: the plain definition. In perspective, no stroke cuts a place that
+/// does not lie before the eye.
 [[nodiscard]] bool cutsAway(const ScalpelStroke& stroke, const Vec3& gridMm);
 
 }  // namespace echolucent

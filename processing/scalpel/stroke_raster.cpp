@@ -14,7 +14,7 @@ namespace {
 constexpr int margin = 4;  // cells around the stroke, so that the raster's rim is outside
 constexpr int bucketEdge = 8, buckets = StrokeRaster::edge / bucketEdge;
 
-/// The part of a row of the plane in an interval.
+/// An interval on an axis of the picture; empty until something is added.
 struct Interval {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     void add(double value) {
@@ -59,7 +59,7 @@ StrokeRaster::StrokeRaster(const ScalpelStroke& stroke)
     findAlike();
 }
 
-/// Around each square of cells, a larger square of like squares grows until it meets another.
+/// Around each square of cells, a larger square of like squares grows until it meets a square that differs.
 void StrokeRaster::findAlike() {
     constexpr std::size_t count = static_cast<std::size_t>(blocks) * blocks;
     m_blockCells.resize(count);

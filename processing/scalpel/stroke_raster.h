@@ -47,7 +47,7 @@ public:
     }
     /// All cells, row by row, `edge` to a row and `edge` rows.
     [[nodiscard]] const Cell* cells() const { return m_cells.data(); }
-    /// Whether the stroke holds a place, as cutsAway() to the bit, but faster.
+    /// Whether the outline or line holds a place, whatever the stroke's side: cutsAway()'s test to the bit, but faster.
     [[nodiscard]] bool holds(const PicturePlace& place) const;
 
     static constexpr int edge = 512;  ///< cells along a side

@@ -12,7 +12,7 @@ namespace echolucent {
 constexpr std::int64_t standardConversionBytes = std::int64_t{64} << 20;
 /// The most that a person may ask for, MiB a phase.
 constexpr std::int64_t mostConversionMebibytes = std::int64_t{1} << 20;
-/// All phases of a study together may take as much as this many phases.
+/// All phases of a study together may take as much as this many phases at their limit.
 constexpr std::int64_t conversionPhasesInFull = 8;
 
 /// Bytes of the tables for one row of voxels. All rows together may take as much as the voxels of one phase.
@@ -42,14 +42,15 @@ struct ConversionGrid {
 };
 
 /// The finest resolution of a polar volume, straight ahead in the middle of the range: the smallest of its step along
-/// the beam and the mean distances between neighbouring lines and planes. Here and below, the geometry must have no
-/// problem (problemOf()).
+/// the beam and the mean distances between neighbouring lines and planes. This and the functions below throw
+/// std::invalid_argument if the geometry has a problem (problemOf()).
 [[nodiscard]] double finestResolutionMm(const PolarGeometry& polar);
 
 /// The smallest grid around the insonified region. Its spacing is the finest resolution, or as little wider as memory
 /// demands. If the region is thinner than the spacing, the grid has one voxel across it.
 [[nodiscard]] ConversionGrid conversionGrid(const PolarGeometry& polar, const ConversionMemory& memory = {});
-/// The same grid with a given spacing, mm.
+/// The smallest grid around the insonified region with a given spacing, mm. Throws std::invalid_argument if the spacing
+/// is not above 0.
 [[nodiscard]] ConversionGrid conversionGridOf(const PolarGeometry& polar, double spacingMm);
 
 }  // namespace echolucent

@@ -25,7 +25,7 @@ HWY_INLINE FloatVector between(FloatVector low, FloatVector high, FloatVector sh
     return hn::Add(low, hn::Mul(share, hn::Sub(high, low)));
 }
 
-/// LineLookup::indexAt() of many keys.
+/// The indices of lines of many keys, as LineLookup says.
 HWY_INLINE FloatVector lineAt(const LineLookup& lines, FloatVector key) {
     const Floats d;
     const Integers integers;
@@ -37,7 +37,7 @@ HWY_INLINE FloatVector lineAt(const LineLookup& lines, FloatVector key) {
     return between(low, high, hn::Sub(place, hn::ConvertTo(d, entry)));
 }
 
-/// The values at `offset` and after it, interpolated.
+/// Interpolates between the value at `offset` and the next one.
 template <typename Value>
 HWY_INLINE FloatVector alongBeam(const Value* values, IntegerVector offset, FloatVector share, bool oneByOne) {
     const Floats d;

@@ -15,7 +15,7 @@ struct ConversionRow {
     bool angular = false;    ///< whether lines stand at angles
     float firstMm = 0;       ///< x of the row's voxel 0, probe mm
     float spacingMm = 1;     ///< from a voxel to the next
-    float alongMm = 0;       ///< within the plane, from the axis of the lines; if there is none, from the face
+    float alongMm = 0;       ///< depth within the plane: from the axis of the lines, or from the face if there is none
     float rangeStartMm = 0;  ///< of the first sample, from the same axis or face
     float samplesPerMm = 1;
     float planeShare = 0;      ///< [0,1] between the two planes
@@ -27,7 +27,7 @@ struct ConversionRow {
     bool endsHere = false;
 };
 
-/// Interpolates the voxels [first, end) of a row into out[first], ...
+/// Interpolates the voxels [first, end) of a row into out[first] to out[end - 1]. Bytes and words are rounded.
 void convertRun(const ConversionRow<std::uint8_t>& row, std::int32_t first, std::int32_t end, std::uint8_t* out);
 void convertRun(const ConversionRow<std::uint16_t>& row, std::int32_t first, std::int32_t end, std::uint16_t* out);
 void convertRun(const ConversionRow<float>& row, std::int32_t first, std::int32_t end, float* out);

@@ -21,7 +21,8 @@ constexpr ChoiceNames<4> kindNames{"linear", "convex", "linear-wobbler", "wobble
 
 bool isAngular(const PolarAxis& axis) { return axis.spread == PolarSpread::angles; }
 
-/// Turns about an axis that lies `radius` before the face: `along` is the distance from the face.
+/// The place at distance `along` from the face after a turn by `angle` about an axis. The axis lies `radius` mm behind
+/// the face.
 struct Turned {
     double across, along;
 };

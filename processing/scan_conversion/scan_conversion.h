@@ -25,21 +25,21 @@ public:
     /// One byte a voxel of the grid: 1 if its centre lies in the insonified region, else 0 (no data). Empty only if
     /// cancelled (polled for each row of voxels).
     [[nodiscard]] std::vector<std::uint8_t> mask(const Progress& progress = {}) const;
-    /// The voxels of the grid, of the same type, 0 outside the insonified region. Bytes and words are rounded to the
-    /// nearest. Rows of a linear probe are copied bit for bit if their voxels are samples. Voxels interpolated from a
-    /// value that is not finite are not finite either. Any number of threads gives the same bits. Empty only if
-    /// cancelled (polled for each row of voxels). Throws std::invalid_argument if the number of voxels is not the
-    /// geometry's.
+    /// The voxels of the grid, of the type of `polar`, 0 outside the insonified region. Bytes and words are rounded to
+    /// the nearest. Rows of a linear probe are copied bit for bit if all their voxels lie on samples. Voxels
+    /// interpolated from a value that is not finite are not finite either. Any number of threads gives the same bits.
+    /// Empty only if cancelled (polled for each row of voxels). Throws std::invalid_argument if the number of voxels is
+    /// not the geometry's.
     [[nodiscard]] std::optional<Voxels> convert(const Voxels& polar, const Progress& progress = {}) const;
 
 private:
-    /// The insonified voxels of one row (along x): [first, end), once or twice.
+    /// Insonified voxels of one row (along x): [first, end). A row has at most two runs.
     struct Run {
         std::int32_t first = 0, end = 0;
     };
     /// The common values of a row's voxels.
     struct Row {
-        float along = 0;       ///< mm within the plane, from the axis of the lines; if there is none, from the face
+        float along = 0;       ///< ConversionRow::alongMm
         float planeShare = 0;  ///< [0,1] between `plane` and the next
         std::int32_t plane = 0;
         Run runs[2];

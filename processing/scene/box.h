@@ -31,7 +31,7 @@ struct Box {
     Vec3 centreMm{0, 0, 0};     ///< grid mm
     Vec3 sizeMm{0, 0, 0};  ///< from left to right, from far to near, from top to bottom; each above 0. All 0: nobody
                            ///< has set the box yet, and it is off
-    BoxSide side = BoxSide::top;  ///< the side through which the adaptive OTF looks in
+    BoxSide side = BoxSide::top;  ///< through which tube cores look in, unless Scene::side is set otherwise
     friend bool operator==(const Box&, const Box&) = default;
 };
 
@@ -43,7 +43,7 @@ struct Box {
 /// The way from a side into the box, with the picture's down. From near, far, left and right the top is up, as in the
 /// planes. From top and bottom near is down.
 [[nodiscard]] ViewFrame frameFrom(BoxSide side, const ViewFrame& boxAxes);
-/// The same as a direction relative to the beam.
+/// frameFrom() of a box, as a direction relative to the beam.
 [[nodiscard]] ViewDirection directionFrom(BoxSide side, const Box& box, BeamAxis beam);
 
 /// What is wrong with a box that was read from a file: lower case, no full stop. Empty if nothing is wrong.

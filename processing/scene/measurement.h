@@ -41,10 +41,10 @@ struct Measurement {
     friend bool operator==(const Measurement&, const Measurement&) = default;
 };
 
-/// The value of a measurement: a distance in mm, or an angle from 0 to 180 degrees. It is measured between patient
-/// positions, so that oblique and anisotropic grids measure alike. Fails (wrong usage), with the reason, if the spacing
-/// of the volume is unknown: then lengths and angles are no facts. Fails if the places of a distance coincide, or an
-/// angle's vertex with one of its other places.
+/// The value of a measurement with all places that its kind needs: a distance in mm, or an angle from 0 to 180 degrees.
+/// It is measured between patient positions, so that oblique and anisotropic grids measure alike. Fails (wrong usage),
+/// with the reason, if the spacing of the volume is unknown: then lengths and angles are no facts. Fails if the places
+/// of a distance coincide, or an angle's vertex with one of its other places.
 [[nodiscard]] Result<double> measuredValue(const Measurement& measurement, const VolumeGeometry& geometry);
 
 /// What is wrong with a measurement that was read from a file: lower case, no full stop. Empty if nothing is wrong.

@@ -36,9 +36,9 @@ struct Planes {
     ViewDirection direction{};         ///< the way plane C is looked at, relative to the beam
     Vec3 offsetMm{0, 0, 0};            ///< from the data box's centre to the reference point, grid mm
     std::array<PlaneCrop, 3> crops{};  ///< of A, B and C
-    double window = 1.0;               ///< normalised intensities from black to white, (0, 4]
+    double window = 1.0;               ///< normalised intensities from black to white, [1/256, 4]
     double level = 0.5;                ///< normalised intensity that is shown half bright, [-1, 2]
-    bool quiet = true;                 ///< shows quiet voxels if speckle is reduced; else the voxels that were read
+    bool quiet = true;                 ///< true: shows quiet voxels if the look reduces speckle; false: raw voxels
     bool linesIn3d = false;            ///< whether the 3D view shows where the planes lie
     friend bool operator==(const Planes&, const Planes&) = default;
 };
@@ -55,7 +55,7 @@ inline constexpr double leastPlaneLevel = -1.0, largestPlaneLevel = 2.0;
 /// Where the planes meet, grid mm. `data` is Volume::dataBox().
 [[nodiscard]] Vec3 referencePointOf(const Planes& planes, const DataBox& data);
 /// The planes with another reference point. If it lies beyond the data box, it stops at the box's border, on the
-/// straight way from the present one.
+/// straight way from the present point.
 [[nodiscard]] Planes withReferencePoint(Planes planes, const Vec3& gridMm, const DataBox& data);
 /// The planes after a step (mm) along the way that one of them is looked at. They stay within the data box.
 [[nodiscard]] Planes stepped(const Planes& planes, PlaneName plane, double mm, BeamAxis beam, const DataBox& data);

@@ -40,7 +40,7 @@ PlaneTurn turnToHold(const std::vector<Vec3>& places, const Vec3& normal) {
 Planes planesHolding(const Planes& planes, const std::vector<Vec3>& placesMm, BeamAxis beam, const DataBox& data) {
     Vec3 middle{0, 0, 0};
     for (const Vec3& place : placesMm) middle += place * (1.0 / static_cast<double>(placesMm.size()));
-    // Nearer than a rounding counts as there, so that going there again changes nothing.
+    // A turn or step below a rounding is not made, so that a second call changes nothing.
     constexpr double sameDegrees = 1e-9, sameMm = 1e-9;
     PlaneName plane = PlaneName::a;
     PlaneTurn least;

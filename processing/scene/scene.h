@@ -52,9 +52,9 @@ struct Scene {
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// The same scene without a plane that is fixed in a direction: if its front still has a plane, the plane lies across
-/// the pose. A fixed plane becomes a surface that cuts away the same. If the front has a surface already, each of its
-/// nodes moves back to the plane if the plane lies deeper.
+/// The scene without a plane that is fixed in a direction: if its front still has a plane, the plane lies across the
+/// pose. A fixed plane becomes a surface that cuts away the same. If the front has a surface already, each of its nodes
+/// moves back to the plane if the plane lies deeper.
 [[nodiscard]] Scene withFrontAcrossPose(Scene scene, BeamAxis beam, const VolumeGeometry& geometry);
 
 /// What is wrong with a scene, with its key ("box has a size that is not above 0"): lower case, no full stop. Empty if

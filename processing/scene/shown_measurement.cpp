@@ -68,7 +68,8 @@ bool overlap(const TextBox& one, const TextBox& other) {
            other.top < one.bottom - least;
 }
 
-/// If its place lies in the picture, the label stays within it: the edge would cut the text.
+/// The label right of the rightmost place, or left of the leftmost. If the place lies in the picture, the label stays
+/// within the picture's upper and lower edge, which would cut the text.
 MeasurementLabel besideItsPlaces(const MeasurementWords& words, double aspect) {
     const auto [left, right] =
         std::ranges::minmax_element(words.places, {}, [](const PicturePlace& place) { return place[0]; });

@@ -15,7 +15,7 @@ namespace echolucent {
 /// Lists, planes, the 3D view and exports all use these words. Fails as measuredValue() does.
 [[nodiscard]] Result<std::string> measurementText(const Measurement& measurement, const VolumeGeometry& geometry);
 
-/// What its places were marked on, in the words of lists and reports: "in a plane", "on a surface".
+/// What the places of a measurement were marked on, in the words of lists and reports: "in a plane", "on a surface".
 [[nodiscard]] std::string_view groundWords(MeasurementGround ground);
 
 /// A measurement as it is drawn in the volume.
@@ -46,8 +46,9 @@ struct PlacedMeasurement {
     friend bool operator==(const PlacedMeasurement&, const PlacedMeasurement&) = default;
 };
 
-/// A measurement is drawn in a plane if its places lie no farther from it, in units (VolumeGeometry::unit()). Planes
-/// step by one unit. So at least one step shows a measurement that lies along the planes, and hardly ever do two.
+/// A measurement is drawn in a plane if none of its places lies farther than this from the plane, in units
+/// (VolumeGeometry::unit()). Planes step by one unit. So at least one step shows a measurement that lies along the
+/// planes, and hardly ever do two.
 inline constexpr double planeReachUnits = 0.5;
 
 /// Whether all places lie in the plane of a view, within `reachMm` (>= 0).

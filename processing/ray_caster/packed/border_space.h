@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] const std::array<std::int64_t, 3>& size() const { return m_size; }
     /// One number a brick, x fastest: 0 if the presence around the brick's cubes is below PresenceUse::allFrom
-    /// anywhere. Else d, if it is so in no brick less than d away on every axis. Empty if all voxels carry data.
+    /// anywhere. Else d, if no brick less than d away on every axis has distance 0. Empty if all voxels carry data.
     [[nodiscard]] const std::vector<std::uint8_t>& distances() const { return m_distances; }
 
 private:

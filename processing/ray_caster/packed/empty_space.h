@@ -23,7 +23,7 @@ public:
     void follow(const PackedPresence& presence, const RowMarks& rows);
 
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
-    /// Table positions. If a brick has no data, its lowest is above its highest.
+    /// Table positions. If a brick shows no data, its lowest is above its highest.
     [[nodiscard]] const std::vector<float>& lowest() const { return m_lowest; }
     [[nodiscard]] const std::vector<float>& highest() const { return m_highest; }
 

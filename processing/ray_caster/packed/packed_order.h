@@ -60,7 +60,7 @@ void packRow(const PackedOrder& order, const Voxel* upper, const Voxel* lower, s
         out[(x + cubeShift) * voxelsPerCube] = convert(upper[x]);
         out[(x + cubeShift) * voxelsPerCube + 1] = convert(lower[x]);
     }
-    // No sample reads the rest of the row.
+    // The last voxel repeats. Samples read one cube of it, and the padding behind never.
     for (std::int64_t cube = size + 1; cube < order.rowStride && last == size; ++cube) write(cube, size - 1);
 }
 

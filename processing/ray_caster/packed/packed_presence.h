@@ -30,12 +30,12 @@ public:
     /// Bricks [first, last) of a row of bricks along x, with their folded presence.
     struct FoldedBricks {
         std::int64_t first, last, y, z;
-        /// Two bytes for each column of cubes. Folded together, they are the fold of all voxels around the row of
-        /// bricks at the cubes' lower x. Samples in these bricks read no other voxels.
+        /// Two bytes for each x of cubes. Both folded together are the fold of all voxels at the cubes' lower x that
+        /// samples in the row of bricks read.
         const std::vector<std::uint8_t>& columns;
     };
     /// Folds the presence that samples read, in each brick with samples that may read a marked voxel. It visits rows of
-    /// bricks in parallel. There must be cubes.
+    /// bricks in parallel. cubes() must not be null.
     template <typename Fold, typename Visit>
     void foldBricks(std::int64_t edge, const std::array<std::int64_t, 3>& bricks, const RowMarks& rows,
                     const Fold& fold, const Visit& visit) const;

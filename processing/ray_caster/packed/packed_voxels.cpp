@@ -31,8 +31,8 @@ struct Packing {
 template <typename Voxel>
 float PackedVoxels<Voxel>::toTable(double whiteLevel) {
     if constexpr (std::is_same_v<Voxel, float>) return 1.0f;
-    // Beyond 1e12 the smallest stored value is white already. Below 1e-12 the largest one is black. The factor and its
-    // inverse must be finite.
+    // With a factor beyond 1e12 the smallest stored value is white already. With one below 1e-12 the largest is black.
+    // The factor and its inverse must be finite.
     return static_cast<float>(std::clamp(TransferTable::intervals / whiteLevel, 1e-12, 1e12));
 }
 

@@ -17,8 +17,8 @@ struct ColourRanges {
     std::array<Values, 3> base, slope;  ///< of red, green, blue: colour = base + slope * table position
 };
 
-/// The same colours as sums: colour = base + slope * x + the sum of change[i] * max(x - at(i), 0), x the normalised
-/// intensity. With them, many samples together need no colour of their own.
+/// The colours of ColourRanges as sums: colour = base + slope * x + the sum of change[i] * max(x - at(i), 0), x the
+/// normalised intensity. With them, many samples together need no colour of their own.
 struct ColourBends {
     static constexpr int count = ColourRanges::count - 1;
     static constexpr float at(int bend) { return static_cast<float>(bend + 1) / ColourRanges::count; }

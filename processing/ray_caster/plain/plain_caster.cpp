@@ -26,7 +26,7 @@ double stored(double value, const PlainCasting& casting) {
 
 /// One step of a ray.
 struct PlainCaster::Step {
-    double opacity = 0.0;  ///< by the intensity alone
+    double opacity = 0.0;  ///< by the classification alone, for the step's length
     double alpha = 0.0;    ///< `opacity` times the coverage by data
     double border = 0.0;   ///< PresenceUse::border()
     Vec3 colour{0, 0, 0};
@@ -65,7 +65,7 @@ void walk(const ray_casting::Ray& ray, bool wholeSteps, const Visit& visit) {
 
 namespace {
 
-/// Gradient magnitudes are at most the root of 3, and samples at most the white level.
+/// White level of the volume of gradient magnitudes. These are at most the root of 3, so no sample is clamped.
 constexpr double whiteOfGradients = 2.0;
 
 Volume gradientsOf(const Volume& filled) {
