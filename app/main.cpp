@@ -26,7 +26,7 @@ void giveBackLargeArrays() {
 int main(int count, char** arguments) {
     using namespace echolucent;
     giveBackLargeArrays();
-    // Before any other thread starts. A signal then leaves no half movie.
+    // Call this before any other thread starts. It keeps a signal from leaving half a movie.
     removeUnfinishedOnSignals();
     restricted::prepareReader(restricted::Readiness::always);
     VolumeViewWidget::prepareApplication();

@@ -18,7 +18,8 @@ namespace echolucent::cli {
 /// What a command does once its options are parsed. A failure becomes one sentence on stderr and an exit status.
 using Action = std::function<Result<void>()>;
 
-/// Each adds one subcommand with its options, help and example. It sets `action` if that command was chosen.
+/// Each function adds one subcommand with its options, help and example. Parsing sets `action` if that subcommand was
+/// chosen.
 void addInfoCommand(CLI::App& program, Action& action);
 void addFilesCommand(CLI::App& program, Action& action);
 void addOtfCommand(CLI::App& program, Action& action, const Invocation& invocation);

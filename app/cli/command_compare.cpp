@@ -19,7 +19,7 @@ struct CompareOptions {
     std::string document, csv = "-";
 };
 
-/// The row of a pane up to what is measured of it.
+/// The cells of a pane's row that stand before its measures.
 std::string paneCells(const Document& document, std::size_t place) {
     const Pane& pane = document.panes.at(place);
     const DesignerConfig* config = designerConfigOf(document, place);

@@ -40,7 +40,8 @@ struct StoredRange {
     std::int64_t dataVoxels = 0;
 };
 
-/// The loop asks the volume nothing at a voxel, so that it can be vectorised.
+/// Smallest and largest of the values at whose offset isData() holds. `dataVoxels` of the result counts all `values`:
+/// the caller corrects it. The loop asks the volume nothing at a voxel, so that the compiler can vectorise it.
 template <typename Value, typename IsData>
 StoredRange rangeOfData(std::span<const Value> values, IsData isData) {
     Value low = std::numeric_limits<Value>::max(), high = std::numeric_limits<Value>::lowest();
@@ -174,7 +175,8 @@ Json seriesJson(const SeriesList& list, const SeriesEntry* read) {
     return array;
 }
 
-/// Writes the list of series if none of them could be read. The failure follows.
+/// What `info` does if the study could not be read: it writes the list of series, if there are at least two, and
+/// returns `failure`. If the list cannot be written, it returns the failure of writing instead.
 Result<void> writeListOnly(const std::optional<SeriesList>& list, const InfoOptions& options, const Failure& failure) {
     if (!list || list->series.size() < 2) return tl::unexpected(failure);
     const Json object{{"series", seriesJson(*list, nullptr)}};
@@ -212,7 +214,8 @@ void addInfoCommand(CLI::App& program, Action& action) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = program.add_subcommand("info", "Say what a volume file holds and how it was read");
     options->volume.addTo(*command);
-    // runInfo() requires it: "--json VOLUME" leaves it empty during parsing.
+    // runInfo() requires VOLUME. During parsing it may be empty: CLI11 takes the name in "--json NAME" for --json's
+    // FILE.
     command->get_option("VOLUME")->required(false);
     CLI::Option* json = command
                             ->add_option("--json", options->json,

@@ -50,7 +50,8 @@ Result<void> writeOtf(const OtfOptions& options, const Volume& volume, const Ada
     return {};
 }
 
-/// What a designer other than the adaptive one makes.
+/// Writes the OTF of a designer other than the adaptive one. Without --json and --csv it writes a summary to standard
+/// output.
 Result<void> writeDesign(const OtfOptions& options, const Volume& volume, const DesignRun& run,
                          const OtfContext& context) {
     if (options.json.empty() && options.csv.empty()) return writeFileAtomically("-", summary(run));
@@ -105,7 +106,8 @@ Result<DocumentStudy> openedForOtf(const OtfOptions& options, const std::vector<
     return opened;
 }
 
-/// Reads --document and its study. Fails (wrong usage) if the pane is rendered with a named curve.
+/// Reads --document and its study. Fails (wrong usage) if the pane is rendered with a curve other than the adaptive
+/// one, and as checkTubes() does.
 Result<DocumentStudy> documentForOtf(const OtfOptions& options, const std::vector<std::string>& outputs) {
     auto read = readDocumentStudy(options.document.path, options.volume, outputs, options.document.view);
     if (!read) return read;
@@ -120,12 +122,13 @@ Result<DocumentStudy> documentForOtf(const OtfOptions& options, const std::vecto
     return read;
 }
 
-/// The name of the initial function, as the report gives it: a document names a manual one without its file.
+/// The name of the initial function, as the report gives it. Of a document's manual curve it is "manual" alone: a
+/// document does not say from which file that curve was read.
 std::string initialNameOf(const OtfOptions& options, const Document& document) {
     return options.document.path.empty() ? options.method.initial : std::string(nameOf(document.method.initial));
 }
 
-/// The OTF that a pane of the document is rendered with.
+/// Computes and writes the OTF that a pane of the document is rendered with.
 Result<void> computeOtf(const OtfOptions& options, const CLI::App& command, const Invocation& invocation) {
     const std::vector<std::string> outputs{options.json, options.csv, options.tubesCsv};
     if (auto checked = checkOtfOutputs(options, outputs); !checked) return checked;

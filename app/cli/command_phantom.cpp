@@ -19,7 +19,8 @@ namespace echolucent::cli {
 
 namespace {
 
-/// The options as written. Missing ones follow the scene (defaultPhantom()).
+/// The options as written. If `size`, `spacing` or `contrast` is empty, or a number has no value, the scene decides
+/// (defaultPhantom()).
 struct PhantomOptions {
     std::string output, scene = "fetus", polar, size, spacing, contrast, truth, tubeGrid;
     int phases = 1, bits = 8;

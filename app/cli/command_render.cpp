@@ -56,7 +56,7 @@ Result<Vec3> backgroundFrom(const std::string& text) {
     return colour;
 }
 
-/// Says on stderr why nothing is seen, where the curve is the reason.
+/// If no pixel of the picture shows anything and the classification is the reason, says so on stderr.
 void explainEmptiness(const Picture& picture, const Classification& classification, const Volume& volume) {
     constexpr float leastSeen = 1.0f / 255.0f;
     for (std::size_t alpha = 3; alpha < picture.rgba.size(); alpha += 4)
@@ -87,7 +87,7 @@ Result<DocumentStudy> opened(const RenderOptions& options, double aspect) {
     return study;
 }
 
-/// What a pane of a document shows, without labels.
+/// Writes the picture of a pane of a document. The picture has no labels, except for the sentences of --words.
 Result<void> render(const RenderOptions& options, const CLI::App& command) {
     if (auto checked = checkPictureName(options.output, "-o"); !checked) return checked;
     if (auto checked = checkOutputs({options.output}); !checked) return checked;

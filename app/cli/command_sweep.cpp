@@ -56,7 +56,8 @@ Result<std::array<int, 2>> frameSizeFrom(const SweepOptions& options) {
     return parseWholePair(options.size, 1, largestFrameEdge, "--size", "512x512");
 }
 
-/// The range of angles, which does not yet say what moves.
+/// The range of angles. framesFrom() adds what moves. Fails (wrong usage) if an angle or the step is out of range, or
+/// if there are too many frames.
 Result<Motion> rangeFrom(const SweepOptions& options) {
     Motion range;
     range.from = options.from.value_or(range.from);
@@ -69,7 +70,8 @@ Result<Motion> rangeFrom(const SweepOptions& options) {
     return range;
 }
 
-/// The motion that the window begins with, as the options edit it.
+/// The motion of the document `opened`, as the options edit it. Fails (wrong usage) if neither probe nor object moves,
+/// if the object is to move and has one phase, or if --axis is given for a probe that is still.
 Result<MotionChoice> motionFrom(const SweepOptions& options, const Document& opened, std::size_t phases) {
     MotionChoice motion = opened.motion;
     const bool turned = options.angles() || !options.axis.empty() || movesProbe(motion.scenario);
@@ -87,7 +89,8 @@ Result<MotionChoice> motionFrom(const SweepOptions& options, const Document& ope
     return motion;
 }
 
-/// The frames of a range of angles. Without a range: one turn of the document's motion.
+/// The frames of a range of angles. If no angle is given, one turn of the document's motion, of which the last `before`
+/// frames count as shown before the first.
 Frames framesFrom(const SweepOptions& options, Motion range, const DocumentStudy& made, std::size_t before) {
     if (!options.angles()) return turnFrames(made, before);
     const Document& document = made.document;
@@ -183,7 +186,7 @@ std::optional<OtfSmoothing> smoothingFrom(const SweepOptions& options, const Doc
     if (made.file.empty()) return otfSmoothingFromName(options.smoothing);
     const Pane& pane = made.document.panes.at(made.pane);
     const auto smoothing = smoothingOf(pane.motionOtf.value_or(made.document.motion.otf));
-    // What a designer makes is not smoothed, and the adaptive OTF may be one's.
+    // The OTF of a designer is not smoothed, and a pane's designer may be the adaptive method.
     return smoothing && pane.designer ? OtfSmoothing::none : smoothing;
 }
 
@@ -213,7 +216,7 @@ Result<void> sweep(const SweepOptions& options, const CLI::App& command, const I
         report.madeOf = *std::move(of);
     }
     StudyPhases phases{.scans = made->study.phases, .reduction = document.scene.look.reduction};
-    // One OTF alone is computed of one phase.
+    // One OTF for all frames, without pictures, reads one phase only: the other phases need no quiet voxels.
     if (report.smoothing || options.pictureFlicker || !options.movie.empty())
         phases = withQuiet(std::move(phases), frames.frames);
     const std::vector<SweptOtf> swept = report.smoothing ? withOwnOtfs(*made, phases, frames, *report.smoothing)

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 21> pictureEndings{".bmp", ".exr", ".gif"
                                                           ".ppm", ".svg", ".tga", ".tif",  ".tiff", ".webp", ".xpm"};
 constexpr std::array<std::string_view, 10> movieEndings{".avi",  ".m4v", ".mkv", ".mov",  ".mp4",
                                                         ".mpeg", ".mpg", ".ogv", ".webm", ".wmv"};
-/// Besides those of the formats that are read.
+/// Endings of volumes in formats that the program does not read by name.
 constexpr std::array<std::string_view, 5> volumeEndings{".gipl", ".gz", ".hdr", ".img", ".vtk"};
 
 template <std::size_t count>

@@ -13,12 +13,12 @@ namespace echolucent::cli {
 /// The endings that writePhantom() knows, for help and messages: ".mha, .mhd, .nii, .nii.gz or .dcm".
 [[nodiscard]] std::string phantomEndings();
 
-/// Fails (wrongUsage) if no format has the name's ending.
+/// Fails (wrongUsage) if the name has an ending that is none of phantomEndings(). A name without an ending passes.
 [[nodiscard]] Result<void> checkPhantomName(const std::string& path);
 
-/// Writes the phases of a simulated scan, whose beam is +z, in the format of the ending of `path`. "-" is a MetaImage
-/// on the standard output. Fails (wrongUsage) if no format has that ending, and (unwritable) if the file cannot be
-/// written.
+/// Writes the phases of a simulated scan in the format of the ending of `path`. The scan's beam is +z. A name without
+/// an ending gets a MetaImage, and so does "-", the standard output. Fails as checkPhantomName() does, and (unwritable)
+/// if the file cannot be written.
 [[nodiscard]] Result<void> writePhantom(const std::string& path,
                                         const std::vector<std::shared_ptr<const Volume>>& phases);
 

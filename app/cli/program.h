@@ -8,7 +8,8 @@
 
 namespace echolucent::cli {
 
-/// The words of a command line that are no options: a command, the commands below it and their arguments.
+/// The words of a command line that do not begin with "-": a command, the commands below it and their arguments. The
+/// number of "--threads N" is left out; values of other options are not.
 [[nodiscard]] std::vector<std::string> wordsOf(int count, char** arguments);
 
 /// Adds a program's commands.

@@ -14,11 +14,12 @@ namespace echolucent::cli {
 /// them.
 void addStudyProgram(CLI::App& program);
 
-/// Whether a command line asks for one of these.
+/// Whether a command line asks for `study` or `bench`.
 [[nodiscard]] bool isForStudyProgram(int count, char** arguments);
 
-/// Replaces this process by echolucent-study, with the same arguments, input, outputs and parent. It looks for that
-/// program beside this one, then where it is installed. It returns only if the program cannot be started (unreadable).
+/// Replaces this process by echolucent-study, with the same arguments, input, outputs and parent. Looks for that
+/// program beside this one, then in its place of installation. Returns only if the program cannot be started
+/// (unreadable).
 [[nodiscard]] Result<void> becomeStudyProgram(int count, char** arguments);
 
 }  // namespace echolucent::cli

@@ -14,10 +14,10 @@ class CompareControls : public QObject {
     Q_OBJECT
 
 public:
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     CompareControls(DocumentModel& model, OpenStudy& openStudy, ComparePanel& panel, QObject* parent = nullptr);
 
-    /// Makes the standard comparison a step if nothing is compared yet.
+    /// If nothing is compared yet, compares mostPanes panes. That is one step.
     void begin();
 
 private:

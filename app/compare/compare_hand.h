@@ -16,11 +16,11 @@ class CompareHand : public QObject {
     Q_OBJECT
 
 public:
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     CompareHand(DocumentModel& model, OpenStudy& openStudy, CompareGrid& grid, QObject* parent = nullptr);
 
 signals:
-    /// The hand has moved the camera, out of a motion too.
+    /// The hand has moved the camera. If a motion had turned the view, the document's motionAngle is 0 again.
     void cameraMoved();
 
 private:

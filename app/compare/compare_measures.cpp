@@ -112,7 +112,7 @@ std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted(cons
         const bool changes =
             config != nullptr ? readsTubeCores(*config) : document.panes[place].curve == CurveKind::adaptive;
         const MotionOtf mode = document.panes[place].motionOtf.value_or(document.motion.otf);
-        // If no pane has a motion of its own, the flicker tells what an OTF for each view would do.
+        // If no pane has a motionOtf of its own, the flicker tells what an OTF for each view would do.
         pane.steady = !changes || (mode == MotionOtf::oneOtf && motionsCompared);
         if (!pane.steady) pane.smoothing = smoothingOf(mode).value_or(OtfSmoothing::none);
         flicker.panes.push_back(std::move(pane));
@@ -120,7 +120,7 @@ std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted(cons
     return flicker;
 }
 
-/// Empty if the work was cancelled.
+/// No value if the work was cancelled.
 std::optional<double> CompareMeasures::flickerOf(const FlickerAsked& asked, const FlickeringPane& pane,
                                                  const Progress& progress) {
     if (pane.steady) return 0.0;  // one OTF for all frames does not flicker
@@ -164,7 +164,7 @@ void CompareMeasures::measureFlicker() {
     });
 }
 
-/// Keeps nothing of the study before, above all no voxels.
+/// Forgets all requests and measures of the study before, and with them its voxels.
 void CompareMeasures::forgetStudy() {
     cancel();
     m_asked.reset();

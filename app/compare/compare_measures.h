@@ -14,9 +14,10 @@
 
 namespace echolucent {
 
-/// Fills the table of the comparison. measuresOf() gives CNR_S and share of light, as on the command line. They come
-/// once the OTFs are there and nothing plays. The flicker is measured on request. It is 0 if a pane keeps one OTF for
-/// every view. A pane of another phase than the tube cores' has no measures: all are compared on one volume.
+/// Fills the table of the comparison. measuresOf() gives CNR_S and share of light, as on the command line. They are
+/// measured once the OTFs are there, nothing plays and nothing is dragged. The flicker is measured on request. It is 0
+/// if a pane keeps one OTF for every view. A pane has no measures if it shows other voxels than those of the tube
+/// cores, as another phase does: all panes are compared on one volume.
 class CompareMeasures : public QObject {
     Q_OBJECT
 
@@ -29,7 +30,7 @@ public:
         ComparedViews& views;
         const MotionPlayer& player;
     };
-    /// All of them must outlive this. `work` describes the work of both threads.
+    /// What the parameters refer to must outlive this object. `work` describes the work of both threads.
     CompareMeasures(const Parts& parts, const Work& work, QObject* parent = nullptr);
 
     [[nodiscard]] bool busy() const { return m_thread.busy() || m_flickerThread.busy(); }
@@ -37,7 +38,7 @@ public:
     void measureFlicker();
     /// Ends both threads' work. Cancelled measures begin again once the document asks for something else.
     void cancel();
-    /// Cancelled measures begin again with the next frame.
+    /// Lets cancelled measures of panes begin again with the next follow(). The flicker does not begin again.
     void askAgain() { m_asked = m_measured; }
     /// The motion of the flicker: degrees to either side, and degrees from frame to frame.
     static constexpr double flickerDegrees = 10.0, flickerStep = 2.0;
@@ -45,7 +46,8 @@ public:
     static constexpr double flickerRaySpacing = 3.0;
 
 public slots:
-    /// Measures what the document asks for now, if that is not measured yet.
+    /// Measures what the document asks for, if that is not measured yet, and shows the rows. Does nothing while the
+    /// comparison is hidden.
     void follow();
 
 signals:
@@ -96,7 +98,7 @@ private:
     PaneOtfs& m_otfs;
     ComparedViews& m_views;
     const MotionPlayer& m_player;
-    std::optional<Asked> m_asked, m_measured;  ///< asked for last; that of m_measures
+    std::optional<Asked> m_asked, m_measured;  ///< the newest request; the request of m_measures
     std::vector<ClassificationMeasures> m_measures;
     std::optional<FlickerAsked> m_flickerOf;   ///< the request of m_flickers
     std::map<std::size_t, double> m_flickers;  ///< by place

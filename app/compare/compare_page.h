@@ -12,14 +12,14 @@
 namespace echolucent {
 
 struct ComparePage {
-    QString study;  ///< as names are shown
+    QString study;  ///< the study's name as StudyNames shows it
     QString made, version;
     struct Pane {
-        std::size_t place = 0;  ///< in the comparison
+        std::size_t place = 0;  ///< the pane's place in the comparison, from 0
         CompareRow row;
-        QImage image;
+        QImage image;  ///< left out of the page if null
         Classification classification = ManualCurve{};
-        std::vector<std::string> explanation{};  ///< of its designer
+        std::vector<std::string> explanation{};  ///< sentences of the pane's designer on its OTF
     };
     std::vector<Pane> panes;
 };

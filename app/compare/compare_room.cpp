@@ -28,7 +28,7 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
       m_measures({parts.model, parts.openStudy, parts.works, parts.otfs, m_views, parts.player}, work()),
       m_pageWaits(parts.works, work()),
       m_writing(parts.works, "comparison page", work()) {
-    // The 3D view tells of failures of the first pane already.
+    // The 3D view tells of failures of the first pane and of the scene's adaptive OTF already.
     connect(&m_parts.otfs, &PaneOtfs::failed, this, [this](std::size_t place, const QString& sentence) {
         if (place != firstPane && place != PaneOtfs::adaptiveOfScene)
             m_parts.messages.showMessage(MessageKind::error, sentence);

@@ -34,7 +34,7 @@ public:
         OpenStudy& openStudy;
         Works& works;
         MotionPlayer& player;
-        QStackedWidget& rooms;  ///< the review room first
+        QStackedWidget& rooms;  ///< the review room, then the comparison
         PaneOtfs& otfs;
         ShownPanes& panes;
         CompareGrid& grid;
@@ -44,11 +44,11 @@ public:
         StudyNames& names;
         std::function<QString(const QString& what)> proposedName;
     };
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     explicit CompareRoom(const Parts& parts, QObject* parent = nullptr);
 
     [[nodiscard]] bool shown() const { return m_views.shown(); }
-    /// Shows the comparison, or the review room again. If there is no comparison yet, shows the standard one.
+    /// Shows the comparison, or the review room again. If nothing is compared yet, begins as CompareControls::begin().
     void setShown(bool shown);
     [[nodiscard]] const ComparedViews& views() const { return m_views; }
     /// Adds its entries to the room menu, which must exist.
@@ -56,8 +56,9 @@ public:
     /// Lets Escape end a drag here, or bring a pane back that has the whole room.
     void addTo(EscapeOrder& escapes);
     /// Pauses a motion and writes the comparison as a page, in the background. Waits until every pane shows what the
-    /// document asks for and is measured. A message tells of a failure. If another study is opened while this waits, no
-    /// page is written.
+    /// document asks for and is measured. A message tells of a failure. If another study is opened, the room is left or
+    /// the work is cancelled while the page waits, it is not written. Does nothing if the room is hidden or another
+    /// page is being written.
     void savePage(const QString& path);
 
 signals:
@@ -67,7 +68,7 @@ signals:
 
 private:
     [[nodiscard]] Work work();
-    /// Ends measuring and writing, but neither pictures nor OTFs.
+    /// Ends measuring and writing, and drops a page or a figure that waits. Pictures and OTFs go on.
     void cancel();
     void chooseAndSavePage();
     void setWaitingPage(const QString& path);

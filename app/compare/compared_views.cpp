@@ -13,9 +13,10 @@ namespace echolucent {
 
 namespace {
 
-constexpr double frameMilliseconds = 40.0;  // from one frame to the next while the hand moves
+constexpr double frameMilliseconds = 40.0;  // the time for a frame while the hand moves
 
-/// A curve has the same colour and dashes everywhere. The OTF of a designer has none.
+/// A curve has the same colour and dashes everywhere, and so has the adaptive OTF. The OTF of another designer has
+/// none.
 PaneFace faceOf(std::size_t place, const Pane& choice) {
     PaneFace face{.name = QStringLiteral("%1  %2").arg(place + 1).arg(nameOfPane(choice))};
     const bool adaptive = choice.designer && designerOf(*choice.designer) == Designer::adaptive;
@@ -131,14 +132,14 @@ bool ComparedViews::refused() const {
 
 void ComparedViews::take(const std::shared_ptr<const CastPicture>& frame) {
     const auto before = std::exchange(m_frame, frame);
-    // Do not show a frame if other panes are asked for now.
+    // Do not show a frame whose panes are not those of the newest request.
     if (!frameHasPanesAsked()) {
         m_frame = before;
         return;
     }
     std::vector<QImage> images;
     for (std::size_t i = 0; i < frame->panes.size(); ++i) {
-        // A pane that stayed keeps its image.
+        // A pane whose pixels are those of the frame before keeps its image.
         const bool stayed = before && i < m_images.size() && before->panes[i].screen == frame->panes[i].screen;
         images.push_back(stayed ? m_images[i] : imageOf(*frame->panes[i].screen));
     }
@@ -164,7 +165,7 @@ void ComparedViews::showPair() {
         return QStringLiteral("%1 %2").arg(place + 1).arg(nameOfPane(m_parts.model.document().panes.at(at)));
     };
     const QString one = nameAt(comparison.first), other = nameAt(comparison.second);
-    // The document changes more often than the pair.
+    // The document changes more often than the pair: do not paint the same pair again.
     ShownPair asked{m_frame, comparison, one, other};
     if (m_pair == asked) return;
     m_pair = std::move(asked);

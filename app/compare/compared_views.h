@@ -18,8 +18,8 @@ namespace echolucent {
 
 class Works;
 
-/// Casts the visible panes with the camera of the first pane, to the bit. Puts pictures, names and numbers into the
-/// grid. The document says what is compared; this class stores nothing of it.
+/// Casts the visible panes with exactly the camera of the first pane. Puts pictures, names and numbers into the grid.
+/// The document alone says what is compared.
 class ComparedViews : public QObject {
     Q_OBJECT
 
@@ -32,17 +32,18 @@ public:
         ShownPanes& panes;
         CompareGrid& grid;
     };
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     explicit ComparedViews(const Parts& parts, QObject* parent = nullptr);
 
-    /// While the comparison is hidden, nothing is cast, and no designer runs for it.
+    /// Shows or hides the comparison. While it is hidden, nothing is cast, and no designer runs for it.
     void setShown(bool shown);
     [[nodiscard]] bool shown() const { return m_shown; }
-    /// Whether the screen shows what the document says now, in any quality.
+    /// Whether the screen shows what the document says, in any quality. True also if no picture is asked for.
     [[nodiscard]] bool frameIsCurrent() const;
     /// Whether every pane shows what the document asks for, converged.
     [[nodiscard]] bool settled() const;
-    /// Whether some pane will not show what the document asks for: its OTF was cancelled or has failed.
+    /// Whether some pane will not show what the document asks for: its OTF was cancelled or has failed. False while the
+    /// comparison is hidden.
     [[nodiscard]] bool refused() const;
     /// ShownPanes::at().
     [[nodiscard]] const ShownPane& paneAt(std::size_t place) const { return m_parts.panes.at(place); }
@@ -50,13 +51,14 @@ public:
     [[nodiscard]] const std::shared_ptr<const CastPicture>& frame() const { return m_frame; }
     /// The images of the frame's panes, as shown.
     [[nodiscard]] const std::vector<QImage>& images() const { return m_images; }
-    /// Adds the milliseconds of the designer and of the picture of a pane, if they are known.
+    /// Adds the milliseconds of a pane's designer if its OTF is the newest, and those of its picture if that is
+    /// converged and not made of kept samples.
     void addTimes(std::size_t place, CompareRow& row) const;
     /// The measures of the panes, by place; shown under the panes.
     void setRows(const std::vector<CompareRow>& rows);
 
 public slots:
-    /// Shows what the document says now. Runs by itself when the document or an OTF changes.
+    /// Shows what the document says. Runs by itself when the document, an OTF or the arrangement of the panes changes.
     void follow();
 
 signals:
@@ -92,7 +94,7 @@ private:
         friend bool operator==(const ShownPair&, const ShownPair&) = default;
     };
     std::optional<ShownPair> m_pair;
-    bool m_waits = false;  ///< for an OTF; without it a pane would be clear
+    bool m_waits = false;  ///< whether the panes keep their pictures until an OTF is there
     ProgressiveCaster m_caster;
 };
 

@@ -9,13 +9,13 @@ namespace echolucent {
 /// adaptive one. The manual curve becomes that of (a).
 [[nodiscard]] Document figure1(Document document);
 
-/// Figure 9: a frame of the motion, figure9Degrees from its first view. One pane has one OTF for all frames, the other
-/// an OTF of this frame. The motion itself shows one OTF.
+/// Figure 9 shows the frame of a motion that is figure9Degrees from its first view; the caller turns the motion there.
+/// One pane has one OTF for all frames, the other an OTF for each frame. The motion itself shows one OTF.
 [[nodiscard]] Document figure9(Document document);
 inline constexpr double figure9Degrees = 30.0;
 
 /// The adaptive curve in three panes, for any motion: one OTF for all frames, an OTF for each frame, and an OTF for
-/// each smoothed for the least flicker.
+/// each frame that is smoothed for the least flicker.
 [[nodiscard]] Document motionSideBySide(Document document);
 
 }  // namespace echolucent

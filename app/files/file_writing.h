@@ -12,16 +12,17 @@
 
 namespace echolucent {
 
-/// Writes one file at a time. A cancelled one is told of too: as cancelled, or as written if it was whole before.
+/// Writes one file at a time. Tells the end of a cancelled file too: a failure with FailureKind::cancelled, or success
+/// if the file was whole before it was cancelled.
 class FileWriting {
 public:
     /// Runs in the thread and polls progress.cancelled(). If it is cancelled in time, it leaves no file and fails with
     /// FailureKind::cancelled. What it throws becomes a failure that names `path`.
     using Write = std::function<Result<void>(const Progress& progress)>;
-    /// Runs in this object's thread.
+    /// Runs in the thread that made this object.
     using Tell = std::function<void(const Result<void>& written)>;
 
-    /// A work without a cancel gets cancel().
+    /// `work` describes the writing. If it has no `cancel`, it gets cancel() of this object.
     FileWriting(Works& works, const QString& threadName, const Work& work);
     /// Cancels the file that is being written and waits for it. Nothing is told afterwards.
     ~FileWriting();

@@ -16,8 +16,8 @@ struct FileToSave {
     QString filter;                   ///< of the dialog's list, as QFileDialog takes it
     QString name;                     ///< proposed, without its suffix
     QString suffix;                   ///< "json"; added if the person types no ending of the filter
-    QString folder = {};              ///< proposed if it can be written to; else that of the file saved last
-    bool asksBeforeReplacing = true;  ///< else the caller asks
+    QString folder = {};              ///< proposed if it can be written to; else the folder of the file saved last
+    bool asksBeforeReplacing = true;  ///< whether the dialog asks; if false, the caller asks
     QString note = {};                ///< a sentence to read before saving; empty for none
 };
 

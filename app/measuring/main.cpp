@@ -17,7 +17,7 @@ void addCommands(CLI::App& program, echolucent::cli::Action& action) {
 /// `echolucent-cli study` and `echolucent-cli bench` start this program.
 int main(int count, char** arguments) {
     CLI::App program{"Echolucent's studies and benches. Not a medical device."};
-    // It calls itself echolucent-cli, as a person has started that.
+    // This program calls itself echolucent-cli: that is the program that a person has started.
     return echolucent::cli::runProgram(program, std::string("echolucent-cli ") + ECHOLUCENT_VERSION, addCommands, count,
                                        arguments);
 }

@@ -43,16 +43,16 @@ public:
     StudyCommand(const StudyCommand&) = delete;
     StudyCommand& operator=(const StudyCommand&) = delete;
 
-    /// Adds the study's command to `study`. If a person chooses it, it sets `action`.
+    /// Adds the command of `own` to `study`. If a person chooses that command, `action` runs the study.
     static void add(const std::shared_ptr<StudyCommand>& own, CLI::App& study, Action& action);
 
 protected:
     virtual void addOptions(CLI::App& command) = 0;
     /// The names of all files that measure() may return.
     [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
-    /// Says what is wrong with the study's own options, before the folder is made.
+    /// Fails if one of the study's own options is wrong. Runs before the folder is made.
     [[nodiscard]] virtual Result<void> check() { return {}; }
-    /// std::invalid_argument if it returns a file that is not among files().
+    /// Measures. If measure() returns a file that is not among files(), std::invalid_argument is thrown.
     [[nodiscard]] virtual Result<StudyFindings> measure() = 0;
 
     /// Adds VOLUME and its options. A person may leave it out.
@@ -65,8 +65,9 @@ protected:
     /// Adds --otf.
     void addOtf(CLI::App& command);
 
-    /// Reads the wanted volume. No output may be one of its files.
+    /// Reads the phase of VOLUME that --phase names. Fails (wrong usage) if an output is one of its files.
     [[nodiscard]] Result<std::shared_ptr<const Volume>> readVolume() const { return volume.readPhase(m_outputs); }
+    /// Reads all phases of VOLUME. Fails as readVolume() does.
     [[nodiscard]] Result<Study> readPhases() const { return volume.readAll(m_outputs); }
     /// The view of the options. If no volume was named, the scan is simulated, and its beam is that of the options.
     [[nodiscard]] Result<Viewpoint> viewOf(const Volume& shown) const;
@@ -78,10 +79,10 @@ protected:
     PhantomChoice phantoms;
     ViewOptions view;
     MethodOptions method;
-    AdaptiveOtfConfig config;          ///< of the method, from check() on
+    AdaptiveOtfConfig config;          ///< what `method` gives, from check() on
     std::vector<PhantomConfig> bases;  ///< the phantoms of the options, from check() on; at least one
     std::string otf = "adaptive";
-    std::string folder;  ///< of the files; if empty before addFolder(), -o is required
+    std::string folder;  ///< the folder for files(); if it is empty before addFolder(), -o is required
 
 private:
     [[nodiscard]] Result<void> run();

@@ -74,7 +74,8 @@ template <typename Items, typename NameOf>
     return otherTime <= time && otherError <= error && (otherTime < time || otherError < error);
 }
 
-/// "1,2,5" or "3" or "1-4": whole numbers from 0, in the given order. Fails (wrong usage), naming `option`.
+/// "1,2,5" or "3" or "1-4": whole numbers from 0, in the given order. Fails (wrong usage), naming `option`, if the text
+/// is something else or a range has more than 1000 numbers.
 [[nodiscard]] Result<std::vector<std::uint64_t>> parseSeeds(const std::string& text, const std::string& option);
 
 }  // namespace echolucent::cli

@@ -57,10 +57,10 @@ inline constexpr std::array<MethodReading, 3> allReadings{MethodReading::asPubli
 /// for the shown voxels.
 [[nodiscard]] std::vector<OpacityCurve> contrastCurvesOf(const Volume& volume, const Viewpoint& view,
                                                          const QuietVoxels& shown = {});
-/// Their names, in the same order.
+/// The names of the curves of contrastCurvesOf(), in their order.
 [[nodiscard]] std::vector<std::string> contrastCurveNames();
 
-/// CNR_S of each of these curves, on voxels made quiet by `reduction`.
+/// CNR_S of each curve of contrastCurvesOf(), on voxels made quiet by `reduction`.
 [[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view,
                                                              SpeckleReduction reduction = SpeckleReduction::off);
 

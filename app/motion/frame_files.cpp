@@ -48,7 +48,7 @@ PictureLabels frameLabels(const FrameOrder& order, const PaneFrames& frames, int
             .spacingKnown = known};
 }
 
-/// A frame as 8-bit red, green, blue. Empty if the work was cancelled.
+/// A frame as 8-bit red, green, blue. No value if the work was cancelled.
 std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, PaneFrames& frames, int frame,
                                                   const Progress& progress) {
     const QSize size = order.choice.size;
@@ -83,7 +83,8 @@ public:
         m_paths.push_back(path);
         return {};
     }
-    /// If one cannot take its place, removes the new ones before it.
+    /// Puts the pictures in place. If one cannot take its place, removes those before it that replaced no file, and
+    /// returns the failure.
     Result<void> finish() {
         for (std::size_t i = 0; i < m_files.size(); ++i) {
             auto put = m_files[i].putInPlace();

@@ -24,8 +24,8 @@ struct FrameOrder {
 /// The files for a choice and a number of frames: the movie, or NAME-0001.png and those that follow it.
 [[nodiscard]] std::vector<std::string> filesOf(FrameOutput output, const MovieChoice& choice, int frames);
 
-/// Existing pictures of a longer series of that name. Their numbers go on after `frames`, up to the first that does not
-/// exist. A movie has none.
+/// Existing pictures of a longer series of the choice's name: those with the numbers after `frames`, up to the first
+/// number without a picture. Empty for a movie.
 [[nodiscard]] std::vector<std::string> filesOfLongerSeries(FrameOutput output, const MovieChoice& choice, int frames);
 
 /// Fails if the choice cannot be written: MovieFile::check(), a series whose name does not end in .png, or a series
@@ -34,12 +34,12 @@ struct FrameOrder {
                                            const std::vector<std::string>& study);
 
 /// Writes every frame of one turn (PaneFrames), over black. Adds labels and measurements if the choice wants them.
-/// Files appear only once the last frame is made. If it fails or is cancelled before that (Failure::cancelled, within a
-/// frame), the old files stay as they were. After the last frame, a picture of a series may still fail to take its
-/// place. If so, the new ones before it are removed, and those that replaced others stay. If the choice replaces, the
-/// pictures of a longer series (filesOfLongerSeries()) are removed once all of this one are in place. It fails if one
-/// cannot be removed. Without labels a picture of a series equals that of `render --document`, to the bit. Needs no GUI
-/// thread. The calling thread loads the movie's encoder.
+/// Files appear only once the last frame is made. If the writing fails or is cancelled before that
+/// (FailureKind::cancelled, within a frame), the old files stay as they were. After the last frame, a picture of a
+/// series may still fail to take its place. If so, the pictures before it that replaced no file are removed, and those
+/// that replaced one stay. If the choice replaces, the pictures of a longer series (filesOfLongerSeries()) are removed
+/// once all of this series are in place. The writing fails if one of them cannot be removed. Without labels a picture
+/// of a series equals that of `render --document`, to the bit. Any thread may call this. It loads the movie's encoder.
 [[nodiscard]] Result<void> writeFrames(const FrameOrder& order, const Progress& progress = {});
 
 }  // namespace echolucent

@@ -28,7 +28,7 @@ MotionFrames::MotionFrames(const Parts& parts, QObject* parent)
     connect(&m_parts.model, &DocumentModel::motionAngleChanged, this, &MotionFrames::takeAngle);
     connect(&m_parts.model, &DocumentModel::phaseChanged, this, &MotionFrames::takePhase);
     connect(&m_parts.panes, &ShownPanes::courseChanged, &m_parts.coursePanel, &OtfCoursePanel::showCourse);
-    // The motion begins again if the beam changes.
+    // Another beam pauses the motion.
     connect(&m_parts.model, &DocumentModel::beamChanged, &player, &MotionPlayer::pause);
     takeChoices();
 }
@@ -45,7 +45,7 @@ void MotionFrames::connectPanel() {
 void MotionFrames::takeFromPanel(const MotionChoice& choice, const QString& what) {
     Document next = m_parts.model.document();
     const MotionOtf before = std::exchange(next.motion, choice).otf;
-    // Back to one OTF: that of the view in which the motion began.
+    // If the choice goes back to one OTF, that is the OTF of the view in which the motion began.
     if (choice.otf == MotionOtf::oneOtf && before != MotionOtf::oneOtf) next.scene.side = next.scene.pose.direction;
     m_parts.model.edit(next, what);
 }

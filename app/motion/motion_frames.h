@@ -35,7 +35,7 @@ public:
     };
     explicit MotionFrames(const Parts& parts, QObject* parent = nullptr);
 
-    /// Another study is open; its document begins next.
+    /// Takes the phases of a study that was opened, and pauses the motion. Call beginAtRest() when its document begins.
     void setStudy(const Study& study);
     /// The document of the study has begun: the motion rests in its first frame.
     void beginAtRest();
@@ -44,9 +44,9 @@ public:
     void stepPhase(int step);
     /// Lets the player go on once the picture of the present frame, made with the frame's OTF, is on the screen.
     void announceShownFrame();
-    /// Back to the frame at angle 0.
+    /// Pauses the motion and goes back to the frame at angle 0.
     void rewind();
-    /// The hand has moved the camera: the motion is over.
+    /// Pauses the motion, because the hand has moved the camera.
     void endByHand();
 
 private:

@@ -45,15 +45,16 @@ public slots:
     void play();
     void pause();
     void togglePlaying();
-    /// Sets the angle, rounded to whole degrees and clamped into the range. Emits frameChanged if it differs.
+    /// Sets the angle, rounded to whole degrees and clamped into the range. Emits frameChanged if it differs. Ignores a
+    /// number that is not finite.
     void setAngle(double degrees);
     /// Moves the angle on by this many degrees, clamped into the range.
     void stepBy(int degrees);
     /// Sets what moves, in which order and how fast. If the axis changes while the angle is not 0, the motion starts
     /// from its view again: emits frameChanged with angle 0.
     void setChoice(const echolucent::MotionChoice& choice);
-    /// Shows a study from its first phase on; emits nothing. It has `phases` phases (>= 1). They are phaseSeconds apart
-    /// (above 0), if that is known.
+    /// Takes the phases of another study and begins at its first phase; emits nothing. The study has `phases` phases
+    /// (>= 1). They are phaseSeconds apart (above 0), if that is known.
     void setStudy(int phases, std::optional<double> phaseSeconds);
     /// The hand shows another phase of the study; emits nothing.
     void setPhase(int phase);

@@ -20,8 +20,8 @@ class StudyNames;
 class Works;
 enum class MessageKind;
 
-/// Writes one movie or series at a time. Document and phases stay as they were at the start. The window stays usable.
-/// If cancel() or the end of this object stops the writing, no file is left.
+/// Writes one movie or series at a time. It shows document and phases as they were at the start. The window stays
+/// usable. If cancel() or the end of this object stops the writing, no file is left.
 class MovieFiles : public QObject {
     Q_OBJECT
 
@@ -34,15 +34,16 @@ public:
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;
-        std::function<QSize()> viewPixels;                         ///< of the 3D view, device pixels
+        std::function<QSize()> viewPixels;                         ///< the size of the 3D view in device pixels
         std::function<QString(const QString& what)> proposedName;  ///< for a file of the study, without an ending
     };
-    /// All outlive this object, which belongs to the window.
+    /// What the parameters refer to must outlive this object, which belongs to the window.
     explicit MovieFiles(Parts parts);
 
     /// Opens the dialog (movieDialog). Does nothing if no study is open. If files are being written, says so.
     void ask(FrameOutput output);
-    /// Begins to write. Checks the choice once more.
+    /// Begins to write. Checks the choice once more: if something stands in its way, ends at once with a message and
+    /// ended(false). Does nothing if no study is open or files are being written.
     void begin(FrameOutput output, const MovieChoice& choice);
     [[nodiscard]] bool busy() const { return m_writing.busy(); }
     /// Ends the writing, within a frame.

@@ -24,7 +24,7 @@ EditorOtfs::EditorOtfs(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.designers, &DesignerPanel::computeRequested, &m_parts.otfs, &PaneOtfs::computeAgain);
 }
 
-/// Keeps the curve before until the next one is there, or none will come.
+/// Keeps the curve that the editor shows until the next one is there, or until it is known that none will come.
 void EditorOtfs::showAdaptive() {
     const SampledCurve& curve = m_parts.panes.adaptiveCurve();
     const bool comes = curve.opacities.empty() && !m_parts.otfs.isRefused(PaneOtfs::adaptiveOfScene);
@@ -45,14 +45,15 @@ void EditorOtfs::showDesign() {
 void EditorOtfs::showInPanel() {
     const DesignerConfig* config = designerConfigOf(m_parts.model.document(), firstPane);
     auto made = m_parts.otfs.designOf(firstPane);
-    // The picture may still show the design of another designer. The panel of this one does not.
+    // The picture may still show the design of the designer before. The panel of the chosen designer does not show it.
     if (made && (config == nullptr || config->index() != made->asked.config.index())) made.reset();
     if (made != m_inPanel) m_parts.designers.setDesign(made ? &made->design : nullptr, made ? made->milliseconds : 0.0);
     m_inPanel = made;
     m_parts.designers.setComputing(m_parts.otfs.designing(), m_parts.otfs.isAnyRefused());
 }
 
-/// A failure of the scene's OTF is told once, for its own place.
+/// Tells the failure of the scene's adaptive OTF, and that of the first pane if a designer was to make its OTF. If the
+/// first pane shows the scene's OTF, one failure is thus told once. CompareRoom tells of the other panes.
 void EditorOtfs::tellFailure(std::size_t place, const QString& sentence) {
     const bool designed = designerConfigOf(m_parts.model.document(), firstPane) != nullptr;
     if (place == PaneOtfs::adaptiveOfScene || (place == firstPane && designed))

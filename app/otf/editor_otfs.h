@@ -29,7 +29,7 @@ public:
         DesignerPanel& designers;
         MessageBar& messages;
     };
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     explicit EditorOtfs(const Parts& parts, QObject* parent = nullptr);
 
 private:
@@ -40,7 +40,7 @@ private:
 
     Parts m_parts;
     std::shared_ptr<const ComputedOtf> m_inPanel;
-    std::optional<std::size_t> m_kindInPanel;  ///< of designer
+    std::optional<std::size_t> m_kindInPanel;  ///< index() of the first pane's DesignerConfig; no value without one
 };
 
 /// "Levoy", ...

@@ -19,24 +19,25 @@ struct OtfRequest {
     std::shared_ptr<const Volume> shown{};               ///< what the OTF is meant for: quiet if speckle is reduced
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of `shown`
     Viewpoint view{};            ///< tube cores look along it; the default if the designer reads none
-    AdaptiveOtfConfig method{};  ///< how tube cores are read; the default likewise
+    AdaptiveOtfConfig method{};  ///< how tube cores are read; the default if the designer reads none
     friend bool operator==(const OtfRequest&, const OtfRequest&) = default;
 };
 
 struct ComputedOtf {
     OtfRequest asked;
     Design design;
-    double milliseconds = 0.0;  ///< of the designer
+    double milliseconds = 0.0;  ///< wall time of the designer
 };
 
 /// Finds OTFs by their requests. It keeps no voxels alive: an OTF is never found again once its voxels are gone.
 class KeptOtfs {
 public:
-    /// Keeps an OTF. All together take at most byteLimit. If one does not fit, OTFs of lost voxels make room, then the
-    /// newest ones. So if a loop is too long, its first OTFs stay.
+    /// Keeps an OTF. All kept OTFs together take at most byteLimit. If `otf` does not fit, OTFs of lost voxels make
+    /// room, then the newest kept ones. So if a loop is too long, its first OTFs stay.
     void keep(const ComputedOtf& otf);
     /// The OTF of the same request; null if it is not kept.
     [[nodiscard]] std::shared_ptr<const ComputedOtf> find(const OtfRequest& request) const;
+    /// Forgets the OTFs that hold tube cores.
     void forgetAdaptive();
     void clear();
     [[nodiscard]] std::size_t count() const { return m_kept.size(); }

@@ -26,11 +26,12 @@ public:
     };
     explicit NearCutFinder(const Parts& parts, QObject* parent = nullptr);
 
-    /// Looks in the view that the document shows now.
+    /// Looks in the view that the document shows at the time of the call. Does nothing if no study is open.
     void find();
     /// Takes the present cut back. If there is none, looks for one.
     void toggle();
-    /// Tells of the cut made on opening, with the way back.
+    /// Tells of the cut made on opening, with the way back. Tells nothing if the front is not the one found, or if
+    /// another message is shown.
     void tellOpening(const NearCutFinding& finding);
     /// Whether a search runs, in its own thread.
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
@@ -45,12 +46,12 @@ private:
     void take(const NearCutFinding& finding);
     [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Front>& back);
     void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
-    /// A message about a cut is true of this picture alone.
+    /// What a message about a cut is true of: it is taken back once any of these values changes.
     struct CutPicture {
         StudyReference study;
         int phase = 0;
         Front cut;
-        Viewpoint seenFrom;  ///< the cut turns with the view
+        Viewpoint seenFrom;  ///< belongs here because the cut turns with the view
         friend bool operator==(const CutPicture&, const CutPicture&) = default;
     };
     [[nodiscard]] CutPicture presentPicture() const;
@@ -61,7 +62,7 @@ private:
     Viewpoint m_looksFrom;
     Search m_search;
     std::shared_ptr<const Volume> m_searched;  ///< the volume of the newest search
-    QString m_told;  ///< the newest message, true of m_toldPicture; empty once that is another
+    QString m_told;  ///< the newest message, true of m_toldPicture; empty once another picture is shown
     CutPicture m_toldPicture;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

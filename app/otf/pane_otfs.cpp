@@ -168,7 +168,7 @@ std::optional<OtfRequest> PaneOtfs::requestOf(std::size_t place) const {
     return request;
 }
 
-/// Another study is open.
+/// Forgets the OTFs of the study before, because another study is open.
 void PaneOtfs::begin() {
     m_study = m_openStudy.study();
     m_kept.clear();

@@ -24,18 +24,19 @@ namespace echolucent {
 /// Tube cores look from the document's side (otfViewpointOf()). In a motion with an OTF for each view they look along
 /// the last frame, until the side or the beam changes.
 ///
-/// An OTF may wait for quiet voxels of its phase while these are made. It waits if a picture of the phase is there
-/// meanwhile. It also waits if the study is small (quietFirstVoxels): then one picture follows its opening, not two. A
-/// motion that plays never waits for them. An OTF of a study waits too while strokes are cut for the first time.
+/// An OTF may wait for quiet voxels of its phase while these are made. It waits if its place has an OTF of the phase
+/// already, which is shown meanwhile. It also waits if the study is small (quietFirstVoxels): then one picture follows
+/// its opening, not two. A motion that plays never waits for quiet voxels. The first OTF of a phase also waits while
+/// strokes are cut out of the phase.
 class PaneOtfs : public QObject {
     Q_OBJECT
 
 public:
-    /// The place of the scene's adaptive OTF, beside the panes' numbers. It is that of the first pane, even if the pane
-    /// is rendered with another.
+    /// The place of the scene's adaptive OTF, beside the panes' numbers. This OTF has the phase, view and method of the
+    /// first pane, even if that pane is rendered with another OTF.
     static constexpr std::size_t adaptiveOfScene = mostPanes;
 
-    /// All outlive this.
+    /// What the parameters refer to must outlive this object.
     PaneOtfs(DocumentModel& model, OpenStudy& openStudy, Works& works, QObject* parent = nullptr);
 
     /// Sets whether somebody looks at all panes, or at the first one alone.
@@ -44,13 +45,13 @@ public:
     void setPlaying(bool playing);
 
     /// The OTF that the document asks for at a place. Until it is there, the one before it. Null before the first OTF
-    /// of a study, and if the pane's picture needs no computed OTF.
+    /// of a study, if the pane's picture needs no computed OTF, and if nobody looks at the pane.
     [[nodiscard]] std::shared_ptr<const ComputedOtf> of(std::size_t place) const;
-    /// The same, but null unless a designer made it and the document gives the pane a designer.
+    /// of(pane), but null unless a designer of the pane made it and the document gives the pane a designer.
     [[nodiscard]] std::shared_ptr<const ComputedOtf> designOf(std::size_t pane) const;
     /// The AdaptiveOtf in of(adaptiveOfScene); null if that is null.
     [[nodiscard]] std::shared_ptr<const AdaptiveOtf> adaptive() const;
-    /// Whether of(place) is what the document asks for now.
+    /// Whether of(place) is the OTF that the document asks for. False while that OTF waits for voxels.
     [[nodiscard]] bool isNewest(std::size_t place) const;
     /// Whether the requested OTF was cancelled or has failed: it does not come by itself.
     [[nodiscard]] bool isRefused(std::size_t place) const;
@@ -65,7 +66,7 @@ public:
     /// Computes cancelled and failed OTFs again.
     void computeAgain();
     /// Makes one step: the present direction of view becomes the document's side, and the phase shown becomes the phase
-    /// of one OTF for all.
+    /// of one OTF for all. Then does as computeAgain(). Does nothing if no study is open.
     void computeForThisView();
 
     [[nodiscard]] const KeptOtfs& kept() const { return m_kept; }
@@ -76,7 +77,7 @@ public:
     /// many.
     static constexpr std::int64_t quietFirstVoxels = 10'000'000;
 
-    /// The function that designs. Tests put in one that ends on command.
+    /// The function that designs. Tests put in one that ends on command. setRun() forgets all kept OTFs.
     using Run = std::function<std::optional<Design>(const DesignerConfig&, const DesignerInput&, const Progress&)>;
     void setRun(Run run);
 
@@ -109,7 +110,8 @@ private:
     void fail(const OtfRequest& request, const QString& sentence);
     void give(std::size_t place, std::shared_ptr<const ComputedOtf> otf);
     [[nodiscard]] std::vector<std::size_t> wantedPlaces() const;
-    /// No value if no study is open, nobody looks at the place, or its voxels are still being made.
+    /// No value if no study is open, nobody looks at the place, its picture needs no computed OTF, or its OTF waits for
+    /// voxels.
     [[nodiscard]] std::optional<OtfRequest> requestOf(std::size_t place) const;
     [[nodiscard]] Viewpoint viewOf(std::size_t pane) const;
     [[nodiscard]] bool waitsForVoxels(std::size_t place, int phase) const;

@@ -101,7 +101,7 @@ void ShownPanes::followCourse(std::size_t place) {
     } else if (ofScene && begins) {
         m_otfs.forgetAdaptive();
     }
-    // One OTF of a motion may be of another view or phase than the frame. Then it is no OTF of this frame.
+    // If one OTF serves the whole motion, it may be of another view or phase than this frame.
     const bool ofFrame = otf->view == viewpointOf(document) && otfPhaseOf(document, pane, phases) == phase;
     if (ofFrame) course.add(frame, otf->curve);
     if (mode == MotionOtf::oneOtf) course.addOneOtf(frame, otf->curve);

@@ -14,12 +14,12 @@
 
 namespace echolucent {
 
-/// What a pane shows now. Its picture is made once this is ready.
+/// What a pane shows. Its picture is made once `ready` is true.
 struct ShownPane {
     std::shared_ptr<const Volume> voxels{};    ///< quiet if speckle is reduced, and cut by the scalpel; null: no study
-    std::shared_ptr<const Volume> measured{};  ///< the same voxels as read
+    std::shared_ptr<const Volume> measured{};  ///< the raw voxels of the same phase, cut by the scalpel
     Classification classification{};
-    bool newest = false;   ///< it is what the document asks for
+    bool newest = false;   ///< whether the pane's OTF is the one that the document asks for
     bool refused = false;  ///< the requested OTF was cancelled or has failed, and does not come by itself
     /// Voxels and classification are of one scan, or no OTF will come. While a motion plays, both are the frame's own.
     bool ready = false;
@@ -31,7 +31,7 @@ class ShownPanes : public QObject {
     Q_OBJECT
 
 public:
-    /// All outlive this. `course` is that of the scene's adaptive OTF.
+    /// What the parameters refer to must outlive this object. `course` is that of the scene's adaptive OTF.
     ShownPanes(DocumentModel& model, OpenStudy& openStudy, PaneOtfs& otfs, OtfCourse& course,
                QObject* parent = nullptr);
 
@@ -66,7 +66,8 @@ private:
     void followCourse(std::size_t place);
     [[nodiscard]] MotionOtf modeOf(std::size_t place) const;
     [[nodiscard]] const SampledCurve* curveAt(std::size_t pane, const ComputedOtf& otf) const;
-    /// Gives voxels to a pane if its OTF was not made for them.
+    /// Gives a pane the newest voxels of a phase. If quiet ones come soon, the pane keeps the voxels that it shows. If
+    /// it shows none yet, it is not ready until they are there.
     void takeVoxels(std::size_t place, int phase, ShownPane& pane) const;
 
     DocumentModel& m_model;
@@ -77,7 +78,7 @@ private:
     std::map<std::size_t, Course> m_courses;  ///< by place
     const Study* m_study = nullptr;           ///< compared by address only
     std::vector<ShownPane> m_shown;           ///< by pane, as followed last
-    std::map<std::size_t, ShownPane> m_last;  ///< the last ready ones of panes that somebody looks at
+    std::map<std::size_t, ShownPane> m_last;  ///< what each pane that somebody looks at showed when it was ready last
 };
 
 }  // namespace echolucent

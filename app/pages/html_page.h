@@ -58,11 +58,12 @@ public:
     void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                const std::string& caption = {});
     void plot(const Plot& plot);
+    /// Throws std::invalid_argument if the values of `map` do not fill whole rows, or if there are none.
     void heatMap(const HeatMap& map);
     /// Adds a picture over black. Pictures stand side by side as far as the page is wide. Each pixel is shown as `zoom`
     /// pixels across and down (1 or more).
     void picture(const Picture& picture, const std::string& caption, int zoom = 1);
-    /// The same for 8-bit red, green, blue, rows from the top. Throws std::invalid_argument if `rgb` does not hold
+    /// Adds a picture of 8-bit red, green, blue, rows from the top. Throws std::invalid_argument if `rgb` does not hold
     /// width * height * 3 bytes.
     void picture(int width, int height, std::vector<std::uint8_t> rgb, const std::string& caption, int zoom = 1);
     /// The whole page. Its last sentence says that this is not a medical device.

@@ -8,7 +8,8 @@
 
 namespace echolucent {
 
-/// Writes &, <, > and both quotes as entities. Writes control characters as spaces, as XML does not allow them.
+/// Writes &, <, > and both quotes as entities. Writes control characters other than line feeds as spaces, as XML does
+/// not allow them.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 /// An address "data:image/png;base64," followed by the PNG. rgb holds width * height * 3 bytes: 8-bit RGB, rows from

@@ -13,7 +13,7 @@ namespace {
 constexpr int wantedTicks = 6;
 constexpr double roomBeside = 0.03;  // of the range, so that no marker sits on the frame
 
-/// The step of 1, 2 or 5 times a power of ten that is next to `raw`.
+/// The smallest step of 1, 2 or 5 times a power of ten that is not below `raw`.
 double niceStep(double raw) {
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
     for (const double step : {1.0, 2.0, 5.0})

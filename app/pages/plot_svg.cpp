@@ -43,7 +43,7 @@ struct Place {
     double x, y;
 };
 
-/// Distance of a place from the line through two others. If both are one, from that one.
+/// Distance of a place from the line through `first` and `last`. If these are one place, the distance from that place.
 double distanceFromLine(const Place& place, const Place& first, const Place& last) {
     const double dx = last.x - first.x, dy = last.y - first.y, length = std::hypot(dx, dy);
     if (length == 0.0) return std::hypot(place.x - first.x, place.y - first.y);

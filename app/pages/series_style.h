@@ -27,7 +27,7 @@ inline constexpr std::array<SeriesColour, 8> seriesColours{{{"adaptive", "#1c7f8
                                                             {"", "#a04e26", "#e39a78", "4 2"}}};
 
 /// For each series the index of its colour. If the series' name begins with a curve's name, it is the curve's own
-/// colour, else the next free one. Beyond the eighth series they repeat.
+/// colour, else the next free one. Beyond the eighth series the colours repeat.
 [[nodiscard]] std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series);
 
 }  // namespace echolucent

@@ -16,14 +16,14 @@ class DocumentView : public QObject {
     Q_OBJECT
 
 public:
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     DocumentView(DocumentModel& model, OpenStudy& openStudy, ShownPanes& panes, VolumeViewWidget& widget,
                  QObject* parent = nullptr);
 
     /// Whether the widget still shows the study before. It does until the first pane is ready: a picture never mixes
     /// the voxels of one study with the values of another. What the hand does there meanwhile is no step.
     [[nodiscard]] bool held() const { return m_study != m_openStudy.study(); }
-    /// Whether the widget was given what the document says now.
+    /// Whether the widget was given what the document says. True also if no study is open.
     [[nodiscard]] bool isCurrent() const { return m_isCurrent; }
 
 signals:

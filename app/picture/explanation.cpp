@@ -14,7 +14,8 @@ namespace {
 
 QString explanationText(const char* text) { return QCoreApplication::translate("explanation", text); }
 
-/// The designer's words on the picture's OTF. While the document's OTF is computed, this is the one before.
+/// The designer's words on the picture's OTF. While the OTF that the document asks for is computed, the picture's OTF
+/// is the one before it.
 QStringList designSentences(const PictureFacts& facts, const DesignerConfig& config) {
     const QString follows = explanationText("What is seen and what is clear follows from the OTF of the designer %1.");
     if (facts.design == nullptr)

@@ -17,7 +17,7 @@ struct PictureFacts {
     const AdaptiveOtf* otf;  ///< null until it is computed
     const Document& document;
     ShownSpeckle speckle = ShownSpeckle::asRead;
-    /// The design of the view's designer; null without a designer, and until it is computed.
+    /// The design of the first pane's designer; null without a designer, and until it is computed.
     const ComputedOtf* design = nullptr;
     bool designIsNewest = true;  ///< false while it is computed again, or if that was cancelled
 };

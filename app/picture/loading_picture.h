@@ -28,7 +28,7 @@ public:
         DocumentView& documentView;
         VolumeViewWidget& picture;
     };
-    /// All outlive this.
+    /// What the parameters refer to must outlive this object.
     explicit LoadingPicture(const Parts& parts, QObject* parent = nullptr);
 
 private:

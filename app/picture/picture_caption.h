@@ -13,7 +13,7 @@ namespace echolucent {
 /// What was done with the speckle in the picture.
 enum class ShownSpeckle {
     asRead,        ///< the voxels are shown as they were read
-    beingReduced,  ///< likewise, until their quiet voxels are made
+    beingReduced,  ///< the voxels are shown as they were read, until their quiet voxels are made
     reduced,       ///< quiet voxels are shown, as the look asks
 };
 
@@ -22,16 +22,17 @@ struct CaptionFacts {
     const Document& document;
     ShownSpeckle speckle = ShownSpeckle::asRead;
     bool curveOfAnotherView = false;       ///< as curveIsOfAnotherView()
-    bool designIsShown = true;             ///< if the view has a designer, its OTF is the one shown
+    bool designIsShown = true;             ///< if the first pane has a designer, whether that designer's OTF is shown
     bool lengthsKnown = true;              ///< the volume's spacing is known, so lengths in mm may be told
     std::optional<Reduction> reduction{};  ///< of the volume, if the file holds more voxels than were kept
 };
 
 /// Whether the picture's curve was computed for another direction than that of the picture: the hand has turned the
-/// view since. Only adaptive curves count, and those of designers that read tube cores. Frames of a motion do not count
-/// as views of their own. `otf` may be null.
+/// view since. Only adaptive curves count, and those of designers that read tube cores, in direct rendering. Frames of
+/// a motion do not count as views of their own. `otf` is the adaptive OTF that is shown; null if there is none yet. It
+/// is not read if the first pane has a designer.
 [[nodiscard]] bool curveIsOfAnotherView(const Document& document, const AdaptiveOtf* otf);
-/// The same for an OTF of this viewpoint, computed or to come.
+/// The answer if the picture's OTF, computed or to come, is that of the viewpoint `ofOtf`.
 [[nodiscard]] bool curveIsOfAnotherView(const Document& document, const Viewpoint& ofOtf);
 
 /// One line for each fact that is true: that voxels are means of several; which way round the volume is and how that is

@@ -129,8 +129,8 @@ void PictureControls::showDocument() {
     m_parts.panel.setLook(document.scene.look);
 }
 
-/// Takes the person's choice of renderer. The view decides by itself if the chosen graphics card belongs to another
-/// machine or is not known yet.
+/// Takes the person's choice of renderer. If the choice is a graphics card that is not usable (that of another machine,
+/// or one not known yet), the view chooses by itself.
 void PictureControls::takeRenderer() {
     const bool usable = m_parts.picture.graphicsCardUsable();
     m_parts.panel.setGraphicsCardUsable(usable);

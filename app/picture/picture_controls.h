@@ -36,10 +36,12 @@ public:
     void keep();
     /// Shows the whole volume, seen along the beam, as one step.
     void resetView();
-    /// Sets look, cut, beam, view and curves as in `opened`, the document that opening gave; one step.
+    /// Sets beam, look, cut, side, curves, box, planes and strokes as in `opened`, the document that opening gave. The
+    /// first pane gets the curve that it had, and the whole data fill the picture, seen along the beam. One step.
     void resetAll(const Document& opened);
     void resetCut(const Document& opened);
-    /// Raises the speckle reduction by so many levels, or lowers it if negative, up to the ends.
+    /// Raises the speckle reduction by `levels`, or lowers it if `levels` is negative. Stops at the weakest and the
+    /// strongest.
     void reduceSpeckle(int levels);
     /// Goes from flat to surface to depth light, and around again.
     void nextLighting();
@@ -58,7 +60,7 @@ private:
     Parts m_parts;
     PictureReport m_newest;  ///< of the picture on the screen
     PacedWords m_cost{[this] { showCost(); }};
-    std::optional<PictureReport> m_movement;  ///< of the newest picture that followed the hand
+    std::optional<PictureReport> m_movement;  ///< of the newest picture that followed the hand and has a frame rate
 };
 
 }  // namespace echolucent

@@ -8,8 +8,8 @@
 
 namespace echolucent {
 
-/// Quality, rays, step and cost of the newest picture. If there was a movement, the same and the frame rate of the
-/// newest one. Each on its own line.
+/// A line with quality, rays and step of the newest picture, and a line with its times. If `movement` has a frame rate,
+/// a third line has this rate and the quality, rays and step of the movement's picture.
 [[nodiscard]] QString pictureToolTip(const PictureReport& newest, const std::optional<PictureReport>& movement);
 
 }  // namespace echolucent

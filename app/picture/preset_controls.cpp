@@ -61,8 +61,8 @@ void PresetControls::restore() {
     m_parts.panel.setOpen(m_parts.settings.presetsOpen());
 }
 
-/// Reads the file as it is now: another window of the program may have written it. False, with a message, if it cannot
-/// be read.
+/// Reads the file of the person's own presets again: another window of the program may have written it. False, with a
+/// message, if it cannot be read.
 bool PresetControls::readOwn() {
     const QString file = m_parts.settings.presetsFile();
     if (!QFileInfo::exists(file)) {

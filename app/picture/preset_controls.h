@@ -45,9 +45,10 @@ public:
     void restore();
     void keep();
     /// Adds the presets of a file to a person's own. If a name is taken, the preset gets another. False, with a
-    /// message, if the file cannot be read.
+    /// message, if the file cannot be read, or if the file of the person's own presets cannot be read or written.
     bool importFrom(const QString& path);
-    /// Writes one preset, counted from 0, as a file that importFrom() reads.
+    /// Writes one preset, counted from 0, as a file that importFrom() reads. False, with a message, if the file cannot
+    /// be written, or if it is one of the study's files or the file of the person's own presets.
     bool exportTo(const QString& path, int preset);
 
 private:

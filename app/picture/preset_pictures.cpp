@@ -76,8 +76,8 @@ void PresetPictures::followRest() { m_works.atRest() ? makeNext() : drop(); }
 
 QImage PresetPictures::picture(int index) const { return m_entries.at(static_cast<std::size_t>(index)).picture; }
 
-/// The voxels that exist now. At this size nobody sees whether they are quiet, so the pictures do not wait for quiet
-/// ones.
+/// The phase shown, with its quiet voxels if they are made already. At this size nobody sees whether voxels are quiet,
+/// so the pictures do not wait for quiet ones.
 StudyPhases PresetPictures::voxelsNow() const {
     const Study* study = m_openStudy.study();
     if (study == nullptr) return {};

@@ -25,7 +25,7 @@ public:
     /// Pixels of a picture.
     static constexpr int width = 184, height = 138;
 
-    /// All must outlive this.
+    /// What the parameters refer to must outlive this object.
     PresetPictures(DocumentModel& model, OpenStudy& openStudy, Works& works, QObject* parent = nullptr);
 
     /// Keeps the pictures of presets that were there before.
@@ -49,7 +49,7 @@ private:
     };
     struct Entry {
         Preset preset;
-        std::optional<Asked> wanted;  ///< none if no study is open
+        std::optional<Asked> wanted;  ///< no value if no study is open or nobody sees the pictures
         std::optional<Asked> made;    ///< what the picture shows
         QImage picture;
     };

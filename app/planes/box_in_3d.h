@@ -19,7 +19,7 @@ class BoxIn3d : public QObject {
     Q_OBJECT
 
 public:
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     BoxIn3d(DocumentModel& model, OpenStudy& openStudy, VolumeViewWidget& picture, QObject* parent = nullptr);
 
     /// Sets the drawing of the scalpel, which lies over all else.

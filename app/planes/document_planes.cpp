@@ -25,7 +25,7 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works
             m_beforeBoxDrag.reset();
             m_model.cancelPreview();
         });
-        // The first click and this one make steps of one gesture and name: together they make no step.
+        // This step has the gesture and the name of the first click's step, and undoes it: together they are no step.
         connect(pane, &PlanePane::clickTakenBack, this,
                 [this](const Planes& before, const QString& what) { take(before, what, m_newestGesture); });
         connect(pane, &PlanePane::wantsOther, this, &DocumentPlanes::resample);
@@ -82,7 +82,7 @@ BoxScene DocumentPlanes::boxScene(const Volume& volume) const {
     scene.leastMm = volume.geometry().unit();
     if (box.on) scene.box = orientedBoxOf(box, document.beam.axis);
     scene.front = faceOf(box.side);
-    // A flat near cut turns with the camera. The planes show its place only while the camera looks that way.
+    // A flat near cut turns with the camera. The planes show it only while the camera looks from the document's side.
     const bool flatCut = cut.depthMm > 0.0 && shownPose(document).direction == document.scene.side;
     scene.startIsCut = cut.surface.has_value() || flatCut;
     if (scene.startIsCut || box.on) scene.start = startSurface(document, volume);

@@ -11,15 +11,15 @@
 
 namespace echolucent {
 
-/// Brings the planes of a view and the voxels of the phase shown to the panes. Has the planes resampled. Makes steps of
-/// what the hand does in the panes.
+/// Brings the document's planes and the voxels of the phase shown to the panes. Has the planes resampled. Makes steps
+/// of what the hand does in the panes.
 class DocumentPlanes : public QObject {
     Q_OBJECT
 
 public:
     using Panes = std::array<PlanePane*, 3>;  ///< A, B, C
 
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works& works, const Panes& panes,
                    QObject* parent = nullptr);
 
@@ -30,7 +30,7 @@ public:
     bool cancelDrag();
 
 signals:
-    /// The normalised intensity under the cursor, as read, whatever voxels the plane shows; empty if there is none.
+    /// The normalised intensity under the cursor, as read, whatever voxels the plane shows; no value if there is none.
     void pointed(std::optional<double> intensity);
 
 private:

@@ -11,7 +11,7 @@
 
 namespace echolucent {
 
-/// Lists the measurements of all phases, shows where one was measured, and removes them.
+/// Lists the measurements of all phases, shows the place of one of them, and removes them.
 class MeasurementControls : public QObject {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
         MeasuringHand& hand;
         MeasurementsPanel& panel;
     };
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     explicit MeasurementControls(const Parts& parts, QObject* parent = nullptr);
 
     /// Pauses a motion and shows the phase of a measurement. If it was measured in a plane, also shows a plane that

@@ -8,7 +8,7 @@
 
 namespace echolucent {
 
-/// Their marks, lines and words, drawn over the volume.
+/// The marks, lines and words of measurements, drawn over the volume.
 [[nodiscard]] Overlay overlayOf(const std::vector<ShownMeasurement>& shown);
 
 /// Adds `more` to an overlay, drawn over it.

@@ -14,7 +14,7 @@ namespace {
 
 /// The hand holds a mark within this distance, in logical pixels: targets are 16 pixels wide.
 constexpr double markReach = 8.0;
-/// Units between the samples of the ray that looks for a surface: a tenth of what a place is seen by.
+/// Units within which VolumeViewWidget::shownAt() finds the place of a surface along the ray.
 constexpr double surfaceStep = 0.1;
 /// A place within this distance of the last one, in pixels, is the same place: the second press of a double click.
 constexpr double samePlace = 1.0;
@@ -192,7 +192,7 @@ bool MeasuringHand::dropMarked() {
     return true;
 }
 
-/// Drops marked places if their phase or plane is no longer shown: nobody could go on with them.
+/// Drops marked places if another phase or another plane is shown: nobody could go on with them.
 void MeasuringHand::dropWhereItEnded() {
     if (m_places.empty()) return;
     if (!m_parts.openStudy.volume()) {

@@ -37,10 +37,11 @@ public:
         BoxIn3d& overlay;
         MessageBar& messages;
     };
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     explicit MeasuringHand(const Parts& parts, QObject* parent = nullptr);
 
-    /// No value puts the tool away. If nothing can be measured, refuses the tool and tells the reason.
+    /// Takes a tool; no value puts the tool away. Drops marked places. If lengths cannot be measured, refuses the tool
+    /// and tells the reason. If no study is open, refuses it without a word.
     void setTool(std::optional<MeasurementKind> tool);
     [[nodiscard]] std::optional<MeasurementKind> tool() const { return m_tool; }
     /// Takes a tool, or puts it away if the hand has it.
@@ -58,7 +59,7 @@ private:
     /// A mark of a finished measurement.
     struct Mark {
         int id;
-        std::size_t place;  ///< in its list
+        std::size_t place;  ///< index in the measurement's placesMm
     };
     void watchPlane(PlanePane& pane);
     void watchPicture();

@@ -29,7 +29,7 @@ void RoomControls::chooseFront(BoxSide front) {
     m_model.edit(fitted(withSide(m_model.document(), front, m_openStudy.volume()->dataBox())), tr("front of the box"));
 }
 
-/// The same document, with the whole box in the picture.
+/// The document with a pose that shows the whole box.
 Document RoomControls::fitted(Document document) const {
     document.scene.pose = m_picture.wholeVolume(viewpointOf(document), m_openStudy.volume()->dataBox());
     return document;

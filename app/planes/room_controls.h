@@ -14,7 +14,7 @@ class RoomControls : public QObject {
     Q_OBJECT
 
 public:
-    /// All of them must outlive this. `picture` is the view's.
+    /// What the parameters refer to must outlive this object. `picture` is the 3D view.
     RoomControls(DocumentModel& model, OpenStudy& openStudy, const VolumeViewWidget& picture, RoomPanel& panel,
                  QObject* parent = nullptr);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Colour drawingColour{0xe8, 0xb0, 0x4b};
 
-/// Height of a camera's picture in the plane of its focal point.
+/// Height of a camera's picture in the plane of its focal point, mm.
 double heightMmOf(const Camera& camera) {
     const PicturePlace centre{0, 0}, below{0, 1};
     const double depth = camera.frame.forward.dot(camera.focalPoint);
@@ -89,7 +89,8 @@ void ScalpelHand::cut(const std::vector<PicturePlace>& places) {
     edit(strokes, tr("cut with the scalpel"));
 }
 
-/// The least depth of the visible places that the stroke cuts, in mm along the view from the grid origin.
+/// The least depth of the visible places that the stroke cuts, in mm along the view from the grid origin. No value if
+/// nothing is visible there.
 std::optional<double> ScalpelHand::nearestShownMm(const ScalpelStroke& stroke) const {
     constexpr int across = 12;
     const double aspect = static_cast<double>(m_parts.picture.width()) / std::max(1, m_parts.picture.height());

@@ -22,12 +22,12 @@ public:
         BoxIn3d& overlay;
         RoomPanel& panel;
     };
-    /// All of them must outlive this.
+    /// What the parameters refer to must outlive this object.
     explicit ScalpelHand(const Parts& parts, QObject* parent = nullptr);
 
     void setTool(std::optional<ScalpelTool> tool);
     [[nodiscard]] std::optional<ScalpelTool> tool() const;
-    /// Takes the last tool, or puts it away.
+    /// Puts the tool away. If the hand has none, takes the last one.
     void toggle();
     void takeBack(int stroke);
     void takeAllBack();

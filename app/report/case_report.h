@@ -35,8 +35,8 @@ struct CaseReport {
     std::vector<ReportPane> panes;
     QStringList explanation;  ///< sentences: what the 3D view shows and why
     Document document;
-    SampledCurve adaptive;                         ///< as shown; empty for none
-    std::string designer{};                        ///< the designer whose OTF the 3D view is rendered with; else empty
+    SampledCurve adaptive;   ///< the adaptive curve as the editor shows it; empty if there is none
+    std::string designer{};  ///< the designer whose OTF the 3D view is rendered with; else empty
     std::optional<DesignerConfig> designedWith{};  ///< how that OTF was made, if it is there
     std::optional<OpacityCurve> designed{};        ///< that OTF's upper curve (upperCurveOf()), if it is there
     IntensityHistogram histogram;                  ///< of the raw voxels
@@ -47,7 +47,7 @@ struct CaseReport {
     std::optional<Patient> patient;  ///< only if a person asked for it
 };
 
-/// The page. It needs no other file, and its pictures do not change later.
+/// The page. It needs no other file.
 [[nodiscard]] std::string caseReportPage(const CaseReport& report);
 
 }  // namespace echolucent

@@ -45,19 +45,19 @@ public:
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;
-        std::function<QString(const QString& what)> proposedName;  ///< of a file of the study, without its ending
-        std::function<QString()> explanation;                      ///< of the 3D view, paragraphs
+        std::function<QString(const QString& what)> proposedName;  ///< name for a file of the study, without an ending
+        std::function<QString()> explanation;                      ///< what the 3D view shows and why, in paragraphs
     };
     /// The parts outlive this object, which belongs to the window.
     explicit ReportSaving(const Parts& parts);
 
     /// Asks for the report's content and its file. Does nothing if no study is open.
     void choose();
-    /// Saves a report of the window as it will be at rest, with or without the patient of the study's files. A motion
-    /// that plays is paused. If a report is being made already, it says so and does nothing. If another study opens
-    /// before all panes were taken, there is no report.
+    /// Saves a report of the window as it will be at rest, with or without the patient of the study's files. Pauses a
+    /// motion that plays. Does nothing if no study is open. If a report is being made already, a message says so and
+    /// nothing is begun. If another study opens before all panes were taken, a message says that there is no report.
     void save(const QString& path, bool withPatient);
-    /// Ends what save() began, and says so. No file is left unless it was whole before.
+    /// Ends what save() began; a message says so. No file is left unless it was whole before the call.
     void cancel();
 
 private:
@@ -68,7 +68,7 @@ private:
     /// What was taken from the window so far.
     struct Taken {
         CaseReport report;
-        std::size_t panes = 0;  ///< the number looked at
+        std::size_t panes = 0;  ///< number of panes looked at; hidden ones count, but are not taken
     };
     [[nodiscard]] Work work();
     void followRest();

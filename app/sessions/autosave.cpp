@@ -66,8 +66,8 @@ void Autosave::setInterval(int milliseconds) {
 }
 
 void Autosave::beginFile() {
-    // Only the newest job of a thread waits. The next file gets a thread of its own, so that its jobs drop none of this
-    // one's.
+    // Only the newest job of a thread waits. The next file gets a thread of its own, so that its jobs do not drop a job
+    // of the present file.
     std::erase_if(m_leftBehind, [](const auto& left) { return !left->due && !left->thread->busy(); });
     if (m_file) m_leftBehind.push_back(std::move(m_file));
     m_file = std::make_unique<File>();
@@ -87,7 +87,8 @@ bool Autosave::busy() const {
            std::ranges::any_of(m_leftBehind, [](const auto& left) { return left->thread->busy(); });
 }
 
-/// Takes the lock with the first change: a program in which nobody does anything leaves no trace.
+/// Whether this program holds the lock. Takes it, and makes the folder, if need be. Nobody calls this before the first
+/// change, so that a program in which nobody does anything leaves no trace.
 bool Autosave::own(const std::shared_ptr<QLockFile>& lock) const {
     if (lock->isLocked()) return true;
     // Only the person may read the folder: what people look at is private.
@@ -177,7 +178,7 @@ void Autosave::discard(const Left& left) {
     if (own == m_leftBehind.end()) {
         QFile::remove(left.file);
     } else {
-        // Waits behind an earlier order for the file.
+        // The removal waits until an earlier order for the file is carried out.
         const auto& due = (*own)->due;
         (*own)->due = std::make_shared<const Order>(Order{std::nullopt, due ? due->earlier : std::vector<Left>()});
         carryOut(**own);

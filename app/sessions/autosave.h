@@ -35,13 +35,13 @@ public:
 
     /// Calls `present` in this thread for the session to write.
     Autosave(Works& works, const QString& folder, std::function<SavedSession()> present, QObject* parent = nullptr);
-    /// Removes its file, or, after keepAtEnd(), writes it a last time and leaves it behind. Waits for that and for the
-    /// open orders of the files that were left.
+    /// Removes the session's file, or, after keepAtEnd(true), writes it a last time and leaves it behind. Waits for
+    /// that and for the open orders of the files that were left.
     ~Autosave() override;
 
     /// The time between a change and its writing, and between a failure and the next attempt.
     void setInterval(int milliseconds);
-    /// Writes a session, in whatever thread. Tests put one in its place that ends on command.
+    /// Writes a session, in any thread. Tests put in a function that ends on command.
     using Write = std::function<Result<void>(const std::string& file, const SavedSession& session)>;
     void setWrite(Write write) { m_write = std::move(write); }
     /// Says that `present` may give another session than before. A change of only the phase shown and the frame of the
@@ -55,7 +55,7 @@ public:
     /// The open session comes from `earlier`, a file that an earlier run left. That file goes only once this one holds
     /// the session, or once forget() is carried out. So a program that dies in between leaves one of the two.
     void replace(const Left& earlier) { m_earlier.push_back(earlier); }
-    /// There is nothing to keep: removes the file.
+    /// There is nothing to keep: removes the session's file and those that it replaces, and drops a waiting change.
     void forget();
     /// Writes the session's file a last time, leaves it behind and begins another one. Gives the file that is left.
     /// Once its lock has been released, a failed writing is not tried again.
@@ -75,9 +75,9 @@ public:
 
 signals:
     void busyChanged(bool busy);
-    /// The session is on disk as it was when writing began.
+    /// A session, the open one or one that was left, is on disk as it was when writing began.
     void written();
-    /// The session could not be written, and is tried again: a sentence. Told once until it works again.
+    /// A session could not be written, and is tried again. Emitted once until a session is written again.
     void failed(const QString& sentence);
 
 private:
@@ -114,8 +114,8 @@ private:
     QTimer m_again;                         ///< runs while a failed writing waits
     bool m_keep = false;
     bool m_failed = false;
-    std::shared_ptr<QLockFile> m_lock;  ///< of the present file
-    std::unique_ptr<File> m_file;       ///< the present one
+    std::shared_ptr<QLockFile> m_lock;  ///< the lock of m_file
+    std::unique_ptr<File> m_file;       ///< the file of the open session
     std::vector<std::unique_ptr<File>> m_leftBehind;
 };
 

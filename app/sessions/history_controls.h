@@ -16,7 +16,7 @@ class HistoryControls : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this object.
+    /// What the parameters refer to must outlive this object.
     HistoryControls(DocumentModel& model, Snapshots& snapshots, HistoryPanel& panel, MessageBar& messages);
 
 private:

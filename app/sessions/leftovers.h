@@ -20,11 +20,11 @@ struct Leftover {
     QString damaged;  ///< a sentence: why it cannot be opened and was put aside; empty if it can be opened
 };
 
-/// The files in a folder that no living program holds, oldest first, each with its lock. An unreadable file is renamed
-/// to end in ".damaged", so that it is told of once.
+/// The files in a folder that no living program holds, oldest first, each with its lock. Removes what died programs
+/// left half written. Renames an unreadable file to end in ".damaged", so that it is told of once.
 [[nodiscard]] std::vector<Leftover> takeLeftovers(const QString& folder);
 
-/// The path of a session's study; empty for a simulated scan.
+/// The path of a session's study; empty for a simulated scan and for no study.
 [[nodiscard]] QString studyPathOf(const Document& document);
 
 }  // namespace echolucent

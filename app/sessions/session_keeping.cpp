@@ -358,7 +358,7 @@ void SessionKeeping::offerLeftovers() {
                                      tr("What was kept of an unsaved session is damaged and was put aside. %1")
                                          .arg(m_parts.names.shownOfFile(m_leftovers.front().damaged)));
         m_leftovers.pop_front();
-        if (!m_leftovers.empty()) return;  // the others are offered with the next study
+        if (!m_leftovers.empty()) return;  // the remaining ones are offered with the next study
     }
     if (m_leftovers.empty()) return;
     const Leftover& left = m_leftovers.front();

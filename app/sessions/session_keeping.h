@@ -30,10 +30,11 @@ class Settings;
 class StudyNames;
 
 /// A session has a file once a person saved it or opened it from one. It is *changed* if it differs from that file.
-/// Without a file it is changed if it holds a person's work: strokes, measurements, snapshots, a box, a cut. A session
-/// that an earlier run left is changed until it is saved. Autosave keeps every change, whatever a person does. If a
-/// person leaves a changed session, by opening another study or closing the window, it stays behind and is offered
-/// again. Settings of a person stay behind too if an opened session replaces them by its own.
+/// Without a file it is changed if it holds a person's work: strokes, measurements, snapshots, a box, another front or
+/// another number of panes than on opening. A session that an earlier run left is changed until it is saved. Autosave
+/// keeps every change, whatever a person does. If a person leaves a changed session, by opening another study or
+/// closing the window, it stays behind and is offered again. A session whose curves, look, method or side a person
+/// changed stays behind too if an opened session replaces them by its own.
 class SessionKeeping : public QObject {
     Q_OBJECT
 
@@ -68,8 +69,8 @@ public:
     /// finished.
     void cancelSaving();
     [[nodiscard]] bool saving() const { return !m_orders.empty() || m_saving.busy(); }
-    /// Asks if a session with a file was changed. False if the window stays, or if a session is being saved: the window
-    /// then closes by itself once that is done.
+    /// Whether the window may close at once. If a session with a file was changed, asks the person. False if the window
+    /// must stay. False too if a session is being saved: the window closes by itself once that is done.
     [[nodiscard]] bool mayClose();
 
     /// Whether nothing is being written or about to be.
@@ -116,7 +117,7 @@ private:
     Parts m_parts;
     Snapshots m_snapshots;
     QString m_file;
-    std::optional<SavedSession> m_inFile;  ///< what the file holds; none without a file
+    std::optional<SavedSession> m_inFile;  ///< what the file holds; no value without a file or if m_left is true
     bool m_changed = false;
     bool m_between = false;      ///< while another study's document replaces the present one
     bool m_left = false;         ///< the open session comes from an earlier run and was not saved since
@@ -124,11 +125,11 @@ private:
     QDateTime m_fileTime;        ///< last known time of writing the file; a later one is somebody else's
     int m_number = 0;            ///< of the open session; grows by one with each
     std::deque<Order> m_orders;  ///< the first is being written, or waits for the study's checksum
-    Then m_then = Then::goOn;    ///< once the session that is being saved is in its file
+    Then m_then = Then::goOn;    ///< what to do once the session that is being saved is in its file
     std::deque<Leftover> m_leftovers;
     std::vector<std::pair<int, Leftover>> m_leftWhileSaving;  ///< with the number of their session; not offered
     std::unique_ptr<Autosave> m_autosave;
-    Works::UnderWay m_underWay;  ///< while it is saving()
+    Works::UnderWay m_underWay;  ///< under way while saving() is true
     NewestWinsThread m_taking, m_saving;
 };
 

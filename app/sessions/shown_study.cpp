@@ -109,7 +109,8 @@ void ShownStudy::takeVolume() {
     OpenStudy& openStudy = m_parts.openStudy;
     m_parts.editor.setHistogram(openStudy.histogram());
     m_parts.editor.setWhiteLevel(openStudy.volume()->whiteLevel());
-    // Numbers would come and go while a motion plays. Those of an OTF that is there already stay.
+    // While a motion plays, clearing the numbers would make them flicker. Numbers of an OTF that is the newest stay
+    // too.
     if (m_parts.player.isPlaying() || m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return;
     m_parts.method.clearResult();
     m_parts.status.clearOtf();
@@ -176,7 +177,7 @@ void ShownStudy::showRemark() {
     m_parts.messages.setRemark(remarks().join(QLatin1Char(' ')));
 }
 
-/// What the rendered OTF has to say. If the picture is black because of its curve, it says so.
+/// The message of the rendered OTF, and, if the picture is black because of its curve, a sentence that says so.
 QStringList ShownStudy::remarks() const {
     const Document& document = m_parts.model.document();
     const bool designed = designerConfigOf(document, firstPane) != nullptr;

@@ -18,7 +18,7 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] const std::vector<Snapshot>& list() const { return m_list; }
-    /// Another session with these snapshots is open.
+    /// Replaces all snapshots by those of another session.
     void begin(std::vector<Snapshot> list);
     /// Keeps a document under a name. Returns an empty text, or a sentence: why it was not kept.
     QString keep(const QString& name, const Document& document);

@@ -51,7 +51,7 @@ QString keyOf01(const char* group, const Parameter<Values>& row) {
     return QStringLiteral("%1/%2").arg(group, QString::fromStdString(camelCase(row.name)));
 }
 
-/// A stored value of the kind of `like`; nothing if it is not understood.
+/// A stored value of the kind of `like`; no value if it is not understood.
 std::optional<ParameterValue> valueOf01(const QVariant& stored, const ParameterValue& like,
                                         const ParameterRange& range) {
     const QString text = stored.toString();
@@ -65,7 +65,7 @@ std::optional<ParameterValue> valueOf01(const QVariant& stored, const ParameterV
     return number;
 }
 
-/// A choice stands before what belongs to it.
+/// Takes the stored values in the table's order: there a choice stands before the parameters that belong to it.
 template <typename Values>
 void takeKeysOf01(const SettingsStore& store, const char* group, const ParameterTable<Values>& table, Values& values) {
     for (const Parameter<Values>& row : table)

@@ -22,10 +22,10 @@ public:
     /// person's standard place.
     explicit Settings(const QString& file = {});
 
-    /// Absolute paths, newest first, at most recentFilesLimit. Files that are missing now are left out. The store keeps
-    /// them, since a drive may come back.
+    /// Absolute paths, newest first, at most recentFilesLimit. Files that are missing are left out. The store keeps
+    /// their paths, since a drive may come back.
     [[nodiscard]] QStringList recentFiles() const;
-    /// The same with the missing files.
+    /// The paths of recentFiles() and of the files that are missing.
     [[nodiscard]] QStringList keptRecentFiles() const;
     /// Puts a file (or DICOM folder) first; a path already there moves up.
     void addRecentFile(const QString& path);
@@ -34,7 +34,8 @@ public:
     [[nodiscard]] bool numbersForNames() const;
     void setNumbersForNames(bool numbers);
     /// The number of a study, from 1 on: its place in the list of all studies that were ever asked for. The list holds
-    /// hashes of their paths and no name. A study that is not in the list is added.
+    /// hashes of their paths and no name. A study that is not in the list is added. A session has the number that
+    /// setStudyOfSession() gave it.
     [[nodiscard]] int studyNumber(const QString& path);
     /// From here on the file at `session` is a session and has the number of the study at `study`. Both paths are kept
     /// as hashes. An empty `study` means a study without a path; the session then has its own number.

@@ -59,7 +59,7 @@ void CutPhases::makeNext() {
     const int phase = next();
     if (phase < 0) return;
     const auto& scan = m_scans[static_cast<std::size_t>(phase)];
-    // All phases of a study lie on one grid, so a stroke cuts the same of each.
+    // All phases of a study lie on one grid, so a stroke cuts the same places out of each.
     if (!m_cuts || m_cuts->geometry().size != scan->geometry().size)
         m_cuts = freedElsewhere(std::make_shared<ScalpelCuts>(scan->geometry()));
     m_thread.submit(

@@ -22,7 +22,7 @@ public:
 
     explicit CutPhases(Works& works, QObject* parent = nullptr);
 
-    /// Another study is open; nothing of it is cut.
+    /// Takes the phases of another study; nothing of them is cut.
     void begin(Phases scans);
     /// Wants a phase (counted from 0) with these strokes. New strokes replace those that are being cut; until the new
     /// cut is made, the earlier one is shown. Without strokes nothing is cut, at once.
@@ -39,7 +39,7 @@ public:
 signals:
     /// The cut of a phase has changed.
     void made(int phase);
-    /// There is not enough memory: the earlier cut stays.
+    /// There is not enough memory: the earlier cut of each phase stays until other strokes are wanted.
     void failed(const QString& sentence);
     void busyChanged(bool busy);
 

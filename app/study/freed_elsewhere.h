@@ -49,8 +49,8 @@ private:
 /// The program's only freeing thread. The program joins it at exit. Throws as FreeingThread() does.
 [[nodiscard]] const FreeingThread& freeingThread();
 
-/// The same object, but freeingThread() lets it go once its last reference is dropped. To free the voxels of 512³ takes
-/// tens of milliseconds, and the last owner is often the picture, in the GUI thread. Null stays null. Without a thread,
+/// Returns `value`; once its last reference is dropped, freeingThread() frees it. To free the voxels of 512³ takes tens
+/// of milliseconds, and the last owner is often the picture, in the GUI thread. Null stays null. If there is no thread,
 /// whoever drops the object frees it.
 template <typename Value>
 [[nodiscard]] std::shared_ptr<Value> freedElsewhere(std::shared_ptr<Value> value) {

@@ -35,7 +35,7 @@ OpenStudy::OpenStudy(Works& works, QObject* parent)
     connect(&m_quiet, &QuietPhases::busyChanged, this, [this](bool busy) {
         if (busy)
             m_quieteningClock.start();
-        else if (m_quiet.reduction() != SpeckleReduction::off)  // else the work that ended was for the previous study
+        else if (m_quiet.reduction() != SpeckleReduction::off)  // else nobody wants what that work made
             m_quieteningMilliseconds = millisecondsOf(m_quieteningClock);
     });
     connect(&m_quiet, &QuietPhases::busyChanged, this, &OpenStudy::quieteningChanged);
@@ -151,7 +151,7 @@ void OpenStudy::takeChecksum() {
     if (file == nullptr || !file->checksum.empty()) return;
     m_checksumThread.submit(
         [this, take = m_checksum, study = m_study](const Progress& progress) -> NewestWinsThread::Deliver {
-            // A session is then saved without a checksum.
+            // If the checksum cannot be taken, a session is saved without it.
             try {
                 const auto checksum = take(study->files, progress);
                 if (!checksum) return {};
@@ -183,7 +183,7 @@ void OpenStudy::show(int phase) {
 void OpenStudy::setReduction(SpeckleReduction reduction) {
     if (std::exchange(m_reduction, reduction) == reduction || !m_volume) return;
     wantQuietVoxels();
-    if (reduction == SpeckleReduction::off) takeQuietVoxels(m_phase);  // they are there already
+    if (reduction == SpeckleReduction::off) takeQuietVoxels(m_phase);  // the raw voxels are there already
 }
 
 void OpenStudy::cancelQuietening() { m_quiet.cancel(); }

@@ -32,8 +32,9 @@ public:
     explicit OpenStudy(Works& works, QObject* parent = nullptr);
 
     /// Loads a file or a DICOM folder. The open study stays until the new one is there. A newer call replaces an older
-    /// one. If a folder holds several series that could be opened and the options name none, seriesFound() asks. A file
-    /// that says it is a document is opened as a session: its study is read, and saved() gives the rest.
+    /// one. If the options name no series, and a folder holds several of which not exactly one is a volume, emits
+    /// seriesFound() instead. A file that says it is a document is opened as a session: its study is read, and saved()
+    /// gives the rest.
     void open(const QString& path, const ReadOptions& options = {});
     /// Opens a session file with a person's answer to savedStudyAsked().
     void openSaved(const QString& file, const SavedStudyAnswer& answer);
@@ -42,6 +43,7 @@ public:
     void setStudySearch(std::function<StudySearch()> search) { m_studySearch = std::move(search); }
     /// The session whose study is open; no value if the study was opened by itself.
     [[nodiscard]] const std::optional<OpenedSession>& saved() const { return m_saved; }
+    /// Loads the series at the index `entry` of a list.
     void openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options = {});
     /// The series beside the open study; null if it is not from a folder of several.
     [[nodiscard]] std::shared_ptr<const SeriesList> seriesBeside() const { return m_seriesBeside; }
@@ -51,7 +53,7 @@ public:
     /// Sets the words for the status line while loading.
     void setLoadingWords(const QString& words) { m_loader.setWords(words); }
     [[nodiscard]] bool loading() const { return m_loader.busy(); }
-    /// True while the checksum of the study is taken. reference() holds it afterwards.
+    /// True while the checksum of the study is taken. Afterwards reference() holds it, unless a file could not be read.
     [[nodiscard]] bool takingChecksum() const { return m_checksumThread.busy(); }
 
     /// The time from asking for the open study until it was read and looked through; no value before the first.
@@ -73,8 +75,8 @@ public:
     /// The voxels for the next picture of the phase shown: its quiet ones if they are made, else its raw ones, with
     /// what the scalpel cut of them.
     [[nodiscard]] std::shared_ptr<const Volume> newestVoxels();
-    /// The same for any phase (counted from 0) of the open study, and its raw voxels. They are the same objects until
-    /// their voxels or their cut change; phaseVoxelsChanged() tells of that.
+    /// newestVoxels() for any phase (counted from 0) of the open study, and the phase's raw voxels, cut too. Both
+    /// return the same objects until voxels or cut of the phase change; phaseVoxelsChanged() tells of that.
     [[nodiscard]] std::shared_ptr<const Volume> newestVoxelsOf(int phase);
     [[nodiscard]] std::shared_ptr<const Volume> rawVoxelsOf(int phase) { return volumeOf(phase); }
     /// Cuts all phases by strokes, in the background; the newest list wins.
@@ -87,12 +89,12 @@ public:
     [[nodiscard]] bool cutting() const { return m_cut.busy(); }
     /// Sets how much speckle is taken away. The voxels are made quiet in the background, the phase shown first.
     void setReduction(SpeckleReduction reduction);
-    /// Leaves the voxels as they are until another reduction is set or another phase is shown.
+    /// Leaves the voxels as they are until another reduction is set, or another phase is shown or wanted.
     void cancelQuietening();
     [[nodiscard]] const QuietPhases& quietPhases() const { return m_quiet; }
-    /// Tests put another filter in its place.
+    /// For tests, which set another filter (QuietPhases::setReduce()).
     [[nodiscard]] QuietPhases& quietPhases() { return m_quiet; }
-    /// Of the raw voxels of the volume shown.
+    /// The histogram of the raw voxels of the phase shown, before the scalpel cut them.
     [[nodiscard]] const IntensityHistogram& histogram() const {
         return m_histograms[static_cast<std::size_t>(m_phase)];
     }
@@ -107,7 +109,7 @@ public:
     /// Wants the quiet voxels of a phase beside those of the phase shown. Beyond the last phase, the last one is taken.
     void alsoWant(int phase);
 
-    /// Takes the checksum of a study's files. Tests put one in its place that ends on command.
+    /// Takes the checksum of a study's files. Tests put in a function that ends on command.
     using Checksum = std::function<Result<StudyChecksum>(const std::vector<std::string>& files, const Progress&)>;
     void setChecksum(Checksum checksum) { m_checksum = std::move(checksum); }
 
@@ -139,12 +141,12 @@ signals:
     void volumeCut();
     void cuttingChanged(bool cutting);
     void cuttingFailed(const QString& sentence);
-    /// The quiet voxels of any phase are made, or its cut has changed. It comes after the signals that tell the same of
-    /// the phase shown.
+    /// The quiet voxels of any phase are made, or the phase's cut has changed. For the phase shown, this comes after
+    /// quietVoxelsMade() or volumeCut().
     void phaseVoxelsChanged(int phase);
     /// The quiet voxels of the phase shown are made, or those of the phase wanted beside it.
     void quietVoxelsMade();
-    /// For all phases; false once all that are kept are made.
+    /// Whether quiet voxels of any phase are being made: false once those of all phases that are kept are made.
     void quieteningChanged(bool quietening);
     void quieteningFailed(const QString& sentence);
 

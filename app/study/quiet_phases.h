@@ -33,9 +33,10 @@ public:
     /// Ends what is being made; the next want() begins again.
     void cancel();
 
-    /// The quiet voxels of a phase; null if they are not made. Its raw voxels if speckle is not reduced.
+    /// The quiet voxels of a phase; null if they are not made or there is no such phase. The raw voxels if speckle is
+    /// not reduced.
     [[nodiscard]] std::shared_ptr<const Volume> of(int phase) const;
-    /// The histogram of the phase's quiet voxels; null if they are not made.
+    /// The histogram of the phase's quiet voxels; null if they are not made, as always if speckle is not reduced.
     [[nodiscard]] std::shared_ptr<const IntensityHistogram> histogramOf(int phase) const;
     [[nodiscard]] bool busy() const { return m_thread.busy(); }
     [[nodiscard]] int phaseCount() const { return static_cast<int>(m_raw.size()); }
@@ -47,13 +48,13 @@ public:
     /// The most bytes of quiet voxels that are kept. The wanted phases are kept always.
     static constexpr std::size_t keptBytesLimit = std::size_t{2} << 30;
 
-    /// Makes voxels quiet. Tests put one in its place that ends on command.
+    /// Makes voxels quiet. Tests put in a function that ends on command.
     using Reduce = std::function<std::optional<Volume>(const Volume&, SpeckleReduction, const Progress&)>;
     void setReduce(Reduce reduce) { m_reduce = std::move(reduce); }
 
 signals:
     void made(int phase);
-    /// There is not enough memory; the phase stays as it is.
+    /// There is not enough memory. The phase stays as it is, and no other is made until begin() or another reduction.
     void failed(int phase, const QString& sentence);
     void busyChanged(bool busy);
 

@@ -25,7 +25,8 @@ public:
     /// Pixels along the edge of a square picture.
     static constexpr int edge = 96;
 
-    /// All must outlive this object. The folder of the pictures is made with the first of them.
+    /// What the parameters refer to must outlive this object. The folder of the pictures is made with the first of
+    /// them.
     RecentPictures(const Settings& settings, Works& works, VolumeViewWidget& view, QObject* parent = nullptr);
 
     /// The path of the open study in the list of recent files, or of the session if one was opened. Empty if it is not

@@ -40,7 +40,7 @@ Result<void> requireShowable(const SavedSession& session, const std::string& fil
     return {};
 }
 
-/// A study of one phase has no motion of its own.
+/// If the study has one phase, makes the motions those of the probe: no object moves.
 void keepToPhases(SavedSession& session, std::size_t phases) {
     if (phases > 1) return;
     session.document.motion.scenario = MotionScenario::probe;

@@ -49,8 +49,10 @@ struct SavedStudyProblem {
 using SavedReading = std::variant<ReadSession, SavedStudyProblem>;
 
 /// Reads a session file and its study. If the study is not in its place, it is looked for by its bytes, in the file's
-/// folder and by `search`. Fails if one of them cannot be read, or if the document shows a phase that the study does
-/// not have. Fails (cancelled) if the person ended it.
+/// folder and by `search`. Gives a SavedStudyProblem if the study is not found, or if its bytes have changed and
+/// `answer` does not allow that. Fails if session or study cannot be read, if the session names no study, or if its
+/// document or a snapshot asks for a phase that the study does not have. Fails (cancelled) if progress.cancel was
+/// raised.
 [[nodiscard]] Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& answer,
                                              StudySearch search, const Progress& progress);
 

@@ -56,7 +56,7 @@ Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& pa
         const auto& saved = looked.opening.saved;
         if (!isCoarseTold && !saved)
             if (const auto coarse = coarseVolumeOf(*phases.front())) tellCoarse(*coarse);
-        // Not when a phase is shown: a 4D study plays its phases in the GUI thread.
+        // Make the histograms here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
         for (const auto& phase : phases) looked.histograms.push_back(intensityHistogram(*phase));
         const bool simulated = saved && std::holds_alternative<SimulatedScan>(saved->session.document.study);
         if (!path.empty() && !simulated) looked.finds = findOnOpening(*phases.front(), {nullptr, progress.cancel});

@@ -17,11 +17,11 @@
 
 namespace echolucent {
 
-/// The result of reading: a study, with the series beside it if there are several, or a list to choose from.
+/// The result of reading: a study, a list of series to choose from, or a problem with a session's study.
 struct Opening {
     std::optional<Study> study{};
-    std::shared_ptr<const SeriesList> series{};
-    std::optional<OpenedSession> saved{};
+    std::shared_ptr<const SeriesList> series{};  ///< beside a study: the series of its folder, if there are several
+    std::optional<OpenedSession> saved{};        ///< the session that names the study, if one was opened
     std::optional<SavedStudyProblem> problem{};
 };
 
@@ -29,7 +29,8 @@ struct Opening {
 using StudyReader = std::function<Result<Opening>(const Progress&)>;
 
 /// The reader of a file or a DICOM folder. If a folder holds several series and the options name none, it reads the
-/// only volume among them. With no volume or more than one, it gives the list.
+/// only volume among them. If there is no volume or more than one, or if the only one cannot be read, it gives the
+/// list.
 [[nodiscard]] StudyReader readerOf(const StudyFile& file);
 
 /// An opening, and what was found of its study; empty without a study.
@@ -41,7 +42,7 @@ struct LookedThrough {
 
 /// Reads a study and looks it through. Of a large study, progress.coarse is told once: before it is read, or, if it
 /// cannot be read in part, before it is looked through. Sessions do not tell it. `path` is for sentences; it is empty
-/// if the scan is simulated. Fails as the reader does, and (unreadable) if memory runs out.
+/// if the scan is simulated. Fails as the reader does, and (unreadable) if memory runs out or the file system fails.
 [[nodiscard]] Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& path,
                                                 const Progress& progress);
 

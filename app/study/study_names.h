@@ -30,8 +30,8 @@ public:
     /// From here on, texts are searched for the names of the study at `path` and of the files it was read from. Call it
     /// before anything of the study is shown.
     void know(const QString& path, const QStringList& files = {});
-    /// The same for a session file. At every start it is called by the number of the study at `study`, which is empty
-    /// for a simulated scan.
+    /// know() for a session file. At every start the session is called by the number of the study at `study`; `study`
+    /// is empty for a simulated scan.
     void knowSession(const QString& session, const QString& study);
 
     /// The name of the file or folder of a study or a session, or "Study 3".
@@ -44,11 +44,11 @@ public:
     /// A text as it may be shown. If numbers are shown, they replace the names of known studies, and anything else that
     /// looks like a path is left out.
     [[nodiscard]] QString shown(const QString& text) const;
-    /// The same for a text from reading a file, which may name other files. If numbers are shown, anything that looks
-    /// like a file name is left out too.
+    /// shown() for a text from reading a file, which may name other files. If numbers are shown, anything that looks
+    /// like a file name is replaced by its ending.
     [[nodiscard]] QString shownOfFile(const QString& text) const;
-    /// The same for a text from a time when names were shown. Names given out till now are replaced if they stand
-    /// alone, even if they may be words.
+    /// shownOfFile() for a text from a time when names were shown. If numbers are shown, names that were given out are
+    /// replaced wherever they stand alone, even if they may be words.
     [[nodiscard]] QString shownBefore(const QString& text) const;
     /// The sentence of a failure whose file may not be a study.
     [[nodiscard]] QString sentenceOf(const Failure& failure);
@@ -58,8 +58,8 @@ signals:
     void changed();
 
 private:
-    /// Where a piece of text counts as a name. Words, short names and numbers may stand in a sentence for something
-    /// else. They count only within names of files or paths.
+    /// Where a piece of text counts as a name. Words in small letters, short names and short numbers may stand in a
+    /// sentence for something else. They count only within names of files or paths.
     enum class Standing { anywhere, inNames, inPaths };
     [[nodiscard]] static Standing standingOf(const QString& name);
     /// A piece of text that names a study.

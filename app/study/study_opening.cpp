@@ -36,7 +36,8 @@ QString withoutOptions(const QString& remedy) {
     return kept.join(' ');
 }
 
-/// The length of a headerless file; below 0 if it is packed, since only reading tells then.
+/// The length of a headerless file; 0 if it cannot be opened; below 0 if it is packed, since only reading tells its
+/// length then.
 std::int64_t bytesOfRawFile(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return 0;
@@ -129,7 +130,7 @@ void StudyOpening::chooseSeries() {
 void StudyOpening::askForSeries(const std::shared_ptr<const SeriesList>& list, const ReadOptions& options) {
     m_series.ask(list, [this, list, options](std::size_t entry) {
         ReadOptions wanted = options;
-        // The dialog has said that these are no slices.
+        // The dialog has said that the pictures of this series are taken as slices.
         if (list->series[entry].whyNot) wanted.framesAsSlices = true;
         m_parts.openStudy.openSeries(list, entry, wanted);
     });
@@ -143,7 +144,7 @@ void StudyOpening::openRaw(const QString& path) {
     connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
         ReadOptions options;
         options.raw = dialog->values();
-        // If the folder cannot be written to, the file opens all the same. The person is asked again next time.
+        // If the folder cannot be written to, the file still opens. The person is asked again next time.
         (void)rememberRawLayout(path.toStdString(), *options.raw);
         open(path, options);
     });

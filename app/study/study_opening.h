@@ -34,8 +34,8 @@ public:
     /// The parts outlive this object, which belongs to the window.
     explicit StudyOpening(const Parts& parts);
 
-    /// Opens a file, a DICOM folder or a session. Asks for the layout if the file has no header and no layout is
-    /// remembered.
+    /// Opens a file, a DICOM folder or a session. If the file has no header and no layout is remembered, the message of
+    /// the failure offers to state the layout.
     void open(const QString& path, const ReadOptions& options = {});
     void chooseFile();
     void chooseFolder();

@@ -41,19 +41,20 @@ public:
     /// Opens a manual curve (JSON) and makes it active; this can be undone. False, with a message, if it cannot be
     /// opened.
     bool openCurve(const QString& path);
-    /// The same when a person asks for it: asks before an edited curve is lost.
+    /// openCurve(), but asks the person first if an edited curve would be lost.
     void openCurveOfPerson(const QString& path);
-    /// Saves the rendered curve as nodes, and says which curve it is and how many nodes it has.
+    /// Saves the rendered curve as nodes. A message says which curve it is and how many nodes it has. False, with a
+    /// message, if it cannot be written or the path is a file of the study.
     bool saveCurve(const QString& path);
-    /// Saves the picture of the 3D view with the measurements of its phase, without any name of a patient or file in
-    /// the file.
+    /// Saves the picture of the 3D view with the measurements of its phase. No name of a patient or a file is stored
+    /// beside it. False, with a message, if it cannot be written or the path is a file of the study.
     bool savePicture(const QString& path);
     void chooseAndSavePicture();
-    /// Copies the same picture to the clipboard. Says so if it may show names (burnedInTextNote()).
+    /// Copies the picture of savePicture() to the clipboard. A message warns if it may show names (burnedInTextNote()).
     void copyPicture();
     /// The name proposed for a file to save: the study's file and the content `what`, without an ending.
     [[nodiscard]] QString proposedName(const QString& what) const;
-    /// Asks if an edited manual curve would be lost. False if it must be kept.
+    /// Asks the person if an edited manual curve would be lost. False if the curve must be kept.
     bool mayLoseManualCurve();
 
 private:

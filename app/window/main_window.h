@@ -77,7 +77,7 @@ public:
     /// The OTFs of the motion so far.
     [[nodiscard]] const OtfCourse& otfCourse() const { return m_course; }
 
-    /// A part that begins something that Escape ends adds it here.
+    /// What Escape ends. A part that begins something that Escape ends adds itself.
     [[nodiscard]] EscapeOrder& escapeOrder() { return m_escapes; }
 
     /// A few sentences: what the picture shows and why it looks so.
@@ -109,7 +109,7 @@ private:
     void restoreSettings();
     void keepSettings();
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
-    /// Whether the picture was made by the designer that the document asks for.
+    /// Whether the first pane's OTF is of the kind of designer that the document asks for.
     [[nodiscard]] bool designIsShown() const;
 
     Works m_works;
@@ -126,7 +126,7 @@ private:
     WindowLayout m_widgets;
     FullScreen* m_fullScreen = nullptr;
 
-    // They use the widgets and must not outlive them.
+    // These units use the widgets and must not outlive them.
     std::unique_ptr<PaneOtfs> m_otfs;
     std::unique_ptr<ShownPanes> m_panes;
     std::unique_ptr<DocumentView> m_view;

@@ -17,8 +17,8 @@ void MainWindow::connectProgress() {
     connect(&m_works, &Works::changed, this, &MainWindow::followWorks);
     connect(&m_works, &Works::progressed, m_widgets.status, &RunStatus::setProgress);
     connect(m_widgets.status, &RunStatus::cancelRequested, &m_works, &Works::cancelShown);
-    // A motion waits for all panes of a comparison. These connections are made last, so that they run after all others
-    // of these signals.
+    // A motion waits for all panes of a comparison. These connections are made after those of the units, so that the
+    // units have followed a signal before announce() asks.
     const auto announce = [this] {
         if (!m_compare->shown() || m_compare->views().frameIsCurrent()) m_motion->announceShownFrame();
     };
@@ -32,7 +32,7 @@ void MainWindow::connectProgress() {
     connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, this, announce);
     connect(m_widgets.picture, &VolumeViewWidget::pictureDrawn, this, announce);
     // The end of a work may be all that a frame still waited for, so ask then too. Ask queued: the work for the next
-    // frame may begin while the picture still shows the one before, which would pass for the next.
+    // frame may begin while the picture still shows the frame before, which would pass for the next.
     connect(&m_works, &Works::changed, this, announce, Qt::QueuedConnection);
     connect(m_room.get(), &ReviewRoom::pointed, this, [this](std::optional<double> intensity) {
         m_widgets.status->setPointed(intensity, std::nullopt);
@@ -57,7 +57,7 @@ void MainWindow::connectProgress() {
     });
 }
 
-/// A comparison shows no planes, so their tab makes way for its own.
+/// A comparison shows no planes, so the tab of the planes makes way for that of the comparison.
 void MainWindow::arrangeForComparison(bool shown) {
     QDockWidget &planes = dockOf(*m_widgets.room), &compare = dockOf(*m_widgets.compare);
     if (shown) {

@@ -9,7 +9,8 @@ class MainWindow;
 [[nodiscard]] double millisecondsSinceProcessStart();
 
 /// Prints one line each for the window, the volume, the OTF, the first (coarse) picture, every picture by its quality,
-/// and the converged one. Each line has the milliseconds since the process started. Quits after the last. For
+/// and the converged one. Each line has the milliseconds since the process started. Pictures before the adaptive OTF
+/// are left out. Quits after the last line; with status 3 if the study cannot be opened. For
 /// `echolucent FILE --first-picture`.
 void printStartTimes(MainWindow& window);
 

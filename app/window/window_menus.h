@@ -18,7 +18,7 @@ struct WindowCommands {
         savePictureSeries, saveReport, copyPicture, resetView, resetAll, computeForThisView, playOrPause, explain,
         nextLighting, toggleNearCut, toggleFullScreen;
     std::function<void()> saveSession, saveSessionAs, showHistory;
-    std::function<void(int levels)> reduceSpeckle;  ///< by that many levels more; less if negative
+    std::function<void(int levels)> reduceSpeckle;  ///< by `levels` more; less if negative
     std::function<void(int degrees)> turnMotion;
     std::function<void(int step)> stepPhase;  ///< -1 or 1
     std::function<void(bool numbers)> numbersForNames;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* setOption = "--set";
 
-/// Reads a text as a value of the kind of `like`; no value if it is none.
+/// Reads a text as a value of the kind of `like`. No value if the text is not of that kind.
 std::optional<ParameterValue> valueFrom(const std::string& text, const ParameterValue& like) {
     if (std::holds_alternative<std::string>(like)) return text;
     if (std::holds_alternative<bool>(like)) {

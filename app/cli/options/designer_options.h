@@ -16,12 +16,13 @@ namespace echolucent::cli {
 
 /// --designer NAME and --set NAME=VALUE.
 struct DesignerOptions {
-    std::string name;                   ///< empty if no designer was asked for
+    std::string name;                   ///< empty if --designer is not given
     std::vector<std::string> settings;  ///< "NAME=VALUE"
-    /// Adds the options to a command. They must not move until get().
+    /// Adds the options to a command. This object must not move until get() is called.
     void addTo(CLI::App& command);
-    /// The wanted config; no value if no designer was asked for. Fails (wrong usage) if there is no such designer or
-    /// parameter, or if a value is of another kind or out of range.
+    /// The designer's config; no value if --designer is not given. Fails (wrong usage) if there is no such designer or
+    /// parameter, if a setting has no "=", if a value is of another kind or out of range, or if a parameter plays no
+    /// part beside the settings before it.
     [[nodiscard]] Result<std::optional<DesignerConfig>> get() const;
 };
 

@@ -32,7 +32,7 @@ bool saysHowToRead(const CLI::Option& option) {
     return option.get_name() != "--phase" && reading.get_option_no_throw(option.get_name()) != nullptr;
 }
 
-/// Where the study lies; if it is nowhere, the place that the document names.
+/// Where the study lies; if it is nowhere, the place that the document names. Says on stderr if it lies elsewhere.
 std::string placeOf(const StudyFile& file, const std::string& document) {
     const std::string stated = studyPathFrom(document, file.path);
     const std::string place = placeOfStudy(file, document).value_or(stated);
@@ -56,7 +56,7 @@ Result<Study> readReferenced(const StudyFile& file, const std::string& path, con
     return study;
 }
 
-/// The study of a document at `path`, which names it then as it was found.
+/// Reads the study of the document at `path`, and sets in `document` where the study was found.
 Result<Study> studyOf(Document& document, const std::string& path, const VolumeOptions& volume,
                       const std::vector<std::string>& outputs) {
     if (!volume.path.empty()) {
@@ -181,7 +181,8 @@ std::string otfNameOf(const Document& document, std::size_t pane) {
 
 namespace {
 
-/// The curve in its place in the document, and which one it is.
+/// Puts the curve in its place among the document's curves, and returns which place that is. A power curve without the
+/// exponent of the parabolic curve goes to the quartic one. The curve must be no SampledCurve.
 CurveKind putCurve(CurveSet& curves, const OpacityCurve& curve) {
     if (const auto* power = std::get_if<PowerCurve>(&curve)) {
         const bool parabolic = power->exponent == curves.parabolic.exponent;

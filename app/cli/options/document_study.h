@@ -18,13 +18,13 @@ namespace echolucent::cli {
 /// --document and --view.
 struct DocumentOptions {
     std::string path;         ///< empty: no document was given
-    std::optional<int> view;  ///< a pane's number, or the id of a view of version 1; none: the first one
+    std::optional<int> view;  ///< a pane's number, or the id of a view of version 1; no value: the first pane or view
     /// Adds the options to a command that has VOLUME, which may then be left out. `makes` says what the command makes
     /// of a pane ("renders a pane of it").
     void addTo(CLI::App& command, const std::string& makes);
-    /// Fails (wrong usage) if neither VOLUME nor a document is given. Beside a document it fails if an option is given
-    /// that is not one of `beside`, because its value stands in the document, or one that says how VOLUME is read
-    /// without VOLUME.
+    /// Fails (wrong usage) if neither VOLUME nor a document is given. Beside a document may stand VOLUME, --view and
+    /// the options in `beside`, and beside VOLUME also those that say how it is read. Any other option fails (wrong
+    /// usage): its value stands in the document. Without a document every option passes.
     [[nodiscard]] Result<void> check(const CLI::App& command, const std::vector<std::string_view>& beside) const;
 };
 
@@ -32,28 +32,32 @@ struct DocumentOptions {
 struct DocumentStudy {
     Document document;
     Study study;
-    std::size_t pane = firstPane;         ///< that was asked for
-    std::string file{};                   ///< of the document; empty if openStudy() made it
-    std::optional<OpeningFinds> finds{};  ///< of openStudy()
-    double findingMilliseconds = 0.0;     ///< wall time of finding them
+    std::size_t pane = firstPane;         ///< place of the pane that the command is about
+    std::string file{};                   ///< path of the document; empty if openStudy() made it
+    std::optional<OpeningFinds> finds{};  ///< what openStudy() found; no value if the document was read
+    double findingMilliseconds = 0.0;     ///< wall time of the search for `finds`
 };
 
-/// Reads a document and its study, which it names then as it was found. If `volume` has a path, that is the study. A
-/// relative path is looked for from the document's folder, then from the working folder; then its bytes are looked for
-/// in the document's folder. The standard error says if it was found so, or if its bytes have changed. Fails if
-/// document or study cannot be read, if one of the `outputs` is one of them, or if pane or phase is not there.
+/// Reads a document and its study. `number` is that of --view. If `volume` has a path, that is the study. Else the
+/// document names it: a relative path is looked for from the document's folder, then from the working folder; then a
+/// file with the study's bytes is looked for in the document's folder. The document that is returned names the study
+/// by the place where it was found. The standard error says if that is another place than the document named, or if the
+/// study's bytes have changed. Fails if document or study cannot be read, if the document names no study, if one of the
+/// `outputs` is one of the files read, or if pane or phase is not there.
 [[nodiscard]] Result<DocumentStudy> readDocumentStudy(const std::string& document, const VolumeOptions& volume,
                                                       const std::vector<std::string>& outputs,
                                                       std::optional<int> number);
 
-/// Opens the study of `volume` with the document that the window begins with fresh settings, in a picture of
-/// width / height `aspect`. The look is edited, and so is what the options of the view say: the beam, the side from
-/// which the scan is looked into and seen, and the front. The phase of `volume` is shown, and its OTF computed. Fails
-/// as VolumeOptions::readAll() does, and if a front leaves nothing (leavesSomething()).
+/// Opens the study of `volume`. Its document is the one with which the window begins if its settings are fresh, for a
+/// picture of width / height `aspect`. `look` replaces the look. The options of `view` replace what opening found: the
+/// beam, the side from which the scan is looked into and seen, and the front. The document shows the phase of `volume`
+/// and has its OTF computed of that phase. Fails as ViewOptions::get() and VolumeOptions::readAll() do, and if the
+/// front leaves nothing (leavesSomething()).
 [[nodiscard]] Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& view, const Look& look,
                                               const std::vector<std::string>& outputs, double aspect);
 
-/// Where the beam is from: of openStudy() what was found or said, of a document what it says itself.
+/// The beam of the document and its source. If openStudy() made the document: "option" if --beam-axis was given, else
+/// what was guessed. If the document was read: the source that it states.
 [[nodiscard]] ChosenBeam beamOf(const DocumentStudy& opened);
 
 /// Whether a pane is rendered with the adaptive OTF, be it as a curve or as a designer.
@@ -61,9 +65,10 @@ struct DocumentStudy {
 /// What a pane is rendered with: the name of its designer or of its curve.
 [[nodiscard]] std::string otfNameOf(const Document& document, std::size_t pane);
 
-/// The document whose adaptive OTF is computed with a config.
+/// The document with `config` as that of its adaptive OTF. The document's curves hold the initial function.
 [[nodiscard]] Document withMethod(Document document, const AdaptiveOtfConfig& config);
-/// The document that renders its first pane with a curve, which is one of the kinds that documents hold.
+/// The document that renders its first pane with a curve, which it holds in its CurveSet. The curve must be no
+/// SampledCurve.
 [[nodiscard]] Document withCurve(Document document, const OpacityCurve& curve);
 
 }  // namespace echolucent::cli

@@ -11,7 +11,7 @@ namespace echolucent::cli {
 
 namespace {
 
-/// An option may have another familiar name beside its own.
+/// The names of a row's option: its own, and of one row a shorter one before it.
 std::string namesOf(const AnyParameter& row) {
     return row.name == "depth_colouring" ? "--depth-colour,--depth-colouring" : optionOf(row.name);
 }
@@ -48,7 +48,7 @@ void LookOptions::addTo(CLI::App& command, const std::vector<std::string_view>& 
         ->excludes("--light-elevation");
 }
 
-/// A light option is a mistake if it is given and plays no part. Its default is not.
+/// Fails (wrong usage) if an option that was given plays no part in `look`. Defaults are never a mistake.
 Result<void> LookOptions::checkParts(const Look& look) const {
     if (look.mode != RenderMode::direct && (m_shade || !m_light.empty()))
         return wrongUsage("--shade and --light", "need direct volume rendering",

@@ -18,7 +18,8 @@ namespace echolucent::cli {
 /// An option for each row of lookParameters(), with the defaults of lookAtStart(). Short forms: --shade,
 /// --depth-colour, --perspective and --light.
 struct LookOptions {
-    /// `names` are the rows that get an option; if empty, all rows. The options must not move until get().
+    /// `names` are the rows that get an option. If `names` is empty, all rows get one, and the short forms --shade,
+    /// --perspective and --light are added. This object must not move until get() is called.
     void addTo(CLI::App& command, const std::vector<std::string_view>& names = {});
     /// Fails (wrong usage) if an option is out of range or plays no part in the mode.
     [[nodiscard]] Result<Look> get() const;

@@ -24,12 +24,12 @@ struct MethodOptions {
     std::string reading = "default";
     std::string initial = "parabolic";
     std::string tubeGrid;
-    std::vector<std::int64_t> withoutTubes;  ///< in any order, also twice
+    std::vector<std::int64_t> withoutTubes;  ///< in any order; an index may come twice
     std::optional<double> opacityScale;
     /// Adds the options to a command. This object must not move until get() is called.
     void addTo(CLI::App& command);
-    /// The default reading for a command without these options. Fails (wrong usage) if a value is out of range, or
-    /// if an option belongs to a detection or a form that is not chosen.
+    /// The config that the options make; the default reading if addTo() was never called. Fails (wrong usage) if a
+    /// value is out of range, or if an option belongs to a choice that is not made. Fails as curveFromName() does.
     [[nodiscard]] Result<AdaptiveOtfConfig> get() const;
 
 private:
@@ -46,8 +46,10 @@ private:
 /// The FILE of the curve name manual:FILE; empty for every other name.
 [[nodiscard]] std::string curveFileOf(const std::string& name);
 
-/// The curve called linear, parabolic, quartic or manual:FILE. Its opacities are multiplied by `opacityScale`; if
-/// that is not given, a manual curve stays as it is and the others have the scale that docs/cli.md names.
+/// The curve called linear, parabolic, quartic or manual:FILE. `opacityScale` is the scale of a power curve, the slope
+/// of the linear one and a factor on the opacities of a manual one. If it has no value, a power curve has
+/// defaultOpacityScale, the linear one its default slope, and a manual one stays as it is. Fails (wrong usage) if the
+/// scale is out of range or the name is none of these, and as readCurve() does.
 [[nodiscard]] Result<OpacityCurve> curveFromName(const std::string& name, std::optional<double> opacityScale);
 /// The curve of --otf: as curveFromName(), and no curve for "adaptive", which is computed for the rendered view.
 [[nodiscard]] Result<std::optional<OpacityCurve>> namedCurve(const std::string& name,

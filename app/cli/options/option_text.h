@@ -17,8 +17,8 @@ namespace echolucent::cli {
 [[nodiscard]] tl::unexpected<Failure> wrongUsage(const std::string& option, const std::string& problem,
                                                  const std::string& remedy = {});
 
-/// Reads "AxB" or "AxBxC" (also with commas) as numbers. A failure names `option`, and says that it must be like
-/// `example`.
+/// Reads `count` numbers with "x" or commas between them: "A", "AxB", "AxBxC". A failure (wrong usage) names `option`,
+/// and says that it must be like `example`.
 [[nodiscard]] Result<std::vector<double>> parseNumbers(const std::string& text, std::size_t count,
                                                        const std::string& option, const std::string& example);
 

@@ -26,11 +26,12 @@ namespace echolucent::cli {
 /// The values that the command line gives for the rows of a table.
 class GivenParameters {
 public:
-    /// Adds an option for a row, under optionOf() its name or under `names`, which begin with it. This object must not
-    /// move until the command line is read.
+    /// Adds an option for a row. The option is called `names`, or optionOf() the row's name if `names` is empty. A row
+    /// with a bool gets a flag. `row` must outlive the parsing, and this object must not move until then.
     CLI::Option& add(CLI::App& command, const AnyParameter& row, const ParameterValue& standard,
                      const std::string& names = {});
-    /// Adds a second option for the number of a row, whose first option is `added`.
+    /// Adds a second option, `name`, for a row whose value is a double. Its first option is `added`; both together are
+    /// refused.
     void addShort(CLI::App& command, const AnyParameter& row, const std::string& name, CLI::Option& added);
 
     [[nodiscard]] bool has(std::string_view parameter) const { return m_given.contains(parameter); }
@@ -51,7 +52,7 @@ public:
 
 private:
     struct Given {
-        std::string option;  ///< as it was written
+        std::string option;  ///< what failures call it
         ParameterValue value;
     };
     [[nodiscard]] static Result<void> check(const AnyParameter& row, const Given& given);

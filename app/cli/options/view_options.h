@@ -19,44 +19,47 @@ namespace echolucent::cli {
 /// The beam axis of a command, with its source.
 struct ChosenBeam {
     BeamAxis axis = BeamAxis::plusZ;
-    std::string source = "assumed";    ///< "option", "file", "sector shape", "echo" or "assumed"
+    /// "option", "assumed" or the name of a BeamEvidence. Of a document that was read: the name of a BeamSource.
+    std::string source = "assumed";
     std::optional<double> confidence;  ///< [0,1] of a guess; no value if nothing was guessed
-    std::string sentence;              ///< of a guess; else it is empty
+    std::string sentence;              ///< what a guess says of itself; empty if nothing was guessed
 };
 
 /// What is looked at.
 enum class ViewOf {
     file,           ///< a volume that was read; its front is chosen by the option alone
-    openedStudy,    ///< the same, with the front found on opening
+    openedStudy,    ///< a volume that was read; without the option, its front is the one found on opening
     simulatedScan,  ///< a scan that the command simulates: beam and front are known, nothing is guessed
 };
 
 /// --beam-axis, --view-azimuth, --view-elevation, --near.
 struct ViewOptions {
     Viewpoint view;
-    std::string beamAxis;  ///< empty: not given
-    std::string near;      ///< empty: not given
+    std::string beamAxis;  ///< text of --beam-axis; empty if it is not given
+    std::string near;      ///< text of --near; empty if it is not given
     /// Adds the options to a command. This object must not move until get() is called.
     void addTo(CLI::App& command, ViewOf of = ViewOf::file);
     [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
     /// The view. It has a cut only if --near says how deep. Fails (wrong usage) if an option is out of range.
     [[nodiscard]] Result<Viewpoint> get() const;
-    /// The same for a simulated scan. Fails (wrong usage) if --near is auto.
+    /// get() for a simulated scan. Fails (wrong usage) also if --near is auto.
     [[nodiscard]] Result<Viewpoint> getOfSimulatedScan() const;
-    /// What the options say of a study that is opened. An option that is out of range counts as not given.
+    /// What the options say of a study that is opened. A --beam-axis that names no axis counts as not given. The other
+    /// options are taken unchecked: get() checks them.
     [[nodiscard]] SaidOnOpening said() const;
-    /// The axis of --beam-axis, else +z: that of simulated scans. An option that is out of range counts as not given.
+    /// The axis of --beam-axis; +z, the axis of simulated scans, if it is not given or names no axis.
     [[nodiscard]] ChosenBeam beam() const;
     /// The axis of --beam-axis, else the guess for a volume that was read from a file; +z if that is not sure.
     [[nodiscard]] ChosenBeam beamOf(const Volume& volume) const;
-    /// The view of a volume with that beam, with a suggested near cut if that was asked for. A sure guess and
-    /// a suggestion are said on stderr.
+    /// The view of a volume along `beam`. If the file says where the probe was, and neither --beam-axis nor a turn of
+    /// the view is given, it is the view from the probe. If --near is auto, its near cut is the suggested one. Says a
+    /// sure guess of the beam and a suggested cut on stderr. Fails as get() and leavesSomething() do.
     [[nodiscard]] Result<Viewpoint> get(const Volume& volume, const ChosenBeam& beam) const;
-    /// The same with the beam of beamOf().
+    /// The view of a volume along the beam of beamOf().
     [[nodiscard]] Result<Viewpoint> get(const Volume& volume) const;
 
 private:
-    /// Whether the command line says how the view is turned, be it by 0 degrees.
+    /// Whether --view-azimuth or --view-elevation is given, even with 0 degrees.
     [[nodiscard]] bool isTurned() const;
     const CLI::Option* m_azimuth = nullptr;
     const CLI::Option* m_elevation = nullptr;

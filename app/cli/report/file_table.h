@@ -14,7 +14,7 @@ namespace echolucent::cli {
 
 /// A Markdown table of all files in a folder and its subfolders, sorted by name. Leaves out files whose name begins
 /// with a dot. Fails (unreadable) if the folder cannot be read. Fails (wrong usage) before it reads any file if
-/// `output`, the file for the table, is one of them.
+/// `output`, the file for the table, is one of the files. Fails (cancelled) if `progress` is cancelled.
 [[nodiscard]] Result<std::string> fileTable(const std::string& folder, const Progress& progress,
                                             const std::string& output = {});
 

@@ -45,7 +45,7 @@ Json directionJson(const ViewDirection& direction) {
     return {{"azimuth", direction.azimuth}, {"elevation", direction.elevation}, {"roll", direction.roll}};
 }
 
-/// What was found on opening; null of a document that was read.
+/// What was found on opening; null if the document was read from a file.
 Json findsJson(const DocumentStudy& opened) {
     if (!opened.finds) return nullptr;
     const Scene& scene = opened.document.scene;
@@ -95,7 +95,7 @@ Result<Json> studyJson(const DocumentStudy& opened) {
     const auto& file = std::get<StudyFile>(opened.document.study);
     const auto checksum = checksumOf(opened.study.files);
     if (!checksum) return tl::unexpected<Failure>(checksum.error());
-    // Checksum and UID tell a folder's study; its name may be a patient's.
+    // Checksum and UID identify the study of a folder. Its name is left out: it may be a patient's.
     return Json{{"file", folderOf(opened.document.study).empty() ? withoutFolders(file.path) : ""},
                 {"checksum", checksum->text},
                 {"bytes", checksum->bytes},

@@ -9,8 +9,8 @@
 
 namespace echolucent::cli {
 
-/// What openStudy() found and what follows, one short sentence a line: beam, side, front, speckle reduction, voxels
-/// without data. It does not repeat options.
+/// What openStudy() found and chose, one short sentence a line: beam, side, front, speckle reduction, voxels without
+/// data. It does not repeat options. `opened` must have `finds`.
 [[nodiscard]] std::string findsText(const DocumentStudy& opened);
 
 /// What a result was made of: program, command, document and study with their checksums, and what opening found. It

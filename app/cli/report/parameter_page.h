@@ -12,7 +12,7 @@ namespace echolucent::cli {
 /// A Markdown table: one row a parameter, in the table's order. Ends with a newline.
 [[nodiscard]] std::string parameterPage(const std::vector<ParameterDefault>& rows);
 
-/// All rows of the method, the designers, the look and the curve's sliders, as JSON.
+/// All rows of the method, the initial function, the designers, the look and the curve's sliders, as JSON.
 [[nodiscard]] std::string allParametersJson();
 
 }  // namespace echolucent::cli

@@ -49,7 +49,8 @@ Json primitivesJson(const PhantomTruth& truth) {
     return all;
 }
 
-/// The truth along one tube core. Depths are in units from the place where the picture begins on its axis.
+/// The truth along one tube core. Depths are in units from the place where the picture begins on the tube core's axis.
+/// They are null if no surface is met, or if the axis misses the volume.
 Json tubeJson(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view, const TubeAxis& axis,
               int cellSize) {
     Json tube{{"u", axis.column},         {"v", axis.row},

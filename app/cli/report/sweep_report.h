@@ -17,9 +17,9 @@ struct SweepReport {
     Json madeOf = {};
     Viewpoint start = {};
     MotionChoice motion = {};
-    std::optional<OtfSmoothing> smoothing = {};  ///< not set if one OTF is shown in all frames
+    std::optional<OtfSmoothing> smoothing = {};  ///< no value if one OTF is shown in all frames
     std::span<const SweptOtf> frames = {};
-    std::optional<PictureFlicker> unsmoothedPictures = {}, shownPictures = {};  ///< if they were asked for
+    std::optional<PictureFlicker> unsmoothedPictures = {}, shownPictures = {};  ///< with --picture-flicker only
 };
 
 /// One JSON object that ends with a newline. Its numbers are read back without loss.
@@ -28,7 +28,7 @@ struct SweepReport {
 [[nodiscard]] std::string sweepTable(std::span<const SweptOtf> frames);
 [[nodiscard]] std::string sweepSummary(const SweepReport& report);
 
-/// The course of the computed OTFs, and of the shown ones.
+/// The OTFs of the frames as they were computed, and as they are shown.
 [[nodiscard]] std::vector<SampledCurve> unsmoothedOf(std::span<const SweptOtf> frames);
 [[nodiscard]] std::vector<SampledCurve> shownOf(std::span<const SweptOtf> frames);
 

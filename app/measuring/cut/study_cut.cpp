@@ -23,7 +23,8 @@ double behindTheMiddle(const Viewpoint& view, const VolumeGeometry& geometry, do
     return nearPlaneDepthMm(cut, geometry) - frameOf(view).forward.dot(geometry.centreMm());
 }
 
-/// The largest move of the cut while the view turns to four sides, mm; "-" if the answer changes.
+/// The largest move of the cut while the view turns to four sides, mm. "-" if the answer changes; empty if the answer
+/// is no wall before fluid.
 std::string moved(const Volume& volume, const Viewpoint& view, const NearCutFinding& found, double turn) {
     const double before = behindTheMiddle(view, volume.geometry(), found.nearCutMm);
     double most = 0.0;

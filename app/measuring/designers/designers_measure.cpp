@@ -29,7 +29,8 @@ PictureError errorOf(const Classification& classification, const DesignerCase& o
                         *castRaysPlainly(*one.shown, classification, settings, casting));
 }
 
-/// Each picture is seen from a little farther round, so that no earlier result can be used again.
+/// The median time of a picture, ms. Each picture is seen from a view that is turned a little farther, so that no
+/// earlier result can be used again.
 double castTime(RayCaster& caster, const Classification& classification, const DesignerCase& one, int repeats) {
     std::vector<double> times;
     (void)caster.cast(classification, one.settings);

@@ -17,10 +17,10 @@
 
 namespace echolucent::cli {
 
-/// A compared designer: with its defaults, or under another name if a page compares two forms of it.
+/// A compared designer with its config, or the parabola x^2, which no designer makes.
 struct ComparedDesigner {
-    std::string name;  ///< of the designer, or "x2": the parabola x^2, which no designer makes
-    std::optional<DesignerConfig> config;
+    std::string name;                      ///< of the designer, or "x2"
+    std::optional<DesignerConfig> config;  ///< no value for "x2"
 };
 /// x^2 first, then all designers with their defaults, in the order of allDesigners.
 [[nodiscard]] std::vector<ComparedDesigner> comparedDesigners();
@@ -37,7 +37,7 @@ struct ContrastRow {
     std::string designer, condition;
     std::uint64_t seed = 0;
     std::optional<double> contrast;  ///< CNR_S
-    double milliseconds = 0.0;       ///< of the designer
+    double milliseconds = 0.0;       ///< median wall time of the designer
 };
 /// How scans are measured: the view of the tube cores, the method, and the reduction of the shown voxels.
 struct ContrastSetting {
@@ -64,8 +64,8 @@ struct DesignerPicture {
     DesignTimed made;
     Picture picture;
     double castMilliseconds = 0.0;                   ///< median of a picture that is cast anew, with light
-    PictureError error;                              ///< of a small lit picture by the kernel, from the plain route's
-    std::optional<ClassificationMeasures> measures;  ///< by the tube cores' surfaces
+    PictureError error;                              ///< of the kernel's small lit picture, from the plain route's one
+    std::optional<ClassificationMeasures> measures;  ///< by the tube cores' surfaces; no value if there are none
 };
 [[nodiscard]] std::vector<DesignerPicture> showDesigners(const DesignerCase& one, int repeats);
 

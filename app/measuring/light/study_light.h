@@ -33,9 +33,9 @@ struct LightVariant {
 /// The results of a variant.
 struct LightResult {
     LightVariant variant;
-    PictureError error;               ///< of the picture, from the one with the reference's light
+    PictureError error;               ///< difference of the picture from the one with the reference's light
     double milliseconds = 0.0;        ///< median; a new camera and a new curve
-    double turnedMilliseconds = 0.0;  ///< median; a new camera alone
+    double turnedMilliseconds = 0.0;  ///< median; a new camera, with which the key light turns, and the same curve
     double keyMilliseconds = 0.0;     ///< median; a new key light alone
 };
 
@@ -43,7 +43,7 @@ struct LightStudy {
     std::string name;
     double referenceSeconds = 0.0;
     Picture reference, usual;      ///< with the reference's light, and with the default light volume
-    PictureError withoutReaching;  ///< of gradient light alone, from the reference
+    PictureError withoutReaching;  ///< difference of the picture with gradient light alone from `reference`
     std::vector<LightResult> results;
 };
 /// `rings` as in ReferenceLight.

@@ -15,6 +15,8 @@ struct DetectionQuality {
     double rightWeight = 0.0;  ///< the part of `weight` on tube cores whose surface is within 3 units of the first
                                ///< fluid-tissue interface
     double emptyWeight = 0.0;  ///< the part of `weight` on tube cores without such an interface
+    /// Of the tube cores that count: those with an interface, and those of them with the right surface. Then those in
+    /// the volume that do not count (TubeTruth::counts).
     int tubesWithInterface = 0, tubesRight = 0, tubesLeftOut = 0;
     int tubesFound = 0;          ///< tube cores with an interface on which any surface was found
     double distanceUnits = 0.0;  ///< sum over tubesFound of |found - true|, units
@@ -57,7 +59,8 @@ struct TubeTruth {
 
 [[nodiscard]] DetectionQuality detectionQuality(const AdaptiveOtf& otf, const PhantomTruth& truth,
                                                 const VolumeGeometry& geometry);
-/// The same with tubeTruths() of the same geometry, view, grid and cell size.
+/// detectionQuality() with `truths`, which tubeTruths() gave for the geometry, view, grid and cell size of `otf`.
+/// Throws std::invalid_argument if there is not one for each tube core.
 [[nodiscard]] DetectionQuality detectionQuality(const AdaptiveOtf& otf, const std::vector<TubeTruth>& truths,
                                                 const VolumeGeometry& geometry);
 

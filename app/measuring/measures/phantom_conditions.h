@@ -14,8 +14,8 @@ struct NamedPhantom {
     PhantomConfig config;
 };
 
-/// Each takes scene, size, spacing, seed and all else outside the condition from `base`. The names:
-/// "base", "ramp2", "little_speckle", "attenuation_shadow", "specular".
+/// Each condition takes scene, size, spacing, seed, bits and phase from `base`. All else is the condition's own or the
+/// default of PhantomConfig. The names: "base", "ramp2", "little_speckle", "attenuation_shadow", "specular".
 [[nodiscard]] std::vector<NamedPhantom> ordinaryConditions(
     const PhantomConfig& base = defaultPhantom(PhantomScene::shapes));
 /// "hard_full_speckle", "hard_uncorrelated", "hard_ramp8", "hard_low_contrast", "hard_log_compressed".
@@ -24,7 +24,7 @@ struct NamedPhantom {
 /// "front_wall".
 [[nodiscard]] std::vector<NamedPhantom> frontWallConditions(
     const PhantomConfig& base = defaultPhantom(PhantomScene::shapes));
-/// "empty".
+/// "empty", with the scene PhantomScene::empty.
 [[nodiscard]] std::vector<NamedPhantom> emptyConditions(
     const PhantomConfig& base = defaultPhantom(PhantomScene::shapes));
 

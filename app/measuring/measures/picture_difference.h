@@ -5,7 +5,7 @@
 
 namespace echolucent {
 
-/// Over red, green and blue on a black background, from floats in [0,1].
+/// The difference over red, green and blue on a black background, from floats in [0,1].
 struct PictureDifference {
     double rms = 0.0;      ///< root of the mean squared difference over pixels and colours
     double largest = 0.0;  ///< largest absolute difference
@@ -14,7 +14,7 @@ struct PictureDifference {
 /// Throws std::invalid_argument if the sizes differ.
 [[nodiscard]] PictureDifference differenceOf(const Picture& picture, const Picture& reference);
 
-/// The same in grey levels of 8 bits (255 is white), with the structural similarity.
+/// PictureDifference in levels of 8 bits (255 is white), with the structural similarity.
 struct PictureError {
     double rmse = 0.0;     ///< root of the mean squared difference over pixels and colours
     double largest = 0.0;  ///< largest absolute difference

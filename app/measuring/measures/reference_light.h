@@ -20,11 +20,11 @@
 namespace echolucent::light {
 
 /// The light that reaches places, by marching along many directions within the lights' cones. The sweeps take other
-/// directions. Along each the extinctions of trilinear samples add up until the volume ends.
+/// directions. Along each direction the extinctions of trilinear samples add up until the volume ends or all is dark.
 class ReferenceLight {
 public:
-    /// Volume and curve must outlive it. `rings` as in denseDirectionsWithin(). `step` is the length between samples in
-    /// units, above 0.
+    /// `volume` must outlive this object. `rings` as in denseDirectionsWithin(). `step` is the length between samples
+    /// in units, above 0.
     ReferenceLight(const Volume& volume, const OpacityCurve& curve, const LightScene& scene, int rings = 4,
                    double step = 0.5);
     [[nodiscard]] ReachingShares at(const Vec3& gridMm) const;
@@ -45,8 +45,8 @@ private:
 using Reaching = std::function<ReachingShares(const Vec3& gridMm)>;
 
 /// The plain route's picture (castRaysPlainly(), direct mode) with the light that reaches each sample, in double.
-/// settings.shading must be set; its strengths count. Samples that add less than 1/2048 to their pixel are lit as if
-/// all light reached them. No value only if progress.cancel was raised.
+/// The light has the strengths of settings.shading; throws std::invalid_argument if that is not set. Samples that add
+/// less than 1/2048 to their pixel are lit as if all light reached them. No value only if progress.cancel was raised.
 [[nodiscard]] std::optional<Picture> castRaysInLight(const Volume& volume, const OpacityCurve& curve,
                                                      const RayCastSettings& settings, const Reaching& reaching,
                                                      const Progress& progress = {});

@@ -59,7 +59,7 @@ ModeFigures measureMode(const MotionMode& mode, const MotionFigures& figures, co
         std::tie(result.lowest, result.highest) = unclampedRange(figures.frames, *mode);
     }
     result.otfFlicker = otfFlicker(result.shown);
-    // With one OTF for all frames, no picture changes.
+    // With one OTF for all frames, no picture changes because of its OTF: the flicker stays 0.
     if (mode) result.pictures = *pictureFlicker(framesOf(figures.frames), result.shown, render);
     return result;
 }
@@ -92,7 +92,7 @@ void compareCurves(MotionFigures& figures, const FrameRenderer& render) {
     const auto with = [&](std::size_t index) { return *render(view, figures.frames[index].unsmoothed); };
     figures.adaptation = rmsOf(figures.oneOtf, figures.initial);
     figures.adaptationPicture = differenceOf(*render(view, figures.oneOtf), *render(view, figures.initial)).rms;
-    // If the probe is still, the frames may show the same phase: there is nothing to compare then.
+    // If the probe is still, these three frames may show one phase. Nothing is compared.
     if (!figures.motionCase.motion.probeMoves) return;
     for (const auto& [left, right] :
          {std::pair(std::size_t{0}, middle), std::pair(middle, last), std::pair(std::size_t{0}, last)}) {

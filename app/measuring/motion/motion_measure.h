@@ -21,7 +21,7 @@ struct MotionCase {
     bool stills = false;  ///< whether the page shows pictures of it
 };
 
-/// How the OTFs of the frames are chosen: by a smoothing. Without one, all frames have the OTF of the first view.
+/// How the OTFs of the frames are chosen: by a smoothing. If there is none, all frames have the OTF of the start view.
 using MotionMode = std::optional<OtfSmoothing>;
 /// The modes static, none, mean, mls and least-flicker.
 [[nodiscard]] std::vector<MotionMode> motionModes();
@@ -36,7 +36,7 @@ struct ModeFigures {
     double lowest = 0.0, highest = 0.0;  ///< opacities before they are clamped to [0,1]
 };
 
-/// How far apart the OTFs of two frames are, and the first view's pictures with them.
+/// How far apart the OTFs of two frames are, and the pictures of the middle frame that are made with these OTFs.
 struct CurveDifference {
     std::string name;  ///< name of the pair of frames, as "-45 and 0 degrees"
     double rms = 0.0, largest = 0.0, pictureRms = 0.0;
@@ -59,7 +59,7 @@ struct MotionFigures {
     std::vector<ModeFigures> modes;  ///< in the order of motionModes()
     std::vector<CurveDifference> differences;
     double adaptation = 0.0;         ///< RMS difference between oneOtf and the initial function, to compare with
-    double adaptationPicture = 0.0;  ///< RMS difference of the pictures made with these two
+    double adaptationPicture = 0.0;  ///< RMS difference of the middle frame's pictures made with these two
     /// RMS over pixels and frames between pictures with oneOtf and with each frame's OTF, and the largest RMS of one
     /// frame.
     double staticPictureRms = 0.0, worstStaticPictureRms = 0.0;

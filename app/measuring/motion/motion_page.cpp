@@ -114,7 +114,7 @@ void addCurves(HtmlPage& page, const MotionFigures& figures) {
 }
 
 struct Spread {
-    std::size_t intensity = 0;  ///< where the unsmoothed course varies most
+    std::size_t intensity = 0;  ///< place of the sample at which the course varies most
     std::vector<double> mean;   ///< over the frames
     double largestDeviation = 0.0;
 };

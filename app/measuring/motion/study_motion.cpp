@@ -18,7 +18,7 @@ namespace {
 
 constexpr int largestStillEdge = 64;  // pixels; larger ones would fill the page (HtmlPage::mostBytes)
 
-/// Adds the motions of the probe, of the object and of both, as far as there are phases.
+/// Adds the motion of the probe, and, if there are several phases, those of the object and of both.
 void addCases(std::vector<MotionCase>& cases, const MotionCase& base) {
     const auto with = [&](const char* name, const char* words, bool probe, bool object) {
         MotionCase added = base;

@@ -30,8 +30,8 @@ std::vector<GroupedPhantom> allConditions(const PhantomConfig& base) {
     return all;
 }
 
-/// The settings' errors are measured in these conditions, the readings in all. Run times are measured in the first
-/// alone, because they hardly depend on the voxels' values.
+/// The settings' errors are measured in these conditions, the readings in all. Run times are measured in "base" alone,
+/// because they hardly depend on the voxels' values.
 bool isForErrors(const std::string& condition) {
     return condition == "base" || condition == "attenuation_shadow" || condition == "hard_full_speckle" ||
            condition == "hard_ramp8" || condition == "front_wall";

@@ -48,15 +48,16 @@ struct VariantResult {
     double sumOfSquares = 0.0;  ///< sum of the squares of these differences over all cases' samples
     std::size_t samples = 0;
     std::vector<double> times, timeRatios;  ///< for each case the median in ms, and its ratio to the default setting's
-    bool onFront = false;                   ///< no other is both faster and nearer to the reference
+    bool onFront = false;  ///< no other of the same interface function is both faster and nearer to the reference
 
     [[nodiscard]] double rmsDifference() const;
     [[nodiscard]] double timeRatio() const;  ///< geometric mean over the cases
     [[nodiscard]] double time() const;       ///< mean over the cases, ms
 };
-/// Adds the errors of every variant on a case to the results.
+/// Adds the errors of every variant on a case to `results`. If `results` is empty, it gets one entry for each variant.
 void measureErrors(const OtfCase& one, std::vector<VariantResult>& results);
-/// Adds the run times of every variant, run `repeats` times in turn. Call measureErrors() of some case before.
+/// Adds the run times of every variant on a case. The variants take turns, `repeats` times. `results` must come from
+/// measureErrors().
 void measureTimes(const OtfCase& one, int repeats, std::vector<VariantResult>& results);
 /// For each interface function, marks the variants that no other beats in both run time and RMS difference. Leaves out
 /// the reference: its difference is 0 by definition.
@@ -65,12 +66,13 @@ void markFront(std::vector<VariantResult>& results);
 /// One reading on one case.
 struct ReadingResult {
     std::string condition,
-        group;  ///< the group is "ordinary", "hard", "front wall" or "empty"; both are empty for a volume without truth
+        group;  ///< "ordinary", "hard", "front wall" or "empty". Of a volume without truth the condition is its path
+                ///< and the group is an empty text
     std::uint64_t seed = 0;
     Viewpoint view;
     MethodReading reading = MethodReading::standard;
     DetectionQuality detection;
-    std::optional<double> contrast;  ///< CNR_S, if it is one of the six conditions along the beam
+    std::optional<double> contrast;  ///< CNR_S in the six contrastConditions() along the beam; else no value
     double sumOfWeights = 0.0;       ///< sum of d
     int tubesWithWeight = 0;
     SurfaceLight light;          ///< light with the reading's own curve
@@ -99,7 +101,8 @@ struct OtfStudy {
 [[nodiscard]] std::string variantsCsv(const OtfStudy& study);
 [[nodiscard]] std::string readingsCsv(const OtfStudy& study);
 [[nodiscard]] std::string summaryText(const OtfStudy& study);
-/// Run time against RMS difference of opacity. With ofDetection, against the weight that is not on right tubes.
+/// Run time against RMS difference of opacity, of one interface function. If ofDetection is set, against the weight
+/// that is not on tube cores that found the true surface.
 [[nodiscard]] Plot paretoPlot(const OtfStudy& study, const std::string& function, bool ofDetection);
 [[nodiscard]] std::string otfPage(const OtfStudy& study);
 

@@ -12,7 +12,7 @@ double errorOf(const VariantResult& result, bool ofDetection) {
     return ofDetection ? 100.0 * (1.0 - result.detection.rightShare()) : result.rmsDifference();
 }
 
-/// The variants of one parameter by run time. Without a name, those of the front.
+/// A series called `name` with a marker for each result: error against run time.
 PlotSeries seriesOf(const std::vector<const VariantResult*>& results, const std::string& name, bool ofDetection) {
     PlotSeries series;
     series.name = name;
@@ -85,7 +85,7 @@ Plot paretoPlot(const OtfStudy& study, const std::string& function, bool ofDetec
     }
     plot.series.push_back(frontSeries(std::move(front)));
     for (const std::string& parameter : namesIn(own, [](const auto* result) { return result->variant.parameter; })) {
-        // Its error is 0 by definition, and a logarithmic axis has no 0.
+        // The reference's error is 0 by definition, and a logarithmic axis has no 0.
         if (parameter == "reference" && !ofDetection) continue;
         std::vector<const VariantResult*> some;
         for (const VariantResult* result : own)

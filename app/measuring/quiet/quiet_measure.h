@@ -15,7 +15,7 @@ namespace echolucent::cli {
 struct QuietFilter {
     std::string name;        ///< its work in words
     std::string setting;     ///< the reduction that uses it; empty if none
-    SpeckleReduction named;  ///< that reduction, as the curve is told; if `setting` is empty, the nearest
+    SpeckleReduction named;  ///< the reduction that adaptOpacity() is told: that of `setting`; light if that is empty
     std::function<Volume(const Volume&)> run;
 };
 /// The unfiltered voxels, Gaussians, and the filters of all reductions.
@@ -24,10 +24,10 @@ struct QuietFilter {
 /// The loss of known structures, on small volumes with speckle of s = 0.5 and a FWHM of 2 voxels. Fluid is 14, tissue
 /// 85, object 170. Means along the structure remove the noise.
 struct StructureError {
-    double planeShift = 0.0;   ///< units by which the middle of a plane's ramp of 4 units moves, to either side
-    double sphereShift = 0.0;  ///< the same on a sphere with a radius of 12 units; below 0 if it shrinks
+    double planeShift = 0.0;   ///< units by which the middle of a plane's ramp of 4 units moves, without a sign
+    double sphereShift = 0.0;  ///< units by which the radius of a sphere of 12 units grows; below 0 if it shrinks
     double membrane = 0.0;     ///< remaining share of the contrast of a membrane of tissue in fluid, 2 voxels thick
-    double finger = 0.0;       ///< the same on the axis of a finger of object in fluid, 4 voxels thick
+    double finger = 0.0;       ///< remaining share of the contrast on the axis of a finger of object, 4 voxels thick
 };
 [[nodiscard]] StructureError structureErrorOf(const QuietFilter& filter, std::uint64_t seed);
 

@@ -21,8 +21,10 @@ struct RenderVariant {
     std::string value;  ///< the difference from the reference setting
     RayCastSettings settings;
     double reduction = 1.0;               ///< size of the whole picture over size of the cast one, per edge, at least 1
-    std::optional<PlainCasting> plain{};  ///< set: by the plain route; no value: by the kernel
-    CompositingPrecision precision = CompositingPrecision::single;  ///< of stored pixels; the kernel's is single
+    std::optional<PlainCasting> plain{};  ///< how the plain route casts it; no value: the kernel casts it
+    /// How the plain route stores pixels. Of the kernel it is single: the kernel gathers a run of samples in float, but
+    /// stores pixels between runs in double.
+    CompositingPrecision precision = CompositingPrecision::single;
     [[nodiscard]] std::string name() const { return axis + " " + value; }
 };
 
@@ -88,7 +90,7 @@ struct QualityBound {
 [[nodiscard]] Picture pictureOf(const RenderVariant& variant, const RenderCase& one, RayCaster& caster);
 /// Enlarges bilinearly, like a texture stretched over the screen: pixel centres lie at halves, edges are clamped.
 [[nodiscard]] Picture enlarged(const Picture& picture, int width, int height);
-/// The middle of a picture, as large as wanted if the picture is.
+/// The middle of a picture, of width x height pixels. If an edge of the picture is shorter, it keeps that edge.
 [[nodiscard]] Picture middleOf(const Picture& picture, int width, int height);
 /// Means over squares of pixels, so that no edge is longer than `edge`. Pixels that fill no square are left out.
 [[nodiscard]] Picture overviewOf(const Picture& picture, int edge);
@@ -96,7 +98,8 @@ struct QualityBound {
 [[nodiscard]] Picture inGrey(Picture picture);
 
 [[nodiscard]] std::string renderCsv(const RenderStudy& study);
-/// All settings, the kernel's front, the settings within the bounds, the precisions of the plain route.
+/// Four tables: all settings, the kernel's front, the fastest settings within qualityBounds(), the precisions of the
+/// plain route.
 [[nodiscard]] TextTable settingsTable(const RenderStudy& study);
 [[nodiscard]] TextTable frontTable(const RenderStudy& study);
 [[nodiscard]] TextTable boundsTable(const RenderStudy& study);

@@ -69,9 +69,10 @@ void measureErrors(const RenderCase& one, RayCaster& caster, RenderStudy& study)
     }
 }
 
-/// Every round runs all settings once, every other round backwards, so that other load on the machine meets them alike.
-/// An untimed run comes before each: a moving hand casts many pictures of one setting, and the caster makes
-/// a setting's tables and its map of empty space only once.
+/// Times the kernel's settings, then the plain ones. Every round runs all settings of a route once, every other round
+/// backwards, so that other load on the machine meets them alike. An untimed run comes before each run of the kernel: a
+/// moving hand casts many pictures of one setting, and the caster makes a setting's tables and its map of empty space
+/// only once.
 void measureTimes(const RenderCase& one, RayCaster& caster, RenderStudy& study) {
     const std::size_t count = study.results.size();
     std::vector<std::vector<double>> times(count);
@@ -98,7 +99,7 @@ void measureTimes(const RenderCase& one, RayCaster& caster, RenderStudy& study) 
     }
 }
 
-/// Both routes render with equal settings, and rays do not end early.
+/// Compares the pictures of both routes. Their settings are equal but for the last check, and rays do not end early.
 void checkSameRays(const RenderCase& one, RayCaster& caster, RenderStudy& study) {
     const auto check = [&](const std::string& name, double offsetPixels, auto change) {
         RayCastSettings settings = one.reference;

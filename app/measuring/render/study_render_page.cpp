@@ -12,7 +12,7 @@ namespace {
 constexpr int overviewEdge = 128, detailEdge = 80, zoom = 2;  // pixels; so the page keeps within HtmlPage::mostBytes
 constexpr double amplification = 8.0;
 
-/// Settings of one axis, by run time and RMSE.
+/// The kernel's settings of one axis: RMSE against run time.
 PlotSeries seriesOf(const std::vector<RenderResult>& results, const std::string& axis) {
     PlotSeries series;
     series.name = axis;

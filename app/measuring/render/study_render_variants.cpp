@@ -51,7 +51,8 @@ void addOmissions(VariantList& list) {
         list.add("resolution", fmt::format("1/{:g}", reduction), [&](RenderVariant& v) { v.reduction = reduction; });
 }
 
-/// The kernel stores floats, so only the plain route can tell the cost of each precision.
+/// The kernel has one precision only (float within a run of samples, double over runs), so the plain route tells the
+/// cost of each precision.
 void addPrecisions(VariantList& list) {
     for (const double step : {1.0, 0.25})
         for (const auto precision : {CompositingPrecision::twofold, CompositingPrecision::single,
@@ -74,7 +75,7 @@ void addEnds(VariantList& list) {
         });
 }
 
-/// Settings for a controller with a frame budget: rays end at 1/128, there are fewer rays, and steps are longer.
+/// Settings for a controller with a frame budget: rays end at 1/128, and the number of rays and the step vary.
 void addCombinations(VariantList& list) {
     for (const double reduction : {1.0, 1.5, 2.0, 3.0, 4.0})
         for (const double step : {0.5, 0.75, 1.0, 1.5, 2.0, 3.0})

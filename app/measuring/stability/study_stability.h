@@ -16,8 +16,8 @@ struct NumericCheck {
     std::string quantity;           ///< its name, as "basis function"
     std::string condition;          ///< the condition, as "I_H - I_L = 1e-09"
     std::string way;                ///< "as here" or the textbook formula's name
-    double value = 0.0;             ///< the value where the error is largest
-    std::string reference;          ///< the reference there, with all its digits
+    double value = 0.0;             ///< the value at the place with the largest error
+    std::string reference;          ///< the reference at that place, with all its digits
     double error = 0.0;             ///< the largest error in the condition; infinite if the value is not finite
     std::optional<double> allowed;  ///< the largest error allowed; no value for a formula that the program does not use
     std::optional<double> abscissa;  ///< the condition as a number, for the plot
@@ -31,8 +31,8 @@ struct ExtremeCase {
     std::string name;
     Volume volume;
     Viewpoint view;
-    std::optional<double> dMax;      ///< instead of the reading's strength
-    std::optional<int> tubesAcross;  ///< instead of 15
+    std::optional<double> dMax;      ///< d_max of a ProductRule that replaces the reading's rule of the curve
+    std::optional<int> tubesAcross;  ///< columns and rows of tube cores across the volume's x axis; else the reading's
 };
 [[nodiscard]] std::vector<ExtremeCase> extremeCases();
 
@@ -43,7 +43,7 @@ struct ExtremeResult {
     bool finite = false;  ///< whether curve, logarithm, weights and tube cores hold no NaN and opacities lie in [0,1]
     double leastOpacity = 0.0, mostOpacity = 0.0;
     double deviation = 0.0;  ///< largest difference from the initial function
-    /// Whether it ended in a curve, or in a message and the initial function.
+    /// Whether `finite` holds, and the case ended in a curve from surfaces, or in a message and the initial function.
     [[nodiscard]] bool isSound() const;
 };
 [[nodiscard]] ExtremeResult resultOf(const ExtremeCase& extreme, const std::string& reading,

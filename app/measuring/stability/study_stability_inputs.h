@@ -17,7 +17,7 @@ struct Range {
     double low, high;
 };
 
-/// Gaps from 1e-9 to 1, as many in each octave.
+/// A range in [0,1] whose gap is 1e-9 to 1. Gaps of all octaves are equally frequent.
 inline Range narrowOrWide(std::uint64_t counter) {
     const double gap =
         std::max(1e-9, std::ldexp(0.5 + 0.5 * unit(counter), -static_cast<int>(splitmix64(counter + 1) % 31)));
@@ -30,7 +30,7 @@ struct BasisInput {
     Range range;
 };
 
-/// Row i of basis_function.csv: every fourth intensity lies anywhere, the others near the range.
+/// Row i of basis_function.csv: every fourth intensity lies anywhere in [0,1], the other three near the range.
 inline BasisInput basisInput(std::uint64_t i) {
     const Range range = narrowOrWide(8 * i);
     const double share = unit(8 * i + 3);
@@ -43,7 +43,7 @@ struct TubeInput {
     Range range;
 };
 
-/// Tube core t of log_opacity_*.csv: every eighth has a range of narrowOrWide(), the others one that is 0.1 to 0.6
+/// Tube core t of log_opacity_*.csv: every eighth has a range of narrowOrWide(). The range of any other is 0.1 to 0.6
 /// wide.
 inline TubeInput tubeInput(std::uint64_t t, double dMax) {
     const std::uint64_t counter = (std::uint64_t{1} << 40) + 8 * t;
