@@ -5,6 +5,7 @@
 #include <chrono>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include "app/cli/command.h"
 #include "app/cli/options/designer_options.h"
@@ -83,7 +84,7 @@ Result<void> checkOtfOutputs(const OtfOptions& options, const std::vector<std::s
 /// Fails (wrong usage) if --tubes-csv is given and the designer is not the adaptive one. Only that one makes its OTF
 /// from tube cores alone. The refusal puts `says` before the designer's name: "--designer".
 Result<void> checkTubes(const OtfOptions& options, const DesignerConfig* designer, const std::string& says) {
-    if (options.tubesCsv.empty() || designer == nullptr || designerOf(*designer) == Designer::adaptive) return {};
+    if (options.tubesCsv.empty() || designer == nullptr || std::holds_alternative<AdaptiveConfig>(*designer)) return {};
     return wrongUsage("--tubes-csv", "plays no part beside " + says + " " + std::string(nameOf(designerOf(*designer))),
                       "Leave it out: only the adaptive OTF comes from tube cores alone.");
 }

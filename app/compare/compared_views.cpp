@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "processing/pane_picture/pane_caster.h"
 #include "widgets/casting/picture_image.h"
@@ -19,7 +20,7 @@ constexpr double frameMilliseconds = 40.0;  // the time for a frame while the ha
 /// none.
 PaneFace faceOf(std::size_t place, const Pane& choice) {
     PaneFace face{.name = QStringLiteral("%1  %2").arg(place + 1).arg(nameOfPane(choice))};
-    const bool adaptive = choice.designer && designerOf(*choice.designer) == Designer::adaptive;
+    const bool adaptive = choice.designer && std::holds_alternative<AdaptiveConfig>(*choice.designer);
     if (choice.designer && !adaptive) return face;
     const CurveKind kind = adaptive ? CurveKind::adaptive : choice.curve;
     // Panes are black in both themes.

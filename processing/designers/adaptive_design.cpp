@@ -9,6 +9,8 @@
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/designers/design.h"
+#include "processing/parameters/parameter.h"
 #include "processing/tube_core/tube_core.h"
 
 namespace echolucent {

@@ -4,20 +4,25 @@
 #include <memory>
 #include <optional>
 
-#include "processing/designers/adaptive_config.h"
-#include "processing/designers/design.h"
-#include "processing/parameters/parameter.h"
-#include "processing/progress.h"
+#include "processing/designers/designer_declarations.h"
 
 namespace echolucent {
 
+struct AdaptiveOtf;
+
+/// The adaptive designer has no parameter of its own. DesignerInput::method holds them all, also the tube cores that
+/// are never placed (TubeGrid::withoutTubes). docs/designers/adaptive.md says more.
+struct AdaptiveConfig {
+    static constexpr DesignerWords words{"adaptive", "Adaptive"};
+    [[nodiscard]] static constexpr bool readsTubeCores() { return true; }
+    friend bool operator==(const AdaptiveConfig&, const AdaptiveConfig&) = default;
+};
 /// An empty table: the parameters are the rows of methodParameters().
-[[nodiscard]] const ParameterTable<AdaptiveConfig>& parametersOf(const AdaptiveConfig& config);
+[[nodiscard]] const ParameterTable<AdaptiveConfig>& parametersOf(const AdaptiveConfig&);
 
 /// Runs adaptOpacity() (Petersch 2005; docs/method.md). Tube cores read the raw voxels along input.view, and the curve
-/// is meant for the shown voxels. If no surface is found, the curve is the initial function, and `message` says so. The
-/// result is empty only if progress.cancel was raised. Its bits are the same for any number of threads. Throws
-/// std::invalid_argument if problemOf(input.method) is not empty or the volumes have different grids.
+/// is meant for the shown voxels. If no surface is found, the curve is the initial function, and `message` says so. It
+/// throws too if problemOf(input.method) is not empty.
 [[nodiscard]] std::optional<Design> design(const AdaptiveConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

@@ -4,23 +4,33 @@
 
 #include <optional>
 
-#include "processing/designers/design.h"
-#include "processing/designers/fixed_presets_config.h"
-#include "processing/parameters/parameter.h"
-#include "processing/progress.h"
+#include "processing/designers/designer_declarations.h"
 
 namespace echolucent {
 
-/// Their tables; the argument only selects one.
+/// 3D Slicer's preset for fetal ultrasound (fetalPresetNodes). It has no parameters.
+struct FetalPresetConfig {
+    static constexpr DesignerWords words{"fetal-preset", "Fetal preset"};
+    friend bool operator==(const FetalPresetConfig&, const FetalPresetConfig&) = default;
+};
 [[nodiscard]] const ParameterTable<FetalPresetConfig>& parametersOf(const FetalPresetConfig&);
-[[nodiscard]] const ParameterTable<EchoRampConfig>& parametersOf(const EchoRampConfig&);
 
 /// The same curve for every volume. A fact tells how many voxels of input.shown it shows; if it shows none, the message
-/// says so. The result is empty only if progress.cancel was raised. Throws std::invalid_argument if the volumes have
-/// different grids.
+/// says so.
 [[nodiscard]] std::optional<Design> design(const FetalPresetConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
-/// The same for the echo ramp, cut off at 0 and 1. It also throws if a parameter is out of range.
+
+/// The curve of SlicerHeart's module Echo Volume Render (docs/designers/echo-ramp.md): clear up to the threshold minus
+/// the edge, rising to 0.2 at the threshold, 0.8 just above it and 0.95 at the threshold plus the edge.
+struct EchoRampConfig {
+    static constexpr DesignerWords words{"echo-ramp", "Echo ramp"};
+    double threshold = 0.2;  ///< normalised intensity, [0,1]
+    double edge = 0.05;      ///< width of the ramp to either side, normalised intensity, [0,1]
+    friend bool operator==(const EchoRampConfig&, const EchoRampConfig&) = default;
+};
+[[nodiscard]] const ParameterTable<EchoRampConfig>& parametersOf(const EchoRampConfig&);
+
+/// This curve for every volume, cut off at 0 and 1, with the same fact and message.
 [[nodiscard]] std::optional<Design> design(const EchoRampConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "processing/designers/designer_contract.h"
+#include "processing/intensity/intensity_counts.h"
 #include "processing/parameters/parameter_rows.h"
 
 namespace echolucent {

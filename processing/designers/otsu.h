@@ -4,13 +4,26 @@
 
 #include <optional>
 
-#include "processing/designers/design.h"
-#include "processing/designers/otsu_config.h"
-#include "processing/intensity/intensity_counts.h"
-#include "processing/parameters/parameter.h"
-#include "processing/progress.h"
+#include "processing/designers/designer_declarations.h"
 
 namespace echolucent {
+
+struct IntensityCounts;
+
+/// The ranges stand in parametersOf().
+struct OtsuConfig {
+    static constexpr DesignerWords words{"otsu", "Otsu ramp"};
+    double spreads = 1.0;  ///< the ramp reaches this many class spreads to either side of the threshold
+    double opacity = 1.0;  ///< of the bright class beyond the ramp, per unit
+    friend bool operator==(const OtsuConfig&, const OtsuConfig&) = default;
+};
+[[nodiscard]] const ParameterTable<OtsuConfig>& parametersOf(const OtsuConfig&);
+
+/// A curve that is clear below the ramp. The ramp is straight from the threshold minus the dark class's spread to the
+/// threshold plus the bright class's, both within [0,1]. It reads input.shown; voxels without data do not count. If all
+/// data have one value, or there are none, the curve is x^2, and the message says so.
+[[nodiscard]] std::optional<Design> design(const OtsuConfig& config, const DesignerInput& input,
+                                           const Progress& progress = {});
 
 /// The voxels on one side of a threshold.
 struct IntensityClass {
@@ -31,16 +44,5 @@ struct OtsuClasses {
 
 /// Empty for fewer than two intensities. Of equally good thresholds the lowest counts.
 [[nodiscard]] std::optional<OtsuClasses> otsuClasses(const IntensityCounts& counts);
-
-/// Its table; the argument only selects it.
-[[nodiscard]] const ParameterTable<OtsuConfig>& parametersOf(const OtsuConfig&);
-
-/// A curve that is clear below the ramp. The ramp is straight from the threshold minus the dark class's spread to the
-/// threshold plus the bright class's, both within [0,1]. It reads input.shown; voxels without data do not count. If all
-/// data have one value, or there are none, the curve is x^2, and the message says so. The result is empty only if
-/// progress.cancel was raised. Its bits are the same for any number of threads. Throws std::invalid_argument if a
-/// parameter is out of its range or the volumes have different grids.
-[[nodiscard]] std::optional<Design> design(const OtsuConfig& config, const DesignerInput& input,
-                                           const Progress& progress = {});
 
 }  // namespace echolucent

@@ -10,7 +10,7 @@ std::vector<Pane> standardPanes() {
     return {{.curve = CurveKind::adaptive},
             {.curve = CurveKind::parabolic},
             {.curve = CurveKind::linear},
-            {.designer = defaultConfigOf(Designer::levoy)}};
+            {.designer = LevoyConfig{}}};
 }
 
 Document withPanes(Document document, std::vector<Pane> panes) {

@@ -46,7 +46,7 @@ private slots:
         QFETCH(int, designer);
         const Document before = document();
         const Classification curve = window().volumeView().classification();
-        choose(designer);
+        choose(defaultConfigOf(static_cast<Designer>(designer)));
         QCOMPARE(window().document().steps().count(), 1);
         QVERIFY(designerConfigOf(document(), firstPane) != nullptr);
         waitUntilIdle();
@@ -63,7 +63,7 @@ private slots:
     }
 
     void aParameterIsOneStepAndIsTakenBack() {
-        choose(static_cast<int>(Designer::otsu));
+        choose(OtsuConfig{});
         waitUntilIdle();
         const Document before = document();
         const Classification shown = window().volumeView().classification();
@@ -80,7 +80,7 @@ private slots:
     }
 
     void resetIsOneStep() {
-        choose(static_cast<int>(Designer::otsu));
+        choose(OtsuConfig{});
         QVERIFY(!child<QAbstractButton>("designer.reset")->isEnabled());
         type("designer.opacity", "0.5");
         click("designer.reset");
@@ -89,7 +89,7 @@ private slots:
     }
 
     void keysOneToFiveAndTheEditorLeaveTheDesign() {
-        choose(static_cast<int>(Designer::levoy));
+        choose(LevoyConfig{});
         waitUntilIdle();
         QVERIFY(window().otfEditor().state().designed);
         auto* active = child<QRadioButton>("otfEditor.active.design");
@@ -112,7 +112,7 @@ private slots:
     }
 
     void itsUpperCurveIsCopiedIntoNodes() {
-        choose(static_cast<int>(Designer::otsu));
+        choose(OtsuConfig{});
         waitUntilIdle();
         const OpacityCurve upper = upperCurveOf(window().otfs().designOf(firstPane)->design.classification);
         QCOMPARE(window().otfEditor().copyAdaptiveAction()->text(), QString("Copy Otsu ramp into nodes"));
@@ -125,7 +125,7 @@ private slots:
     }
 
     void wordsSpeakOfTheDesignerThatIsRendered() {
-        choose(static_cast<int>(Designer::otsu));
+        choose(OtsuConfig{});
         waitUntilIdle();
         const QString said = QString::fromStdString(window().otfs().designOf(firstPane)->design.explanation.front());
         QVERIFY(window().volumeView().caption().contains("OTF: Otsu ramp"));
@@ -145,7 +145,7 @@ private slots:
     void cancelLeavesThePictureAsItWas() {
         const Classification before = window().volumeView().classification();
         hold();
-        choose(static_cast<int>(Designer::otsu));
+        choose(OtsuConfig{});
         QVERIFY(!window().idle());
         QTRY_VERIFY(child<QAbstractButton>("designer.cancel")->isVisible());
         QVERIFY(window().explanation().contains("not computed yet"));
@@ -164,8 +164,8 @@ private slots:
 
     void theNewestChoiceWins() {
         hold();
-        choose(static_cast<int>(Designer::otsu));
-        choose(static_cast<int>(Designer::percentile));
+        choose(OtsuConfig{});
+        choose(PercentileConfig{});
         m_held = false;
         waitUntilIdle();
         QVERIFY(window().otfs().isNewest(firstPane));
@@ -175,7 +175,7 @@ private slots:
     }
 
     void aSessionBringsItBack() {
-        choose(static_cast<int>(Designer::levoy));
+        choose(LevoyConfig{});
         type("designer.surfaceOpacity", "0.75");
         waitUntilIdle();
         const Document saved = document();
@@ -189,7 +189,7 @@ private slots:
     }
 
     void theEmphasisIsDrawnByHand() {
-        choose(static_cast<int>(Designer::kindlmann));
+        choose(KindlmannConfig{});
         auto* canvas = child<EmphasisCanvas>("designer.emphasis.canvas");
         QVERIFY(!canvas->isVisible());
         auto* emphasis = child<QComboBox>("designer.emphasis");
@@ -224,10 +224,10 @@ private slots:
     }
 
 private:
-    void choose(int designer) {
+    void choose(const DesignerConfig& config) {
         auto* choice = child<QComboBox>("designer.choice");
         choice->setFocus();
-        const int wanted = choice->findData(designer);
+        const int wanted = choice->findData(static_cast<int>(designerOf(config)));
         // With the keys in the open list: letters are the window's.
         choice->showPopup();
         QTRY_VERIFY(choice->view()->isVisible());

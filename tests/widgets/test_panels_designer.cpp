@@ -65,7 +65,7 @@ private slots:
         QCOMPARE(choice->currentIndex(), 0);
         QTest::keyClick(choice, Qt::Key_Down);
         QCOMPARE(s.document.steps().undoText(), "choose designer Adaptive");
-        QVERIFY(designerOf(s.config()) == Designer::adaptive);
+        QVERIFY(s.config() == DesignerConfig(AdaptiveConfig{}));
         QTest::keyClick(choice, Qt::Key_Up);
         QCOMPARE(s.document.steps().undoText(), "choose curve");
         QCOMPARE(s.document.steps().count(), 2);

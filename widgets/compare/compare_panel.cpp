@@ -12,6 +12,7 @@
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <variant>
 
 #include "widgets/controls/panel_controls.h"
 
@@ -35,7 +36,7 @@ QString labelOfCurve(CurveKind kind) {
 }
 
 QString labelOfDesigner(Designer designer) {
-    if (designer == Designer::adaptive) return ComparePanel::tr("Adaptive, as a designer");
+    if (designer == designerOf(AdaptiveConfig{})) return ComparePanel::tr("Adaptive, as a designer");
     return textOf(labelOf(designer));
 }
 
@@ -51,7 +52,8 @@ QString wordsOf(MotionOtf otf) {
 }
 
 bool isAdaptive(const Pane& choice) {
-    return choice.designer ? designerOf(*choice.designer) == Designer::adaptive : choice.curve == CurveKind::adaptive;
+    return choice.designer ? std::holds_alternative<AdaptiveConfig>(*choice.designer)
+                           : choice.curve == CurveKind::adaptive;
 }
 
 int entryOf(const Pane& choice) {

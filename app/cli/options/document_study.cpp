@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "app/cli/options/option_text.h"
 #include "io/document/session_file.h"
@@ -170,7 +171,7 @@ ChosenBeam beamOf(const DocumentStudy& opened) {
 
 bool isAdaptive(const Document& document, std::size_t pane) {
     const DesignerConfig* designer = designerConfigOf(document, pane);
-    if (designer != nullptr) return designerOf(*designer) == Designer::adaptive;
+    if (designer != nullptr) return std::holds_alternative<AdaptiveConfig>(*designer);
     return document.panes.at(pane).curve == CurveKind::adaptive;
 }
 

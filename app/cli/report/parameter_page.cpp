@@ -78,7 +78,7 @@ std::string allParametersJson() {
         designers[std::string(echolucent::nameOf(designer))] =
             std::visit([](const auto& values) { return tableJson(parametersOf(values)); }, defaultConfigOf(designer));
     // The adaptive designer runs the method, with the method's parameters.
-    designers[std::string(echolucent::nameOf(Designer::adaptive))] = tableJson(methodParameters());
+    designers[std::string(AdaptiveConfig::words.name)] = tableJson(methodParameters());
     const Json all{{"method", tableJson(methodParameters())},
                    {"initial_function", tableJson(initialFunctionParameters())},
                    {"designers", designers},

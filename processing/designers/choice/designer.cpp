@@ -2,8 +2,6 @@
 
 #include <variant>
 
-#include "processing/parameters/parameter.h"
-
 namespace echolucent {
 
 std::optional<Design> design(const DesignerConfig& config, const DesignerInput& input, const Progress& progress) {

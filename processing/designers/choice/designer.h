@@ -5,23 +5,14 @@
 #include <string>
 #include <variant>
 
-#include "processing/designers/adaptive_design.h"
 #include "processing/designers/choice/designer_config.h"
 #include "processing/designers/design.h"
-#include "processing/designers/fixed_presets.h"
-#include "processing/designers/gradients/contour_spectrum.h"
-#include "processing/designers/gradients/kindlmann.h"
-#include "processing/designers/gradients/levoy.h"
-#include "processing/designers/otsu.h"
-#include "processing/designers/percentile.h"
-#include "processing/designers/template/template_curve.h"
+#include "processing/parameters/parameter.h"
 #include "processing/progress.h"
 
 namespace echolucent {
 
-/// Runs a designer. The result is empty only if progress.cancel was raised. Its bits are the same for any number of
-/// threads. Throws std::invalid_argument if problemOf(config) is not empty or the volumes of the input have different
-/// grids.
+/// Runs a designer, which promises what processing/designers/designer_declarations.h says.
 [[nodiscard]] std::optional<Design> design(const DesignerConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

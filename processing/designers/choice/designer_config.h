@@ -1,5 +1,5 @@
-// The configs of all OTF designers as plain values. processing/designers/choice/designer.h says what they make of a
-// volume.
+// The list of all OTF designers: a new one stands here as an include and an alternative of DesignerConfig, and nowhere
+// else. processing/designers/choice/designer.h runs them.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 #include <utility>
 #include <variant>
 
-#include "processing/designers/adaptive_config.h"
-#include "processing/designers/fixed_presets_config.h"
-#include "processing/designers/gradients/contour_spectrum_config.h"
-#include "processing/designers/gradients/kindlmann_config.h"
-#include "processing/designers/gradients/levoy_config.h"
-#include "processing/designers/otsu_config.h"
-#include "processing/designers/percentile_config.h"
-#include "processing/designers/template/template_config.h"
+#include "processing/designers/adaptive_design.h"
+#include "processing/designers/fixed_presets.h"
+#include "processing/designers/gradients/contour_spectrum.h"
+#include "processing/designers/gradients/kindlmann.h"
+#include "processing/designers/gradients/levoy.h"
+#include "processing/designers/otsu.h"
+#include "processing/designers/percentile.h"
+#include "processing/designers/template/template_curve.h"
 
 namespace echolucent {
 
@@ -24,18 +24,8 @@ namespace echolucent {
 using DesignerConfig = std::variant<AdaptiveConfig, LevoyConfig, KindlmannConfig, TemplateConfig, ContourSpectrumConfig,
                                     OtsuConfig, PercentileConfig, FetalPresetConfig, EchoRampConfig>;
 
-/// The designers, in the order of DesignerConfig.
-enum class Designer {
-    adaptive,         ///< tube cores (docs/designers/adaptive.md)
-    levoy,            ///< value and gradient magnitude (docs/designers/levoy.md)
-    kindlmann,        ///< distance from boundaries (docs/designers/kindlmann.md)
-    templateCurve,    ///< a curve carried over from a reference (docs/designers/template.md)
-    contourSpectrum,  ///< a ramp where contours are strong (docs/designers/contour-spectrum.md)
-    otsu,             ///< a ramp at the threshold of largest between-class variance (docs/designers/otsu.md)
-    percentile,       ///< a ramp between two percentiles (docs/designers/percentile.md)
-    fetalPreset,      ///< 3D Slicer's fetal preset (docs/designers/fetal-preset.md)
-    echoRamp,         ///< SlicerHeart's echo ramp (docs/designers/echo-ramp.md)
-};
+/// A designer: the index of its config in DesignerConfig. designerOf(OtsuConfig{}) names one.
+enum class Designer : std::size_t {};
 inline constexpr std::array allDesigners = []<std::size_t... index>(std::index_sequence<index...>) {
     return std::array{static_cast<Designer>(index)...};
 }
@@ -47,12 +37,11 @@ inline constexpr std::array allDesigners = []<std::size_t... index>(std::index_s
 /// Its name for a person: "Adaptive", "Kindlmann and Durkin".
 [[nodiscard]] std::string_view labelOf(Designer designer);
 
-[[nodiscard]] inline Designer designerOf(const DesignerConfig& config) { return allDesigners.at(config.index()); }
+[[nodiscard]] inline Designer designerOf(const DesignerConfig& config) { return Designer{config.index()}; }
 /// The config of a designer with all its defaults.
 [[nodiscard]] DesignerConfig defaultConfigOf(Designer designer);
 
 /// Whether a designer reads tube cores. If so, its result depends on the method and on the direction of the tube cores.
-/// A config has a member of this name, or it reads none.
 [[nodiscard]] bool readsTubeCores(const DesignerConfig& config);
 
 }  // namespace echolucent

@@ -5,13 +5,28 @@
 #include <cstddef>
 #include <optional>
 
-#include "processing/designers/design.h"
-#include "processing/designers/gradients/contour_spectrum_config.h"
-#include "processing/parameters/parameter.h"
-#include "processing/progress.h"
+#include "processing/choice_names.h"
+#include "processing/designers/designer_declarations.h"
 
 namespace echolucent {
 
+/// Where the middle of the ramp comes from.
+enum class IsovalueChoice {
+    steepest,  ///< the steepest of maximaOf() the spectrum
+    given,     ///< a person's choice
+};
+inline constexpr ChoiceNames<2> isovalueChoiceNames{"steepest", "given"};
+
+/// parametersOf() has the ranges too.
+struct ContourSpectrumConfig {
+    static constexpr DesignerWords words{"contour-spectrum", "Contour spectrum"};
+    IsovalueChoice choice = IsovalueChoice::steepest;
+    double threshold = 0.2;   ///< normalised intensity, [0,1]; only for IsovalueChoice::given
+    double leastArea = 0.1;   ///< share of the largest area, [0,1]: smaller isosurfaces are noise
+    double halfWidth = 0.08;  ///< of the ramp, normalised intensity, [0,1]
+    double opacity = 0.6;     ///< behind the ramp, per unit, [0,1]
+    friend bool operator==(const ContourSpectrumConfig&, const ContourSpectrumConfig&) = default;
+};
 [[nodiscard]] const ParameterTable<ContourSpectrumConfig>& parametersOf(const ContourSpectrumConfig&);
 
 /// The curve is a ramp: opacity 0 at threshold - halfWidth, `opacity` at threshold + halfWidth. Only its part within
@@ -21,7 +36,6 @@ namespace echolucent {
 /// "volume_above" and "mean_gradient" at the ramp, and "maximum_1", "maximum_2", ...: the isovalues of maximaOf(),
 /// steepest first, at most mostMaximumFacts. Areas and volumes are in mm² and mm³ if the spacing is known, else in
 /// units² and units³.
-/// Throws std::invalid_argument if a value is out of its range or the shown voxels have another grid.
 [[nodiscard]] std::optional<Design> design(const ContourSpectrumConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 inline constexpr std::size_t mostMaximumFacts = 6;

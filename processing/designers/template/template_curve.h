@@ -4,14 +4,22 @@
 
 #include <optional>
 
-#include "processing/designers/design.h"
-#include "processing/designers/template/template_config.h"
-#include "processing/parameters/parameter.h"
-#include "processing/progress.h"
+#include "processing/designers/designer_declarations.h"
+#include "processing/designers/template/template_comparison.h"
+#include "processing/designers/template/template_reference.h"
 
 namespace echolucent {
 
-/// Its table, which also checks the reference; the argument only selects it.
+/// parametersOf() has the ranges of the slopes too.
+struct TemplateConfig {
+    static constexpr DesignerWords words{"template", "Template"};
+    SharedTemplate reference = fetusTemplate();  ///< no row of the table
+    TemplateComparison comparison = TemplateComparison::logarithm;
+    double leastSlope = 0.25;   ///< of the warp, [1/8,1]
+    double largestSlope = 4.0;  ///< of the warp, [1,8]
+    friend bool operator==(const TemplateConfig&, const TemplateConfig&) = default;
+};
+/// The table also checks the reference.
 [[nodiscard]] const ParameterTable<TemplateConfig>& parametersOf(const TemplateConfig&);
 
 /// The curve alpha(t^-1(v)) at 256 equidistant intensities v. alpha is the reference's curve, and t the warp that
@@ -20,8 +28,6 @@ namespace echolucent {
 /// warp within [0,1], with its sign), "mean_slope", "distance_before" and "distance".
 /// If the volume or the reference holds no data, or one intensity alone, the curve is the reference's unchanged, and
 /// the message says why. If that curve is 0 everywhere, the curve is x².
-/// Throws std::invalid_argument if a value is out of its range, the reference's histogram is none, or the shown voxels
-/// have another grid.
 [[nodiscard]] std::optional<Design> design(const TemplateConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

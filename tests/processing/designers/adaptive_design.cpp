@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/designers/design.h"
+#include "processing/parameters/parameter.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "tests/processing/tube_core/plane_detection.h"
 

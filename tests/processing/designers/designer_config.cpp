@@ -17,9 +17,9 @@ TEST(DesignerConfig, EachDesignerHasItsNameItsLabelAndItsConfig) {
         EXPECT_EQ(designerFromName(nameOf(designer)), designer);
         EXPECT_EQ(designerOf(defaultConfigOf(designer)), designer);
     }
-    EXPECT_EQ(allDesigners.back(), Designer::echoRamp);
-    EXPECT_EQ(nameOf(Designer::contourSpectrum), "contour-spectrum");
-    EXPECT_EQ(labelOf(Designer::kindlmann), "Kindlmann and Durkin");
+    EXPECT_EQ(allDesigners.front(), designerOf(AdaptiveConfig{}));
+    EXPECT_EQ(nameOf(designerOf(ContourSpectrumConfig{})), "contour-spectrum");
+    EXPECT_EQ(labelOf(designerOf(KindlmannConfig{})), "Kindlmann and Durkin");
     EXPECT_FALSE(designerFromName("sakas"));
 }
 

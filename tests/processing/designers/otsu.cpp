@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "designer_volumes.h"
+#include "processing/intensity/intensity_counts.h"
 
 namespace echolucent {
 namespace {

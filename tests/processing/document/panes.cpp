@@ -22,12 +22,12 @@ TEST(Panes, TheStandardOnesAreFourWithAnOtfEach) {
     EXPECT_EQ(document.panes, standardPanes());
     EXPECT_EQ(document.panes.at(firstPane), Pane{});
     ASSERT_NE(designerConfigOf(document, 3), nullptr);
-    EXPECT_EQ(designerOf(*designerConfigOf(document, 3)), Designer::levoy);
+    EXPECT_EQ(*designerConfigOf(document, 3), DesignerConfig(LevoyConfig{}));
 }
 
 TEST(Panes, AreAddedAndRemoved) {
     Document document = compared();
-    const Pane choice{.designer = defaultConfigOf(Designer::otsu), .phase = 3};
+    const Pane choice{.designer = OtsuConfig{}, .phase = 3};
     document = withPane(document, 3, choice);
     EXPECT_EQ(problemOf(document), "");
     EXPECT_EQ(document.panes[3], choice);
