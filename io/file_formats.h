@@ -15,7 +15,7 @@ namespace echolucent {
 /// One format: the names of its files, how to recognise them, and their reader.
 struct FileFormat {
     /// Reads and checks the header of an opened file, without voxels. If `framesAsSlices` is set, 2D frames over time
-    /// are accepted as a volume of unknown spacing.
+    /// are accepted as slices at an unknown distance.
     using HeaderReader = Result<StoredVolume> (*)(const InputFile& file, bool framesAsSlices, const Progress& progress);
     /// Reads an opened file from its header to its voxels.
     using StudyReader = Result<Study> (*)(const InputFile& file, const ReadOptions& options, const Progress& progress);
@@ -27,13 +27,13 @@ struct FileFormat {
     std::vector<std::string_view> endings;
     /// Patterns of other names that such files, or those beside them, often have. Only dialogs use them.
     std::vector<std::string_view> otherNames;
-    /// Whether a file that begins with these bytes is of this format. They are its first 4096 bytes, or all of a
-    /// shorter file.
+    /// Whether a file that begins with these bytes is of this format. `beginning` holds its first 4096 bytes, or all of
+    /// a shorter file.
     bool (*isBegunBy)(std::string_view beginning);
     /// Whether the bytes of a whole, short file are a cut beginning of this format. Asked only if isBegunBy() said no.
     bool (*mayBeCutAt)(std::string_view whole);
-    /// The reader. readStoredVolume() reads the voxels behind a header alone, in the file's order, coarse voxels first
-    /// if they are wanted.
+    /// The reader. If it is a HeaderReader, readStoredVolume() reads the voxels: in the file's order, and coarse voxels
+    /// first if they are wanted.
     std::variant<HeaderReader, StudyReader> reader;
     bool needsDicomTables = false;  ///< whether DCMTK's dictionary and tables of characters must be loaded before
     std::string_view mimeType;      ///< for desktops; empty if there is none
@@ -46,7 +46,7 @@ struct FileFormat {
 
 /// The format of a file by its first 4096 bytes, or all of a shorter file; null if they fit none.
 [[nodiscard]] const FileFormat* formatFromContent(std::string_view beginning);
-/// The format by the ending of a name, in any case; null if there is none.
+/// The format by the ending of a name, in any case, without ".gz" behind it; null if no format has that ending.
 [[nodiscard]] const FileFormat* formatFromName(const std::string& path);
 
 /// The names of all formats: "MetaImage, NRRD or DICOM".

@@ -141,7 +141,8 @@ Result<Study> readOpened(const InputFile& file, const Packing& packing, const Re
     return readUnknown(file, *beginning, packing, options, progress);
 }
 
-/// Whether to unpack a file. Voxels with a layout may begin like gzip by chance; then the name tells.
+/// Whether to unpack a file. One that begins like gzip is unpacked if its name says so, or if no layout describes it:
+/// raw voxels may begin like gzip by chance.
 Result<bool> isPacked(const InputFile& file, const ReadOptions& options) {
     const auto beginning = file.beginning(3);
     if (!beginning) return tl::unexpected(beginning.error());

@@ -1,4 +1,5 @@
-// The patient of a DICOM study. Only this file reads it, and nobody keeps it.
+// The patient of a DICOM study. The list of series reads names too, but only to keep patients apart (PictureTraits) and
+// to leave names out (seriesDescription()).
 #pragma once
 
 #include <string>
@@ -15,17 +16,18 @@ struct Patient {
     std::string name;       ///< (0010,0010), with "^" between its parts as stored
     std::string id;         ///< (0010,0020)
     std::string birthDate;  ///< (0010,0030), "1980-05-17"; as stored if it is no date
-    std::string sex;        ///< (0010,0040), "F", "M" or "O"
+    std::string sex;        ///< (0010,0040) as stored; the standard knows "F", "M" and "O"
     std::string studyDate;  ///< (0008,0020), written like the date of birth
     friend bool operator==(const Patient&, const Patient&) = default;
 };
 
-/// Whether readPatient() may find a patient in these files: the first or the last of them looks like DICOM.
+/// Whether readPatient() may find a patient in these files: the first or the last of them looks like DICOM. False if
+/// there are none.
 [[nodiscard]] bool areDicomFiles(const std::vector<std::string>& files);
 
 /// Reads the patient from the headers of DICOM files and passes over other files. If one of the files has the Series
 /// Instance UID `series`, only the files of that series count. Fails (unreadable) if no file is readable DICOM, or if
-/// two files are of different patients; (cancelled) if progress.cancel was raised.
+/// two files differ in the patient's name or ID; (cancelled) if progress.cancel was raised.
 [[nodiscard]] Result<Patient> readPatient(const std::vector<std::string>& files, const std::string& series = {},
                                           const Progress& progress = {});
 

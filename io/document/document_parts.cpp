@@ -59,7 +59,7 @@ StudyReference studyIn(JsonFields root) {
     file.checksum = fields.text("checksum");
     if (file.checksum.size() > longestChecksum) fields.wrong("checksum", "must be shorter");
     if (file.path.find('\0') != std::string::npos) fields.wrong("path", "must hold no null character");
-    // Documents from before checksums have neither.
+    // Documents without a checksum may have neither.
     if (fields.has("bytes")) file.bytes = fields.whole("bytes", 1, std::numeric_limits<std::int64_t>::max());
     if (fields.has("files")) file.files = fields.whole("files", 1, std::numeric_limits<std::int64_t>::max());
     return file;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* remedyOfDocument = "Correct the file, or save the document again from the program.";
 
-/// A plane across the pose turns with it, unless the file says that it is fixed all the same.
+/// A front whose direction is that of `pose` turns with the pose, unless the file says that the front is fixed.
 Front frontIn(JsonFields fields, const Pose& pose) {
     Front front{.depthMm = fields.number("depth_mm", 0), .direction = directionIn(fields.object("direction"))};
     front.source = fields.choice("source", &frontSourceFromName);
@@ -83,12 +83,13 @@ Result<nlohmann::json> rootOf(std::string_view text, const std::string& file) {
     return jsonObject(text, file, std::string(documentFormatName), remedyOfDocument, documentVersion);
 }
 
-/// The pane with `number`, else the first, of a document of either version; `windows` as in ViewOfVersion1.
+/// The pane with `number`, or without it the first pane, of a document of either version. `place` is where `object`
+/// stands in the file; `windows` is as in ViewOfVersion1.
 Result<DocumentPane> paneOf(const nlohmann::json& object, const std::string& place, const std::string& file,
                             std::optional<int> number, bool windows = false, int sessionVersion = documentVersion) {
     JsonProblems problems{file, std::nullopt};
     const JsonFields root(object, place, problems);
-    // A snapshot without a version has that of its session.
+    // A snapshot without a version has the version of its session.
     const nlohmann::json version = object.value("version", nlohmann::json(sessionVersion));
     if (version != 1 && version != documentVersion)
         return fail(FailureKind::unreadable, file, place.empty() ? "version" : place + ".version",

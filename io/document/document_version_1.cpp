@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-/// The longest list that views refer to. Checks of each pair of its values stay quick.
+/// The most entries of a list that views refer to. With so few, comparing each pair of entries stays quick.
 constexpr std::size_t mostEntries = 1000;
 
 /// A value that views refer to by its id.
@@ -71,7 +71,7 @@ std::vector<View> viewsIn(JsonFields& root) {
         views.push_back({idIn(fields), idIn(fields, "pose"), idIn(fields, "cut"), idIn(fields, "look"),
                          idIn(fields, "phase"), fields.choice("curve", &curveKindFromName), idIn(fields, "box"),
                          idIn(fields, "planes"), idIn(fields, "strokes")});
-        // Documents from before designers have neither.
+        // Some documents lack these keys.
         if (fields.has("design")) views.back().design = idIn(fields, "design");
         if (fields.has("without_tubes"))
             for (const std::int64_t tube : fields.wholes("without_tubes", 0, largestNumber))
@@ -146,7 +146,7 @@ void checkIds(JsonFields& root, const Lists& lists) {
     }
 }
 
-/// Notes wrong values, also those that no view refers to.
+/// Notes wrong designs, boxes, strokes and surfaces of cuts, also those that no view refers to.
 void checkValues(JsonFields& root, const Lists& lists) {
     const auto check = [&root](const char* key, std::size_t place, const std::string& problem) {
         if (!problem.empty()) root.wrong((std::string(key) + "[" + std::to_string(place) + "]").c_str(), problem);
@@ -242,7 +242,7 @@ std::optional<DocumentPane> paneInVersion1(JsonFields root, const ViewOfVersion1
     checkIds(root, lists);
     if (root.failed()) return read;
     checkValues(root, lists);
-    // Documents from before comparisons have none.
+    // Some documents lack this key.
     if (root.has("comparison")) document.comparison = comparedIn(root.object("comparison"), lists);
     if (root.failed()) return read;
     const View* view = &lists.views.front();

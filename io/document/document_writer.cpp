@@ -183,7 +183,7 @@ ordered_json sessionJson(const SavedSession& session) {
     ordered_json snapshots = ordered_json::array();
     for (const Snapshot& snapshot : session.snapshots) {
         Document document = snapshot.document;
-        document.study = {};  // the session holds it
+        document.study = {};  // the session holds the study
         snapshots.push_back({{"name", snapshot.name}, {"document", documentJson(document)}});
     }
     object["session"] = {{"snapshots", snapshots}};
@@ -191,7 +191,7 @@ ordered_json sessionJson(const SavedSession& session) {
     return object;
 }
 
-/// Refuses to write more than the reader takes.
+/// Refuses to write more measurements or strokes than the reader takes.
 Result<void> requireReadable(const std::string& path, const Document& document) {
     const auto tooMany = [&](const char* what, std::size_t most) {
         return fail(FailureKind::unwritable, path, what,

@@ -15,7 +15,7 @@ inline constexpr std::string_view presetsFormatName = "echolucent-presets";
 
 /// {"format": "echolucent-presets", "version": 1, "presets": [{"name": ..., "curve": ..., "curves": {...}, "method":
 /// {...} or null, "look": {...}}]}, with every value, and numbers with all their digits. Equal presets give equal
-/// bytes.
+/// bytes. Throws nlohmann::json::exception if a name is not UTF-8.
 [[nodiscard]] std::string jsonOf(const std::vector<Preset>& presets);
 
 /// The presets that jsonOf() wrote as a text. Refusals and defaults are as in documentFromJson(). A name that is empty,
@@ -23,7 +23,7 @@ inline constexpr std::string_view presetsFormatName = "echolucent-presets";
 [[nodiscard]] Result<std::vector<Preset>> presetsFromJson(std::string_view text, const std::string& file = {});
 
 [[nodiscard]] Result<std::vector<Preset>> readPresets(const std::string& path);
-/// Writes the file whole or not at all.
+/// Writes the file whole or not at all. Fails (unwritable) if the file cannot be written. Throws as jsonOf().
 [[nodiscard]] Result<void> writePresets(const std::string& path, const std::vector<Preset>& presets);
 
 }  // namespace echolucent

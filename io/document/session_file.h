@@ -12,21 +12,22 @@
 
 namespace echolucent {
 
-/// The JSON of the document with one more key: {"session": {"snapshots": [{"name": ..., "document": {...}}]}}. A
-/// program that reads documents reads sessions too. Equal sessions give equal bytes.
+/// The JSON of the document with one more key: {"session": {"snapshots": [{"name": ..., "document": {...}}], "file":
+/// ...}}. "file" is missing if SavedSession::file is empty. Snapshots name no study. A program that reads documents
+/// reads sessions too. Equal sessions give equal bytes. Throws as jsonOf() of a document.
 [[nodiscard]] std::string jsonOf(const SavedSession& session);
 
 /// The session that jsonOf() wrote as a text. A document without the key "session" is a session without snapshots.
-/// Refusals are as in documentFromJson(). The names of snapshots obey problemOfSnapshotName(), and there are at most
-/// mostSnapshots.
+/// Refusals are as in documentFromJson(). Names that problemOfSnapshotName() refuses, and more than mostSnapshots, are
+/// refused too.
 [[nodiscard]] Result<SavedSession> sessionFromJson(std::string_view text, const std::string& file = {});
 
 /// Reads the file; paths in it stay as written.
 [[nodiscard]] Result<SavedSession> readSession(const std::string& path);
-/// Writes the file whole or not at all.
+/// Writes the file whole or not at all. Fails as writeDocument(), also for what snapshots hold.
 [[nodiscard]] Result<void> writeSession(const std::string& path, const SavedSession& session);
 
-/// Whether the file at `path` calls itself a document; false if it cannot be read.
+/// Whether the file at `path` calls itself a document within its first 4096 bytes; false if it cannot be read.
 [[nodiscard]] bool looksLikeDocument(const std::string& path);
 
 /// The session with the study's path as a session file at `file` names it. The path is relative to the file's folder if

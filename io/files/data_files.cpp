@@ -21,7 +21,8 @@ tl::unexpected<Failure> wrong(const DataFileKey& key, const std::string& problem
     return fail(FailureKind::unreadable, key.headerPath, key.key, problem, remedy);
 }
 
-/// Whether a name stays in or below its folder. Links are not looked at.
+/// Whether a name stays in or below its folder. Links are not looked at. False for names with backslashes or zero
+/// bytes.
 bool staysBelow(const std::string& name) {
     const std::filesystem::path path(name);
     if (name.empty() || path.is_absolute() || name.find('\\') != std::string::npos ||
@@ -86,7 +87,7 @@ std::string nameWith(const Pattern& pattern, std::int64_t number) {
 Result<InputFile> DataFile::open() const {
     if (opened) return *opened;
     auto file = InputFile::open(path);
-    // The name stands in the header, which may be cut off within it.
+    // The name stands in the header, which may be cut off within this name.
     if (!file)
         file.error().remedy =
             "Put it beside the header with the permission to read it; where the header is cut off, copy both again.";

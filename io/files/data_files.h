@@ -19,8 +19,8 @@ constexpr std::size_t mostDataFiles = 10000;
 /// One of the files that hold a volume's voxels.
 struct DataFile {
     std::string path;
-    std::optional<InputFile> opened{};  ///< set if it is open already, such as the header's own file; else it is opened
-                                        ///< only when it is read, because there may be thousands
+    std::optional<InputFile> opened{};  ///< set if it is open already, such as the header's own file; else open() opens
+                                        ///< it only when it is read, because there may be thousands
 
     /// Fails (unreadable) if it cannot be opened.
     [[nodiscard]] Result<InputFile> open() const;
@@ -42,15 +42,16 @@ struct DataFileKey {
 /// Fails (unreadable) if `path`, which was found beside another file, is a link out of its folder.
 [[nodiscard]] Result<void> requireInItsFolder(const std::string& path);
 /// The data file `name`. Fails (unreadable) if it is the header itself, or if it does not lie in or below the header's
-/// folder. Absolute paths, "..", and links out of the folder are refused.
+/// folder. Absolute paths, "..", backslashes, links out of the folder, and names of over 1000 bytes are refused.
 [[nodiscard]] Result<DataFile> dataFileBeside(const DataFileKey& key, const std::string& name);
 /// The data files of these names, in their order. Fails as dataFileBeside(), and if there are none or more than
 /// mostDataFiles.
 [[nodiscard]] Result<std::vector<DataFile>> dataFilesBeside(const DataFileKey& key,
                                                             const std::vector<std::string>& names);
-/// The names that a pattern stands for. It holds one number: "%d", or "%03d" or "%3d", padded with zeros or spaces.
-/// Fails (unreadable) if anything else follows a per cent sign, if the numbers never end, or if they make more than
-/// mostDataFiles names.
+/// The names that a pattern stands for. It holds exactly one number: "%d", or "%03d" or "%3d", padded with zeros or
+/// spaces; "i" and "u" stand for "d" too. "%%" is a per cent sign. Fails (unreadable) if anything else follows a per
+/// cent sign, if there is no number or a second one, if the width is above 20, if a number is beyond 10^9, if the
+/// numbers never end, or if they make more than mostDataFiles names.
 [[nodiscard]] Result<std::vector<std::string>> namesOfPattern(const DataFileKey& key, const std::string& pattern,
                                                               const FileNumbers& numbers);
 

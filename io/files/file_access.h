@@ -32,7 +32,7 @@ public:
     [[nodiscard]] virtual Result<int> open(const std::string& path) = 0;
     /// The kind of what the path leads to. Links are followed.
     [[nodiscard]] virtual FileKind kindOf(const std::string& path) = 0;
-    /// The path without links, "." and "..", as far as it exists; the path itself if that cannot be found out.
+    /// The absolute path without links, "." and "..", as far as it exists; `path` as it is if the system does not tell.
     [[nodiscard]] virtual std::string resolved(const std::string& path) = 0;
     /// As walkFilesBelow().
     [[nodiscard]] virtual FilesBelow filesBelow(const std::string& folder, int deepest, const Progress& progress) = 0;
@@ -40,7 +40,7 @@ public:
 
 /// The access that this process uses: the file system itself, unless another was set.
 [[nodiscard]] FileAccess& fileAccess();
-/// Sets another access for the rest of the process. It must be set before the first reader runs, and outlive all
+/// Sets another access for the rest of the process. Call it before the first reader runs; `access` must outlive all
 /// readers.
 void useFileAccess(FileAccess& access);
 

@@ -34,7 +34,7 @@ private:
     std::string m_first;
 };
 
-/// Whether `path` lies in `folder` or below it. Neither holds links.
+/// Whether `path` lies in `folder` or below it. Both must be free of links.
 bool liesBelow(const std::filesystem::path& folder, const std::filesystem::path& path) {
     return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }

@@ -13,11 +13,11 @@ struct FilesBelow {
     std::vector<std::string> paths;     ///< sorted
     std::vector<std::string> warnings;  ///< sentences about what was left out
 };
-/// All files in a folder and in those below it down to `deepest`, at most 50,000 files among 200,000 entries. A link to
-/// a file outside counts too. A link to something inside does not, because that is met anyway. Links to folders outside
-/// are not followed. Warnings tell of links out of the folder or to nowhere, and of pipes, sockets and devices. They
-/// also tell of folders that are too deep or may not be read. If `progress` is cancelled, the files found until then
-/// come back.
+/// All files in a folder and in the folders below it, through at most `deepest` of them, and at most 50,000 files among
+/// 200,000 entries. A link to a file outside the folder counts too. A link to something inside does not count, because
+/// the walk meets its target anyway. Links to folders outside are not followed. Warnings tell of links out of the
+/// folder or to nowhere, and of pipes, sockets and devices. They also tell of folders that are too deep or cannot be
+/// read, and of more files or entries than that. If `progress` is cancelled, the files found until then come back.
 [[nodiscard]] FilesBelow walkFilesBelow(const std::string& folder, int deepest, const Progress& progress);
 
 /// File names for a sentence, without folders: the first three in quotes, and how many more there are. `paths` holds at

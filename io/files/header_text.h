@@ -29,8 +29,8 @@ constexpr std::size_t headerLimit = std::size_t{1} << 20;
 [[nodiscard]] std::optional<std::vector<std::int64_t>> wholeNumbers(std::string_view text);
 [[nodiscard]] std::optional<std::vector<double>> realNumbers(std::string_view text);
 
-/// The text in quotes, fit for a sentence: at most 60 characters, with "?" for control characters and bytes beyond
-/// ASCII.
+/// The text in quotes, fit for a sentence: at most 60 bytes of it, then "...", with "?" for control characters and
+/// bytes beyond ASCII.
 [[nodiscard]] std::string quotedText(std::string_view text);
 
 /// Cuts one line (without its end, LF or CR LF) off the front of `rest`; no value if `rest` is empty.

@@ -35,8 +35,8 @@ public:
     [[nodiscard]] static Result<InputFile> adopt(const std::string& path, int descriptor);
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] std::uint64_t size() const { return m_size; }
-    /// Fills `bytes` from byte `offset` of the file on. Fails (unreadable) if the file ends before. Several threads may
-    /// call it at once.
+    /// Fills `bytes` from byte `offset` of the file on. Fails (unreadable) if the file ends before or cannot be read.
+    /// Several threads may call it at once.
     [[nodiscard]] Result<void> readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
     /// The first `limit` bytes of the file, or all of a shorter one.
     [[nodiscard]] Result<std::string> beginning(std::size_t limit) const;
@@ -48,7 +48,8 @@ private:
     std::uint64_t m_size = 0;
 };
 
-/// Fails (unreadable) if `path` is no regular file or holds more than `limit` bytes.
+/// All bytes of the file at `path`. Fails (unreadable) if it cannot be read, is no regular file, or holds more than
+/// `limit` bytes.
 [[nodiscard]] Result<std::string> readWholeFile(const std::string& path, std::size_t limit);
 
 }  // namespace echolucent

@@ -19,7 +19,8 @@ public:
     RawInflater(const RawInflater&) = delete;
     RawInflater& operator=(const RawInflater&) = delete;
 
-    /// Fills `bytes` with the next bytes and returns how many came. Damaged data end the stream.
+    /// Fills `bytes` with the next bytes and returns how many came: fewer if the stream or the file ends. Damaged data
+    /// end the stream.
     std::size_t read(std::span<std::uint8_t> bytes);
     /// Whether the stream's own end was reached. A cut or damaged stream never reaches it.
     [[nodiscard]] bool isComplete() const;

@@ -24,9 +24,10 @@ struct FrameWords {
 [[nodiscard]] bool mayBeAxisOfVolume(std::string_view kind);
 
 /// Decides whether `stored` (with its size, spacing and phases) holds frames, not a volume: one slice over time, an
-/// axis of kind time, or keys of several frames along z. If so, it fails (unreadable) and says the way out. But if
-/// `framesAsSlices` is set, the frames become slices at an unknown distance. An axis of kind list alone makes the
-/// spacing unknown, with a note, because true volumes have it too.
+/// axis of kind time, or keys of several frames in a header of one phase. If so, it fails (unreadable, with
+/// Failure::framesCouldBeSlices) and says the way out. But if `framesAsSlices` is set, the frames become slices at an
+/// unknown distance. An axis of kind list alone makes the spacing unknown, with a note, because true volumes have such
+/// axes too. A probe that was tracked over the phases of a volume is noted.
 [[nodiscard]] Result<void> settleFrames(StoredVolume& stored, const FrameWords& words, bool framesAsSlices);
 
 }  // namespace echolucent

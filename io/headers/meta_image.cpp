@@ -320,7 +320,7 @@ Result<void> MetaImageHeader::readFileList(const std::vector<std::string>& words
 }
 
 Result<void> MetaImageHeader::readFilePattern(const std::vector<std::string>& words) {
-    // "name%03d.raw first last step". Missing numbers count from 1, one file for each index of the last axis.
+    // "name%03d.raw first last step". Without numbers, the files count from 1, one for each index of the last axis.
     FileNumbers numbers{1, slowestSize(), 1};
     const std::array<std::int64_t*, 3> places{&numbers.first, &numbers.last, &numbers.step};
     if (words.size() > 4) return wrong("ElementDataFile", "must be a pattern and at most three whole numbers");

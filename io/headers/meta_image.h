@@ -9,7 +9,8 @@ namespace echolucent {
 [[nodiscard]] bool looksLikeMetaImage(std::string_view beginning);
 
 /// Reads and checks the header of an opened file, but no voxel. If `framesAsSlices` is set, 2D frames over time and
-/// tracked sweeps are accepted as a volume of unknown spacing.
+/// tracked sweeps are accepted as slices at an unknown distance. Fails (unreadable) if the header is none or cannot be
+/// read.
 [[nodiscard]] Result<StoredVolume> readMetaImageHeader(const InputFile& file, bool framesAsSlices);
 
 }  // namespace echolucent

@@ -13,7 +13,8 @@ namespace echolucent {
 
 namespace {
 
-// Keys that decide how voxels are read. All others are allowed and ignored.
+// Keys that decide how voxels are read. Other keys are allowed and play no part, but for those that tell of frames
+// (settleFrames()).
 constexpr std::array<std::string_view, 23> ourKeys{"ObjectType",
                                                    "NDims",
                                                    "BinaryData",

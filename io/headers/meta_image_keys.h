@@ -22,11 +22,12 @@ struct MetaImageKeys {
 
     /// The value of a key; null if the header does not hold it.
     [[nodiscard]] const std::string* find(const std::string& key) const;
-    /// The first key in the header of several for the same thing; empty if there is none.
+    /// The first of `keys`, which mean the same thing, that the header holds; empty if it holds none.
     [[nodiscard]] std::string firstOf(std::initializer_list<const char*> keys) const;
-    /// As firstOf(), but fails (unreadable) if two of them disagree.
+    /// As firstOf(), but fails (unreadable) if another of `keys` in the header disagrees with it.
     [[nodiscard]] Result<std::string> onlyOf(std::initializer_list<const char*> keys) const;
-    /// True or False; false if the key is missing. Fails (unreadable) for other values.
+    /// "True" or "False", also "T", "1" or "yes" and so on, in any case; false if the key is missing. Fails
+    /// (unreadable) for other values.
     [[nodiscard]] Result<bool> flag(const std::string& key) const;
     /// A failure (unreadable) about one key.
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem,
@@ -37,8 +38,8 @@ struct MetaImageKeys {
 [[nodiscard]] bool isMetaImageList(const std::string& dataFile);
 
 /// Reads the lines up to ElementDataFile, and the list after it. Fails (unreadable) if a line is no "Key = Value", or
-/// if the file ends within a line. It also fails if ElementDataFile is missing, or if a key that decides how voxels are
-/// read appears twice.
+/// if the file is seen to end within a line. It also fails if ElementDataFile is missing from the first MiB, if the
+/// list is longer than that, or if a key that decides how voxels are read appears twice.
 [[nodiscard]] Result<MetaImageKeys> readMetaImageKeys(const InputFile& file);
 
 }  // namespace echolucent

@@ -67,7 +67,7 @@ private:
     NrrdAxes m_axes;
     std::array<std::size_t, 3> m_spaceAxes{};  // the file's axes that are x, y, z
     std::optional<std::size_t> m_timeAxis;
-    std::vector<double> m_spacings;  // as the header gives them beside directions (which take precedence); else empty
+    std::vector<double> m_spacings;  // the header's spacings beside space directions, which count instead; else empty
     StoredVolume m_stored;
 };
 
@@ -317,7 +317,8 @@ Result<void> NrrdHeader::readDataPlace() {
 }
 
 Result<void> NrrdHeader::setDataFiles(const std::vector<std::string>& names, std::optional<std::int64_t> held) {
-    // Each file holds the first `held` axes whole. If these are all axes, it holds a slab along the last one.
+    // Each file holds the first `held` axes whole; without `held`, all axes but the last. If `held` names all axes,
+    // each file holds a slab along the last one.
     const auto count = static_cast<std::int64_t>(names.size());
     const auto axes = static_cast<std::int64_t>(m_axes.sizes.size());
     const std::int64_t whole = held.value_or(axes - 1);

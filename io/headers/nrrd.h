@@ -11,7 +11,8 @@ constexpr std::string_view nrrdSignature = "NRRD000";
 [[nodiscard]] bool looksLikeNrrd(std::string_view beginning);
 
 /// Reads and checks the header of an opened file, but no voxel. If `framesAsSlices` is set, 2D frames over time and
-/// tracked sweeps are accepted as a volume of unknown spacing.
+/// tracked sweeps are accepted as slices at an unknown distance. Fails (unreadable) if the header is none or cannot be
+/// read.
 [[nodiscard]] Result<StoredVolume> readNrrdHeader(const InputFile& file, bool framesAsSlices);
 
 }  // namespace echolucent

@@ -95,7 +95,8 @@ bool AxesReader::isPlainSpace(std::size_t axis) const {
     return saysSpace(m_axes.kindOf(axis)) && (m_axes.directions.empty() || m_axes.directions[axis]);
 }
 
-/// Refuses an axis that is neither space nor time. An axis of one value counts as a scalar, whatever its kind.
+/// Refuses an axis that is neither space nor time nor a list. An axis of one value counts as a scalar, whatever its
+/// kind.
 Result<void> AxesReader::checkKind(std::size_t axis, const std::string& problem) {
     const std::string kind = m_axes.kindOf(axis);
     if (mayBeAxisOfVolume(kind)) return {};

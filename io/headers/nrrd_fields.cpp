@@ -65,7 +65,7 @@ Result<void> readLine(const std::string& path, std::string_view line, int number
         const std::string key = trimmed(line.substr(0, colon));
         const std::string value = trimmed(line.substr(colon + 2));
         const auto [known, isNew] = result.keys.emplace(key, value);
-        // This is the only key whose value is read.
+        // WhiteLevel is the only key whose value is read.
         if (!isNew && key == "WhiteLevel" && known->second != value)
             return fail(FailureKind::unreadable, path, key, "appears twice in the header, with different values",
                         correctHeader);

@@ -19,10 +19,12 @@ struct NrrdFields {
     std::map<std::string, std::string> keys;
     std::vector<std::string> dataFiles;  ///< the lines after "data file: LIST", which end the header
     std::size_t headerBytes = 0;         ///< length of the header, including the empty line that ends it
-    bool ended = false;                  ///< whether that empty line was there
+    bool ended = false;                  ///< whether the header has this empty line
 };
 
-/// Reads the header of an opened file. Fails (unreadable) if it is no NRRD file or a line breaks the grammar.
+/// Reads the header of an opened file. Fails (unreadable) if it is no NRRD file of a known version, if a line breaks
+/// the grammar, if a field or a contradicting WhiteLevel appears twice, or if a list of files goes beyond the first
+/// MiB.
 [[nodiscard]] Result<NrrdFields> readNrrdFields(const InputFile& file);
 
 /// Whether the field "data file" announces a list of files.

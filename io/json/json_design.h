@@ -8,8 +8,9 @@
 
 namespace echolucent {
 
-/// "designer", its name, and "parameters", its table. Kindlmann and Durkin's has "drawn" too, pairs of position and
-/// opacity. A template has "reference" too: "name", "histogram" (256 shares), and "curve" (by its "kind").
+/// An object with "designer", the name, and "parameters", the values of the designer's table. Kindlmann and Durkin's
+/// designer also has "drawn", pairs of position and opacity. A template also has "reference": "name", "histogram" (256
+/// shares), and "curve" (by its "kind").
 [[nodiscard]] nlohmann::ordered_json designJson(const DesignerConfig& config);
 /// Missing parameters get their defaults, and so do "drawn" and "reference".
 [[nodiscard]] DesignerConfig designIn(JsonFields& fields);

@@ -20,9 +20,9 @@ namespace echolucent {
 [[nodiscard]] nlohmann::ordered_json curvesJson(const CurveSet& curves);
 [[nodiscard]] CurveSet curvesIn(JsonFields fields);
 
-/// The method without its direction. If all tube cores are placed, the key of those left out is missing.
+/// The method without its direction. The key of the tube cores that are left out is missing if none is.
 [[nodiscard]] nlohmann::ordered_json methodJson(const MethodChoice& method);
-/// Leaves the direction at its default.
+/// Reads what methodJson() writes, and leaves the direction at its default.
 [[nodiscard]] MethodChoice methodIn(JsonFields& fields);
 
 }  // namespace echolucent

@@ -16,9 +16,9 @@
 
 namespace echolucent {
 
-/// The JSON object in a text. It fails if the text is none, naming the line where it breaks. It also fails if a number
-/// is too large for a double, or if the object nests deeper than any of this program's files. "format" must be
-/// `format`, and "version" 1 to `newest`. The message names the file and ends with the remedy.
+/// The JSON object in a text. Fails if the text is no JSON object; the message names the line where JSON breaks. It
+/// also fails if a number is too large for a double, or if the object nests deeper than any of this program's files.
+/// "format" must be `format`, and "version" 1 to `newest`. The message names the file and ends with the remedy.
 [[nodiscard]] Result<nlohmann::json> jsonObject(std::string_view text, const std::string& file,
                                                 const std::string& format, const std::string& remedy, int newest = 1);
 
@@ -30,8 +30,9 @@ struct JsonProblems {
     [[nodiscard]] tl::unexpected<Failure> refused(const std::string& remedy) const;
 };
 
-/// The values of one object. A missing or wrong value is told to the problems, which must outlive this. Instead, one
-/// reads the least allowed value (0 if there is no least), false, (0, 0, 0), or an empty text, object or list.
+/// The values of one object. A missing or wrong value is told to `problems`, which must outlive the object. In its
+/// place one reads the least allowed value (0 if there is no least), false, (0, 0, 0), or an empty text or object. A
+/// list of numbers then ends before its first wrong entry.
 class JsonFields {
 public:
     static constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
@@ -40,7 +41,7 @@ public:
     JsonFields(const nlohmann::json& object, std::string place, JsonProblems& problems);
 
     [[nodiscard]] bool has(const char* key) const;
-    /// Whether the value is null, or missing.
+    /// Whether the value is null or missing. A missing key is told to the problems.
     bool isNull(const char* key);
     /// A finite number in [least, largest].
     double number(const char* key, double least = -std::numeric_limits<double>::infinity(),
@@ -65,9 +66,10 @@ public:
     JsonFields object(const char* key);
     /// The objects of a list of at most `most` entries.
     std::vector<JsonFields> list(const char* key, std::size_t most = anyNumber);
-    /// The size of a volume, voxels: three whole numbers from 1 to `largest`. The product is not checked here.
+    /// The size of a volume, voxels: three whole numbers from 1 to `largest`; 1 in place of a wrong one. The product is
+    /// not checked here.
     std::array<std::int64_t, 3> size(const char* key, double largest = 1e6);
-    /// A choice by name. `named` gives no value for an unknown name.
+    /// A choice by name; Choice{} in place of a wrong one. `named` gives no value for an unknown name.
     template <typename Choice>
     Choice choice(const char* key, std::optional<Choice> (*named)(std::string_view)) {
         const std::string name = text(key);

@@ -17,13 +17,13 @@ namespace echolucent {
 /// {"range_start_mm": ..., "range_step_mm": ..., "lines": {...}, "planes": {...}}. Lines and planes are
 /// {"positions_mm": [...]} or {"angles_radians": [...], "radius_mm": ...}.
 [[nodiscard]] nlohmann::ordered_json polarJson(const PolarGeometry& polar);
-/// The geometry in an object, for this number of samples. It is checked only where it is used (problemOf()).
+/// The geometry in an object, for this number of samples. The geometry is checked only where it is used (problemOf()).
 [[nodiscard]] PolarGeometry polarIn(JsonFields fields, std::int64_t samples);
 
 /// {"size": [x, y, z], "type": ..., "byte_order": ..., "header_bytes": ..., "spacing_mm": [...], "spacing_known": ...},
 /// and "polar" (polarJson()) if the voxels are samples along beams.
 [[nodiscard]] nlohmann::ordered_json rawLayoutJson(const RawLayout& layout);
-/// The layout in an object. Only the size is needed; anything else has a default.
+/// The layout in an object. Only "size" must be there; all else has a default.
 [[nodiscard]] RawLayout rawLayoutIn(JsonFields& fields);
 
 }  // namespace echolucent

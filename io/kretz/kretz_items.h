@@ -38,7 +38,7 @@ struct KretzItem {
     std::uint64_t length = 0;  ///< bytes of the value
 };
 
-/// More than any scanner writes.
+/// The most items of a volume: more than any scanner writes.
 constexpr std::size_t mostKretzItems = 100000;
 
 class KretzItems {
@@ -55,8 +55,9 @@ public:
     [[nodiscard]] std::vector<KretzItem> allOf(KretzTag tag) const;
     [[nodiscard]] bool has(KretzTag tag) const { return !allOf(tag).empty(); }
 
-    // These fail (unreadable) if the item appears twice or its value has another length. A missing item gives no value.
-    /// A whole number of two bytes.
+    // These fail (unreadable) if the item appears twice, or if its value has another length or cannot be read. A
+    // missing item gives no value.
+    /// A whole number of two bytes, from 0 to 65535.
     [[nodiscard]] Result<std::optional<std::int64_t>> wholeNumber(KretzTag tag) const;
     /// A number of eight bytes, which may be infinite or NaN.
     [[nodiscard]] Result<std::optional<double>> number(KretzTag tag) const;

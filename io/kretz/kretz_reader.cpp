@@ -23,7 +23,8 @@ struct StoredPhases {
     std::vector<std::uint64_t> offsets;
     std::uint64_t bytes = 0;  ///< of one phase
     std::string source;
-    bool onePerItem = false;  ///< if true, each phase is an item of its own, which the format does not explain
+    /// Whether each phase is an item of its own; the format does not say that such items are phases.
+    bool onePerItem = false;
 };
 
 class KretzReader {

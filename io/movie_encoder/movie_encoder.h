@@ -21,7 +21,7 @@ enum EcholucentMovieCodec : int {
 /// Ends the file and frees the encoder.
 void echolucentCloseMovie(void* encoder);
 /// How many pictures of the file at `path` can be read. Below 0 if it is no movie of `width` x `height` pixels, or if
-/// `cancelled(context)`, which is asked before each picture, is not 0.
+/// `cancelled(context)`, which is asked after each picture, is not 0.
 [[nodiscard]] int echolucentCountPictures(const char* path, int width, int height, int (*cancelled)(const void*),
                                           const void* context);
 

@@ -138,7 +138,8 @@ void Placement::compareForms(const Affine& sform) {
         note(fmt::format("qform and sform put the volume's corners up to {:.3g} mm apart; sform counts.", farthest));
 }
 
-/// Takes the stored voxel sizes if the affine's steps agree with them but for rounding; else the steps' lengths.
+/// Takes the stored voxel sizes if the steps of `affine` agree with them but for rounding. Else takes the lengths of
+/// the steps, with a note if there are other voxel sizes.
 void Placement::setSpacing(const Affine& affine, const std::string& key) {
     Vec3& spacing = m_stored.geometry.spacing;
     bool agrees = hasVoxelSizes();

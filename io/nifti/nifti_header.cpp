@@ -90,7 +90,8 @@ NiftiHeader headerOfTwo(const HeaderReader& bytes) {
     return header;
 }
 
-/// Whether a file with a header of this length is big endian; no value if its first number is not the length.
+/// Whether a file with a header of this length is big endian; no value if the file is shorter, or if its first number
+/// is not that length.
 std::optional<bool> bigEndianOf(std::string_view beginning, std::size_t headerBytes) {
     if (beginning.size() < headerBytes) return std::nullopt;
     for (const bool big : {false, true})

@@ -40,11 +40,11 @@ constexpr std::size_t shortestNiftiHeader = 348;
 /// The length of the longest header, bytes.
 constexpr std::size_t niftiHeaderBytes = 540;
 
-/// Whether a file begins with a NIfTI header: with the header's length, and the magic in its place.
+/// Whether a file begins with a whole NIfTI header: with the header's length, and the magic in its place.
 [[nodiscard]] bool looksLikeNifti(std::string_view beginning);
-/// Whether it is an Analyze 7.5 header, which resembles NIfTI but has no magic and no orientation.
+/// Whether a file begins with an Analyze 7.5 header, which resembles NIfTI but has no magic and no orientation.
 [[nodiscard]] bool looksLikeAnalyze(std::string_view beginning);
-/// Whether bytes that end early may begin a NIfTI or Analyze header: they begin with its length.
+/// Whether the bytes may be a NIfTI or Analyze header that was cut: they begin with its length, and are fewer.
 [[nodiscard]] bool beginsLikeNifti(std::string_view beginning);
 /// The header at the beginning of a file; no value unless looksLikeNifti().
 [[nodiscard]] std::optional<NiftiHeader> niftiHeaderIn(std::string_view beginning);

@@ -35,7 +35,7 @@ constexpr std::array<TypeCode, 10> typeCodes{{{2, StoredType::uint8},
                                               {1280, StoredType::uint64}}};
 constexpr std::int64_t rgb24 = 128;
 
-/// The code of a kind of data, and its words.
+/// The code of a kind of data, and what to call it.
 struct CodeWords {
     std::int64_t code;
     const char* words;
@@ -218,8 +218,8 @@ Result<void> NiftiReader::readScale() {
     return {};
 }
 
-/// Whether the description states that calMax is the white level of these voxels, which are stored as they are here. If
-/// another program changed the voxels or the range, the description no longer fits them.
+/// Whether the description states that calMax is the white level of voxels of this type that are not rescaled. If
+/// another program changed the type, the rescaling or the range, the description does not fit.
 bool NiftiReader::saysWhite() const {
     return m_header.calMin == 0 && m_header.calMax > 0 && !m_stored.rescale &&
            m_header.descrip == niftiWhiteText(m_header.calMax, nameOf(m_stored.type));
@@ -237,7 +237,7 @@ void NiftiReader::readWindow() {
                         "cal_min, cal_max"};
         return;
     }
-    // Eight bits are always white at 255, also on the file's line.
+    // Voxels of 8 bits are white where 255 is stored, also if the file rescales them.
     if (!m_stored.rescale || m_stored.type != StoredType::uint8) return;
     const double white = m_stored.rescale->of(255.0);
     if (m_stored.rescale->slope < 0 || white <= 0) return;

@@ -9,8 +9,10 @@
 
 namespace echolucent {
 
-/// Reads and checks the header of an opened file with looksLikeNifti(). No voxel is read, but an .img.gz is unpacked.
-/// If `framesAsSlices` is set, 2D frames over time are accepted as a volume of unknown spacing.
+/// Reads and checks the header at the beginning of an opened file. No voxel is read, but an .img.gz is unpacked. If
+/// `framesAsSlices` is set, 2D frames over time are accepted as slices at an unknown distance. Fails (unreadable) if
+/// the file does not begin with a NIfTI header (looksLikeNifti()), if the header cannot be read, or if its .img is
+/// missing.
 [[nodiscard]] Result<StoredVolume> readNiftiHeader(const InputFile& file, bool framesAsSlices,
                                                    const Progress& progress);
 

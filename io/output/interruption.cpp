@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::array endingSignals{SIGINT, SIGTERM, SIGHUP};
 
-/// Its holder may read and change `unfinished`, and holds signals back. So a signal handler only ever waits for another
-/// thread.
+/// The thread that has set it may read and change unfinished(), and holds signals back. So a signal handler only ever
+/// waits for another thread.
 std::atomic_flag stepUnderWay = ATOMIC_FLAG_INIT;
 pid_t owningProcess = 0;
 

@@ -6,12 +6,14 @@
 
 namespace echolucent {
 
-/// From here on SIGINT, SIGTERM and SIGHUP first remove all files of noteUnfinished(). Then they end the process as
-/// usual, so that its parent sees the signal. Ignored signals stay ignored. Call it once, when a program begins.
+/// From this call on, SIGINT, SIGTERM and SIGHUP first remove all files of noteUnfinished(). Then the signal ends the
+/// process as usual, so that its parent sees the signal. Ignored signals stay ignored. Call it once, when a program
+/// begins.
 void removeUnfinishedOnSignals();
 
-/// A few system calls that no such signal interrupts: it waits until they are done. Threads take steps one after
-/// another. A thread never begins a step within its own step.
+/// A few system calls that SIGINT, SIGTERM and SIGHUP do not interrupt: a signal waits until the object is destroyed.
+/// Only one thread at a time has a step; the constructor waits for the others. A thread must not begin a step within
+/// its own step.
 class UninterruptedStep {
 public:
     UninterruptedStep();

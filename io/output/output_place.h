@@ -20,10 +20,10 @@ struct OutputPlace {
     [[nodiscard]] std::string folder() const;
 };
 
-/// Ask it before the first byte of any output. Fails (unwritable, with the reason) if `path` is, or links to, a folder,
-/// a device, a named pipe or a socket; if its folder is missing, or may not be entered or written; or if a descriptor
-/// is not open for writing. Fails (wrong usage) if a file of this kind would take the place of a kept one (KeptFiles).
-/// It never blocks.
+/// Call it before the first byte of any output. Fails (unwritable, with the reason) if `path` is, or links to, a
+/// folder, a device, a named pipe or a socket; if its folder is missing, or may not be entered or written; or if `path`
+/// names a descriptor that is not open for writing. Fails (wrong usage) if a file of this kind would take the place of
+/// a kept one (KeptFiles). It never blocks.
 [[nodiscard]] Result<OutputPlace> placeOfOutput(const std::string& path, OutputKind kind = OutputKind::other);
 
 /// "x.png: could not be written: No space left on device. …" for an errno.

@@ -10,7 +10,7 @@
 namespace echolucent {
 
 /// Fails (wrong usage, naming both) if an output is the same file as an input. Files are compared by device and inode,
-/// so links and other spellings of a path count. New outputs, an empty path and "-" (standard output) pass. Ask it
+/// so links and other spellings of a path count. New outputs, an empty path and "-" (standard output) pass. Call it
 /// before anything is written.
 [[nodiscard]] Result<void> refuseToOverwrite(const std::vector<std::string>& inputs,
                                              const std::vector<std::string>& outputs);
@@ -19,8 +19,8 @@ namespace echolucent {
 /// that was read.
 enum class OutputKind { other, curve, presets, session, rawLayout };
 
-/// Files that were read. While this lives, no output of this process may take the place of one of them: placeOfOutput()
-/// fails. Only a file of the same kind may, unless that is OutputKind::other.
+/// Files that were read. While the object or a copy lives, no output of this process may take the place of one of them:
+/// placeOfOutput() fails. Only a file of the same kind may replace one, unless the kind is OutputKind::other.
 class KeptFiles {
 public:
     KeptFiles() = default;

@@ -9,24 +9,24 @@
 
 namespace echolucent {
 
-/// An empty file beside its place. It is removed unless putInPlace() is reached, even if a signal ends the program
-/// (removeUnfinishedOnSignals()). A moved-from object holds none.
+/// A file beside its place, empty at first. It is removed unless putInPlace() succeeds, even if a signal ends the
+/// program (removeUnfinishedOnSignals()). A moved-from object holds none.
 class UnfinishedFile {
 public:
-    /// Makes the file beside `path`, so that it can be renamed to it. If `path` names a descriptor ("-", /dev/stdout
-    /// and the like), it lies in the temporary folder. `ending` is the end of its own name. Fails as placeOfOutput()
-    /// does for a file of this kind.
+    /// Makes the file beside `path`, so that it can be renamed to `path`. If `path` names a descriptor ("-",
+    /// /dev/stdout and the like), the file lies in the temporary folder. `ending` is the end of the file's own name.
+    /// Fails as placeOfOutput() does for a file of this kind, and (unwritable) if the file cannot be made.
     [[nodiscard]] static Result<UnfinishedFile> beside(const std::string& path, std::string_view ending = {},
                                                        OutputKind kind = OutputKind::other);
     UnfinishedFile(UnfinishedFile&& other) noexcept;
     UnfinishedFile& operator=(UnfinishedFile&& other) noexcept;
     ~UnfinishedFile();
 
-    /// The path to write to.
+    /// The path to write to; empty after putInPlace().
     [[nodiscard]] const std::string& name() const { return m_name; }
-    /// Renames the file to its path, or copies it into the descriptor. Nobody may still write it. An existing file
-    /// keeps its permissions, and a link stays a link. Fails as placeOfOutput(), which is asked again, and (unwritable)
-    /// if that cannot be done; the path is then as it was.
+    /// Renames the file to its path, or copies it into the descriptor. Nobody may write to the file any more. An
+    /// existing file keeps its permissions, and a link stays a link. Fails as placeOfOutput(), which is called again,
+    /// and (unwritable) if renaming or copying fails. The file is then removed, and what was at the path stays.
     [[nodiscard]] Result<void> putInPlace();
 
 private:

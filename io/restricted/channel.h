@@ -46,7 +46,8 @@ public:
     /// Two ends that belong together; no value if the system gives none.
     [[nodiscard]] static std::optional<std::pair<Descriptor, Descriptor>> pair();
 
-    /// False if the other end is gone or takes nothing within `patience` (negative: for ever).
+    /// False if the other end is gone or takes nothing within `patience` (negative: for ever), or if there is no shared
+    /// memory for long bytes.
     [[nodiscard]] bool send(MessageKind kind, const std::string& bytes, const std::vector<int>& files = {},
                             std::chrono::milliseconds patience = std::chrono::milliseconds(-1));
 
@@ -62,8 +63,8 @@ private:
     std::mutex m_sending;
 };
 
-/// Memory of `bytes` bytes without a name that both ends can share, opened for reading and writing. It may be sealed.
-/// Not open if the system has no more.
+/// Memory of `bytes` bytes without a name that both ends can share, opened for reading and writing. It can be sealed.
+/// The descriptor is not open if the system gives no memory.
 [[nodiscard]] Descriptor sharedMemory(std::uint64_t bytes);
 
 }  // namespace echolucent::restricted

@@ -1,6 +1,6 @@
 // Turns values into the bytes of a message between the workstation and its reader process, and back. The same
-// description of a type writes and reads it. A reader of messages trusts none: it never reaches beyond the bytes, and
-// takes no more memory than they hold.
+// description of a type writes and reads it. MessageReader trusts no message: it never reaches beyond the bytes, and
+// takes memory only in proportion to their number.
 #pragma once
 
 #include <array>
@@ -87,10 +87,11 @@ template <typename... Values>
 /// Reads values in the order in which they were written.
 class MessageReader {
 public:
-    /// The bytes must outlive this.
+    /// The bytes must outlive the object.
     explicit MessageReader(std::span<const std::uint8_t> bytes) : m_rest(bytes) {}
 
-    /// Whether all values were there so far. After the first failure, all further values stay as they are.
+    /// Whether all values were there so far. After the first failure, all further values stay as they are, but lists
+    /// and optional values become empty.
     [[nodiscard]] bool good() const { return m_good; }
     /// Whether all values were there, and nothing follows them.
     [[nodiscard]] bool complete() const { return m_good && m_rest.empty(); }

@@ -32,7 +32,7 @@ constexpr int readerSocket = 3;
 constexpr int niceAfterCoarse = 10;
 // How often cancel is checked.
 constexpr std::chrono::milliseconds lookEvery(20);
-// A sleeping disk takes seconds. A reader silent for so long never answers.
+// A sleeping disk takes seconds. A reader that is silent for minutes never answers.
 constexpr std::chrono::minutes longestSilence(5);
 
 struct ProgramPath {
@@ -82,7 +82,7 @@ private:
     posix_spawnattr_t m_attributes{};
 };
 
-/// Hands over the coarse volume of a message. False if it is none, or if none was wanted.
+/// Hands over the coarse volume of a message. False if the message holds none, or if none was wanted.
 bool tellCoarse(const Message& message, const Progress& progress) {
     if (!progress.coarse || message.files.size() != 1) return false;
     const auto coarse = takeCoarse({reinterpret_cast<const std::uint8_t*>(message.bytes.data()), message.bytes.size()},

@@ -15,13 +15,14 @@ namespace echolucent::restricted {
 /// A reader process. It ends with this object, whatever it does.
 class ReaderProcess {
 public:
-    /// Starts one; `loadsAhead` as in ReaderStart. Fails (unreadable) if its program is missing or cannot be run.
+    /// Starts a reader process; `loadsAhead` is as in ReaderStart. Fails (unreadable) if its program is missing or
+    /// cannot be run.
     [[nodiscard]] static Result<std::unique_ptr<ReaderProcess>> start(bool loadsAhead);
     ~ReaderProcess();
     ReaderProcess(const ReaderProcess&) = delete;
     ReaderProcess& operator=(const ReaderProcess&) = delete;
 
-    /// Hands the request over. False if the process has already ended.
+    /// Hands the request over. False if the process has already ended or takes nothing for 5 s.
     [[nodiscard]] bool request(const std::string& bytes);
 
     struct Answer {
@@ -35,10 +36,10 @@ public:
     /// reader ends without a result, sends nonsense, or says nothing for minutes.
     [[nodiscard]] Result<Answer> serve(FileBroker& broker, const std::string& file, const Progress& progress);
 
-    /// Whether the reader has confined itself and begun. A process that ended before, while it waited, was not ended by
-    /// the file.
+    /// Whether the reader has said that it confined itself and begins. If a process ended before, while it waited, the
+    /// file did not end it.
     [[nodiscard]] bool hasBegun() const { return m_hasBegun; }
-    /// The process's number. Tests end the process by it.
+    /// The process's number; below 0 once it has ended. Tests end the process by this number.
     [[nodiscard]] int number() const { return m_process; }
 
 private:

@@ -36,7 +36,7 @@ constexpr std::size_t pageSize = 4096;
 
 [[noreturn]] void leave() { _exit(1); }
 
-/// Tells the workstation the progress of reading, now and then.
+/// Tells the workstation the progress of reading, at most every 20 ms.
 class ProgressSender {
 public:
     explicit ProgressSender(Channel& channel) : m_channel(channel) {}
@@ -81,13 +81,15 @@ bool sendStudy(Channel& channel, Result<Study> read, SharedVoxelMemory& memory) 
     return channel.send(MessageKind::result, writer.bytes() + shared->bytes, {shared->voxels.number()});
 }
 
-/// Sends what can be seen before the study is read. If it cannot be shared, it is left out, as the study follows.
+/// Sends the coarse volume, which can be seen before the study is read. If it cannot be shared, it is left out, because
+/// the study follows.
 void sendCoarse(Channel& channel, const CoarseVolume& coarse) {
     const Result<SharedStudy> shared = shareCoarse(coarse);
     if (shared && !channel.send(MessageKind::coarse, shared->bytes, {shared->voxels.number()})) leave();
 }
 
-/// Reads in this process, unlike the functions of restricted_reader.h with the same names.
+/// Performs the request and sends its result. Reads in this process, unlike the functions of restricted_reader.h with
+/// the same names. False if the result cannot be sent.
 bool perform(Channel& channel, const Request& request, SharedVoxelMemory& memory, const Progress& progress) {
     switch (request.task) {
         case Task::readStudy:

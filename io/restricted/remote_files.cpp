@@ -90,7 +90,7 @@ bool FileBroker::allowsName(const std::string& path) const {
 void FileBroker::open(const std::string& path, std::string& bytes, Descriptor& file) {
     const std::string resolved = fileAccess().resolved(path);
     const bool allowed = allows(resolved);
-    // A list of series names links out of the folder among the unopenable files.
+    // The list of series also names links out of the folder, among the files that cannot be opened.
     if (allowed || allowsName(path)) m_asked.insert(path);
     Result<int> opened = !allowed ? fail(FailureKind::unreadable, path, "", "leads out of the folder that was opened",
                                          "Copy the file itself into that folder.")

@@ -1,4 +1,4 @@
-// The reader's questions about files: it asks over the channel, and the workstation answers.
+// The reader's questions about files: the reader asks over the channel, and the workstation answers.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace echolucent::restricted {
 /// The file system as the reader process sees it: every question goes to the workstation.
 class RemoteFileAccess : public FileAccess {
 public:
-    /// The channel must outlive this. If the workstation is gone, `ended` is called and does not return.
+    /// `channel` must outlive the object. If the workstation is gone, `ended` is called; it must not return.
     RemoteFileAccess(Channel& channel, void (*ended)()) : m_channel(channel), m_ended(ended) {}
 
     [[nodiscard]] Result<int> open(const std::string& path) override;
@@ -32,7 +32,7 @@ private:
     std::mutex m_asking;
 };
 
-/// Answers these questions, only for what a person opened.
+/// Answers the reader's questions, only for what a person opened.
 class FileBroker {
 public:
     /// A person opened `path`. Of a folder, all files below it may be seen. Of a file, the file and all below its
@@ -41,12 +41,13 @@ public:
     /// Only these files may be seen.
     explicit FileBroker(const std::vector<std::string>& files);
 
-    /// Writes the bytes of the answer, and the file if one was opened. False if the message is no question.
+    /// Writes the bytes of the answer, and the file if one was opened. False if the message is no question or makes no
+    /// sense.
     [[nodiscard]] bool answer(const Message& question, const Progress& progress, std::string& bytes, Descriptor& file);
     /// The bytes of all files opened so far; a file opened twice counts once.
     [[nodiscard]] std::uint64_t openedBytes() const { return m_openedBytes; }
-    /// The names, as the reader spelt them, of the files that it asked for and that it may see or name. A file that it
-    /// claims to have read or listed is among them, or is made up.
+    /// The names, as the reader spelt them, of the files that it asked for and that it may see or name. If the reader
+    /// claims to have read or listed another file, it made that up.
     [[nodiscard]] const std::set<std::string>& asked() const { return m_asked; }
 
 private:

@@ -13,13 +13,13 @@ struct Request {
     Task task = Task::readStudy;
     std::string path;                  ///< readStudy, listSeries, holdsSeries
     ReadOptions options{};             ///< readStudy, readSeries
-    SeriesList list{};                 ///< readSeries, middlePicture: the entry is the only one of its series
+    SeriesList list{};                 ///< readSeries, middlePicture: a list with the chosen series alone
     int longestEdge = 1;               ///< middlePicture
     std::vector<std::string> files{};  ///< readPatient
     std::string series{};              ///< readPatient
     bool mayBeDicom = true;            ///< whether DICOM's tables must be loaded
     bool wantsCoarse = false;          ///< readStudy, readSeries: whether a coarse volume is wanted before the study
-    int threads = 1;                   ///< so many the reader may use at once; at least 1
+    int threads = 1;                   ///< how many threads the reader may use at once; at least 1
 };
 
 template <typename Archive, Described<Request> Value>

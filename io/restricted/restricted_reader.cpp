@@ -127,7 +127,8 @@ Result<Value> valueOf(const Result<ReaderProcess::Answer>& answer, const std::st
     return std::move(*value);
 }
 
-/// `listed` are files that an earlier reader asked for. The files of a series stand for its folder.
+/// The study may name only files that its reader asked for, or those in `listed`. These are the files of a list of
+/// series, for which the reader that made the list has asked.
 Result<Study> studyOf(const Result<ReaderProcess::Answer>& answer, const std::string& file,
                       const std::vector<std::string>& listed = {}) {
     if (!answer) return tl::unexpected(answer.error());

@@ -75,7 +75,7 @@ public:
     [[nodiscard]] std::uint8_t* start() const { return static_cast<std::uint8_t*>(m_start); }
     [[nodiscard]] std::uint64_t size() const { return m_bytes; }
     /// Lets the kernel map all pages of a part at once, which is faster than mapping each at its first touch. The part
-    /// begins at a page. Its pages must be there, as others would take memory.
+    /// begins at a page. All its pages must be there already, because mapping a missing page would take memory.
     void mapPart(std::uint64_t offset, std::uint64_t bytes) const {
         madvise(start() + offset, static_cast<std::size_t>(bytes), MADV_POPULATE_READ);
     }
@@ -161,7 +161,8 @@ bool isFinite(const Vec3& vector) {
     return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
 }
 
-/// Whether a size, a probe and directions are plausible. checkGeometry() checks the rest.
+/// Whether the numbers of a volume are ones that a reader gives: size, spacing, origin, directions, reduction, probe,
+/// white level and box.
 bool isSensible(const SharedVolume& volume) {
     const VolumeGeometry& geometry = volume.geometry;
     std::optional<std::int64_t> voxels = 1;

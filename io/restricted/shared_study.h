@@ -20,15 +20,16 @@ struct SharedStudy {
 };
 
 /// Puts those voxels and masks of a study into shared memory that are not there yet, and hands the memory over. The
-/// study is gone then, because the workstation takes no memory that others could still write to. Fails (unreadable) if
-/// the system has no more memory.
+/// study is freed, because the workstation takes no memory that others could still write to. Fails (unreadable) if the
+/// system has no more memory.
 [[nodiscard]] Result<SharedStudy> shareStudy(Study study, SharedVoxelMemory& memory);
 
-/// Takes a study from a reader's message. The reader may still run, and nobody trusts it. No value if the memory could
+/// Takes a study from a reader's message. The reader may still run and is not trusted. No value if the memory could
 /// still change, if sizes disagree, or if a number is one that no reader gives.
 [[nodiscard]] std::optional<Study> takeStudy(std::span<const std::uint8_t> bytes, const Descriptor& voxels);
 
-/// The same for what a coarse grid shows. Also no value if it is larger than a coarse grid can be.
+/// As shareStudy() and takeStudy(), but for what a coarse grid shows. takeCoarse() also has no value if that is larger
+/// than a coarse grid can be.
 [[nodiscard]] Result<SharedStudy> shareCoarse(const CoarseVolume& coarse);
 [[nodiscard]] std::optional<CoarseVolume> takeCoarse(std::span<const std::uint8_t> bytes, const Descriptor& voxels);
 

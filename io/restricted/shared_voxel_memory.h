@@ -14,7 +14,8 @@ namespace echolucent::restricted {
 /// Pieces begin at multiples of this many bytes.
 inline constexpr std::uint64_t sharedPageBytes = 4096;
 
-/// Pieces of one such memory, each at the beginning of a page and all 0. Any thread may take pieces and give them back.
+/// Gives pieces of one memory without a name, each at the beginning of a page and all 0. Any thread may take pieces and
+/// give them back.
 class SharedVoxelMemory : public std::pmr::memory_resource {
 public:
     SharedVoxelMemory() = default;
@@ -25,9 +26,10 @@ public:
 
     /// Bytes from the beginning of the memory to `address`; no value if no piece holds it.
     [[nodiscard]] std::optional<std::uint64_t> offsetOf(const void* address) const;
-    /// Bytes from its beginning to its end.
+    /// Bytes from the beginning of the memory to its end.
     [[nodiscard]] std::uint64_t size() const;
-    /// The memory, for the workstation. Pieces given back later keep their values. Not open if no piece was taken.
+    /// The memory, for the workstation. Pieces that are given back after the call keep their values in it. The
+    /// descriptor is not open if no piece was taken.
     [[nodiscard]] Descriptor handOver();
 
 private:

@@ -10,7 +10,8 @@ namespace echolucent {
 
 namespace {
 
-// Several rows are read with those between them, up to this size: it takes fewer calls, and little memory.
+// Several rows of the grid are read at once, with the rows between them, up to this size. That takes fewer calls, and
+// little memory.
 constexpr std::int64_t rowsPieceBytes = std::int64_t{1} << 20;
 constexpr std::int64_t mostRowBytes = std::int64_t{1} << 22;
 
@@ -21,7 +22,7 @@ void takeVoxels(const std::uint8_t* row, const CoarseGrid& grid, Count voxelByte
         std::memcpy(to, row + static_cast<std::size_t>(grid.voxelOf(0, x)) * voxelBytes, voxelBytes);
 }
 
-/// The same, much faster because the compiler knows common numbers of bytes.
+/// As takeVoxels(), but much faster, because the compiler knows the common numbers of bytes.
 void takeRow(const std::uint8_t* row, const CoarseGrid& grid, std::size_t voxelBytes, std::uint8_t* to) {
     switch (voxelBytes) {
         case 1: return takeVoxels(row, grid, std::integral_constant<std::size_t, 1>{}, to);

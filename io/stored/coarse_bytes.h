@@ -14,7 +14,8 @@
 namespace echolucent {
 
 /// The coarse grid of a stored volume whose voxels can be read at any place: stored raw, phase after phase, on a
-/// Cartesian grid with a spacing that scanners have. No value for all others.
+/// Cartesian grid with a spacing that scanners have, and with rows of at most 4 MiB. No value for all others, and for
+/// volumes for which coarseGridOf() of their geometry has none.
 [[nodiscard]] std::optional<CoarseGrid> coarseGridOf(const StoredVolume& stored);
 
 /// The stored bytes of the first phase's voxels on a coarse grid. Only the slices of the grid are read. Fails

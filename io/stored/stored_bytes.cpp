@@ -199,7 +199,7 @@ Result<void> StoredBytes::endFile(const Progress& progress) {
         return fail(FailureKind::unreadable, m_file, "",
                     "ends within its compressed data, so that their checksum cannot be verified", damagedFile);
     if (more && *more == 0) {
-        // A file cut there looks like one whose writer ends it so.
+        // A file that was cut within its last number looks like one that its writer ended there.
         if (m_mayBeCut)
             m_warnings.push_back(nameFromPath(m_file) +
                                  " ends directly after its last number, which may have been cut: compare its last "

@@ -18,8 +18,8 @@ public:
     StoredBytes(const StoredVolume& stored, const ByteCounts& counts);
 
     /// Checks, before memory is taken, that every data file can hold its part. Fails (unreadable) if one holds less, or
-    /// if reading would take far more memory than such files may (requireReadingMemory()). Compressed bytes that claim
-    /// to be many times more are counted.
+    /// if reading would take far more memory than such files may (requireReadingMemory()). If compressed bytes claim to
+    /// unpack to more than 32 times as many, they are unpacked once to count them.
     [[nodiscard]] Result<void> check(const Progress& progress);
     /// Sentences of check() and read() about ignored bytes, and about a last number that may have been cut.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
@@ -27,8 +27,8 @@ public:
     /// Fills `bytes` with the next bytes, as VoxelSource::read(). At the end of a data file, compressed voxels are
     /// decoded to their own end, which verifies their checksums.
     [[nodiscard]] Result<void> read(std::span<std::uint8_t> bytes, const Progress& progress, double from, double to);
-    /// Fills `bytes` from byte `position` of the voxels on, wherever read() is. Ask it after check(), and only for
-    /// voxels stored raw. Fails (unreadable) if a file cannot be read.
+    /// Fills `bytes` from byte `position` of the voxels on. It does not depend on read() and does not move it. Call it
+    /// after check(), and only for voxels stored raw. Fails (unreadable) if a file cannot be read.
     [[nodiscard]] Result<void> readRaw(std::uint64_t position, std::span<std::uint8_t> bytes);
 
 private:

@@ -27,7 +27,8 @@ std::vector<VoxelBytes> splitPhases(const VoxelBytes& all, std::size_t phases, s
     return split;
 }
 
-/// Chooses how the voxels are reduced. Voxels along beams are not: their conversion has its own limit.
+/// Chooses how the voxels are reduced. Voxels along beams are not reduced: their conversion has its own limit. Fails if
+/// the machine has too little memory.
 Result<std::optional<ChosenReduction>> reductionOf(const StoredVolume& stored, const ByteCounts& counts,
                                                    const ReadOptions& options) {
     if (!stored.polar)

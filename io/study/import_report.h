@@ -13,8 +13,8 @@ namespace echolucent {
 /// the facts hold the beam already.
 [[nodiscard]] std::vector<ImportFact> importReport(const Study& study, const BeamGuess& beam);
 
-/// The note before a picture or movie of the study is saved: it may show names, if its pictures may have text drawn
-/// into them. Empty if they are free of text.
+/// What to tell a person before a picture or movie of the study is saved: that it may show names, if the study's
+/// pictures may have text drawn into them. Empty if they are free of text.
 [[nodiscard]] std::string burnedInTextNote(const Study& study);
 
 }  // namespace echolucent

@@ -13,18 +13,19 @@ struct PolarSources {
     std::string size;       ///< samples, lines and planes
     std::string range;      ///< place of the first sample, and distance of samples
     std::string lines;      ///< angles or positions of the lines, and the radius of their axis
-    std::string planes;     ///< the same of the planes
+    std::string planes;     ///< angles or positions of the planes, and the radius of their axis
     std::string assumed{};  ///< assumption on distances: "the first sample lies on the probe's face"; may be empty
 };
 
-/// Fails (unreadable) if the geometry makes no sense or does not have `size` samples, lines and planes. The sentence
-/// names `path` and `sources`.
+/// Fails (unreadable) if the geometry makes no sense, or has other numbers of lines or planes than `size`, which counts
+/// samples, lines and planes. The number of samples is not compared. The sentence names `path` and `sources`.
 [[nodiscard]] Result<void> checkPolar(const std::string& path, const PolarGeometry& polar,
                                       const std::array<std::int64_t, 3>& size, const PolarSources& sources);
 
 /// Replaces the polar voxels of all phases by those of a Cartesian grid, within the memory that the options allow. Sets
-/// geometry, probe, mask and spacing source, and adds facts. Call checkPolar() before. Fails (unreadable) if the
-/// machine has too little memory, (cancelled) if the person ended it.
+/// geometry, probe, mask and the sources of size and spacing, and adds facts. Call checkPolar() before. Fails
+/// (unreadable) if the machine has too little memory, or if the grid would be one voxel thick; (cancelled) if the
+/// person ended it.
 [[nodiscard]] Result<void> scanConvert(StudyParts& parts, const PolarGeometry& polar, const PolarSources& sources,
                                        const ReadOptions& options, const Progress& progress);
 

@@ -29,8 +29,8 @@ struct SliceStack {
 
 /// Sorts planes along their common normal. Fails if a position is no number or farther than 10 km away, or if the
 /// planes are not parallel. It also fails if two share a position, or if distances differ from their mean by more than
-/// a tenth. The failure is about the file of that plane or else `file`, and names `positionTag`. `planes` holds at
-/// least two.
+/// a tenth. The failure is about the file of the plane in question, or about `file` if the plane names none, and names
+/// `positionTag`. `planes` holds at least two.
 [[nodiscard]] Result<SliceStack> stackSlices(const std::string& file, const std::string& positionTag,
                                              const std::vector<SlicePlane>& planes);
 

@@ -26,7 +26,7 @@ struct ImportFact {
 /// several files together.
 enum class LossyCompression { no, unknown, yes };
 
-/// Whether pictures have text drawn into their pixels, as far as a file tells. It may name the patient. In rising
+/// Whether pictures have text drawn into their pixels, as far as a file tells. The text may name the patient. In rising
 /// order: the largest value holds for several files together.
 enum class BurnedInText {
     no,       ///< the file declares none, is of a kind without text, or its format has no entry for it
@@ -57,8 +57,8 @@ struct Study {
 
 /// Reads a volume from the file or DICOM folder at `path`. The content tells the format, else the name. Every size is
 /// checked against the file before memory is taken. `progress` is polled for cancel every few MB, between files and
-/// between the elements of a DICOM file. Fails (unreadable) if there is no readable volume, (cancelled) if the person
-/// ended it.
+/// between the elements of a DICOM file. Fails (unreadable) if there is no readable volume or not enough memory, (wrong
+/// usage) if `path` is empty, (cancelled) if the person ended it.
 [[nodiscard]] Result<Study> readStudy(const std::string& path, const ReadOptions& options = {},
                                       const Progress& progress = {});
 

@@ -231,8 +231,8 @@ std::string skewWarning(const Mat3& direction) {
 
 namespace {
 
-/// Refuses a line of voxels. Rays and tube cores along it would have millions of samples, and the ray caster's packed
-/// voxels would take a hundred times the volume's memory.
+/// Refuses a volume that is much too long. Rays and tube cores along it would have millions of samples, and the ray
+/// caster's packed voxels would take a hundred times the volume's memory.
 Result<void> checkLength(const StudyParts& parts) {
     constexpr double mostUnits = 100'000;
     const auto& [size, spacing] = std::tie(parts.geometry.size, parts.geometry.spacing);
@@ -249,7 +249,8 @@ Result<void> checkLength(const StudyParts& parts) {
     return {};
 }
 
-/// Refuses too many phases, a spacing that no scanner has, and an origin that is no position.
+/// Refuses too many phases, a spacing that no scanner has, a volume that is too long, and an origin that is no
+/// position.
 Result<void> checkGeometry(const StudyParts& parts) {
     if (auto few = requirePhases(parts.path, parts.phasesSource.empty() ? parts.sizeSource : parts.phasesSource,
                                  static_cast<std::int64_t>(parts.voxels.phases.size()));

@@ -25,12 +25,12 @@ constexpr std::int64_t mostPhases = 4096;
 /// of the number. Call it before taking memory for the phases.
 [[nodiscard]] Result<void> requirePhases(const std::string& file, const std::string& element, std::int64_t phases);
 
-/// The findings of a reader. Its own `facts` and `warnings` come first in the study's.
+/// The findings of a reader. In the study, the reader's own `facts` and `warnings` come first.
 struct StudyParts {
     std::string path;                ///< as the person gave it
     std::vector<std::string> files;  ///< every file that was read (Study::files)
-    // The source of each number, for the import report: a key, a tag or a rule. No source may be empty unless it says
-    // so.
+    // The source of each number, for the import report: a key, a tag or a rule. No source may be empty unless its
+    // comment says so.
     std::string sizeSource;    ///< of the size: "DimSize"
     std::string typeSource;    ///< of the stored type: "ElementType"
     std::string phasesSource;  ///< of the number of phases; it may be empty if sizeSource covers it
@@ -64,9 +64,10 @@ struct StudyParts {
     std::vector<std::string> warnings;
 };
 
-/// Builds the volumes (one white level for all phases), guesses where there is no data, and completes the report. Fails
-/// (unreadable) if the spacing or the origin is one that no scanner makes, such as NaN; (cancelled) if the person ended
-/// it.
+/// Builds the volumes (one white level for all phases), guesses where there is no data, and completes the report.
+/// Values of the reader's facts are cut to 300 bytes. Fails (unreadable) if spacing, origin or white level is one that
+/// no scanner makes, such as NaN, if there are too many phases, or if the volume is longer than 100,000 times its
+/// smallest spacing; (cancelled) if the person ended it.
 [[nodiscard]] Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress);
 
 /// The share of no data among the voxels of all phases, [0,1].

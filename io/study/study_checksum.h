@@ -28,7 +28,8 @@ struct StudyChecksum {
 [[nodiscard]] StudyFile withChecksum(StudyFile study, const StudyChecksum& checksum);
 
 /// The difference between the saved and the present bytes of a study, lower case, no full stop ("has 12 bytes, and had
-/// 10 when the session was saved"). Empty if nothing differs, or if no checksum was saved.
+/// 10 when the session was saved"). Empty if nothing differs, if no checksum was saved, or if the saved one is of
+/// another kind and neither the number of bytes nor of files differs.
 [[nodiscard]] std::string changeOf(const StudyFile& study, const StudyChecksum& now);
 
 /// Where to look for a study that is no longer in its place.
@@ -38,10 +39,12 @@ struct StudySearch {
 };
 
 /// Finds the file or folder with the bytes of a study whose checksum is known. It reads only files of the same number
-/// of bytes, and looks at no more than 20,000 entries of a folder. A study of several files may be a header with its
-/// voxels, no folder. It is then found by a file with the header's name. A study of two files may have any other file
-/// of that folder. A larger study has all files there whose names begin with the header's stem. No value if it is not
-/// found, if its checksum is unknown, or if the person ended it.
+/// of bytes, and looks at no more than 20,000 entries in and below each folder of `search`. A study of several files
+/// may be a folder. If StudySearch::folders lead to it, the innermost folder that holds all its files is given. A study
+/// of several files may also be a header with its voxels, no folder. It is then found by a file with the header's name.
+/// If such a study has two files, the second may be any file beside that header. If it has more, the others are all
+/// files beside the header whose names begin with the header's stem. No value if the study is not found, if its
+/// checksum is unknown, or if the person ended it.
 [[nodiscard]] std::optional<std::string> findStudy(const StudyFile& study, const StudySearch& search,
                                                    const Progress& progress = {});
 

@@ -32,7 +32,7 @@ public:
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
 
-    /// False if there is not enough memory.
+    /// False if there is not enough memory, or if the system gave no file.
     [[nodiscard]] bool write(std::span<const std::uint8_t> bytes) {
         while (m_descriptor >= 0 && !bytes.empty()) {
             const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());

@@ -21,8 +21,9 @@ constexpr std::string_view gzipSignature = "\x1f\x8b\x08";
 [[nodiscard]] std::uint64_t mostUnpackedBytes(std::uint64_t packedBytes);
 
 /// Unpacks a gzip file to a file in memory with the same name. All its members are unpacked, and their checksums and
-/// lengths verified. Fails (unreadable) if the file is damaged, ends too early or unpacks to more than
-/// mostUnpackedBytes(); (cancelled) if the person ended it. `progress` reports shares from 0 to 1.
+/// lengths verified. Fails (unreadable) if the file is damaged or ends too early, if it unpacks to more than
+/// mostUnpackedBytes(), or if there is not enough memory; (cancelled) if the person ended it. `progress` reports shares
+/// from 0 to 1.
 [[nodiscard]] Result<InputFile> unpackGzip(const InputFile& packed, const Progress& progress);
 
 }  // namespace echolucent

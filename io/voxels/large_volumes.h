@@ -18,16 +18,16 @@ constexpr std::int64_t mostPhaseVoxels = std::int64_t{1} << 29;
 /// A window at rest takes about this many times the memory of its study's voxels: quiet voxels, masks, packed voxels of
 /// the ray caster and planes come on top (docs/loading.md).
 constexpr std::uint64_t memoryPerVoxels = 6;
-/// A phase is kept whole if the machine has this many bytes for each voxel. While speckle is taken away, voxels of one
-/// byte take 7 of them (docs/loading.md); other types and a second pass need more.
+/// A phase is reduced if the machine has fewer than this many bytes of memory for each voxel. While speckle is taken
+/// away, voxels of one byte take 7 of these bytes (docs/loading.md); other types and a second pass need more.
 constexpr std::uint64_t workingBytesPerVoxel = 18;
 
 /// The most bytes for the voxels of all phases: ReadOptions::studyMebibytes, else this machine's memory over
 /// memoryPerVoxels.
 [[nodiscard]] std::uint64_t mostStudyBytes(const ReadOptions& options);
 
-/// The most voxels that are kept of a phase on a machine with this much memory: mostPhaseVoxels, or fewer if it cannot
-/// work on so many.
+/// The most voxels that are kept of a phase on a machine with this much memory: mostPhaseVoxels, or fewer if the
+/// machine has less than workingBytesPerVoxel for each.
 [[nodiscard]] std::int64_t mostVoxelsOfPhase(std::uint64_t machineBytes);
 
 /// The voxels that a file declares.
@@ -48,8 +48,8 @@ struct ChosenReduction {
 };
 
 /// How to reduce the voxels while they are read; no value if they are kept as they are. Fails (unreadable, about `file`
-/// and the key, tag or option `element` that gave the size) if no factor is large enough. Ask it after the file is
-/// known to hold what it declares, and before memory is taken.
+/// and the key, tag or option `element` that gave the size) if no factor is large enough. Call it after the file is
+/// known to hold what it declares, and before memory is taken for the voxels.
 [[nodiscard]] Result<std::optional<ChosenReduction>> chooseReduction(const std::string& file,
                                                                      const std::string& element,
                                                                      const DeclaredVoxels& declared,

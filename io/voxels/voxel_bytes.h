@@ -1,4 +1,4 @@
-// The bytes that readers put voxels into. They become voxels without a copy. The reader process puts them into memory
+// The bytes that readers put voxels into. They become voxels without a copy. In the reader process they lie in memory
 // that it shares with the workstation.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace echolucent {
 
 /// The memory of VoxelBytes: this process's own, unless another was set. New memory is all 0.
 [[nodiscard]] std::pmr::memory_resource& voxelMemory();
-/// Sets the memory of VoxelBytes made from now on. `memory` must outlive them all and give only zeros.
+/// Sets the memory of all VoxelBytes that are made after the call. `memory` must outlive them all and give only zeros.
 void setVoxelMemory(std::pmr::memory_resource& memory);
 
 /// Allocates from voxelMemory(). New elements are not cleared again: writing 0 over 0 would take as long as reading the
@@ -53,7 +53,7 @@ private:
     std::pmr::memory_resource* m_memory;
 };
 
-/// Bytes of voxels. The first ones of a new vector are 0.
+/// Bytes of voxels. New bytes are 0. Only bytes that a vector gets back after it has shrunk hold what they held.
 using VoxelBytes = std::vector<std::uint8_t, VoxelAllocator<std::uint8_t>>;
 
 /// The values in `bytes`, in this machine's byte order, without a copy.

@@ -30,7 +30,7 @@ tl::unexpected<Problem> damagedBy(std::string detail) {
     return tl::unexpected<Problem>(std::move(problem));
 }
 
-// The beginning of a member of gzip or bzip2. Files may hold several, one after another.
+// The beginning of a member of gzip or bzip2. Files may hold several members, one after another.
 constexpr std::string_view gzipMagic = "\x1f\x8b", bzip2Magic = "BZh";
 
 /// zlib's error in words that need no knowledge of zlib.
@@ -133,7 +133,7 @@ public:
     }
 
 private:
-    /// bzip2 has no reset. Input and output places stay.
+    /// Begins another member where the one before ended in input and output. bzip2 itself has no reset.
     void beginAnother() {
         const bz_stream places = m_stream;
         BZ2_bzDecompressEnd(&m_stream);

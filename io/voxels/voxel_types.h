@@ -56,13 +56,13 @@ struct Rescale {
 /// The smallest and the largest value of a whole-number type; for a float type -1 and 1, in place of all values.
 [[nodiscard]] std::array<double, 2> rangeOf(StoredType type);
 
-/// The problem of keeping float values (machine byte order), put on the line, as float32: finite ones become too large,
-/// or different ones become all the same. In lower case without full stop. No value if there is none, as for all whole
-/// numbers.
+/// The problem of keeping float values (machine byte order) as float32 after `rescale`: finite ones become too large,
+/// or different ones become all the same. In lower case without full stop. No value if there is none, as for all
+/// whole-number types and for float32 that is not rescaled.
 [[nodiscard]] std::optional<std::string> problemOfFloats(const std::vector<VoxelBytes>& phases, StoredType type,
                                                          const Rescale& rescale);
 
-/// As convertVoxels(), but every value is put on the line, in double, and kept as float32.
+/// As convertVoxels(), but every value is rescaled, in double, and kept as float32.
 [[nodiscard]] ConvertedVoxels convertRescaledVoxels(std::vector<VoxelBytes> phases, StoredType type,
                                                     const Rescale& rescale);
 

@@ -29,10 +29,11 @@ struct EnhancedUsDetails {
 /// Writes one simulated volume, or the phases of a 4D one, to `path` as one uncompressed DICOM Enhanced US Volume,
 /// whole or not at all. The voxels have 8 or 16 bits. The grid's origin and direction give the planes in the volume's
 /// frame of reference; if the patient frame is known, or there is no apex, also in the patient's. The frames' window
-/// keeps the white level. The object is marked as simulated and holds nothing about a patient; every call makes new
-/// identifiers. Fails (unwritable) if the voxels are float32, the spacing is not known, or the file cannot be written;
-/// and if an edge or the whole is longer than DICOM can count. Throws std::invalid_argument if there is no phase, or if
-/// phases differ in size or type.
+/// keeps the white level. All phases get the geometry and the white level of the first one. The object is marked as
+/// simulated and holds nothing about a patient; every call makes new identifiers. Fails (unwritable) if the voxels are
+/// float32, if the spacing is not known, or if the file cannot be written. It also fails if a slice has an edge above
+/// 65535 pixels, or if all voxels take more than 4 GB, as DICOM counts no further. Throws std::invalid_argument if
+/// there is no phase, or if phases differ in size or type.
 [[nodiscard]] Result<void> writeEnhancedUs(const std::string& path,
                                            const std::vector<std::shared_ptr<const Volume>>& phases,
                                            const EnhancedUsDetails& details);

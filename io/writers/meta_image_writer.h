@@ -14,8 +14,9 @@ namespace echolucent {
 enum class MetaImageVoxels { compressed, plain };
 
 /// Writes one volume, or the phases of a 4D one, to `path` as an .mha, whole or not at all. The key WhiteLevel keeps
-/// the white level for readStudy(). Throws std::invalid_argument if there is no phase, or if phases differ in size or
-/// type. Fails (unwritable) if the file cannot be written.
+/// the white level for readStudy(). All phases get the geometry and the white level of the first one; the time between
+/// them is not kept. Throws std::invalid_argument if there is no phase, or if phases differ in size or type. Fails
+/// (unwritable) if the file cannot be written.
 [[nodiscard]] Result<void> writeMetaImage(const std::string& path,
                                           const std::vector<std::shared_ptr<const Volume>>& phases,
                                           MetaImageVoxels voxels = MetaImageVoxels::compressed);

@@ -1,6 +1,6 @@
 // Writes movies through OpenCV's videoio. The ending of the file's name decides the container. videoio loads some two
-// hundred libraries, which would make every command start ten times slower. So it sits in a module beside the program;
-// the thread that begins the first movie loads it.
+// hundred libraries, which would make every command start ten times slower. So the code that needs videoio is a module
+// beside the program; the thread that begins the first movie loads this module.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ inline constexpr std::array movieContainers{MovieContainer{".avi", "Motion JPEG 
 /// A movie that is being written. Nothing new is at its path before finish(), and without finish() nothing is left.
 class MovieFile {
 public:
-    /// Fails early as begin() would: (wrongUsage) if the name's ending is none of movieContainers or a side is odd,
-    /// which OpenCV would cut; and as placeOfOutput().
+    /// Fails early as begin() would: (wrongUsage) if the name's ending is none of movieContainers, or if a side is odd,
+    /// because OpenCV would cut it; and as placeOfOutput().
     [[nodiscard]] static Result<void> check(const std::string& path, int width, int height);
 
     /// Begins a movie of `width` x `height` pixels (even, 1 to 16384 each) at `framesPerSecond` (above 0, at most
@@ -46,11 +46,11 @@ public:
     ~MovieFile();
 
     /// Adds a picture: 8-bit red, green, blue, rows from the top, width * height * 3 bytes (any other size throws
-    /// std::invalid_argument). Fails (unwritable) if the picture cannot be encoded.
+    /// std::invalid_argument, as does a call after finish()). Fails (unwritable) if the picture cannot be encoded.
     [[nodiscard]] Result<void> add(std::span<const std::uint8_t> rgb);
     /// Reads the movie back to verify it, and puts it in its place as UnfinishedFile does. Fails (unwritable) if the
     /// movie has no pictures, is an AVI of more than 2 GB or cannot be written. Fails (cancelled) if progress.cancel
-    /// was raised before it was read back.
+    /// was raised before the movie was read back. Call it once: a second call throws std::invalid_argument.
     [[nodiscard]] Result<void> finish(const Progress& progress = {});
 
 private:

@@ -10,7 +10,7 @@ namespace echolucent {
 void ByteStream::inflateFromHere() {
     m_inflater = std::make_unique<RawInflater>(*m_file, m_position);
     m_inflateStart = m_position;
-    // Ask the system for its memory once, not at every piece of two bytes.
+    // mostUnpackedBytes() asks the system for its memory: once here, not at every read of two bytes.
     m_mostInflated = mostUnpackedBytes(m_file->size());
 }
 

@@ -13,14 +13,15 @@
 
 namespace echolucent {
 
-/// The bytes of a file in order, as stored or inflated. The position only moves forward. File and progress must outlive
-/// the stream.
+/// The bytes of a file in order, as stored or inflated. The position only moves forward. `file` and `progress` must
+/// outlive the stream.
 class ByteStream {
 public:
-    /// `progress` is polled for cancel while bytes are inflated. A cancelled stream ends.
+    /// `progress` is polled for cancel while bytes are inflated: an inflating stream ends at a cancel. A stream that
+    /// does not inflate ignores it.
     ByteStream(const InputFile& file, const Progress& progress) : m_file(&file), m_progress(&progress) {}
 
-    /// How many bytes were read or skipped so far; inflated bytes count as such.
+    /// How many bytes were read or skipped so far. Of deflated data, the inflated bytes count.
     [[nodiscard]] std::uint64_t position() const { return m_position; }
     [[nodiscard]] bool inflates() const { return m_inflater != nullptr; }
     /// Whether the file inflates to more than mostUnpackedBytes(). The stream ends there.
@@ -33,9 +34,10 @@ public:
     [[nodiscard]] std::uint64_t end() const { return m_inflater ? m_inflateStart + m_inflated : m_file->size(); }
     /// Inflates everything from here on as a raw deflate stream.
     void inflateFromHere();
-    /// Reads `count` bytes. If there are fewer, it gives false and the position stays.
+    /// Reads `count` bytes. If there are fewer or they cannot be read, it gives false and position() stays. Deflated
+    /// bytes that such a read has taken are lost.
     bool read(std::uint8_t* bytes, std::size_t count);
-    /// Moves forward; returns by how many bytes (fewer than `count` at the end).
+    /// Moves forward and returns by how many bytes: fewer than `count` if the stream ends before.
     std::uint64_t skip(std::uint64_t count);
 
 private:

@@ -16,7 +16,8 @@ namespace echolucent {
 
 namespace {
 
-/// Values of bytes up to this length are read anew as the dictionary says; nothing needed here is longer.
+/// A value of bytes up to this length is read anew as the dictionary says. A longer one becomes an empty element: no
+/// attribute that is read here is so long.
 constexpr Uint32 longestReadAnew = 1 << 20;
 
 bool holdsBytes(DcmEVR vr) {
@@ -31,7 +32,8 @@ bool isReadAsNumber(DcmEVR vr) {
     return std::ranges::find(those, vr) != those.end();
 }
 
-/// The bytes of an element as a little endian file holds them.
+/// The bytes of an element as a little endian file holds them; empty if DCMTK gives them neither as bytes nor as words
+/// of 16 bits.
 std::string bytesOfElement(DcmElement& element) {
     Uint8* bytes = nullptr;
     Uint16* words = nullptr;
@@ -44,8 +46,9 @@ std::string bytesOfElement(DcmElement& element) {
     return {reinterpret_cast<const char*>(bytes), length};
 }
 
-/// Reads a value of bytes as the dictionary says and puts this element into the item. DCMTK would give hexadecimal
-/// digits for text. Null if the dictionary has nothing to say.
+/// Reads a value of bytes as the dictionary says, because DCMTK would give hexadecimal digits for text. Puts the
+/// element so read into `item` in place of `element`. Null if the dictionary calls it neither text nor numbers, or if
+/// it cannot be read so.
 DcmElement* readAnew(DcmItem& item, DcmElement& element, DicomTag tag) {
     const DcmTag known(tag.group, tag.element);
     if (!isReadAsText(known.getEVR()) && !isReadAsNumber(known.getEVR())) return nullptr;
@@ -76,8 +79,8 @@ DcmElement* elementOf(DcmItem& item, DicomTag tag) {
     return anew != nullptr ? anew : element;
 }
 
-/// An element with a value. Null for a sequence, and for a value longer than any that is read here. DCMTK takes memory
-/// for the declared length, 4 GiB if that is undefined, even if a damaged file holds less.
+/// An element with a value. Null if it is missing, if it is a sequence, or if its declared length is above `longest`.
+/// DCMTK would take memory for the declared length (4 GiB for an undefined one), even if a damaged file holds less.
 DcmElement* valueOf(DcmItem& item, DicomTag tag) {
     constexpr Uint32 longest = Uint32{1} << 22;
     DcmElement* element = elementOf(item, tag);
@@ -89,7 +92,8 @@ DcmSequenceOfItems* sequenceOf(DcmItem& item, DicomTag tag) {
     return element != nullptr && element->ident() == EVR_SQ ? static_cast<DcmSequenceOfItems*>(element) : nullptr;
 }
 
-/// The text of an attribute as stored, if it is stored as text. It is valid until the element changes.
+/// The text of an attribute as stored, up to the first zero byte; no value if the attribute is not stored as text. The
+/// view is valid until the element changes.
 std::optional<std::string_view> storedText(DcmElement& element) {
     char* text = nullptr;
     Uint32 length = 0;
@@ -107,7 +111,7 @@ std::string nextValue(std::string_view& rest) {
     return value;
 }
 
-/// Value `index` of an attribute stored in binary, or of text that DCMTK put together.
+/// Value `index` of an attribute for which storedText() has nothing; no value if DCMTK's text of it is no number.
 std::optional<double> binaryNumber(DcmElement& element, std::size_t index) {
     OFString text;
     if (element.getOFString(text, static_cast<unsigned long>(index)).bad()) return std::nullopt;

@@ -23,14 +23,16 @@ struct DicomTag {
 
 // Each of these functions takes time in proportion to the attribute's length, however many values it holds. DCMTK's own
 // access by index is quadratic. A value may be stored as bytes (UN, OB, OW, ...) although the dictionary calls it text
-// or numbers; it is read as the dictionary says.
+// or numbers. All but dicomWords() and dicomLongWords() then read it as the dictionary says, or as empty if it is
+// longer than 1 MiB. A text, a number or a pointer longer than 4 MiB counts as missing.
 
-/// The attribute's text: its values as stored, each trimmed, with backslashes between them. Empty if the attribute is
-/// missing or empty.
+/// The attribute's text: its values as stored up to the first zero byte, each trimmed, with backslashes between them.
+/// Values stored in binary are written as numbers. Empty if the attribute is missing or empty.
 [[nodiscard]] std::string dicomText(DcmItem& item, DicomTag tag);
 /// The attribute's values as numbers; empty unless it holds exactly `count` values and all are finite.
 [[nodiscard]] std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count);
-/// The only value of the attribute, a whole number of at most 10^15; else no value, also if there are several values.
+/// The only value of the attribute if it is a whole number from -10^15 to 10^15. Else no value, also if the attribute
+/// holds several values.
 [[nodiscard]] std::optional<std::int64_t> dicomWholeNumber(DcmItem& item, DicomTag tag);
 /// Whether the attribute is there, empty or not.
 [[nodiscard]] bool dicomHas(DcmItem& item, DicomTag tag);
@@ -42,7 +44,7 @@ void dicomVisitItems(DcmItem& item, DicomTag sequence, const std::function<bool(
 /// The number of items in a sequence; 0 if it is missing.
 [[nodiscard]] std::size_t dicomSequenceLength(DcmItem& item, DicomTag sequence);
 
-/// Unsigned 16-bit words of a binary attribute (palettes); empty if the attribute is missing.
+/// Unsigned 16-bit words of a binary attribute (palettes); empty if the attribute is missing or of another type.
 [[nodiscard]] std::vector<std::uint16_t> dicomWords(DcmItem& item, DicomTag tag);
 
 /// Unsigned 32-bit words of a binary attribute (indices); empty if the attribute is missing or of another type.

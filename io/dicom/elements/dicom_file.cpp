@@ -16,7 +16,7 @@ namespace echolucent {
 
 namespace {
 
-/// Silences DCMTK, whose messages go to stderr and may hold patient data. Also lets it read values of VR UN as its
+/// Silences DCMTK, whose messages go to stderr and may hold patient data. Lets DCMTK read values of VR UN as its
 /// dictionary says.
 void prepareLibrary() {
     static std::once_flag once;
@@ -30,12 +30,14 @@ bool isDeflated(const DicomScan& scan) {
     return DcmXfer(scan.transferSyntax.c_str()).getStreamCompression() != ESC_none;
 }
 
-/// Why a file ends or makes no sense before its pixels end; no value if it does not.
+/// Why DCMTK must not get the file, by where the scan ended; no value if it may. It may get every QLAB file with
+/// pixels. It must not get a file with DicomScan::lacking, nor broken deflated data. Of other damaged files it may get
+/// those whose pixels end before the damage, and a DICOMDIR that is cut.
 std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& scan, bool qlab) {
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         return fail(FailureKind::unreadable, path, "", problem, remedy).value();
     };
-    // The lengths that QLAB declares are often false; its reader looks at what the file holds.
+    // The lengths that QLAB declares are often false. readPhilipsVolume() looks at what the file holds.
     if (qlab && scan.hasPixelData) return std::nullopt;
     if (const auto& lacking = scan.lacking)
         return fail(FailureKind::unreadable, path, tagText(lacking->tag),
@@ -43,10 +45,10 @@ std::optional<Failure> whereItEnds(const std::string& path, const DicomScan& sca
                                 lacking->bytesHeld),
                     damagedFile)
             .value();
-    // DCMTK gets no broken deflated data, even if everything before was whole. It takes memory for each deflated value
-    // before it looks for the bytes. Behind damage it may read other lengths than the walk did.
+    // DCMTK gets no broken deflated data, even if everything before the damage is whole. DCMTK takes memory for each
+    // deflated value before it looks for the bytes, and behind damage it may read other lengths than the walk did.
     const bool mayGoOn = !isDeflated(scan);
-    // A DICOMDIR's reader itself finds out which of the files are there.
+    // The reader of a DICOMDIR itself finds out which of the listed files are there.
     if (mayGoOn && scan.sopClass == directorySopClass && scan.end == DicomScanEnd::cut) return std::nullopt;
     switch (scan.end) {
         case DicomScanEnd::inMeta:

@@ -14,17 +14,19 @@ class DcmFileFormat;
 
 namespace echolucent {
 
-/// A file as DCMTK has parsed it, with the results of the scan before.
+/// A file as DCMTK has parsed it, and the results of the scan that went before.
 class DicomFile {
 public:
-    /// Scans and parses an opened file. If `headerOnly` is set, parsing stops before the pixel data. `progress` is
-    /// polled for cancel between elements. Fails if the file is damaged, if it is no image that can be read, or if the
-    /// person cancelled.
+    /// Scans and parses an opened file. Parsing stops before the pixel data if `headerOnly` is set, and always for a
+    /// QLAB volume. `progress` is polled for cancel between elements. Fails if the file is no DICOM, if it is damaged,
+    /// if its transfer syntax cannot be read, if it would do harm, or if the person cancelled. Damage behind pixels
+    /// that were asked for is no failure: the rest is left out and scan().notes says so.
     [[nodiscard]] static Result<DicomFile> load(const InputFile& input, bool headerOnly, const Progress& progress);
-    /// Opens the file at `path` and does the same.
+    /// Opens the file at `path`, then scans and parses it.
     [[nodiscard]] static Result<DicomFile> load(const std::string& path, bool headerOnly, const Progress& progress);
     /// Reads what a damaged file still tells: the elements of its header before the damage. Fails if the file is no
-    /// DICOM, if it would do harm, or if the person cancelled.
+    /// DICOM, if an element declares over a MiB more than the file holds, if deflated data are cut or damaged, if the
+    /// file would do harm, or if the person cancelled.
     [[nodiscard]] static Result<DicomFile> loadRest(const InputFile& input, const Progress& progress);
     DicomFile(DicomFile&&) noexcept;
     DicomFile& operator=(DicomFile&&) noexcept;

@@ -29,7 +29,8 @@ constexpr std::array newCodings{
     Name{"1.2.840.10008.1.2.8.1", "deflated frame by frame"},
 };
 
-/// Objects that DCMTK 3.6.7 does not know, and those with a better name among people who scan than the standard's.
+/// Names that go before DCMTK's: of objects that DCMTK 3.6.7 does not know, and of objects for which people who scan
+/// have a better name than the standard.
 constexpr std::array objectsOfOurs{
     Name{directorySopClass, "a DICOMDIR (a list of files)"},
     Name{qlabSopClass, "a Philips QLAB Cartesian volume"},
@@ -40,7 +41,7 @@ constexpr std::array objectsOfOurs{
     Name{"1.2.840.10008.5.1.4.1.1.7", "a screen capture (secondary capture)"},
 };
 
-/// Roots of the classes of makers.
+/// How the UIDs of makers' own classes begin.
 constexpr std::array makers{
     Name{"1.2.840.113543.6.6.", "Philips"},     Name{"1.2.840.113663.", "Philips"},
     Name{"1.3.46.670589.", "Philips"},          Name{"1.2.840.113619.", "GE"},
@@ -50,7 +51,7 @@ constexpr std::array makers{
     Name{"1.2.410.200001.", "Samsung Medison"},
 };
 
-/// Abbreviations in the standard's names, split as wordsOfName() does.
+/// Words in the standard's names, split as wordsOfName() does, and what replaces them in a sentence.
 constexpr std::array abbreviations{
     Name{"SR", "structured report"}, Name{"RT", "radiotherapy"}, Name{"RETIRED", "retired"},
     Name{"VL", "visible light"},     Name{"X Ray", "X-ray"},     Name{"Storage", ""},
@@ -66,10 +67,10 @@ bool isUpper(char letter) { return std::isupper(static_cast<unsigned char>(lette
 bool isLower(char letter) { return std::islower(static_cast<unsigned char>(letter)) != 0; }
 bool isDigit(char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; }
 
-/// Whether a word is spoken letter by letter, as "MR" and "X-ray" are.
+/// Whether a word begins with a letter that is spoken by its name, as "MR" and "X-ray" do.
 bool isSpelled(std::string_view word) { return isUpper(word[0]) && (word.size() == 1 || !isLower(word[1])); }
 
-/// Replaces the abbreviation if it stands as a separate word.
+/// Replaces the abbreviation where it first stands as a separate word.
 void writeOut(std::string& words, const Name& abbreviation) {
     const auto& [shortForm, longForm] = abbreviation;
     const std::string padded = ' ' + words + ' ';
@@ -109,7 +110,7 @@ std::string wordsOfName(std::string_view name) {
 
 std::string transferSyntaxName(std::string_view uid) {
     if (const char* name = nameIn(newCodings, uid)) return name;
-    // Since 2021 videos may be split into fragments. Their identifiers have ".1" at the end.
+    // The identifiers of videos that may be split into fragments have ".1" at the end. DCMTK 3.6.7 does not know them.
     if (uid.starts_with("1.2.840.10008.1.2.4.10") && uid.ends_with(".1")) uid.remove_suffix(2);
     const DcmXfer syntax(std::string(uid).c_str());
     if (uid.empty() || syntax.getXfer() == EXS_Unknown) return "a coding that is not known here";

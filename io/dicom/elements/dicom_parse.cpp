@@ -16,7 +16,8 @@ namespace echolucent {
 
 namespace {
 
-/// Far more than sixty-four levels take, also with the larger frames of the address sanitizer.
+/// The most stack that parsing may take: far more than 64 levels of nesting need, also with the larger frames of the
+/// address sanitizer.
 constexpr std::uintptr_t mostStackBytes = std::uintptr_t{4} << 20;
 /// DCMTK reads an element in three to seven pieces.
 constexpr std::uint64_t mostReads = 10 * mostElements;
@@ -31,7 +32,7 @@ public:
     }
     [[nodiscard]] std::uint64_t size() const { return m_size; }
     [[nodiscard]] const InputFile& file() const { return m_file; }
-    /// Fills `bytes` from `position` on. They must lie within size().
+    /// Fills `bytes` from `position` on. The range must lie within size().
     [[nodiscard]] bool read(std::uint64_t position, std::span<std::uint8_t> bytes) const {
         const std::uint64_t held = m_file.size() - std::min(position, m_file.size());
         const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), held));
@@ -50,7 +51,8 @@ public:
 
 private:
     InputFile m_file;
-    std::shared_ptr<const std::vector<DicomRepair>> m_repairs;  // copies share them: DCMTK makes one a long value
+    // Copies share it: DCMTK makes a copy for each long value.
+    std::shared_ptr<const std::vector<DicomRepair>> m_repairs;
     std::uint64_t m_size;
 };
 
@@ -68,11 +70,12 @@ struct ParseBounds {
         tooDeep = tooDeep || (here < stackStart ? stackStart - here : here - stackStart) > mostStackBytes;
         tooMuch = tooMuch || ++reads > mostReads;
     }
-    /// The address of the frame, since the address sanitizer may put locals elsewhere.
+    /// The address of this call's stack frame. The address of a local would not do: the address sanitizer may put
+    /// locals elsewhere.
     static std::uintptr_t stackHere() { return reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)); }
 };
 
-/// Hands DCMTK the bytes of a file, inflated from some place on, until the person cancels or a bound is broken.
+/// Hands DCMTK the bytes of a file, inflated behind inflateFromHere(), until the person cancels or a bound is broken.
 class FileProducer : public DcmProducer {
 public:
     FileProducer(RepairedBytes file, std::uint64_t position, const Progress* progress, ParseBounds* bounds)
@@ -81,7 +84,7 @@ public:
           m_size(m_file.size()),
           m_progress(progress),
           m_bounds(bounds) {}
-    /// Takes the rest as a raw deflate stream of `size` bytes.
+    /// Takes the rest as a raw deflate stream that unpacks to `size` bytes.
     void inflateFromHere(std::uint64_t size) {
         m_inflater = std::make_unique<RawInflater>(m_file.file(), m_position);
         m_block.clear();
@@ -158,7 +161,7 @@ private:
         m_position += count;
         return count;
     }
-    /// Inflates the next block. Keeps the last bytes of the one before, because DCMTK may put them back.
+    /// Inflates the next block. Keeps the last bytes of the block before, because DCMTK may put them back.
     void inflateBlock() {
         const std::size_t tail = std::min(m_block.size(), putBackBytes);
         m_blockStart += m_block.size() - tail;
@@ -183,11 +186,11 @@ private:
     bool m_failed = false;
 };
 
-/// The stream for DCMTK. Its own file stream opens files by name and cannot be cancelled. Its own inflating filter
-/// reads ahead and so hides how deep it recurses.
+/// The stream for DCMTK. DCMTK's own file stream opens files by name and cannot be cancelled. DCMTK's own inflating
+/// filter reads ahead, so that reads would not show how deep DCMTK recurses.
 class FileStream : public DcmInputStream {
 public:
-    // The base class only keeps the pointer until the first read.
+    // The base class does not use the pointer before the first read, and by then `m_producer` is constructed.
     FileStream(const RepairedBytes& file, std::uint64_t position, std::uint64_t unpackedBytes, const Progress* progress,
                ParseBounds* bounds)
         : DcmInputStream(&m_producer),
@@ -195,7 +198,7 @@ public:
           m_start(position),
           m_unpackedBytes(unpackedBytes),
           m_producer(file, position, progress, bounds) {}
-    /// Lets DCMTK read long values later, but compressed ones at once.
+    /// Lets DCMTK read long values later, but those of deflated data at once (null).
     [[nodiscard]] DcmInputStreamFactory* newFactory() const override;
     OFCondition installCompressionFilter(E_StreamCompression) override {
         m_producer.inflateFromHere(m_unpackedBytes);
@@ -229,7 +232,7 @@ DcmInputStreamFactory* FileStream::newFactory() const {
     return new FileStreamFactory(m_file, m_start + static_cast<std::uint64_t>(tell()));
 }
 
-/// Removes an element that damage cut, as it holds memory that was never filled.
+/// Removes the last elements if they were not read to their end: they hold memory that was never filled.
 void removeCutElement(DcmDataset& dataset) {
     for (unsigned long last = dataset.card(); last > 0; --last) {
         DcmElement* element = dataset.getElement(last - 1);
@@ -246,7 +249,7 @@ OFCondition parse(DcmFileFormat& file, DcmInputStream& stream, const DcmTagKey& 
     } catch (const std::out_of_range&) {
         done = EC_CorruptedData;  // DCMTK 3.6.7 stumbles over damaged names of directory records
     }
-    // The transfer's end clears the states of elements, which say which were read.
+    // transferEnd() clears the states by which removeCutElement() tells which elements were read.
     if (end == DCM_PixelData && done.bad()) removeCutElement(*file.getDataset());
     file.transferEnd();
     return done;

@@ -15,19 +15,20 @@ enum class DicomParseEnd {
     whole,    ///< everything asked for was parsed
     cut,      ///< the file ends in the middle of an element
     damaged,  ///< the bytes before the position are no DICOM element
-    tooDeep,  ///< it nests deeper than any true object; the scan missed this
-    tooMuch,  ///< it holds more elements than any true object; the scan missed this
+    tooDeep,  ///< the file nests deeper than any true object; the scan missed this
+    tooMuch,  ///< the file holds more elements than any true object; the scan missed this
 };
 
 struct DicomParsed {
     DicomParseEnd end = DicomParseEnd::whole;
-    std::uint64_t position = 0;  ///< in the file, or in the unpacked data if it is deflated
+    std::uint64_t position = 0;  ///< in the file; if it is deflated, unpacked bytes count
 };
 
 /// Parses an opened file into `file`, with the repairs of `scan`. Without `withPixels` it stops at Pixel Data and
-/// leaves out an element that damage cut.
+/// leaves out elements that damage cut.
 /// DCMTK recurses into every level of nesting. Parsing stops after a few megabytes of stack, or after as many reads as
-/// the largest true objects need. `progress` is polled for cancel at every read; after a cancel the end has no meaning.
+/// the largest true objects need. `progress` is polled for cancel at every read; after a cancel DicomParsed::end has no
+/// meaning.
 [[nodiscard]] DicomParsed parseDicom(DcmFileFormat& file, const InputFile& input, const DicomScan& scan,
                                      bool withPixels, const Progress& progress);
 

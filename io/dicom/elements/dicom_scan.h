@@ -19,14 +19,15 @@ constexpr std::array<std::string_view, 3> dicomEndings{".dcm", ".dicom", ".ima"}
 /// 132 bytes, or the whole file.
 [[nodiscard]] bool looksLikeDicom(std::string_view beginning);
 
-/// Walks the elements of an opened file. If `headerOnly` is set, it ends behind the private group in which GE keeps
-/// volumes; this group follows the pixel data.
+/// Walks the elements of an opened file. If `headerOnly` is set, the walk ends behind the private group in which GE
+/// keeps volumes; this group follows the pixel data. In a QLAB file the walk ends behind the pixel data.
 /// Fails if
 /// - sequences are nested too deep or stand in the meta header,
 /// - there are too many elements, or too many out of order,
-/// - an element of the picture or its place stands twice with different values,
+/// - an element of the picture or its place stands twice with different values, or too many stand twice with one value,
+/// - a directory record's type is longer than DCMTK can read,
 /// - more than mostRepairs are needed,
-/// - deflated bytes unpack to more than mostUnpackedBytes(), so that DCMTK never sees these,
+/// - deflated bytes unpack to more than mostUnpackedBytes(),
 /// - the person cancelled. `progress` is polled at every element and within long deflated values.
 /// If the walk cannot follow the file for another reason, DicomScan::end names it.
 [[nodiscard]] Result<DicomScan> scanDicom(const InputFile& file, const Progress& progress, bool headerOnly = false);

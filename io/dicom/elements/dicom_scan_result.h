@@ -14,7 +14,7 @@ namespace echolucent {
 /// Bytes that replace bytes of the file when it is read.
 struct DicomRepair {
     std::uint64_t offset = 0;  ///< in the file, of the first byte
-    std::string bytes;         ///< replace as many bytes; behind the file's end they are added
+    std::string bytes;         ///< these replace as many bytes of the file; behind its end they are added
 };
 
 /// How far a walk could follow a file.
@@ -35,19 +35,22 @@ struct LackingElement {
 
 struct DicomScan {
     std::string transferSyntax;            ///< UID from the meta header; empty if it has none
-    std::string sopClass;                  ///< SOP class from the meta header, else from the data set; else empty
+    std::string sopClass;                  ///< UID from the meta header, else from the data set; else empty
     bool hasPixelData = false;             ///< whether (7FE0,0010) stands at top level
     std::uint64_t pixelBytesDeclared = 0;  ///< the length of (7FE0,0010) as written; 0 if encapsulated
     std::uint64_t pixelBytesHeld = 0;      ///< how many of the declared bytes the file holds
     std::uint64_t pixelStart = 0;          ///< the value of (7FE0,0010) begins here in the file; 0 if it is deflated
     bool pixelsEnd = false;                ///< whether the walk reached the end of (7FE0,0010)
-    /// The element in which the walk ended, if it lacks more than a MiB. DCMTK allocates what an element declares
-    /// before it looks for the bytes, so it gets no such file.
+    /// The element in which the walk ended, if the file lacks more than a MiB of it. The pixels, and an element of
+    /// undefined length, do not count. DCMTK allocates what an element declares before it looks for the bytes, so DCMTK
+    /// gets no such file.
     std::optional<LackingElement> lacking;
     bool holdsKretz = false;           ///< whether a GE volume (kretzVolumeIn()) stands behind the pixels
-    std::uint64_t kretzBytesHeld = 0;  ///< how many bytes of it the file holds
+    std::uint64_t kretzBytesHeld = 0;  ///< how many bytes of the GE volume the file holds
     DicomScanEnd end = DicomScanEnd::whole;
-    std::uint64_t endPosition = 0;    ///< where the walk ended: in the file, or in the unpacked data if it is deflated
+    /// Where the walk ended, in the file. If it is deflated, unpacked bytes count; with DicomScanEnd::deflate only
+    /// these do.
+    std::uint64_t endPosition = 0;
     std::uint64_t fileBytes = 0;      ///< the file's size
     std::uint64_t unpackedBytes = 0;  ///< of the data set if it is deflated; else 0
     /// The repairs that a reader as strict as the standard needs. They concern delimiters missing at the end of the
@@ -59,12 +62,12 @@ struct DicomScan {
 /// Sequences may be nested this deep; the standard's own objects need fewer than ten levels. DCMTK recurses into every
 /// level and runs out of stack after some thousand.
 constexpr int deepestSequence = 64;
-/// A file may hold at most so many elements and items; a study of 20 volumes of 500 frames each needs 200,000. DCMTK
-/// takes two microseconds and 200 bytes for each.
+/// A file may hold at most this many elements, items and fragments together. A study of 20 volumes of 500 frames each
+/// needs 200,000. DCMTK takes two microseconds and 200 bytes for each.
 constexpr std::size_t mostElements = 500000;
-/// One data set or item may hold at most so many elements. DCMTK's searches take time in proportion to their number.
+/// One data set or item may hold at most this many elements. DCMTK's searches take time in proportion to their number.
 constexpr std::size_t mostElementsOfOne = 20000;
-/// A file may need at most so many repairs. Damaged files need a few.
+/// A file may need at most this many repairs. Damaged files need a few.
 constexpr std::size_t mostRepairs = 1000;
 
 /// Problems of files that hold too much, as in Failure::problem.

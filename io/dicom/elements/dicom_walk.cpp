@@ -27,7 +27,8 @@ constexpr std::uint32_t kretzGroup = 0x7fe1;
 constexpr std::string_view kretzCreator = "KRETZ_US";
 
 constexpr std::uint32_t itemTags[] = {itemTag, 0xfffee00dU, 0xfffee0ddU};
-/// The most steps to sort elements in that are out of order. Each passes all those behind its place.
+/// The most steps that DCMTK may take to sort in elements that are out of order. Each such element counts as one step
+/// for every element that stands before it in its data set or item.
 constexpr std::uint64_t mostDisorder = 10000000;
 /// The value representation that DCMTK sees in two letters; it decides how a length is read.
 DcmVR vrOf(std::string_view letters) { return DcmVR(std::string(letters.substr(0, 2)).c_str()); }
@@ -67,13 +68,13 @@ void DicomWalk::run(bool headerOnly) {
         return;
     }
     const auto goesOn = [&] { return !m_progress.cancelled() && !harm(); };
-    // The lengths that QLAB declares are often false, so what follows may be voxels.
+    // The lengths that QLAB declares are often false, so what follows the pixel data may be voxels.
     const auto enough = [&] {
         return (headerOnly && m_behindKretz) || (m_scan.hasPixelData && m_scan.sopClass == qlabSopClass);
     };
     while (goesOn() && !enough() && step()) {
     }
-    // Measure all that DCMTK could be given.
+    // Inflate the rest too: unpackedBytes must cover all that DCMTK could be given.
     if (goesOn() && m_stream.inflates()) m_stream.skip(endless);
     if (goesOn()) measureEnd(enough());
 }
@@ -95,7 +96,8 @@ void DicomWalk::measureEnd(bool enough) {
     if (m_scan.end == DicomScanEnd::cut) measureWhatLacks();
 }
 
-/// Notes an element for which DCMTK would take much memory, but the file lacks the bytes.
+/// Notes the last element if the file lacks more than `little` of it: DCMTK would take memory for bytes that are not
+/// there.
 void DicomWalk::measureWhatLacks() {
     constexpr std::uint64_t little = std::uint64_t{1} << 20;
     const std::uint64_t held = m_stream.position() - m_lastStart;
@@ -144,7 +146,8 @@ std::optional<std::uint32_t> DicomWalk::readTag() {
     return *group << 16 | *element;
 }
 
-/// Reads preamble and meta header, which say how the data set is written. False if the file is too short.
+/// Reads preamble and meta header, which say how the data set is written. False if the file is too short. True with
+/// `m_harm` set if the meta header holds a sequence.
 bool DicomWalk::readMeta() {
     const auto beginning = m_file.beginning(132);
     if (!beginning || beginning->size() < 8) return false;
@@ -219,7 +222,8 @@ void DicomWalk::pop() {
     m_levels.pop_back();
 }
 
-/// Leaves data that make no sense and goes on at the nearest known end. False if no end is known.
+/// Leaves data that make no sense and goes on at the nearest known end of a level. False if no end is known, or if the
+/// file ends before.
 bool DicomWalk::recover() {
     m_pendingTag.reset();
     while (m_levels.size() > 1) {
@@ -310,8 +314,9 @@ void DicomWalk::notePixelData(std::uint32_t length) {
         m_stream.inflates() ? length : std::min<std::uint64_t>(length, m_file.size() - m_stream.position());
 }
 
-/// Passes the element of GE's creator, or the element of its block. The latter is a volume if it begins like one of
-/// Kretz. False for other elements, which it does not pass.
+/// Passes an element that may name a private creator, until GE's is found; or the element of GE's block that may hold a
+/// volume. This is a volume if it begins like one of Kretz. False for other elements, and if the file ends before;
+/// these are not passed.
 bool DicomWalk::readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
     const std::uint32_t element = tag & 0xffff;
     std::string value;
@@ -383,7 +388,7 @@ bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t
     return skipped == length;
 }
 
-/// A value of unknown kind that begins with an item is a sequence.
+/// Enters a value of unknown kind as a sequence if it begins with an item; else passes it.
 bool DicomWalk::enterIfItem(std::uint32_t length) {
     if (length < 8) return m_stream.skip(length) == length;
     const auto tag = readTag();

@@ -18,15 +18,15 @@ namespace echolucent {
 /// (7fe0,0010) Pixel Data: group and element in one number.
 inline constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
 
-/// Walks over one file, element by element. File, scan and progress must outlive it.
+/// Walks over one file, element by element. `file`, `scan` and `progress` must outlive the walk.
 class DicomWalk {
 public:
     DicomWalk(const InputFile& file, DicomScan& scan, const Progress& progress)
         : m_file(file), m_stream(file, progress), m_scan(scan), m_progress(progress) {}
 
-    /// Ends early if the person cancels or it finds harm.
+    /// Walks as far as scanDicom() says. Ends early if the person cancels or the walk finds harm.
     void run(bool headerOnly);
-    /// Why the file must not be read any further; no value if nothing was found.
+    /// Why the file must not be read any further; no value if the walk found no harm.
     struct Harm {
         std::string element, problem, remedy;  ///< as in Failure
     };
@@ -54,7 +54,7 @@ private:
         bool ascends = true;            // whether the last tag was larger than all before
         std::uint32_t previousTag = 0;  // of the element before
         std::vector<Described> described = {};
-        bool pixels = false;                            // whether it is the pixel data
+        bool pixels = false;                            // whether this level is the pixel data
         std::optional<std::uint64_t> falseLength = {};  // the place of a length that must be corrected
         std::uint64_t start = 0;
     };
@@ -97,7 +97,7 @@ private:
     std::uint64_t m_disorder = 0;  // how many elements DCMTK passes to sort in those out of order
     std::optional<Harm> m_harm;
     std::optional<std::uint32_t> m_pendingTag;   // a tag that was read ahead
-    std::uint64_t m_emptySequenceEnd = endless;  // where a sequence ended that declares to be empty
+    std::uint64_t m_emptySequenceEnd = endless;  // the end of the last sequence that is declared empty
     bool m_behindKretz = false;                  // whether the walk is behind the group of GE's volumes
     std::uint32_t m_kretzBlock = 0;              // the first block of elements that GE's creator reserves; 0: none
     std::uint64_t m_stepStart = 0;               // where the last step began

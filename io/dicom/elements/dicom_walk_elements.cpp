@@ -16,7 +16,7 @@ namespace echolucent {
 
 namespace {
 
-/// Values up to this many bytes are kept for comparison with an element that stands twice.
+/// Values up to this many bytes are kept, to compare them if the element stands twice.
 constexpr std::uint32_t keptValue = 64;
 
 /// "(0028,0030) Pixel Spacing"
@@ -35,7 +35,8 @@ bool describesPicture(std::uint32_t tag) {
 
 }  // namespace
 
-/// DCMTK 3.6.7 throws over a longer type in a directory record, and loses what it has read.
+/// Refuses a directory record's type that is longer than 16 bytes: DCMTK 3.6.7 throws over it and loses what it has
+/// read.
 void DicomWalk::refuseLongRecordType(std::uint32_t tag, std::uint32_t length) {
     constexpr std::uint32_t recordTypeTag = 0x00041430, longestCodeString = 16;
     if (tag != recordTypeTag || length <= longestCodeString) return;
@@ -45,7 +46,8 @@ void DicomWalk::refuseLongRecordType(std::uint32_t tag, std::uint32_t length) {
              doNotOpen};
 }
 
-/// Counts an element and the work of DCMTK to sort it in. DCMTK drops an element that stands twice.
+/// Counts an element and the work of DCMTK to sort it in. An element with the tag of the one before adds nothing to its
+/// level, because DCMTK drops it.
 void DicomWalk::countElement(std::uint32_t tag) {
     Level& level = m_levels.back();
     ++m_elements;
@@ -58,7 +60,8 @@ void DicomWalk::countElement(std::uint32_t tag) {
 }
 
 /// Keeps short values of elements that describe the picture, and finds those that stand twice. A `plain` value holds no
-/// items. `passed` becomes true if the value was read on the way. False if the file ends before.
+/// items. Twice with the same kept value is noted. Twice with different values, or with values that were not kept, is
+/// harm. `passed` becomes true if the value was read on the way. False if the file ends within the value.
 bool DicomWalk::describe(std::uint32_t tag, std::uint32_t length, bool plain, bool& passed) {
     if (!describesPicture(tag)) return true;
     Level& level = m_levels.back();

@@ -7,7 +7,9 @@
 
 namespace echolucent {
 
-/// Turns an item outside any sequence into an element that nobody reads. False if that cannot be done.
+/// Turns an item outside any sequence into an element that nobody reads. False if that cannot be done: below top level,
+/// in deflated, big endian or implicit data, for an item of undefined length or above 65534 bytes, or if the file ends
+/// within it.
 bool DicomWalk::leaveOutItem(std::uint32_t length) {
     const Level& level = m_levels.back();
     if (m_stream.inflates() || m_levels.size() > 1 || level.implicitVr || m_bigEndian || length > 0xfffe) return false;
@@ -20,7 +22,7 @@ bool DicomWalk::leaveOutItem(std::uint32_t length) {
     return true;
 }
 
-/// Notes the bytes to read in place of those at `offset`, and the reason once.
+/// Notes the bytes to read in place of those at `offset`. Adds `note` to the scan's notes unless it stands there.
 void DicomWalk::repair(std::uint64_t offset, std::string bytes, const char* note) {
     m_scan.repairs.push_back({offset, std::move(bytes)});
     if (std::find(m_scan.notes.begin(), m_scan.notes.end(), note) == m_scan.notes.end())

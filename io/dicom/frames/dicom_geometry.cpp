@@ -30,7 +30,7 @@ std::optional<std::array<Vec3, 2>> dicomOrientation(DcmItem& item, DicomTag tag)
     if (values.empty()) return std::nullopt;
     const Vec3 alongRow(values[0], values[1], values[2]);
     const Vec3 alongColumn(values[3], values[4], values[5]);
-    // A cosine rounded to one digit is off by 0.05. The length of the largest numbers exceeds a double.
+    // A cosine rounded to one digit is off by 0.05. Numbers so large that the length overflows are refused too.
     const auto isDirection = [](const Vec3& vector) { return std::abs(length(vector) - 1.0) <= 0.05; };
     if (!isDirection(alongRow) || !isDirection(alongColumn)) return std::nullopt;
     const Vec3 row = normalized(alongRow);

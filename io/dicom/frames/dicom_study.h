@@ -1,4 +1,5 @@
-// The shapes of a DICOM volume: a folder of slices (io/study/series_list.h) and one multi-frame file.
+// What the readers of DICOM volumes in one file offer, and the words that they share with the reader of series
+// (io/study/series_list.h).
 #pragma once
 
 #include "io/dicom/elements/dicom_file.h"
@@ -12,7 +13,8 @@ namespace echolucent {
 /// Reads the volume of one file: frames, or a maker's private volume. Call it in a thread with a large stack.
 [[nodiscard]] Result<Study> readDicomFile(const InputFile& input, const ReadOptions& options, const Progress& progress);
 
-/// Reads one file with several frames as a volume, or as the phases of one.
+/// Reads the GE volume in a file, else its frames as a volume or as the phases of one. Fails if there is a single
+/// frame.
 [[nodiscard]] Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, const Progress& progress);
 
 /// The name that refusals give to the attribute of a slice's place.

@@ -167,8 +167,8 @@ Result<void> GroupLayout::setSpacing() {
     return {};
 }
 
-/// The grid in the frame of reference of apex and transducer; no value if the frames have no place in it. Fails if the
-/// slices lie otherwise there than in the patient.
+/// The grid in the volume's frame of reference, in which apex and transducer are stated; no value if a frame of the
+/// first phase has no place in it. Fails if the slices lie otherwise there than in the patient.
 Result<std::optional<GridInVolumeFrame>> GroupLayout::gridInVolumeFrame() {
     const VolumeGeometry& geometry = m_layout.geometry;
     if (!m_inPatient) return GridInVolumeFrame{geometry.origin, geometry.direction};

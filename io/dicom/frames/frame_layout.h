@@ -17,10 +17,10 @@ namespace echolucent {
 
 /// The frames of every phase in slice order, and the geometry they share.
 struct FrameLayout {
-    std::vector<std::vector<std::size_t>> phases;  ///< frames counted from 0; one frame each if there is no volume
-    VolumeGeometry geometry;                       ///< only its size is set if each phase holds one frame
+    std::vector<std::vector<std::size_t>> phases;  ///< frames counted from 0
+    VolumeGeometry geometry;                       ///< of every phase
     std::string spacingSource;
-    bool inPlaneSpacingKnown = false;  ///< of pictures taken as slices; their distance is a guess
+    bool inPlaneSpacingKnown = false;  ///< whether pixels have a known size although the distance of slices is a guess
     std::optional<double> phaseSeconds;
     std::string phaseSource;  ///< the attribute that told the phases apart
     std::optional<FoundProbe> probe;
@@ -34,10 +34,11 @@ struct FrameExtent {
 };
 
 /// Lays frames out as a volume, or as the phases of one: by their functional groups, else by the old attributes at top
-/// level (classicPlaces()). If all frames have planes in the patient, these give the geometry; else the planes in the
-/// volume's frame of reference do. Fails (unreadable, about the file at `path`) if some frames have no place, or if
-/// places, dimensions and times contradict each other. If the frames are no volume, it fails with
-/// Failure::framesCouldBeSlices. `progress` is polled for cancel.
+/// level (classicPlaces()). If all frames of tissue have planes in the patient, these give the geometry; else the
+/// planes in the volume's frame of reference do. Fails (unreadable, about the file at `path`) if some frames have no
+/// place, or if places, dimensions and times contradict each other. If the frames are a cine, or if the old attributes
+/// make no sense, it fails with Failure::framesCouldBeSlices. A single plane of tissue fails without it. `progress` is
+/// polled for cancel.
 [[nodiscard]] Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, const FrameExtent& extent,
                                                const Progress& progress);
 

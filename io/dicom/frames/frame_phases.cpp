@@ -171,7 +171,8 @@ Result<void> PhaseSplitter::checkDimensions() const {
     return checkUnknownDimensions();
 }
 
-/// Sets the time between phases. Fails if times and index values order the phases differently.
+/// Sets the time between phases, if all frames state their time. Fails if a phase does not begin after the one before
+/// has ended.
 Result<void> PhaseSplitter::setTimes(FramePhases& result) const {
     if (result.phases.size() < 2 || !allHave([](const FrameGroups& frame) { return frame.timeOffset.has_value(); }))
         return {};

@@ -33,7 +33,7 @@ struct StatedPlane {
     [[nodiscard]] bool isComplete() const { return position && orientation; }
 };
 
-/// What the groups say of one frame: its own groups, else those of all frames. The rest is empty.
+/// What the groups say of one frame: its own groups, else those of all frames. What neither says is empty.
 struct FrameGroups {
     StatedPlane inVolume;                               ///< Plane Position and Orientation (Volume)
     StatedPlane inPatient;                              ///< Plane Position and Orientation (Patient), LPS
@@ -42,7 +42,8 @@ struct FrameGroups {
     std::optional<double> timeOffset;                   ///< Temporal Position Time Offset, seconds
     std::optional<std::int64_t> temporalIndex;          ///< Temporal Position Index
     std::string dataType;                               ///< (0018,9808): TISSUE_INTENSITY, FLOW_VELOCITY, ...
-    std::vector<std::uint32_t> indexValues;             ///< Dimension Index Values, one a dimension
+    /// Dimension Index Values; splitIntoPhases() checks that there is one a dimension.
+    std::vector<std::uint32_t> indexValues;
 };
 
 /// The groups of all `frames` frames, in the order of the file; empty if the object has no groups of single frames.

@@ -14,7 +14,7 @@ constexpr DicomTag regionsTag{0x0018, 0x6011};
 
 bool isScale(double mm) { return std::isfinite(mm) && mm >= 1e-4 && mm <= 1e4; }
 
-/// The mean along z is a guess.
+/// Takes the mean of x and y along z, which is a guess.
 Vec3 spacingFrom(double x, double y) { return {x, y, (x + y) / 2}; }
 
 double numberOr(DcmItem& item, DicomTag tag, double missing) {
@@ -22,7 +22,7 @@ double numberOr(DcmItem& item, DicomTag tag, double missing) {
     return values.empty() ? missing : values[0];
 }
 
-/// The pixels of a region; 0 if its corners make no sense.
+/// The number of pixels in a region; 0 if its corners are missing or make no sense.
 double areaOf(DcmItem& region) {
     const double width = numberOr(region, {0x0018, 0x601c}, 0) - numberOr(region, {0x0018, 0x6018}, 0);
     const double height = numberOr(region, {0x0018, 0x601e}, 0) - numberOr(region, {0x0018, 0x601a}, 0);

@@ -16,8 +16,8 @@ struct PictureScale {
 };
 
 /// The scale that Pixel Spacing states. Else the scale of the largest 2D ultrasound region; M-modes and spectra do not
-/// count. The region's deltas must be in cm, and its pixels of a size that a scanner may have. No value if nothing
-/// states a scale.
+/// count; a region that states no format counts as 2D. The region's deltas must be in cm, and its pixels from 0.0001 mm
+/// to 10 m large. No value if nothing states a scale.
 [[nodiscard]] std::optional<PictureScale> pictureScaleOf(DcmItem& dataset);
 
 }  // namespace echolucent

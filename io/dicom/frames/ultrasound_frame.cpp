@@ -65,7 +65,8 @@ void readMatrix(DcmItem& dataset, UltrasoundFrame& frame) {
 
 Vec3 axisOf(const cv::Matx44d& matrix, int row) { return {matrix(row, 0), matrix(row, 1), matrix(row, 2)}; }
 
-/// The part of a vector that is perpendicular to `forward`, as a unit vector; no value if there is hardly any.
+/// The part of a vector that is perpendicular to `forward`, as a unit vector; no value if that part is shorter than a
+/// 20th of the vector.
 std::optional<Vec3> across(const Vec3& vector, const Vec3& forward) {
     const Vec3 part = vector - forward * vector.dot(forward);
     if (length(part) < 0.05 * length(vector)) return std::nullopt;

@@ -16,11 +16,11 @@ namespace echolucent {
 
 /// The Ultrasound Frame of Reference module (PS3.3 C.8.24.2). Parts that are missing or make no sense are empty.
 struct UltrasoundFrame {
-    std::string acquisitionGeometry;  ///< APEX, PATIENT, or another text
+    std::string acquisitionGeometry;  ///< APEX, PATIENT, or another text; empty if missing
     std::optional<Vec3> apexMm;       ///< in the volume's frame of reference
     std::optional<cv::Matx44d>
         transducerFromVolume;  ///< rigid; y is normal to the transducer's face, x points to its marker
-    std::string relationship;  ///< FIXED, POSITION_VAR, ORIENTATION_VAR, ...; may be empty
+    std::string relationship;  ///< of the matrix: FIXED, POSITION_VAR, ORIENTATION_VAR, ...; may be empty
     std::vector<ImportFact> facts;
     std::vector<std::string> warnings;  ///< on parts that make no sense and were left out
 };
@@ -36,11 +36,12 @@ struct FoundProbe {
     StatedProbe probe;
     std::string source;  ///< the attributes that state it
 };
-/// The probe on the grid's axes. Sound runs from the apex to the middle of the grid. If no apex is stated, or the
-/// grid's spacing is unknown, it runs along the normal of the transducer's face. In the picture from there, the
-/// transducer's marker is on the right. Without a matrix, the picture is turned as little as possible against the one
-/// along the nearest grid axis. No value if neither apex nor matrix gives a direction. If one was stated, `warnings`
-/// says why it gives none.
+/// The probe on the grid's axes. Sound runs from the apex to the middle of the grid. If no apex is stated, if the apex
+/// lies in the middle of the grid, or if the grid's spacing is unknown, sound runs along the normal of the transducer's
+/// face, towards the grid. In the picture along the sound, the transducer's marker is on the right. Without a matrix,
+/// or if the marker lies along the sound, that picture is turned as little as possible against the picture along the
+/// nearest grid axis. No value if neither apex nor matrix gives a direction. If one was stated, `warnings` says why it
+/// gives none.
 [[nodiscard]] std::optional<FoundProbe> probeOf(const UltrasoundFrame& frame, const GridInVolumeFrame& grid,
                                                 const VolumeGeometry& geometry, std::vector<std::string>& warnings);
 

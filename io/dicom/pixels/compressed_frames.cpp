@@ -25,7 +25,7 @@ namespace {
 /// Compressed frames of more samples are refused. No scanner makes them, and decoders take ten bytes for each sample.
 constexpr std::int64_t mostFrameSamples = std::int64_t{1} << 25;
 
-/// Registers DCMTK's JPEG-LS decoder from the first frame that needs it to the end of the program.
+/// Registers DCMTK's JPEG-LS decoder from the first CompressedFrames::open() to the end of the program.
 struct JpegLsDecoder {
     JpegLsDecoder() { DJLSDecoderRegistration::registerCodecs(EJLSUC_default, EJLSPC_colorByPixel); }
     ~JpegLsDecoder() { DJLSDecoderRegistration::cleanup(); }
@@ -139,7 +139,8 @@ std::string CompressedFrames::decode(std::size_t index, DecodedFrame& frame) {
     }
 }
 
-/// Notes that `limited` values of a frame were limited, or says what is wrong if there are more than a few.
+/// Notes that `limited` values of a frame were limited. Says what is wrong if they are more than a hundredth of the
+/// frame.
 std::string CompressedFrames::State::sayLimited(std::size_t limited) {
     if (limited == 0) return {};
     const std::string bits = fmt::format("{} {} bits", format.bitsStored, format.isSigned ? "signed" : "unsigned");
@@ -182,7 +183,7 @@ std::string CompressedFrames::State::decodeJpegFrame(std::size_t index, std::vec
     auto problem = coding == PixelCoding::jpegLs ? decodeJpegLsFrame(index, data, frame)
                                                  : decodeJpeg(data, jpegFrame(), frame.bytes, frame.lumaFirst);
     if (!problem.empty()) return problem;
-    // Old overlays use the bits above those of the pixels.
+    // Old overlays use the bits above those of the pixels, so no value is limited then.
     if (dicomWholeNumber(*dataset, {0x6000, 0x0102}).value_or(0) > 0) return {};
     return sayLimited(limitToStoredBits(format, frame.bytes));
 }

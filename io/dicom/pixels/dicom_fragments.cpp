@@ -13,7 +13,8 @@ namespace echolucent {
 
 namespace {
 
-/// The fragments at these offsets, counted from the first fragment's own tag; no value unless each offset meets one.
+/// The fragments of the frames that begin at `offsets`, counted from the first fragment's own tag. No value unless each
+/// offset meets the beginning of a fragment, and the first one that of the first fragment.
 std::optional<FragmentMap> mapByOffsets(const std::vector<DcmPixelItem*>& items,
                                         const std::vector<std::uint64_t>& offsets) {
     FragmentMap map;
@@ -86,7 +87,7 @@ std::vector<std::uint64_t> basicOffsets(DcmPixelItem& item) {
 tl::expected<FrameFragments, std::string> mapFragments(DcmPixelSequence& fragments, std::int64_t frames,
                                                        Codestream kind, std::vector<std::uint64_t> extendedOffsets) {
     FrameFragments found;
-    // getItem(index) would count from the first fragment each time. The first of all is the offset table.
+    // getItem(index) would count from the first fragment each time. The first item is the offset table.
     DcmObject* table = fragments.nextInContainer(nullptr);
     for (DcmObject* item = table; item != nullptr && (item = fragments.nextInContainer(item)) != nullptr;)
         found.items.push_back(static_cast<DcmPixelItem*>(item));

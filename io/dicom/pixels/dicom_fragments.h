@@ -20,7 +20,7 @@ struct FragmentRange {
 };
 using FragmentMap = std::vector<FragmentRange>;
 
-/// The fragments of each frame. It must not outlive the pixel sequence.
+/// The fragments of each frame. The object must not outlive the pixel sequence.
 struct FrameFragments {
     std::vector<DcmPixelItem*> items;  ///< all fragments
     FragmentMap frames;
@@ -30,9 +30,11 @@ struct FrameFragments {
 /// Codings that mark where a picture begins and ends; JPEG-LS has the markers of JPEG.
 enum class Codestream { none, jpeg, jpeg2000 };
 
-/// Finds the fragments of each of `frames` frames. One fragment may be one frame, or all fragments a single frame. Else
-/// the basic or the extended offset table tells (`extendedOffsets`, (7FE0,0001); it may be empty), or the fragments
-/// that begin a picture behind one that has ended. Fails with what is wrong if none of these fits.
+/// Finds the fragments of each of `frames` frames. A single frame has all fragments. If there are as many fragments as
+/// frames, each frame has one. Else the basic offset table tells, or if that is empty the extended one
+/// (`extendedOffsets`, (7FE0,0001); it may be empty too). If no table fits, a frame begins at each fragment that begins
+/// a picture after the picture before has ended. Fails with what is wrong if none of these fits, or if the fragments of
+/// a single frame hold several pictures.
 [[nodiscard]] tl::expected<FrameFragments, std::string> mapFragments(DcmPixelSequence& fragments, std::int64_t frames,
                                                                      Codestream kind,
                                                                      std::vector<std::uint64_t> extendedOffsets);

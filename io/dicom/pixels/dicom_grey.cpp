@@ -45,7 +45,7 @@ FormatProblem take(DcmItem& item, DicomTag tag, const char* name, std::optional<
     return formatProblemAt(tag, name, "is no whole number: " + quotedText(text));
 }
 
-/// Takes a switch; says what is wrong if the value is neither 0 nor 1.
+/// Takes a switch, false if the attribute is missing. Says what is wrong if the value is neither 0 nor 1.
 FormatProblem takeSwitch(DcmItem& item, DicomTag tag, const char* name, bool& value) {
     std::optional<std::int64_t> number;
     if (auto problem = take(item, tag, name, number)) return problem;

@@ -35,10 +35,10 @@ struct DicomPixelFormat {
 
     [[nodiscard]] std::int64_t pixels() const { return rows * columns; }
     [[nodiscard]] int bytesPerSample() const { return bitsAllocated / 8; }
-    /// Bytes of one frame as DCMTK or the file hold it, also in 4:2:2.
+    /// Bytes of one frame as DCMTK or the file holds it uncompressed; in 4:2:2 there are two samples a pixel.
     [[nodiscard]] std::int64_t storedFrameBytes() const { return pixels() * bytesPerSample() * (halved ? 2 : samples); }
     [[nodiscard]] StoredType greyType() const;
-    /// The smallest and the largest grey value that the stored bits can hold.
+    /// The smallest and the largest grey value that the stored bits can hold; 0 and 255 with a palette.
     [[nodiscard]] double smallestValue() const;
     [[nodiscard]] double largestValue() const;
 };
@@ -50,8 +50,8 @@ struct PixelFormatProblem {
 /// Reads the description of the pixels in a data set into `format`. Gives what is wrong, or no value.
 [[nodiscard]] std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelFormat& format);
 
-/// What is wrong if `held` bytes of uncompressed pixels are too few for `format`, or too many by more than a 32nd of a
-/// frame; else no value. If fewer bytes than that are left over, but more than one, a note is added to `format`.
+/// What is wrong if `held` bytes of uncompressed pixels are too few for `format`, or too many; else no value. Left over
+/// may be up to a 32nd of a frame, at least one byte. If more than one byte is left over, a note is added to `format`.
 [[nodiscard]] std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std::uint64_t held);
 
 struct DecodedFrame {

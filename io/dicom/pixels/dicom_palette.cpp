@@ -31,7 +31,7 @@ public:
     std::vector<std::uint16_t> takeEntries() { return std::move(m_entries); }
 
 private:
-    /// Expands the segment at `position`, and moves behind it.
+    /// Expands the segment at `position`, and moves `position` behind it. False if the segment is malformed.
     bool expandOne(std::size_t& position, bool copiesAllowed) {
         if (position + 2 > m_data.size()) return false;
         const std::uint16_t kind = m_data[position];
@@ -64,8 +64,8 @@ private:
         return true;
     }
 
-    /// Expands `segments` segments again, from a byte offset on. They may not be copies, so copies end, and each gives
-    /// at least one entry.
+    /// Expands `segments` segments again, from a byte offset on. These segments must not be copies themselves, so each
+    /// gives at least one entry and copying ends.
     bool copy(std::size_t& position, std::size_t segments) {
         const std::size_t words = m_bytes ? 4 : 2;
         if (position + words > m_data.size()) return false;

@@ -23,9 +23,10 @@ struct DicomPalette {
 [[nodiscard]] std::string readPalette(DcmItem& item, DicomPalette& palette);
 
 /// The `count` entries of a segmented palette (PS3.3 C.7.9.2): discrete segments, straight lines and copies of earlier
-/// segments. `data` holds one number a word; if entries have 8 bits (`bytes`), it holds one a byte. No value if a
-/// segment runs beyond the data or beyond `count`, or if a copy names no earlier segment. Nor is there one if the
-/// segments give fewer entries.
+/// segments. Each element of `data` is one number of the palette: a word of 16 bits, or a byte if entries have 8 bits
+/// (`bytes`). No value if a segment is of unknown kind or of length 0, if it runs beyond the data or beyond `count`, or
+/// if the segments give fewer entries than `count`. No value either if a line has no entry before it, or if a copy
+/// names no earlier segment, or another copy.
 [[nodiscard]] std::optional<std::vector<std::uint16_t>> expandSegments(std::span<const std::uint16_t> data, bool bytes,
                                                                        std::size_t count);
 

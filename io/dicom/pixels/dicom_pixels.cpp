@@ -76,9 +76,9 @@ struct DicomFrames::State {
     [[nodiscard]] bool isGrey() const {
         return format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
     }
-    /// The different rescalings of the shown frames, that of the first frame first.
+    /// The rescalings of the shown frames in their order, each left out if it equals the one before.
     [[nodiscard]] std::vector<Rescale> rescalesShown() const;
-    /// Finds out what depends on the shown frames.
+    /// Sets `rescaled` and `window`, which depend on the shown frames.
     void askShown();
     /// The largest (sign 1) or smallest (sign -1) value that the stored bits of any shown frame can mean.
     [[nodiscard]] double extreme(double sign) const;
@@ -86,7 +86,7 @@ struct DicomFrames::State {
     Result<void> checkNative(const DicomScan& scan);
     Result<void> checkEncapsulated();
     Result<void> checkFrame(std::int64_t index) const;
-    /// The failure of one frame, counted from 0.
+    /// The failure of frame `index`, which counts from 0; the sentence counts from 1.
     [[nodiscard]] tl::unexpected<Failure> wrongFrame(const std::string& problem, std::int64_t index) const {
         return wrong(fmt::format("{} (frame {})", problem, index + 1), pixelDataName);
     }
@@ -183,7 +183,7 @@ Result<void> DicomFrames::State::checkEncapsulated() {
     auto found = CompressedFrames::open(*dataset, *pixelData, format, coding);
     if (!found) return wrong(found.error(), pixelDataName);
     compressed = std::move(*found);
-    // Few bytes may unpack to gigabytes, as there is hardly a bound on the coding of empty pictures.
+    // Few bytes may unpack to gigabytes, because an empty picture may be packed into hardly any.
     const std::uint64_t held = compressed->heldBytes();
     const std::int64_t voxelBytes = bytesOf(rescaled ? StoredType::float32 : format.greyType());
     const auto unpacked = checkedProduct(format.pixels() * voxelBytes, format.frames);

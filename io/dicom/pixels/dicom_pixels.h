@@ -20,7 +20,7 @@ namespace echolucent {
 class DicomFrames {
 public:
     /// Checks everything that the data set says about its pixels against what is there, before memory is taken for
-    /// them. Fails (unreadable, naming `path` and the tag) if both disagree or cannot be read.
+    /// them. Fails (unreadable, naming `path` and the tag) if the two disagree, or if the pixels cannot be read.
     /// All grey values are float32 if a shown frame is rescaled, or if `rescaled` says that another slice of the series
     /// is.
     [[nodiscard]] static Result<DicomFrames> open(DcmDataset& dataset, const std::string& path, const DicomScan& scan,
@@ -32,9 +32,9 @@ public:
     /// level, window, rescaling and warnings. Before this call all frames are shown.
     void keep(std::vector<std::size_t> shown);
 
-    /// Checks every shown frame while it is compressed, before memory is taken for all of them. Its header must agree
-    /// with the data set, all its parts must be there, and so few bytes must be able to hold it. Fails (unreadable)
-    /// naming the frame; (cancelled) if the person ended it.
+    /// Checks every shown frame while it is compressed, before memory is taken for all of them. The frame's header must
+    /// agree with the data set, all its parts must be there, and its bytes must be enough to hold it. Frames that are
+    /// not compressed always pass. Fails (unreadable) naming the frame; (cancelled) if the person ended it.
     [[nodiscard]] Result<void> check(const Progress& progress) const;
 
     [[nodiscard]] std::int64_t columns() const;
@@ -44,10 +44,12 @@ public:
     [[nodiscard]] int bitsStored() const;
     [[nodiscard]] std::int64_t frameBytes() const;  ///< rows * columns * bytes of type()
     [[nodiscard]] double largestValue() const;  ///< the largest value that the stored bits of the shown frames can mean
-    /// Sets white level, its source and window of `parts`. If 8 bits or fewer are stored, white is the largest value
-    /// that they can hold. Files of more bits mostly use a small part of them and may declare a window.
+    /// Sets the window of `parts`. If 8 bits or fewer are stored, or if there is a palette, it also sets the white
+    /// level and its source: white is largestValue(), unless that is 0 or less. Files of more bits mostly use a small
+    /// part of them and may declare a window, so their white level stays unset.
     void sayWhite(StudyParts& parts) const;
-    /// Facts on the pixels for the import report: transfer syntax, photometric interpretation, rescaling.
+    /// Facts on the pixels for the import report: transfer syntax, photometric interpretation, rescaling, segments of a
+    /// palette.
     [[nodiscard]] std::vector<ImportFact> facts() const;
     [[nodiscard]] std::vector<std::string> warnings() const;
 

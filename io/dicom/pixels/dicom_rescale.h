@@ -18,9 +18,9 @@ struct FrameRescales {
 };
 
 /// Rescale Slope and Intercept of a data set. There is one pair for all frames (at top level or in the shared
-/// functional groups), or one a frame in the groups of frames. A missing or empty value changes nothing. Fails if one
-/// is no number or if the slope is 0. It also fails if the values of `format` would not fit into floats or could not be
-/// told apart there.
+/// functional groups), or one a frame in the groups of frames. A missing or empty slope is 1, a missing or empty
+/// intercept 0. Pixels in colour are not rescaled. Fails if a value is no finite number or if the slope is 0. It also
+/// fails if the values of `format` would not fit into floats or could not be told apart there.
 [[nodiscard]] tl::expected<FrameRescales, PixelFormatProblem> readRescales(DcmItem& dataset,
                                                                            const DicomPixelFormat& format);
 

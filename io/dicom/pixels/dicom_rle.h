@@ -8,8 +8,8 @@
 
 namespace echolucent {
 
-/// Checks that so few bytes can hold a frame of this size: two bytes make 128 at most. Gives an empty text, or says
-/// what is wrong.
+/// Checks that `bytes` bytes can hold a frame of this size: behind the header, two bytes make 128 at most. Gives an
+/// empty text, or says what is wrong.
 [[nodiscard]] std::string rleTooShort(std::size_t bytes, std::size_t pixels, int samples, int bytesPerSample);
 
 /// Decodes one frame into planes, sample after sample, each value in little-endian order. Gives an empty text, or says

@@ -17,10 +17,10 @@ struct DicomWindow {
     std::vector<std::string> warnings;  ///< on a window that cannot be read, or a VOI LUT that is not applied
 };
 
-/// Reads the first Window Center and Width at top level. Else it reads them in the functional groups that all frames
-/// share, else in those of `frame` (counted from 0). White is centre + width / 2; of MONOCHROME1 it is centre - width /
-/// 2, inverted like the pixels. Windows count in rescaled values; `rescale` is that of the frame. Only grey pixels of
-/// more than 8 stored bits have a window here.
+/// Reads the first Window Center and Width at top level. If there is no center, it reads them in the functional groups
+/// that all frames share; if these have no window or LUT, in the groups of `frame` (counted from 0). White is centre +
+/// width / 2; of MONOCHROME1 it is centre - width / 2, inverted like the pixels. Windows count in rescaled values;
+/// `rescale` is that of the frame. Only grey pixels of more than 8 stored bits have a window here.
 [[nodiscard]] DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, std::size_t frame,
                                      const Rescale& rescale);
 

@@ -73,8 +73,8 @@ private:
                                columns, rows, samples, m_expected.columns, m_expected.rows, m_expected.samples);
         if (m_bits > m_expected.bitsAllocated || (m_bits <= 8) != (m_expected.bitsAllocated == 8))
             return fmt::format("has a JPEG frame of {} bits where {} are allocated", m_bits, m_expected.bitsAllocated);
-        // Not even an empty picture becomes smaller than this, and a false size keeps decoders busy for nothing.
-        // Lossless JPEG takes a bit for each sample. JPEG-LS has no such bound.
+        // A byte holds at most 1024 pixels of JPEG, even of an empty picture, and a false size keeps decoders busy for
+        // nothing. Lossless JPEG takes at least a bit for each pixel. JPEG-LS has no such bound.
         const std::int64_t mostPixels = static_cast<std::int64_t>(m_data.size()) * (marker == losslessFrame ? 8 : 1024);
         if (!m_isJpegLs && rows * columns > mostPixels)
             return fmt::format("has a JPEG frame of {} bytes for {} x {} pixels, which cannot be", m_data.size(),
@@ -82,7 +82,8 @@ private:
         return {};
     }
 
-    /// The place of the next marker behind coded data. JPEG marks a data byte 0xff by a 0 behind it, JPEG-LS by a bit.
+    /// The place of the next marker behind coded data. Behind a data byte 0xff, JPEG has a 0, and JPEG-LS a byte whose
+    /// highest bit is 0.
     [[nodiscard]] std::size_t behindScan(std::size_t position) const {
         for (; position + 2 <= m_data.size(); ++position) {
             const int next = m_data[position + 1];

@@ -20,18 +20,18 @@ struct JpegFrame {
 /// What the header of a JPEG or JPEG-LS frame declares.
 struct JpegHeader {
     std::string problem;  ///< as in Failure::problem; empty if the frame can be decoded
-    int bits = 0;         ///< of each sample
+    int bits = 0;         ///< of each sample; 0 if there is a problem
 };
 
 /// Walks the markers of a JPEG or JPEG-LS codestream and compares them with `expected`, because decoders trust them
-/// with memory and time. Checks size, samples and bits, and that so few bytes can hold the picture. Checks too that the
-/// picture ends, and has no more scans than any encoder writes.
+/// with memory and time. Checks size, samples and bits, and (of JPEG) that the bytes are enough to hold the picture.
+/// Also checks that the picture has an end, and no more scans than any encoder writes.
 [[nodiscard]] JpegHeader readJpegHeader(std::span<const std::uint8_t> data, const JpegFrame& expected);
 
-/// Decodes a JPEG frame (not JPEG-LS) into `out`, after readJpegHeader() found no problem with it. `out` holds columns
-/// * rows * samples values of bitsAllocated / 8 bytes, the samples of a pixel one after the other. Gives an empty text,
-/// or says what is wrong, also if the decoder had to make up values. `lumaFirst` is set if the frame says that its
-/// first sample is luma.
+/// Checks a JPEG frame (not JPEG-LS) with readJpegHeader() and decodes it into `out`. `out` holds columns * rows *
+/// samples values of bitsAllocated / 8 bytes, the samples of a pixel one after the other. Gives an empty text, or says
+/// what is wrong, also if the decoder had to make up values. `lumaFirst` is set if the frame says that its first sample
+/// is luma.
 [[nodiscard]] std::string decodeJpeg(std::vector<std::uint8_t>& data, const JpegFrame& expected,
                                      std::span<std::uint8_t> out, bool& lumaFirst);
 

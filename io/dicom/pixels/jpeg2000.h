@@ -13,12 +13,12 @@ namespace echolucent {
 /// The decoded samples of one frame.
 struct Jpeg2000Samples {
     std::vector<std::int32_t> values;  ///< in planes, sample after sample
-    bool lumaFirst = false;            ///< whether the first plane is luma, and the only one
-    bool isSigned = false;             ///< whether the codestream declares signed values
+    bool lumaFirst = false;            ///< whether the first plane is luma; `values` then holds only this one
+    bool isSigned = false;             ///< whether the codestream declares signed values of any sample
 };
 
-/// Decodes a codestream or .jp2. Gives an empty text, or says what is wrong: what sealCodestream() finds, or that a
-/// part of the frame is missing or damaged.
+/// Decodes a codestream or .jp2. Gives an empty text, or says what is wrong: what sealCodestream() finds, or that
+/// planes or other parts of the frame are missing or damaged.
 [[nodiscard]] std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Frame& expected,
                                          Jpeg2000Samples& samples);
 

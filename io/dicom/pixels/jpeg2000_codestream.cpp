@@ -106,8 +106,8 @@ private:
         return "has a JPEG 2000 frame that ends within its header";
     }
 
-    /// Leaves out the table of tile lengths, as sealed tiles are longer and nobody needs it. One stretch is left out. A
-    /// second table stays, as decoders do not read it.
+    /// Leaves out the table of tile lengths in the main header: sealed tiles are longer, and no decoder needs the
+    /// table. Only the first table is left out. A second one stays, because decoders do not read it.
     void leaveOut(std::size_t from, std::size_t to) {
         if (m_withoutLengthsTo != 0 || m_headerEnd != 0) return;
         m_withoutLengthsFrom = from;
@@ -169,7 +169,8 @@ private:
         return readBlocks(segment, 5, (segment[0] & 1) != 0);
     }
 
-    /// Counts the pieces of a component; its levels, code-blocks and precincts stand from `at` on.
+    /// Counts the pieces of a component and refuses too many. Its levels, code-blocks and precincts stand in `segment`
+    /// from `at` on.
     Problem readBlocks(Bytes segment, std::size_t at, bool hasPrecincts) {
         const unsigned levels = segment[at];
         const unsigned blockWidth = segment[at + 1] + 2U, blockHeight = segment[at + 2] + 2U;
@@ -224,7 +225,7 @@ private:
         return std::nullopt;
     }
 
-    /// The bytes of the end marker and the padding behind it.
+    /// How many bytes the end marker and the padding behind it take; 0 if there is no end marker.
     [[nodiscard]] std::size_t trailingBytes() const {
         for (const std::size_t padding : {0, 1}) {
             if (m_data.size() >= padding + 2 && number(m_data, m_data.size() - padding - 2, 2) == endOfCodestream)
@@ -245,7 +246,8 @@ private:
     std::vector<std::size_t> m_lastPart;  // of each tile
 };
 
-/// The begin and end of the codestream in a .jp2; no value if there is none.
+/// The begin and end of the codestream in a .jp2; no value if there is none. `box` becomes the place of the box that
+/// holds it.
 std::optional<std::pair<std::size_t, std::size_t>> codestreamIn(Bytes jp2, std::size_t& box) {
     for (box = 0; box + 8 <= jp2.size();) {
         std::uint64_t length = number(jp2, box, 4);

@@ -28,8 +28,9 @@ struct SealedCodestream {
 };
 
 /// Walks the markers of one frame, a codestream or .jp2, compares them with `expected`, bounds the cost of decoding,
-/// and seals it. Fails with what is wrong, as in Failure::problem, if both disagree, or if a tile or a part of one is
-/// missing. It also fails if there are more tiles, precincts, code-blocks or layers than any encoder writes.
+/// and seals it. Fails with what is wrong, as in Failure::problem, if the codestream disagrees with `expected`, or if a
+/// tile or a part of one is missing. It also fails if planes are subsampled, if the headers of packets are kept apart,
+/// or if there are more tiles, precincts, code-blocks or layers than any encoder writes.
 [[nodiscard]] tl::expected<SealedCodestream, std::string> sealCodestream(std::span<const std::uint8_t> data,
                                                                          const Jpeg2000Frame& expected);
 

@@ -9,7 +9,7 @@ namespace echolucent {
 
 namespace {
 
-/// Whether a transfer syntax always loses. JPEG 2000 may; only the attribute (0028,2110) tells.
+/// Whether a transfer syntax always loses. JPEG 2000 may lose or not; only the attribute (0028,2110) tells.
 bool syntaxLoses(E_TransferSyntax syntax) {
     return syntax == EXS_JPEGProcess1 || syntax == EXS_JPEGProcess2_4 || syntax == EXS_JPEGProcess6_8 ||
            syntax == EXS_JPEGProcess10_12 || syntax == EXS_JPEGLSLossy;

@@ -11,9 +11,9 @@
 
 namespace echolucent {
 
-/// Limits right-aligned samples of format.bytesPerSample() bytes each, in this machine's byte order. A sample beyond
-/// the stored bits of `format` becomes the largest value that they can hold. Samples whose upper bits repeat the sign
-/// fit. Returns how many did not fit.
+/// Limits right-aligned samples of format.bytesPerSample() bytes each, in this machine's byte order. In a sample beyond
+/// the stored bits of `format`, all stored bits become 1: the largest value of unsigned pixels, but -1 of signed ones.
+/// Samples whose upper bits repeat the sign fit. Returns how many did not fit.
 std::size_t limitToStoredBits(const DicomPixelFormat& format, std::span<std::uint8_t> samples);
 
 /// Writes decoded JPEG 2000 values into `out`, in the form that limitToStoredBits() takes. A value beyond the stored

@@ -49,7 +49,7 @@ private:
 }  // namespace
 
 bool mayBeDirectory(std::string_view beginning) {
-    // The meta header is in these bytes, so most files need no walk.
+    // The meta header, which names the SOP class, is in these bytes. So most files need no walk.
     return beginning.find(directorySopClass) != std::string_view::npos && looksLikeDicom(beginning);
 }
 

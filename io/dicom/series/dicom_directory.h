@@ -13,9 +13,9 @@ namespace echolucent {
 /// The files of a DICOMDIR.
 struct DirectoryFiles {
     std::vector<std::string> paths;     ///< existing files in or below the DICOMDIR's own folder, each once
-    std::size_t named = 0;              ///< how many different names the records hold
-    std::size_t missing = 0;            ///< how many of these name no such file
-    std::string firstMissing;           ///< the first of them, as the record spells it
+    std::size_t named = 0;              ///< how many different names the records in use hold
+    std::size_t missing = 0;            ///< how many of these names have no such file
+    std::string firstMissing;           ///< the first of the missing names, with slashes between its parts
     std::vector<std::string> warnings;  ///< on folders that could not be read
 };
 
@@ -28,8 +28,8 @@ struct DirectoryFiles {
 /// followed, so none can lead in a circle. A name counts as found if the DICOMDIR's own folder holds such a file. If no
 /// file has exactly this name, upper and lower case are not told apart. A name that leads out of the folder counts as
 /// missing.
-/// Fails (unreadable) if the file holds no records; (cancelled) if the person ended it. Call it in a thread with a
-/// large stack.
+/// Fails (unreadable) if the file cannot be parsed or if no record in use names a file; (cancelled) if the person ended
+/// it. Call it in a thread with a large stack.
 [[nodiscard]] Result<DirectoryFiles> filesOfDirectory(const InputFile& file, const Progress& progress);
 
 }  // namespace echolucent

@@ -27,15 +27,15 @@ namespace {
 /// Slices in order, with the geometry they share.
 struct SliceOrder {
     std::vector<SeriesFile> files;
-    bool rescaled = false;             // whether any slice is
+    bool rescaled = false;             // whether any slice is rescaled
     bool differentlyRescaled = false;  // whether slices differ in their rescaling
-    bool inPlaneSpacingKnown = false;  // the distance of slices is a guess
+    bool inPlaneSpacingKnown = false;  // whether pixels have a known size although the distance of slices is a guess
     VolumeGeometry geometry;
     std::string spacingSource;
     std::vector<std::string> warnings;
 };
 
-/// Warns if instance numbers leave the order open or skip pictures. Nothing else orders these files.
+/// Warns if instance numbers leave the order open or skip pictures. Only these numbers order the files.
 void sayInstances(const std::vector<SeriesFile>& files, std::vector<std::string>& warnings) {
     std::size_t same = 0, skips = 0;
     for (std::size_t i = 1; i < files.size(); ++i) {
@@ -50,7 +50,8 @@ void sayInstances(const std::vector<SeriesFile>& files, std::vector<std::string>
             fmt::format("The instance numbers are not consecutive ({} gaps): pictures may be missing.", skips));
 }
 
-/// The order of the entry's files, which are already in the order of slices.
+/// The files of the entry, which are already in the order of slices, and the geometry of their stack. Fails if the
+/// entry is no volume and its pictures may not be taken as slices.
 Result<SliceOrder> orderOf(const SeriesList& list, const SeriesEntry& entry, const ReadOptions& options) {
     if (entry.whyNot && !(entry.whyNot->framesCouldBeSlices && options.framesAsSlices))
         return tl::unexpected(*entry.whyNot);
@@ -119,7 +120,8 @@ public:
     }
 
 private:
-    /// Reads a slice, or notes that it cannot be read. Fails if the whole series cannot be read.
+    /// Reads a slice, or notes that it cannot be read. Fails if the person cancelled, if the slice is of another type
+    /// than the first readable one, or if the memory is too small for the series.
     Result<void> readOrMiss(std::size_t slice) {
         const SeriesFile& file = m_order.files[slice];
         const auto grey = file.damage ? Result<Slice>(tl::unexpected(*file.damage)) : decode(file);
@@ -188,7 +190,8 @@ private:
         m_parts.missingSlices = missingOfKept();
     }
 
-    /// The unreadable slices, in rising order, as slices of the reduced volume if it was reduced.
+    /// The unreadable slices, in rising order. Of a reduced volume, those of its slices of which every file is
+    /// unreadable.
     [[nodiscard]] std::vector<std::size_t> missingOfKept() const {
         if (!m_parts.reduction) return m_missing;
         const auto thick = static_cast<std::size_t>(m_parts.reduction->reduction.by[2]);
@@ -203,7 +206,7 @@ private:
         return whole;
     }
 
-    /// Takes the type and size of all slices from the first readable one; `before` slices were not readable.
+    /// Takes type and size of all slices from the first readable one. The `before` slices before it were not readable.
     Result<void> begin(DcmItem& dataset, const DicomFrames& frames, std::size_t before) {
         m_type = frames.type();
         m_sliceBytes = static_cast<std::size_t>(frames.frameBytes());
@@ -227,7 +230,7 @@ private:
         return {};
     }
 
-    /// Counts how many slices have this warning.
+    /// Counts how many slices have this warning; of more than mostNotes different ones, only how many are left out.
     void note(const std::string& sentence) {
         const auto known = std::ranges::find(m_notes, sentence, &SliceNote::sentence);
         if (known != m_notes.end())
@@ -256,7 +259,7 @@ private:
         if (m_parts.whiteLevel && said.whiteLevel) m_parts.whiteLevel = std::max(*m_parts.whiteLevel, *said.whiteLevel);
     }
 
-    /// The slices share one white level. If their windows differ, it is the median of their whites.
+    /// The slices share one window: the one whose white is the median.
     void shareWindow() {
         if (m_windows.empty()) return;
         std::sort(m_windows.begin(), m_windows.end(),

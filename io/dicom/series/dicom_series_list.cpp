@@ -51,7 +51,8 @@ Result<std::vector<std::string>> filesOf(SeriesList& list, const Progress& progr
     return found->paths;
 }
 
-/// A file's name with its numbers left out. The names of a series' slices mostly differ only in numbers.
+/// A file's name in small letters, with "0" in place of each number. The names of a series' slices mostly differ only
+/// in numbers.
 std::string namePattern(const std::string& path) {
     std::string pattern;
     for (const char letter : lowerCase(nameFromPath(path)))
@@ -75,8 +76,8 @@ struct Findings {
     std::optional<Failure> whyUnopened;  // of the first in `unopened`
 };
 
-/// Adds files that are no whole images but belong to a series. They share its UID and its SOP class, or they are no
-/// DICOM but have names like its slices.
+/// Adds to `found.damaged` the files that are no whole images but seem meant as slices. Either they share the series
+/// UID and the SOP class of an image, or they are no DICOM but have a DICOM ending or a name like an image.
 void findMeantSlices(const std::vector<std::string>& files, std::vector<LookedAt>& looked, Findings& found) {
     std::set<std::pair<std::string, std::string>> kinds;
     std::set<std::string> patterns;

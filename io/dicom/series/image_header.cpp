@@ -27,8 +27,8 @@ constexpr DicomTag positionTag{0x0020, 0x0032};
 constexpr DicomTag rowsTag{0x0028, 0x0010};
 constexpr DicomTag columnsTag{0x0028, 0x0011};
 
-/// Finds wrong pixels of many frames by the header and the file's length. No more frames are looked at than the file
-/// can hold.
+/// Whether the pixels of many frames are wrong, as far as the header and the file's length tell. No value if nothing is
+/// wrong. Frames in fragments are refused if the file cannot hold as many.
 std::optional<Failure> wrongPixels(const DicomFile& file, std::uint64_t fileBytes) {
     const auto failure = [&](const PixelFormatProblem& problem) {
         return fail(FailureKind::unreadable, file.path(), problem.element, problem.text, "Export it again.").value();
@@ -53,8 +53,8 @@ std::optional<Failure> whyNoVolume(DcmItem& dataset, const ImageHeader& header, 
     return layout ? std::nullopt : std::optional(layout.error());
 }
 
-/// Finds out whether the file is a volume of its own, and why not. A maker's private volume replaces the size of its
-/// frames.
+/// Finds out whether the file holds a maker's private volume, and if not, why its frames are no volume. The size of a
+/// Philips volume replaces the size of the frames.
 void takeVolume(const DicomFile& file, std::uint64_t fileBytes, ImageHeader& header, const Progress& progress) {
     header.volume = file.scan().holdsKretz;
     if (header.volume) return;
@@ -73,7 +73,7 @@ void takeVolume(const DicomFile& file, std::uint64_t fileBytes, ImageHeader& hea
     header.frames = (*philips)->size[2];
 }
 
-/// The rescaling of a single picture; none if it is unknown.
+/// The rescaling of a single picture; the identity if it cannot be read.
 Rescale rescaleOf(DcmItem& dataset) {
     DicomPixelFormat format;
     if (readPixelFormat(dataset, format)) return {};

@@ -20,14 +20,15 @@ struct PictureTraits {
     std::optional<std::array<double, 2>> scale;     ///< mm along x and y
 };
 
-/// What the header of one image says.
+/// What the header of one image says. Of a Philips volume, columns, rows and frames are the size of the volume.
 struct ImageHeader {
     SeriesFile file;
     std::string series, object, sopClass;  ///< UIDs of the series, the image and its SOP class
     std::string description, modality;
     std::int64_t rows = 0, columns = 0, frames = 1;
-    bool volume = false;            ///< whether the file alone is a volume, whatever its frames
-    std::optional<Failure> whyNot;  ///< why a multi-frame file is no volume
+    bool volume = false;  ///< whether the file holds a maker's private volume, whatever its frames
+    /// Why the frames of the file, or a maker's private volume, are no volume that can be read.
+    std::optional<Failure> whyNot;
     PictureTraits traits;
 };
 
@@ -36,11 +37,11 @@ struct LookedAt {
     enum class Kind {
         image,       ///< `header` says which
         damaged,     ///< `damage` says what is wrong; `header` holds what could still be read
-        otherDicom,  ///< no image: a report, a presentation
+        otherDicom,  ///< DICOM, but no image: a report, a presentation
         packed,      ///< with gzip
         empty,       ///< 0 bytes
         unopened,    ///< `damage` says why
-        unknown      ///< no DICOM
+        unknown      ///< no DICOM, or not looked at after a cancel
     };
     Kind kind = Kind::unknown;
     std::unique_ptr<ImageHeader> header;  ///< null if there is none
@@ -48,9 +49,10 @@ struct LookedAt {
     std::string series, sopClass;         ///< of otherDicom: Series Instance UID and SOP class, if it has them
 };
 
-/// Looks at the beginning of the file at `path` and, if that is DICOM, at its header. A file is damaged if it ends
-/// before its pixels do. So is a file that has the place or the size of a picture but no pixels. `progress` is polled
-/// for cancel between elements. Call it in a thread with a large stack.
+/// Looks at the beginning of the file at `path` and, if that is DICOM, at its header. A file counts as damaged if
+/// DicomFile::load() fails for it, for example because it ends before its pixels do. So does a file that has the place
+/// or the size of a picture but no pixels, or pixels but not their size. `progress` is polled for cancel between
+/// elements. Call it in a thread with a large stack.
 [[nodiscard]] LookedAt lookAt(const std::string& path, const Progress& progress);
 
 }  // namespace echolucent

@@ -16,7 +16,7 @@ namespace {
 // pages cost memory.
 constexpr std::size_t stackBytes = std::size_t{256} << 20;
 
-/// A thread with a large stack, which ends before the object does. If no thread can be started, the caller does the
+/// A thread with a large stack. The destructor waits for its end. If no thread can be started, the constructor does the
 /// work.
 class LargeStackThread {
 public:

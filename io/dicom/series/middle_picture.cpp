@@ -19,7 +19,8 @@ namespace echolucent {
 
 namespace {
 
-/// Larger pictures are not reduced. No scanner makes any, and each pixel takes up to 12 bytes on the way.
+/// Larger pictures are not reduced. No scanner makes them, and each of their pixels would take up to 12 bytes on the
+/// way.
 constexpr std::int64_t mostPixels = std::int64_t{1} << 24;
 
 double valueAt(const GreySlice& slice, std::size_t index) {
@@ -36,7 +37,7 @@ double valueAt(const GreySlice& slice, std::size_t index) {
     }
 }
 
-/// Each pixel of the small picture is the mean of the pixels that fall into it.
+/// Each pixel of the small picture is the mean of the pixels that fall into it. The largest mean becomes white.
 SmallPicture reduced(const GreySlice& slice, int longestEdge) {
     SmallPicture small;
     const std::int64_t columns = slice.columns, rows = slice.rows;
@@ -78,7 +79,8 @@ std::int64_t middleFrame(const DicomFile& file, const DicomFrames& frames, const
     return static_cast<std::int64_t>(slices[slices.size() / 2]);
 }
 
-/// The readable file in the middle, or the next one behind it, or else one before it.
+/// The file in the middle if it is readable, else the next readable one behind it, else the first readable one. If none
+/// is readable, the file in the middle.
 const SeriesFile& middleFile(const SeriesEntry& entry) {
     const auto isWhole = [](const SeriesFile& file) { return !file.damage; };
     const auto middle = entry.files.begin() + static_cast<std::ptrdiff_t>(entry.files.size() / 2);

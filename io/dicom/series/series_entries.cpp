@@ -26,9 +26,10 @@ using Images = std::vector<ImageHeader>;
 
 /// A property that the slices of one volume share.
 struct Trait {
-    const char* one;                                                // "patient"
-    const char* many;                                               // "patients"
-    std::function<std::vector<std::string>(const Images&)> values;  // one an image; empty if the image does not say it
+    const char* one;   // "patient"
+    const char* many;  // "patients"
+    // One for each image; empty if the image does not say it.
+    std::function<std::vector<std::string>(const Images&)> values;
 };
 
 Trait textTrait(const char* one, const char* many, std::function<std::string(const ImageHeader&)> text) {
@@ -39,7 +40,7 @@ Trait textTrait(const char* one, const char* many, std::function<std::string(con
             }};
 }
 
-/// The number of each image's group of nearly equal scales.
+/// For each image, the numbers of its groups of nearly equal scales along x and y; empty if it states no scale.
 std::vector<std::string> scaleGroups(const Images& images) {
     std::vector<std::string> groups(images.size());
     for (const std::size_t axis : {0, 1}) {
@@ -93,13 +94,14 @@ bool noneShareTheirFrame(const Images& images) {
 /// Slices of one Series Instance UID, listed apart.
 struct Apart {
     std::vector<Images> groups;
-    std::vector<std::string> distinctions;  // of each group from the others; empty if there is one group
-    std::vector<std::string> reasons;       // "2 patients"
+    // How each group differs from the others; an empty text if there is one group.
+    std::vector<std::string> distinctions;
+    std::vector<std::string> reasons;  // "2 patients"
 };
 
 Apart listApart(Images images) {
-    std::vector<std::vector<std::string>> told(images.size());   // the differing values of each image
-    std::vector<std::vector<std::string>> named(images.size());  // the same for a person
+    std::vector<std::vector<std::string>> told(images.size());   // for each image, its values of the traits that differ
+    std::vector<std::vector<std::string>> named(images.size());  // these values in words for a person
     Apart apart;
     std::string last;
     for (const Trait& trait : allTraits()) {
@@ -116,7 +118,7 @@ Apart listApart(Images images) {
             if (last != trait.one)
                 named[i].push_back(fmt::format("{} {} of {}", trait.one, numbers.at(values[i]), numbers.size()));
         }
-        // A patient may differ in name and in number.
+        // The first three traits all tell patients apart; name them once.
         if (last != trait.one) apart.reasons.push_back(fmt::format("{} {}", different, trait.many));
         last = trait.one;
     }
@@ -166,7 +168,7 @@ void putInOrder(std::vector<SeriesFile>& files, const SliceStack& stack) {
     files = std::move(ordered);
 }
 
-/// Why whole pictures are no volume.
+/// Why the readable pictures `files` cannot be stacked; no value if each has a place and the places can be compared.
 std::optional<Failure> whyNoStack(const std::string& folder, const Group& group, const std::vector<SeriesFile>& files) {
     if (files.size() < 2)
         return fail(FailureKind::unreadable, files.front().path, "", "is a single 2D picture, not a volume",
@@ -190,8 +192,8 @@ std::optional<Failure> whyNoStack(const std::string& folder, const Group& group,
     return framesWithoutGeometry(folder, which).value();
 }
 
-/// Puts the slices of an entry in order, damaged ones among them if they fit, and says why they are no volume. Gives
-/// back those that do not fit.
+/// Puts the slices of an entry in order, damaged ones among them if they fit, and sets entry.whyNot if they are no
+/// volume. Gives back the damaged slices that do not fit.
 std::vector<DamagedFile> orderSlices(const std::string& folder, Group& group, SeriesEntry& entry) {
     auto& files = entry.files;
     std::stable_sort(files.begin(), files.end(),
@@ -235,7 +237,8 @@ SeriesEntry entryOf(const ImageHeader& first) {
     return entry;
 }
 
-/// Gives each damaged slice to the one group that it can belong to. Gives back the others.
+/// Gives each damaged slice to the one group that it can belong to. Gives back the files that can belong to none or to
+/// several groups.
 std::vector<DamagedFile> giveToGroups(std::vector<DamagedFile> damaged,
                                       std::map<std::string, std::vector<Group>>& series) {
     constexpr std::size_t mostGroups = 16;  // among more, no slice's group is certain

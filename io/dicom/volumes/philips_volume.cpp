@@ -119,7 +119,7 @@ Result<std::optional<PhilipsVolume>> qlabVolume(const DicomFile& file) {
     return std::optional(volume);
 }
 
-/// The text of a private element, whatever value representation it has.
+/// The text of a private element, also if it is stored as bytes.
 std::string privateText(DcmItem& dataset, DicomTag tag) {
     DcmElement* element = nullptr;
     Uint8* bytes = nullptr;
@@ -145,7 +145,7 @@ DicomTag inBlock(std::uint16_t block, std::uint16_t element) {
     return {scannerGroup, static_cast<std::uint16_t>(block << 8 | element)};
 }
 
-/// Three numbers above 0 with backslashes between them; else no value.
+/// Three finite numbers above 0 with backslashes or blanks between them; else no value.
 std::optional<Vec3> threeNumbers(const std::string& text) {
     std::string spaced = text;
     std::replace(spaced.begin(), spaced.end(), '\\', ' ');
@@ -156,7 +156,7 @@ std::optional<Vec3> threeNumbers(const std::string& text) {
     return values;
 }
 
-/// The size of a scanner's volume; all 0 if it states none.
+/// The size of a scanner's volume; all 0 if the element does not state three whole numbers up to 100000.
 Volume3 scannerSize(DcmItem& dataset, DicomTag tag) {
     Volume3 size{0, 0, 0};
     const auto numbers = threeNumbers(privateText(dataset, tag));
@@ -169,7 +169,8 @@ Volume3 scannerSize(DcmItem& dataset, DicomTag tag) {
     return size;
 }
 
-/// Finds the voxels of a scanner's volume. False if no element holds them in plain form.
+/// Finds the voxels of a scanner's volume: the frames of Pixel Data if their size and number fit, else the private
+/// element. False if neither holds them in plain form.
 bool placeVoxels(const DicomFile& file, PhilipsVolume& volume) {
     DcmItem& dataset = file.dataset();
     const auto frames = dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1);
@@ -315,8 +316,8 @@ Result<PhilipsVoxels> privateVoxels(const DicomFile& file, const PhilipsVolume& 
     return voxels;
 }
 
-/// Marks missing voxels as no data, unless a guess is wanted. They hold 0, which the guess takes for outside; a mask
-/// would stop it.
+/// Marks missing voxels as no data, unless a guess is wanted. Missing voxels hold 0, which the guess takes for outside
+/// the scan. A mask would stop the guess.
 void markMissing(const PhilipsVoxels& voxels, const ReadOptions& options, StudyParts& parts) {
     if (voxels.missing == 0 || options.guessNoData) return;
     std::vector<std::uint8_t> mask(voxels.phases.front().size(), std::uint8_t{1});

@@ -25,14 +25,16 @@ struct PhilipsVolume {
     std::string sizeSource;
     std::int64_t phases = 1;               ///< as declared; a QLAB file may hold fewer
     std::optional<Vec3> spacing;           ///< mm; no value if it is missing or makes no sense
-    std::string spacingSource;             ///< the tags of the spacing
+    std::string spacingSource;             ///< the tags of the spacing; empty if it is missing or a guess
     std::optional<double> phaseSeconds{};  ///< from Frame Time, of a QLAB file
-    DicomTag voxels{};                     ///< of a private element
+    DicomTag voxels{};                     ///< the element of Kind::privateElement
     std::string warning{};                 ///< a sentence if numbers contradict each other; else empty
 };
 
 /// The volume in a loaded file; no value if the file holds no volume of Philips's. Fails (unreadable) if a QLAB file
-/// does not say its size, or if the scanner kept its volume in the maker's own coding.
+/// does not say its size, has pixels of another form than QLAB writes, or holds less than one volume. It also fails if
+/// the scanner kept its volume in the maker's own coding; with Failure::framesCouldBeSlices if there are several
+/// pictures beside that volume.
 [[nodiscard]] Result<std::optional<PhilipsVolume>> philipsVolumeOf(const DicomFile& file);
 
 struct GreySlice {
@@ -41,7 +43,7 @@ struct GreySlice {
     std::vector<std::uint8_t> bytes;      ///< row after row, in this machine's byte order
 };
 
-/// Reads slice `index` (from 0) of the first phase.
+/// Reads slice `index` (from 0) of the first phase. `progress` is polled for cancel.
 [[nodiscard]] Result<GreySlice> readPhilipsSlice(const InputFile& input, const DicomFile& file,
                                                  const PhilipsVolume& volume, std::int64_t index,
                                                  const Progress& progress);
