@@ -12,11 +12,12 @@ class QWheelEvent;
 namespace echolucent {
 
 enum class CameraDrag { none, orbit, pan, zoom, light };
-/// The drag of a pressed button and the keys held with it.
+/// What a drag with this button does; the keys held with the button count too.
 [[nodiscard]] CameraDrag cameraDragOf(const QMouseEvent& press);
-/// The zoom factor of a drag, by how far it went down. Above 1 things grow.
+/// The zoom factor of a drag that went down by this share. Above 1, things grow; a drag upwards (`down` below 0)
+/// enlarges.
 [[nodiscard]] double zoomOfDrag(double down);
-/// The zoom factor of a turn of the wheel; 1 if it turned neither up nor down.
+/// The zoom factor of a turn of the wheel; 1 if the wheel turned neither up nor down.
 [[nodiscard]] double zoomOfWheel(const QWheelEvent& event);
 
 /// One stroke of a key. It zooms, or it moves by shares.

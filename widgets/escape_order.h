@@ -7,15 +7,18 @@
 
 namespace echolucent {
 
-/// In the order in which one press of Escape after the other ends them. A control that has the focus is asked before.
+/// The steps, in the order in which one press of Escape after the other ends them. A control that has the focus is
+/// asked before.
 enum class EscapeStep { drag, lasso, maximisedPane, fullScreen };
 
-/// Ends the first of what goes on. Whoever begins something that Escape ends adds how it ends.
+/// Ends the first thing that goes on, in the order of EscapeStep. Whoever begins something that Escape ends says by
+/// add() how it is ended.
 class EscapeOrder {
 public:
-    /// `end` returns whether there was anything to end. What it refers to outlives this.
+    /// `end` ends something and returns true, or returns false if there was nothing to end. What `end` refers to
+    /// outlives this object.
     void add(EscapeStep step, std::function<bool()> end) { m_ends[step].push_back(std::move(end)); }
-    /// False where nothing was to be ended.
+    /// False if there was nothing to end.
     bool endFirst() {
         for (const auto& [step, ends] : m_ends)
             for (const std::function<bool()>& end : ends)

@@ -12,7 +12,7 @@ class HandGesture : public QObject {
     Q_OBJECT
 
 public:
-    /// A turn of the wheel within burstMilliseconds continues its burst.
+    /// A turn of the wheel within burstMilliseconds of the turn before continues the burst.
     explicit HandGesture(QObject* parent = nullptr, int burstMilliseconds = 400);
 
     /// The number of the present gesture, a new one for each; DocumentModel::noGesture if there is none.

@@ -32,7 +32,7 @@ struct KeyRow {
 /// "In the picture", "In a plane", "In the curve editor", "Anywhere in the window".
 [[nodiscard]] QString titleOf(KeyPlace place);
 
-/// The key of the action with this object name; an empty one if it has none.
+/// The key of the action with this object name; an empty one if no row names the action.
 [[nodiscard]] QKeySequence keyOf(const QString& action);
 
 /// The whole page docs/keys.md as Markdown: a heading and a table for each place, in the order of allKeyPlaces.

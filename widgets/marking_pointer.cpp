@@ -46,7 +46,7 @@ bool MarkingPointer::move(const QMouseEvent& event) {
         return true;
     }
     if (m_taken == Take::click) {
-        // Nothing turns before the pointer has left the place.
+        // The pane must not turn before the pointer has left the place of the press.
         if (isNearPress(event.position())) return true;
         m_taken = Take::no;
     }

@@ -10,21 +10,22 @@ class QMouseEvent;
 namespace echolucent {
 
 /// Watches a widget or a window. Offers each press of the left button without Shift, Ctrl and Alt, and each second
-/// press of a double click. All other events pass on, and so does a press that nobody takes. Pixels are logical ones of
-/// the watched object.
+/// press of a double click, if no other button is held. Take says which events the watched object then does not get; it
+/// gets all others. Pixels are logical ones of the watched object.
 class MarkingPointer : public QObject {
     Q_OBJECT
 
 public:
     /// The answer to an offered press.
     enum class Take {
-        no,     ///< it passes on
+        no,     ///< the press passes on
         drag,   ///< press, moves and release are taken: pressed, dragged and released follow
-        click,  ///< it passes on, but a release at the same place is clicked
+        click,  ///< the press passes on, unless it is the second of a double click; clicked follows if the release is
+                ///< near the press, and moves near the press are taken
     };
     using Offer = std::function<Take(const QPointF& pixel)>;
 
-    /// `offer` is asked at each press. The watched object, and what `offer` refers to, outlive this.
+    /// `offer` is asked at each such press. The watched object, and what `offer` refers to, outlive this object.
     MarkingPointer(QObject& watched, Offer offer, QObject* parent = nullptr);
 
     /// A press is a click if the pointer moves less than this before the release: pixels to the right plus pixels down.

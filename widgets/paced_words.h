@@ -19,7 +19,7 @@ public:
             if (m_waiting) tellNow();
         });
     }
-    /// Tells at once. If it told less than `milliseconds` ago, waits until they have passed.
+    /// Tells at once, or, if less than `milliseconds` have passed since the last time, as soon as they have passed.
     void tell() {
         m_waiting = true;
         if (!m_timer.isActive()) tellNow();

@@ -140,7 +140,7 @@ private:
         for (std::size_t x = 0; x < m_weightsX.size(); ++x) scratch.lastWeights[x] = weightYZ * m_weightsX[x];
     }
 
-    /// Writes the row that begins at voxel `first`.
+    /// Writes the row that begins at voxel `first`. Voxels without data keep their value.
     void store(std::int64_t first, const Scratch& scratch, Voxel* results) const {
         storeMeans(scratch.lastSums, scratch.lastWeights.data(), m_range, results);
         if (m_mask == nullptr) return;
@@ -154,7 +154,7 @@ private:
     const std::uint8_t* m_mask;
     StoredRange m_range;
     Taps m_x, m_y, m_z;
-    std::vector<float> m_weightsX;  ///< sums of the taps within the grid
+    std::vector<float> m_weightsX;  ///< at each x, the sum of the taps within the grid
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 float intensityOf(double stored, double white) { return static_cast<float>(std::clamp(stored / white, 0.0, 1.0)); }
 
-/// Makes room for so many floats. Old values may be lost.
+/// Makes room for at least `count` floats. Old values may be lost.
 void makeRoom(std::vector<float>& floats, std::int64_t count) {
     if (static_cast<std::int64_t>(floats.size()) < count) floats = std::vector<float>(static_cast<std::size_t>(count));
 }

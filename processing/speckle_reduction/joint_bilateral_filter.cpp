@@ -25,7 +25,7 @@ namespace echolucent {
 
 namespace {
 
-/// Farther from every guide than any voxel that takes part. Its square fits into a float.
+/// Stands for the guide of voxels that take no part: farther from every guide than 1. Its square fits into a float.
 constexpr float noGuide = 1e18F;
 
 /// Slices of a grid with a rim as wide as the taps reach, so that no voxel is special.
@@ -42,7 +42,7 @@ struct PaddedGrid {
     }
     [[nodiscard]] std::int64_t planeVoxels() const { return size[0] * size[1]; }
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(planeVoxels() * size[2]); }
-    /// From one voxel to another.
+    /// The difference between the offsets of two voxels that are (x, y, z) voxels apart.
     [[nodiscard]] std::int64_t step(std::int64_t x, std::int64_t y, std::int64_t z) const {
         return x + size[0] * (y + size[1] * z);
     }
@@ -66,7 +66,7 @@ std::vector<BilateralTap> tapsOf(const PaddedGrid& grid, const Vec3& spacing, co
     return taps;
 }
 
-/// The speckle's scale in units of a pass's reach, as a table.
+/// SpeckleLaw::scaled() as a table over the intensity, in units of `spreads` and 0 at intensity 0.
 class GuideScale {
 public:
     GuideScale(const SpeckleLaw& law, double spreads) {
@@ -105,7 +105,7 @@ public:
         return {std::min(m_taken, end), end};
     }
 
-    /// Goes on to the next slab. `slices` must hold its missing slices.
+    /// Goes on to the next slab. `slices` must hold the slices that missing() says of this slab.
     void advance(const FilterSlab& slab, const GuideSlices& slices) {
         const std::int64_t kept = m_taken > 0 ? 2 * m_grid.rim[2] : 0;
         const std::int64_t plane = m_grid.planeVoxels(), moved = (slab.first - m_first) * plane;
@@ -125,7 +125,7 @@ public:
 
     /// Writes slice z of the newest slab to `results`. If cancelled, it stops within the slice.
     void filter(std::int64_t z, float* results, const Progress& progress) const {
-        // Take rows in parts, so that the taps' reach of a part stays in the nearest cache from row to row.
+        // Take rows in parts, so that the voxels within reach of a part stay in the nearest cache from row to row.
         constexpr std::int64_t part = 64;
         for (std::int64_t x = 0; x < m_geometry.size[0]; x += part)
             for (std::int64_t y = 0; y < m_geometry.size[1] && !progress.cancelled(); ++y) {
@@ -167,7 +167,7 @@ private:
     std::int64_t m_taken = 0;  ///< the first slice that has no plane yet
 };
 
-/// Takes the means of a slice, x fastest, and its place along z. Several threads call it.
+/// Takes `means` of slice `z`, x fastest. Several threads call it.
 using SliceTaker = std::function<void(std::int64_t z, std::span<const float> means)>;
 
 /// One pass over a volume of any size, slab by slab.
@@ -187,8 +187,9 @@ public:
         const auto shareAt = [&](std::size_t slab, double from, double to) {
             return from + (to - from) * static_cast<double>(slab) / static_cast<double>(m_slabs.size());
         };
-        // The speckle's law is the whole volume's, so make all guides for it first, and again slab by slab for the
-        // means. Slices held by two slabs are made for both. A single slab keeps its guide.
+        // The speckle's law needs the guides of the whole volume. So make all guides for the law first, and then again,
+        // slab by slab, for the means. Slices that two slabs hold are made twice. If there is only one slab, its guide
+        // is made once.
         GuideSlices slices(m_volume, m_pass.guideSigma);
         for (std::size_t i = 0; i < m_slabs.size(); ++i) {
             m_progress.at(shareAt(i, 0.0, shareOfMeasuring));

@@ -25,9 +25,9 @@ struct JointBilateralPass {
 /// 2004), decides which voxels are alike. The weight of likeness is Tukey's biweight (Black et al. 1998), on a scale on
 /// which the guide's speckle is equally strong everywhere. So the mean of a membrane is taken within it, bright or
 /// dark. Whole numbers are rounded after the last pass only. Otherwise as quietVolume(). Throws std::invalid_argument
-/// for no pass or a pass that makes no sense. Volumes of more than `mostVoxels` are filtered slab by slab
-/// (filterSlabs()). Memory beside the result: some 16 bytes for each voxel of a slab and its reach, up to 12 for each
-/// voxel of a slice and thread, and for several passes 4 for each voxel of the volume.
+/// if there is no pass, or if a value of a pass is not above 0. Volumes of more than `mostVoxels` are filtered slab by
+/// slab (filterSlabs()). Memory beside the result: some 16 bytes for each voxel of a slab and its reach, up to 12 for
+/// each voxel of a slice and thread. Two passes take 4 bytes more for each voxel of the volume, three or more passes 8.
 [[nodiscard]] std::optional<Volume> jointBilateralFiltered(const Volume& volume,
                                                            std::span<const JointBilateralPass> passes,
                                                            const Progress& progress = {},

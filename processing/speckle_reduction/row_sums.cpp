@@ -16,7 +16,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using OneFloat = hn::CappedTag<float, 1>;
 
-/// Calls run(tag, i) for vectors from 0 on: whole ones first, then lane by lane.
+/// Calls run(tag, i) for the vectors of [0, count) that begin at i: whole vectors first, then single floats.
 template <typename Run>
 HWY_INLINE void forVectors(std::size_t count, const Run& run) {
     const std::size_t lanes = hn::Lanes(Floats());

@@ -23,7 +23,7 @@ void sumRows(const VoxelRows<std::uint8_t>& rows, std::span<const float> taps, f
 void sumRows(const VoxelRows<std::uint16_t>& rows, std::span<const float> taps, float* sums, float* weightSums);
 void sumRows(const VoxelRows<float>& rows, std::span<const float> taps, float* sums, float* weightSums);
 
-/// The range of means.
+/// The range into which means are clamped, in stored values.
 struct StoredRange {
     float lowest, highest;
 };

@@ -11,8 +11,8 @@ namespace echolucent {
 [[nodiscard]] Volume withinWhite(const Volume& volume);
 
 /// The least and the largest stored value of the voxels with data. Both are 0 if no voxel has data. Bytes with a white
-/// level of at least 255 always get 0 and 255. Means are clamped between them, so that neither rounding nor
-/// withinWhite() changes a constant.
+/// level of at least 255 always get 0 and 255. A filter clamps its means between the two, so that data of one value
+/// keep that value in spite of rounding and withinWhite().
 struct StoredBounds {
     double lowest = 0.0, highest = 0.0;
 };

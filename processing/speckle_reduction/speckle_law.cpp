@@ -14,12 +14,13 @@ namespace {
 
 constexpr double pairDistance = 3.0;  // mean voxels
 constexpr std::int64_t mostPairs = 200'000;
-/// Rarer intensities belong to boundaries, and their differences are not speckle.
+/// Intensities with a smaller share of the pairs belong to boundaries, and their differences are not speckle.
 constexpr double leastShare = 0.002;
 constexpr std::size_t leastPairs = 32;
 constexpr double leastSpread = 0.25 / 255.0;
 
-/// The standard deviation that has this median of |a - b| in normal noise.
+/// The standard deviation of normal noise in which |a - b| has the median of `differences`; at least leastSpread.
+/// Reorders `differences`, which must not be empty.
 double spreadOf(std::vector<double>& differences) {
     const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
     std::nth_element(differences.begin(), middle, differences.end());
@@ -54,7 +55,7 @@ void SpeckleLawMeasurement::add(const Volume& held, const FilterSlab& slab) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         const std::int64_t places = placesAlong(axis);
-        // Every stride-th voxel of the whole volume, paired with the one `places` behind it.
+        // Every stride-th voxel of the whole volume, paired with the one `places` behind it along the axis.
         const std::int64_t passed = begin > axis ? (begin - axis + stride - 1) / stride : 0;
         for (std::int64_t first = axis + passed * stride; first < end; first += stride) {
             if (first / steps[a] % size[a] + places >= size[a]) continue;

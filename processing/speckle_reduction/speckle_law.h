@@ -20,14 +20,14 @@ struct SpeckleLaw {
 
     /// Standard deviation at a normalised intensity.
     [[nodiscard]] double spreadAt(double intensity) const;
-    /// A normalised intensity on a scale on which speckle is equally strong everywhere: the integral of 1 / spread, in
-    /// standard deviations.
+    /// A normalised intensity on a scale on which speckle is equally strong everywhere: an integral of 1 / spread, in
+    /// standard deviations. Only differences of two results have a meaning.
     [[nodiscard]] double scaled(double intensity) const;
 };
 
-/// Measures the law on pairs of voxels a few mean voxels apart (filterSpacing()). They are too far apart for one
-/// speckle, but mostly of one tissue. It takes medians of their differences at like intensities. The law is the same
-/// for any cut of the volume into slabs.
+/// Measures the law on pairs of voxels a few mean voxels apart (filterSpacing()). So far apart, two voxels share no
+/// speckle but mostly lie in one tissue. The law follows the medians of their differences at like intensities. The law
+/// is the same for any cut of the volume into slabs.
 class SpeckleLawMeasurement {
 public:
     /// The grid of the whole volume.
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] std::int64_t reach() const;
     /// Takes the pairs with their first voxel in the slices of a slab. `held` are the voxels that the slab holds.
     void add(const Volume& held, const FilterSlab& slab);
-    /// The law of the pairs taken so far. Without pairs, the default SpeckleLaw.
+    /// The law of the pairs taken so far; the default SpeckleLaw if no intensity has enough pairs.
     [[nodiscard]] SpeckleLaw law();
 
 private:

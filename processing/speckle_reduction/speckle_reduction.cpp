@@ -9,7 +9,7 @@
 namespace echolucent {
 
 namespace {
-// docs/speckle.md says why.
+// docs/speckle.md gives the reasons for these values.
 constexpr double lightSigma = 1.0;
 constexpr std::array mediumPasses{JointBilateralPass{}};
 constexpr std::array strongPasses{JointBilateralPass{}, JointBilateralPass{.guideSigma = 0.7}};

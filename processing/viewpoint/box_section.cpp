@@ -19,7 +19,8 @@ Vec3 across(const Vec3& normal) {
     return normalized(normal.cross(other));
 }
 
-/// The part of a polygon inside a face (Sutherland and Hodgman's clipping). The new edge lies on that face.
+/// The part of a polygon on the inner side of a face (Sutherland and Hodgman's clipping). The new edge lies on that
+/// face.
 BoxSection clipped(const BoxSection& polygon, const OrientedBox& box, const BoxFace& face) {
     const Vec3 normal = outwardNormal(box, face);
     const double outside = normal.dot(middleOf(box, face));

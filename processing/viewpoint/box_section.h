@@ -25,14 +25,14 @@ struct BoxSection {
     std::vector<Vec3> corners;  ///< grid mm
     std::vector<BoxFace> faces;
 };
-/// `normal` has length 1.
+/// The section of the plane through `pointMm` with the normal `normal`, which has length 1.
 [[nodiscard]] BoxSection sectionOf(const OrientedBox& box, const Vec3& pointMm, const Vec3& normal);
 
 /// Whether a box and the data box have a place in common.
 [[nodiscard]] bool meets(const OrientedBox& box, const DataBox& data);
 
-/// The box with a face moved outwards by so many mm (inwards if negative). The opposite face stays in place. The box
-/// stays at least leastMm (above 0) thick.
+/// The box with a face moved outwards by `mm` (inwards if negative). The opposite face stays in place. The face stops
+/// if the box is `leastMm` (above 0) thick; a box that is thinner already gets no thinner.
 [[nodiscard]] OrientedBox withFaceMoved(const OrientedBox& box, const BoxFace& face, double mm, double leastMm);
 /// A vector rotated about an axis of length 1, right-handed (Rodrigues' formula).
 [[nodiscard]] Vec3 rotatedAbout(const Vec3& axis, double degrees, const Vec3& vector);

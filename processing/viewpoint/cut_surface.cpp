@@ -28,7 +28,8 @@ Patch patchAt(const CutSurface& surface, const Vec3& gridMm) {
         across, below};
 }
 
-/// The next place along a line at which it crosses from patch to patch. If there is none before `to`, `to`.
+/// The next place behind `from` at which a line crosses from one patch of nodes to another, or `to` if it crosses none
+/// before `to`. All places are mm from `pointMm` along the line.
 double nextCrossing(const CutSurface& surface, const Vec3& pointMm, const Vec3& direction, double from, double to) {
     double next = to;
     const auto crossing = [&](const Vec3& axis, double first, int count) {

@@ -20,19 +20,21 @@ struct CutSurface {
     int columns = 0, rows = 0;                     ///< of nodes, at least 2 each
     SharedList<float> depthMm{};                   ///< of node (column, row) at row * columns + column; finite
 
-    /// The depth of the surface over (or under) a point. Beyond the outermost nodes the surface goes on at their depth.
+    /// The depth of the surface at a point's place along frame.right and frame.down. Beyond the outermost nodes the
+    /// surface goes on at their depth.
     [[nodiscard]] double depthAt(const Vec3& gridMm) const;
     /// Whether a point lies before the surface.
     [[nodiscard]] bool cutsAway(const Vec3& gridMm) const { return frame.forward.dot(gridMm) < depthAt(gridMm); }
 
-    /// A stretch of a line, mm from its point along its direction; begin <= end.
+    /// A stretch of a line, in mm along the line's direction from the line's point; begin <= end.
     struct Stretch {
         double begin, end;
         friend bool operator==(const Stretch&, const Stretch&) = default;
     };
-    /// The first part of a stretch of a line that the surface does not cut away. A ray or a tube core begins and ends
-    /// there. The part ends if the line passes through the surface again. A dip into the surface and back within one
-    /// patch of nodes does not end it. `direction` has length 1. Empty if the surface cuts all of it away.
+    /// The first part of the stretch `within` of a line that the surface does not cut away. A ray or a tube core begins
+    /// and ends there. The part ends if the line passes through the surface again. A dip into the surface and back
+    /// within one patch of nodes does not end it. `direction` has length 1. Empty if the surface cuts the whole stretch
+    /// away, or if the stretch has length 0.
     [[nodiscard]] std::optional<Stretch> firstLeft(const Vec3& pointMm, const Vec3& direction,
                                                    const Stretch& within) const;
 

@@ -1,4 +1,4 @@
-// From where the volume is looked at: beam axis, angles, cuts. Tube cores and rays share it.
+// From where the volume is looked at: beam axis, angles, cuts. One viewpoint serves tube cores and rays.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace echolucent {
 
-/// The grid axis along which sound travelled, and which way. The default view looks along it.
+/// The grid axis along which sound travelled, and which way. The default view looks along this axis.
 enum class BeamAxis { plusX, minusX, plusY, minusY, plusZ, minusZ };
 
 /// "+x", "-x", "+y", "-y", "+z", "-z".
@@ -35,9 +35,9 @@ struct Viewpoint {
 
 [[nodiscard]] ViewFrame frameOf(const Viewpoint& view);
 
-/// The view relative to a beam axis whose frame has the given forward. Its roll brings down as near as possible to the
-/// given down. "Compute for this view" needs it. Both vectors have any length above 0 and are not parallel. Angles are
-/// in (-180, 180], the elevation in [-90, 90].
+/// The view along `forward`, relative to `beamAxis`. Its roll brings the picture's down as near as possible to `down`.
+/// Both vectors have any length above 0 and are not parallel; a zero `forward` throws std::invalid_argument. Azimuth
+/// and roll are in [-180, 180] degrees, the elevation in [-90, 90].
 [[nodiscard]] Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm);
 
 /// The unit view direction in voxel index space (divided by spacing per axis, then normalised).
@@ -46,7 +46,8 @@ struct Viewpoint {
 /// Extent of the volume's box along the view, mm. A near cut at this depth leaves nothing.
 [[nodiscard]] double depthAlongViewMm(const Viewpoint& view, const VolumeGeometry& geometry);
 
-/// Depth of the near cut plane along `forward`, mm from the grid origin: the foremost corner of the box plus nearCutMm.
+/// Depth of the near cut plane along `forward` of the view, mm from the grid origin: the foremost corner of the
+/// volume's box plus nearCutMm (0 if that is negative).
 [[nodiscard]] double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry);
 
 }  // namespace echolucent

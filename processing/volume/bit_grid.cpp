@@ -9,18 +9,18 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::int64_t rowsOfBits = 256;  ///< how many one thread takes together
+constexpr std::int64_t rowsOfBits = 256;  ///< rows that one thread takes at a time
 
 /// The bits that exist in the last word of a row.
 std::uint64_t lastWordMask(std::int64_t sizeX) {
     return sizeX % 64 == 0 ? ~std::uint64_t{0} : (std::uint64_t{1} << (sizeX % 64)) - 1;
 }
 
-/// Spreads `row` along x in both directions until every run of `passable` that it touches is full.
+/// Spreads the members of `row` along x in both directions, through runs of `passable` bits.
 void spreadAlongRow(std::uint64_t* row, const std::uint64_t* passable, std::int64_t words) {
     std::uint64_t carry = 0;
     const auto fill = [&](std::int64_t i, std::uint64_t entering) {
-        // Spreads members by 1, 2, 4, ... 32 bits at once, through runs of that many passable bits.
+        // Spreads members by 1, 2, 4, … 32 bits at once, through runs of at least this many passable bits.
         std::uint64_t upwards = passable[i], downwards = passable[i];
         std::uint64_t filled = (row[i] | entering) & passable[i];
         for (int shift = 1; shift < 64; shift *= 2) {

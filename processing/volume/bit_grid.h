@@ -7,8 +7,8 @@
 
 namespace echolucent {
 
-/// Rows along x are packed into 64-bit words. Voxels are neighbours if they share a face. Each operation takes one or a
-/// few passes over the words, which are 1/64 of the voxels.
+/// Rows along x are packed into 64-bit words. Voxels are neighbours if they share a face. Most operations pass once
+/// over the words; connectedToBorder() passes a row again whenever members enter it. Operands have the same size.
 class BitGrid {
 public:
     explicit BitGrid(const std::array<std::int64_t, 3>& size);

@@ -12,7 +12,7 @@ namespace {
 static_assert(largestReduction * largestReduction * largestReduction <= std::numeric_limits<std::int32_t>::max() / 256,
               "the bytes of a block must not overflow their sum");
 
-/// The mean of whole numbers, halves rounded upwards; the divisor is above 0.
+/// The mean of `count` whole numbers (above 0) with this sum, halves rounded upwards.
 std::int64_t roundedMean(std::int64_t sum, std::int64_t count) {
     const std::int64_t doubled = 2 * sum + count, divisor = 2 * count;
     return doubled / divisor - (doubled % divisor < 0 ? 1 : 0);
@@ -77,7 +77,7 @@ T BlockMean<T>::meanOf(std::size_t firstColumn, std::int64_t x, std::int64_t val
     } else if constexpr (BlockSum<T>::isExact) {
         return static_cast<T>(roundedMean(sum, count));
     } else {
-        // Rounding must not lead beyond the type, whose ends the sum may round to.
+        // `mean` is rounded, so it may lie above the largest value of the type. Do not convert such a value.
         const Sum mean = sum / static_cast<Sum>(count), whole = std::floor(mean);
         if (mean >= static_cast<Sum>(std::numeric_limits<T>::max())) return std::numeric_limits<T>::max();
         return static_cast<T>(mean - whole < Sum{0.5} ? whole : whole + 1);

@@ -25,15 +25,15 @@ struct BlockSum {
 template <typename T>
 class BlockMean {
 public:
-    /// `reduced` takes the means, x fastest, and must outlive this. Its size is the product of reducedSize(); any other
-    /// is a broken contract (std::invalid_argument).
+    /// `reduced` takes the means, x fastest, and must outlive this object. Its size is the product of reducedSize();
+    /// any other is a broken contract (std::invalid_argument).
     BlockMean(const Reduction& reduction, std::span<T> reduced);
 
     /// Takes the next slice along z: storedSize[0] * storedSize[1] values, x fastest. Another number of values, or a
     /// slice beyond the last, is a broken contract (std::invalid_argument).
     void add(std::span<const T> slice);
-    /// Passes over the next slice, which could not be read: it does not count. A layer of blocks made only of such
-    /// slices becomes 0.
+    /// Passes over the next slice, because it could not be read. The slice does not count. A layer of blocks made only
+    /// of such slices becomes 0. A slice beyond the last is a broken contract (std::invalid_argument).
     void skip();
 
 private:
@@ -48,8 +48,8 @@ private:
     // numbers of finite values.
     std::vector<Sum> m_sums;
     std::vector<std::uint32_t> m_counts;
-    std::int64_t m_slice = 0;    // slices so far
-    std::int64_t m_counted = 0;  // slices of the layer that count
+    std::int64_t m_slice = 0;    // slices added or passed over so far
+    std::int64_t m_counted = 0;  // slices of the present layer that count
     std::size_t m_written = 0;   // means written so far
 };
 

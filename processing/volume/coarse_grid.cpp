@@ -11,7 +11,8 @@ namespace echolucent {
 
 namespace {
 
-/// The values of a volume on its coarse grid. `values` is not empty.
+/// The values at the voxels of the coarse grid. `values` holds one value for each voxel of the volume, and is not
+/// empty.
 template <typename Value>
 std::vector<Value> taken(const CoarseGrid& grid, std::span<const Value> values) {
     std::vector<Value> few;

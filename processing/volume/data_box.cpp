@@ -28,7 +28,7 @@ struct IndexRange {
     }
 };
 
-/// Finds where a row's data begin and end, without reading between.
+/// Adds to `range` where a row's data begin and end, without reading between.
 void addRow(std::span<const std::uint8_t> row, std::int64_t y, std::int64_t z, IndexRange& range) {
     const auto isData = [](std::uint8_t mark) { return mark != 0; };
     const auto first = std::find_if(row.begin(), row.end(), isData);

@@ -18,9 +18,10 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::int64_t rowsOfVoxels = 64;  ///< how many one thread takes together
+constexpr std::int64_t rowsOfVoxels = 64;  ///< rows that one thread takes at a time
 
-/// One byte for each voxel: 1 if the mask marks it (an empty mask marks all) and it is finite. Empty if that is all.
+/// One byte for each voxel: 1 if the mask marks the voxel (an empty mask marks all) and its value is finite, else 0.
+/// Empty if every byte would be 1.
 template <typename Voxel>
 Bytes dataOf(const VolumeGeometry& geometry, const DataMask& mask, const VoxelArray<Voxel>& voxels) {
     if (mask.empty() && !std::is_same_v<Voxel, float>) return {};
@@ -39,7 +40,8 @@ Bytes dataOf(const VolumeGeometry& geometry, const DataMask& mask, const VoxelAr
     return data;
 }
 
-/// Offsets of the rows beside a row, in its slice and the slices beside it, clamped to the grid.
+/// Offsets of the row (y, z) and of the rows around it. Where a row would lie outside the grid, the nearest row of the
+/// grid stands for it.
 struct RowsAround {
     const VolumeGeometry& geometry;
     std::int64_t y, z;
@@ -49,7 +51,8 @@ struct RowsAround {
     }
 };
 
-/// The bytes of dataOf() as bits: a pass over them is short, and most voxels lie far from the border.
+/// The bytes of dataOf() as bits. A pass over bits is short, and most voxels need no more, because they lie far from
+/// the border of the data.
 BitGrid bitsOf(const VolumeGeometry& geometry, const Bytes& data) {
     BitGrid bits(geometry.size);
     forEachRow(geometry.size, rowsOfVoxels, [&](std::int64_t y, std::int64_t z) {
@@ -109,7 +112,8 @@ struct NineRows {
         }
     }
 
-    /// The mean of the known voxels among the 27 around place x, at least one.
+    /// The mean of the known voxels among the 27 around place `x`; whole numbers are rounded. At least one must be
+    /// known.
     [[nodiscard]] Voxel meanAround(std::int64_t x) const {
         double sum = 0.0;
         int count = 0;

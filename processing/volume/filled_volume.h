@@ -9,11 +9,11 @@
 namespace echolucent {
 
 /// The voxels of a volume, and the presence of data beside them. A picture interpolates all voxels, with and without
-/// data. The presence tells how much of them it shows.
+/// data. The presence tells how much of each voxel the picture shows.
 struct FilledVolume {
     /// The same voxels, but a voxel without data within fillReach voxels of data holds a mean of its neighbours on the
-    /// data's side. The mask marks the voxels that then hold a value; all others hold 0. These voxels depend on the
-    /// scan alone (Volume::scannedMask()): what a scalpel cut still holds echo.
+    /// data's side. The mask marks the voxels that then hold a value; all others hold 0. The filled voxels depend on
+    /// the scan alone (Volume::scannedMask()): voxels that a scalpel cut still hold their echo.
     Volume voxels;
     /// Bytes with a white level of 255 (see presence.h). Not set if all voxels carry data.
     std::optional<Volume> presence;
@@ -21,7 +21,7 @@ struct FilledVolume {
     static constexpr int fillReach = 4;  ///< voxels
 };
 
-/// Takes a few passes over the volume if voxels lack data, else none.
+/// Takes a few passes over the volume if voxels lack data. If none do, reads only masks and float voxels.
 [[nodiscard]] FilledVolume filledVolume(const Volume& volume);
 /// FilledVolume::voxels alone.
 [[nodiscard]] Volume filledVoxels(const Volume& volume);
@@ -41,7 +41,7 @@ struct PresenceUse {
         return share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
     }
     static constexpr std::uint8_t noneUpTo = 63;  ///< bytes of presence up to this have coverage 0
-    static constexpr std::uint8_t allFrom = 224;  ///< from this one they have coverage 1 and are no border
+    static constexpr std::uint8_t allFrom = 224;  ///< bytes from this on have coverage 1 and border 0
 };
 
 }  // namespace echolucent

@@ -11,7 +11,7 @@ using Mat3 = cv::Matx33d;
 
 /// The Euclidean length.
 [[nodiscard]] double length(const Vec3& vector);
-/// The vector divided by its length; a zero vector is a broken contract (std::invalid_argument).
+/// The vector divided by its length. A vector of length 0 or with a NaN is a broken contract (std::invalid_argument).
 [[nodiscard]] Vec3 normalized(const Vec3& vector);
 /// The same angle in (-180, 180] degrees.
 [[nodiscard]] double wrappedDegrees(double degrees);

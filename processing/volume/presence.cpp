@@ -21,7 +21,7 @@ using Rows = std::array<const std::uint8_t*, taps>;
 /// [1 4 6 4 1] / 16 of five rows of bytes.
 void smoothRows(const Rows& from, std::int64_t count, std::uint8_t* __restrict to) {
     const std::uint8_t *a = from[0], *b = from[1], *c = from[2], *d = from[3], *e = from[4];
-    // 16 bits hold the sums, and twice as many fit into a vector as ints would.
+    // 16 bits are enough for the sums, and a vector holds twice as many numbers of 16 bits as ints.
     const auto wide = [](std::uint8_t byte) { return static_cast<std::uint16_t>(byte); };
     for (std::int64_t i = 0; i < count; ++i) {
         const auto outer = static_cast<std::uint16_t>(wide(a[i]) + wide(e[i]));
@@ -31,7 +31,9 @@ void smoothRows(const Rows& from, std::int64_t count, std::uint8_t* __restrict t
     }
 }
 
-/// The less the surroundings agree with the mask, the less it is smoothed.
+/// The smoothed presence of a voxel, drawn back to what the mask says of the voxel (`data`). The agreement is the share
+/// of the smoothed surroundings that the mask marks alike. Up to an agreement of 0.30 the mask alone counts, from 0.45
+/// on the smoothed presence alone.
 std::uint8_t keptThin(std::uint8_t smooth, bool data) {
     constexpr int thin = 77, wide = 115;  // bytes of agreement: 0.30, 0.45
     const int agreement = data ? smooth : fullPresence - smooth, said = data ? fullPresence : 0;
@@ -56,7 +58,7 @@ public:
     DataRows(const Volume& volume, const VoxelArray<Voxel>& voxels)
         : m_geometry(volume.geometry()), m_mask(volume.dataMaskOrNull()), m_voxels(voxels) {}
 
-    /// Writes a part of a row; `to` holds the part alone.
+    /// Writes `part` of the row (y, z). `to` begins with the first voxel of the part.
     void write(std::int64_t y, std::int64_t z, const RowPart& part, std::uint8_t* __restrict to) const {
         const std::int64_t first = m_geometry.offset(part.first, y, z), count = part.count();
         if (m_mask == nullptr) std::fill_n(to, count, fullPresence);
@@ -90,7 +92,8 @@ public:
         for (auto& slice : m_smooth) slice.resize(m_alongX.size());
     }
 
-    /// The presence of a slice. Ask for slices in ascending order.
+    /// The presence in slice `z`, filled only in the parts of rows that are marked. Valid until the next call. Ask for
+    /// slices in ascending order.
     const std::uint8_t* at(std::int64_t z) {
         for (m_next = std::max(m_next, z - presenceReach); m_next <= z + presenceReach; ++m_next)
             if (m_next >= 0 && m_next < m_rows.slices()) smoothWithin(m_next);
@@ -100,7 +103,8 @@ public:
     }
 
 private:
-    /// Smooths along x and y the parts of rows that the slices around ask for.
+    /// Smooths slice `z` along x and y, only in the parts of rows that this slice or a slice within presenceReach
+    /// marks.
     void smoothWithin(std::int64_t z) {
         std::ranges::fill(m_asked, RowPart{});
         for (std::int64_t slice = std::max<std::int64_t>(z - presenceReach, 0);
@@ -121,7 +125,7 @@ private:
         }
     }
 
-    /// Smooths along x. Beyond a row's ends, the end voxels are repeated.
+    /// Smooths a part of the row (y, z) along x. Beyond a row's ends, the end voxels are repeated.
     void smoothAlong(std::int64_t y, std::int64_t z, const RowPart& part) {
         constexpr auto reach = static_cast<std::int32_t>(presenceReach);
         const auto columns = static_cast<std::int32_t>(m_columns);
@@ -171,10 +175,10 @@ private:
     DataRows<Voxel> m_data;
     const RowMarks& m_rows;
     const KeptThin& m_kept;
-    std::int64_t m_columns, m_next = 0;  ///< the slice that is smoothed next
-    std::vector<RowPart> m_asked;        ///< by row, with presenceReach more on both sides
+    std::int64_t m_columns, m_next = 0;  ///< m_next: the slice that is smoothed next
+    std::vector<RowPart> m_asked;        ///< for each row, with presenceReach rows more at both ends
     std::vector<std::uint8_t> m_room, m_marks, m_alongX, m_presence;
-    std::array<std::vector<std::uint8_t>, taps> m_smooth;  ///< along x and y: the newest slices, by z
+    std::array<std::vector<std::uint8_t>, taps> m_smooth;  ///< the newest slices along x and y; slice z at z % taps
 };
 
 }  // namespace
@@ -190,7 +194,7 @@ void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence
     const KeptThin kept = keptThinTable();
     std::visit(
         [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) {
-            // Each part also smooths the slices around it, so parts are not smaller.
+            // Each part also smooths the slices beside it. In smaller parts, more slices would be smoothed twice.
             constexpr std::int64_t part = 16;
             parallelFor(LoopRange<std::int64_t>(0, rows.slices(), part), [&](const auto& slices) {
                 if (!rows.partWithin({0, rows.rows()}, {slices.begin(), slices.end()}).any()) return;

@@ -9,19 +9,21 @@
 
 namespace echolucent {
 
-// The presence of data is one byte a voxel, 255 for full presence. It is the data mask, smoothed by the binomial
-// [1 4 6 4 1] / 16 along each axis, so that the surface at which it is one half has no stairs. A structure or a gap
-// that is only one voxel wide would vanish: its voxels keep what the mask says. A voxel that is not finite is no data.
+// The presence of data is one byte a voxel, 255 for full presence. It is the data mask, smoothed along each axis by the
+// binomial [1 4 6 4 1] / 16, so that the surface at which it is one half has no stairs. Smoothing alone would remove a
+// structure or a gap that is only one voxel wide, so the voxels there keep what the mask says. A voxel that is not
+// finite is no data.
 
-inline constexpr std::int64_t presenceReach = 2;  ///< how many voxels along each axis a mark reaches
+inline constexpr std::int64_t presenceReach = 2;  ///< how far a voxel's mark reaches along each axis, voxels
 
 /// Whether any voxel carries no data.
 [[nodiscard]] bool lacksData(const Volume& volume);
 
-/// Takes a slice's presence: z and the first byte, rows one after another. Only the requested parts of rows are filled.
+/// Takes the presence in slice `z`: its first byte, rows one after another. Only the parts of rows that were asked for
+/// are filled. The bytes are valid during the call.
 using TakePresence = std::function<void(std::int64_t z, const std::uint8_t* slice)>;
-/// Makes the presence of parts of rows and hands over each slice once, in no order and on several threads. Slices
-/// without such parts are left out.
+/// Makes the presence of the marked parts of `rows`. Calls `take` once for each slice that has such parts, in no order
+/// and on several threads.
 void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence& take);
 
 }  // namespace echolucent

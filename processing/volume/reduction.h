@@ -1,4 +1,4 @@
-// How a volume is made smaller than in its file: by which factors, and where its voxels then lie.
+// How a volume is made smaller than in its file: by which factors, and how many voxels remain.
 #pragma once
 
 #include <array>
@@ -20,16 +20,16 @@ struct Reduction {
 
 constexpr std::int64_t largestReduction = 64;
 
-/// The smallest whole factor, from 2 to largestReduction, that leaves at most `mostVoxels` of a volume of this size
-/// (each at least 1). An axis of fewer voxels than twice the factor stays as it is. No value if no factor is large
-/// enough.
+/// The reduction by the smallest whole factor, from 2 to largestReduction, that leaves at most `mostVoxels` of a volume
+/// of this size (each at least 1). An axis of fewer voxels than twice the factor keeps its voxels. No value if no
+/// factor is large enough.
 [[nodiscard]] std::optional<Reduction> reductionTo(const std::array<std::int64_t, 3>& size, std::int64_t mostVoxels);
 
 /// The factors as a picture shows them: "2 x 2 x 1".
 [[nodiscard]] std::string factorsText(const Reduction& reduction);
 
-/// Whether `reduction` can have made a volume of `size`: the sizes agree, each factor is 1 to largestReduction, and one
-/// is above 1.
+/// Whether `reduction` can have made a volume of `size`: the sizes agree, each factor is 1 to largestReduction, and at
+/// least one is above 1.
 [[nodiscard]] bool canHaveMade(const Reduction& reduction, const std::array<std::int64_t, 3>& size);
 
 }  // namespace echolucent

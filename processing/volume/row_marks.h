@@ -36,17 +36,18 @@ public:
     [[nodiscard]] std::int64_t rows() const { return m_rows; }      ///< in a slice, along y
     [[nodiscard]] std::int64_t slices() const { return m_slices; }  ///< along z
     [[nodiscard]] const RowPart& at(std::int64_t y, std::int64_t z) const { return m_parts[index(y, z)]; }
-    /// Adds to a row's part. Several threads may mark different rows.
+    /// Adds to the part of a row. Several threads may mark different rows.
     void mark(std::int64_t y, std::int64_t z, const RowPart& part) {
         m_parts[index(y, z)] = m_parts[index(y, z)].joined(part);
     }
     [[nodiscard]] bool any() const { return partWithin({0, m_rows}, {0, m_slices}).any(); }
-    /// The smallest part that holds those of all rows in [first, second) along y and z; rows beyond the grid have none.
+    /// The smallest part that holds the parts of all rows with y in `rows` and z in `slices`. The second number of a
+    /// range is the first beyond the range. Rows beyond the grid have no part.
     using Range = std::array<std::int64_t, 2>;
     [[nodiscard]] RowPart partWithin(const Range& rows, const Range& slices) const;
-    /// The parts, widened by this many voxels along x, y and z.
+    /// The parts, widened by this many voxels to both sides along x, y and z, within the grid.
     [[nodiscard]] RowMarks widened(const std::array<std::int64_t, 3>& voxels) const;
-    /// Adds the parts of another set of the same grid.
+    /// Adds the parts of `other`, which is of the same grid.
     void add(const RowMarks& other);
 
 private:

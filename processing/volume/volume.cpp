@@ -91,7 +91,7 @@ Volume Volume::withDataMask(DataMask mask) const {
 }
 
 Volume Volume::withDataMask(SharedMask mask) const {
-    // This checks the mask's size before anything reads the mask.
+    // This call checks the mask's size. dataBoxOf() reads the mask only after that.
     Volume marked = withDataMask(std::move(mask), m_dataBox);
     marked.m_dataBox = dataBoxOf(m_geometry, *marked.m_dataMask);
     return marked;

@@ -21,7 +21,7 @@
 namespace echolucent {
 
 /// Where the voxels are. Index order: x fastest, then y, then z. Voxel centres lie at integer indices. The volume's box
-/// reaches half a voxel beyond them, from -0.5 to size-0.5.
+/// reaches half a voxel beyond the outermost centres, from -0.5 to size-0.5.
 struct VolumeGeometry {
     std::array<std::int64_t, 3> size{1, 1, 1};  ///< voxels along x, y, z; each at least 1
     Vec3 spacing{1, 1, 1};                      ///< mm between voxel centres; each finite and above 0
@@ -81,10 +81,10 @@ struct DataBox {
 /// One volume (one phase of a 4D study).
 class Volume {
 public:
-    /// Takes the voxels. whiteLevel is the stored value of normalised intensity 1. Without a finite one above 0, it is
-    /// 255 for 8 bits, else whiteLevelOf() these voxels: the largest value but for hot ones (1 if no voxel is above 0).
-    /// Float voxels that are not finite count as no data. Throws std::invalid_argument if sizes disagree or the
-    /// geometry is not valid (readers check before).
+    /// Takes the voxels. `whiteLevel` is the stored value of normalised intensity 1. If it is missing, not finite or
+    /// not above 0, the white level is 255 for 8 bits, else what whiteLevelOf() finds in these voxels (1 if no voxel is
+    /// above 0). Float voxels that are not finite count as no data. Throws std::invalid_argument if sizes disagree or
+    /// the geometry is not valid (readers check before).
     Volume(VolumeGeometry geometry, Voxels voxels, std::optional<double> whiteLevel = std::nullopt);
 
     [[nodiscard]] const VolumeGeometry& geometry() const { return m_geometry; }
@@ -121,17 +121,18 @@ public:
     [[nodiscard]] const DataBox& dataBox() const { return m_dataBox; }
 
     /// A volume that shares these voxels but marks other voxels as data. The mask is empty or holds one byte for each
-    /// voxel. The data box is computed anew, and no voxel counts as cut.
+    /// voxel; another size is a broken contract (std::invalid_argument). It is taken as it is, even if it marks voxels
+    /// that are not finite. The data box is computed anew, and no voxel counts as cut.
     [[nodiscard]] Volume withDataMask(DataMask mask) const;
     /// One byte for each voxel, shared.
     using SharedMask = std::shared_ptr<const DataMask>;
-    /// The same with a mask that the phases of a study share; it is not null.
+    /// withDataMask() with a mask that the phases of a study share; it is not null.
     [[nodiscard]] Volume withDataMask(SharedMask mask) const;
-    /// The same, if the box around the marked voxels is known.
+    /// withDataMask() if the box around the marked voxels is known. `box` becomes the data box.
     [[nodiscard]] Volume withDataMask(SharedMask mask, const DataBox& box) const;
     /// A volume that shares these voxels but keeps as data only what the mask marks after a scalpel cut. The mask holds
-    /// one byte for each voxel and marks only voxels of scannedMask(). Null takes the cut back. scannedMask() and the
-    /// data box stay, so that the picture does not jump.
+    /// one byte for each voxel (else std::invalid_argument) and marks only voxels of scannedMask(). Null takes the cut
+    /// back. scannedMask() and the data box stay, so that the picture does not jump.
     [[nodiscard]] Volume withCut(const SharedMask& mask) const;
     /// The mask of the cut, for another volume of the same grid and scan; null if nothing was cut.
     [[nodiscard]] SharedMask cut() const { return isCut() ? m_dataMask : nullptr; }

@@ -27,7 +27,8 @@ public:
         m_owner = std::move(owner);
     }
     VoxelArray(std::initializer_list<Value> values) : VoxelArray(std::vector<Value>(values)) {}
-    /// Values in memory that `owner` keeps. Nothing may write to them from now on.
+    /// Values in memory that `owner` keeps. With a null owner, the caller keeps the memory as long as a copy of this
+    /// array lives. Nothing may write to the values meanwhile.
     VoxelArray(std::shared_ptr<const void> owner, std::span<const Value> values)
         : m_owner(std::move(owner)), m_values(values) {}
 

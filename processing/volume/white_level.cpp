@@ -44,7 +44,7 @@ public:
         return below;
     }
 
-    /// The bin of the voxel with `below` voxels under it, in order of values; 0 <= below < all().
+    /// The bin of the voxel that has `below` voxels before it in the order of values; 0 <= below < all().
     [[nodiscard]] std::size_t binOfRank(std::int64_t below) const {
         std::size_t bin = 0;
         for (std::int64_t counted = m_counts[0]; counted <= below; counted += m_counts[bin]) ++bin;
@@ -74,7 +74,7 @@ std::int64_t mostHot(std::int64_t all) {
     return std::max(all / rare, std::min(fewVoxels, all / 100));
 }
 
-/// The first bin of absurd values, or binCount. Values from it on do not count.
+/// The first bin of absurd values, or binCount if there are none. Values from this bin on do not count.
 std::size_t firstAbsurdBin(const BinCounts& counts) {
     constexpr std::size_t absurdOctaves = 20, keptOctaves = 2;
     const std::size_t common = counts.binOfRank((99 * counts.all() + 99) / 100 - 1);

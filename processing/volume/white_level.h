@@ -19,11 +19,11 @@ struct WhiteLevel {
 
 /// The white level that all phases share. It begins at the 99.99 % percentile of the voxels above 0. (In small volumes
 /// at most eight voxels, and no more than 1 %, lie above it.) From there it rises to the largest value that it reaches
-/// without a gap of more than a tenth (or of one, if voxels are whole numbers). So ordinary data keep their largest
-/// value, and hot voxels, alone above a gap, move nothing.
-/// Float voxels can hold values that no echo has, from memory never written or a division by almost nothing. The sign
-/// of it: even the percentile is 2^20 times (120 dB) the power of two above 99 % of the voxels. Then only values below
-/// four times that power count.
+/// without a gap of more than a tenth. Whole numbers that differ by one have no gap between them. So ordinary data keep
+/// their largest value, and hot voxels, alone above a gap, move nothing.
+/// Float voxels can hold values that no echo has, from memory never written or a division by almost nothing. Such
+/// values are assumed if the 99.99 % percentile is at least 2^20 times (120 dB) the power of two above 99 % of the
+/// voxels. Then only values below four times that power count.
 [[nodiscard]] WhiteLevel whiteLevelOf(std::span<const Voxels> phases);
 
 /// How a declared white level suits the voxels.

@@ -23,7 +23,7 @@ struct CastPane {
 /// The pictures of all panes of a request, and what they were made from.
 struct CastPicture {
     PictureRequest request;         ///< as it was asked for, at full size
-    std::size_t quality = 0;        ///< of qualities
+    std::size_t quality = 0;        ///< an index into `qualities`
     RayCastSettings settings;       ///< those of `quality`
     std::vector<CastPane> panes{};  ///< as in the request; empty if the graphics card draws
     double milliseconds = 0.0;      ///< wall time of all panes in the casting thread

@@ -13,13 +13,14 @@ namespace echolucent {
 /// stale is ever shown.
 class KeptFrames {
 public:
-    /// Keeps the screen pictures until byteLimit is reached. The frames kept first stay.
+    /// Keeps the screen pictures of `picture`, unless they would exceed byteLimit or the request is kept already. The
+    /// frames kept first stay.
     void keep(const CastPicture& picture);
     /// The picture of a request at its full size; null if it is not kept.
     [[nodiscard]] std::shared_ptr<const CastPicture> find(const PictureRequest& request) const;
     void clear();
     [[nodiscard]] int count() const { return static_cast<int>(m_frames.size()); }
-    /// Of all frames kept.
+    /// The bytes of all frames kept.
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
 
     static constexpr std::size_t byteLimit = std::size_t{512} << 20;

@@ -26,32 +26,33 @@ public:
     void sampled(const RayCastSettings& settings, double milliseconds);
     /// Learns the time of a picture that was made from kept samples.
     void reclassified(const RayCastSettings& settings, double milliseconds);
-    /// Learns that the caster could not keep the samples of that many rays and steps.
+    /// Learns that the caster could not keep as many samples as these settings need.
     void couldNotKeep(const RayCastSettings& settings);
     /// Learns how long it took to bring a picture to the screen, without the casting. The first picture does not count:
     /// it prepares OpenGL.
     void drawn(double milliseconds);
 
-    /// Learns the time of the light volume of a picture in motion. It does not depend on rays and steps.
+    /// Learns the time of the light volume of a picture in motion. This time does not depend on rays and steps.
     void lit(const RayCastSettings& settings, double milliseconds);
 
     /// The time for casting one picture without a light volume.
     [[nodiscard]] double budgetMilliseconds() const;
-    /// The quality for the next picture of a moving view; `asked` as in settingsAt(). Small changes of cost do not make
-    /// it waver between two qualities.
+    /// The quality for the next picture of a moving view; `asked` as in settingsAt(). The quality does not waver
+    /// between two if the cost changes only a little.
     [[nodiscard]] std::size_t qualityInMotion(const RayCastSettings& asked);
-    /// The quality for a view that no other follows closely. It is the one shown at rest if that takes no longer than
-    /// aloneFrames frames, else qualityInMotion().
+    /// The quality for a view that no other follows closely. It is high quality or finer if high quality takes no
+    /// longer than aloneFrames frames, else qualityInMotion().
     [[nodiscard]] std::size_t qualityAlone(const RayCastSettings& asked);
     static constexpr double aloneFrames = 1.5;
-    /// The quality for the next picture of an edit, never coarser than qualityInMotion(). The first two pictures at
-    /// each quality must be sampled. So within a series of edits the quality stays unless it is far off. A quality is
-    /// left out if each of the two would take longer than warmUpFrames frames.
+    /// The quality for the next picture of an edit, never coarser than the last qualityInMotion(). The first two
+    /// pictures at each quality must be sampled. So within a series of edits the quality stays unless it is far off. A
+    /// quality is left out if each of the two would take longer than warmUpFrames frames.
     [[nodiscard]] std::size_t qualityForEdits(const RayCastSettings& asked, bool inSeries);
     static constexpr double warmUpFrames = 5.0;
 
 private:
-    /// Milliseconds for a ray, and for a sample per unit of depth; 0 before anything was measured.
+    /// Milliseconds for one ray at step 1: `sampling` if its samples are taken, `reclassifying` if they were kept. 0
+    /// before anything was measured.
     struct Cost {
         double sampling = 0.0;
         double reclassifying = 0.0;

@@ -38,7 +38,8 @@ int ProgressiveCaster::keptFrames() const { return m_frames->count(); }
 
 std::size_t ProgressiveCaster::keptFrameBytes() const { return m_frames->bytes(); }
 
-/// Delivers a kept frame after the request has returned, as if it had been cast.
+/// Delivers a kept frame after the request has returned, as if it had been cast. False if no motion plays or no such
+/// frame is kept.
 bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
     const auto frame = m_playing ? m_frames->find(request) : nullptr;
     if (!frame) return false;
@@ -58,7 +59,8 @@ void ProgressiveCaster::request(const PictureRequest& request) {
     if (m_newest && samePicture(*m_newest, request)) return;
     if (deliverKept(request)) return;
     if (!m_playing) m_frames->clear();
-    // A picture of another volume is no quick picture of this one. In a motion it is a frame to keep.
+    // If another volume is asked for, the picture that is being cast is no quick picture of it. In a motion that
+    // picture is a frame to keep.
     if (!m_playing && m_newest && !sameVolumes(*m_newest, request)) m_thread.cancel();
     const bool edited = m_newest && sameSamples(*m_newest, request);
     m_inStream = m_sinceRequest.isValid() && m_sinceRequest.elapsed() < streamMilliseconds;
@@ -91,8 +93,8 @@ void ProgressiveCaster::clear() {
     m_newest.reset();
     m_rest.stop();
     m_sinceRequest.invalidate();
-    // In a motion another phase comes next. The frame that is being cast must be kept; its caster goes with the next
-    // frame.
+    // In a motion another phase comes next. The frame that is being cast must be kept, so its ray caster is freed only
+    // by the next frame.
     if (!m_playing) {
         m_thread.cancel();
         m_thread.submit(

@@ -19,18 +19,19 @@ namespace echolucent {
 class KeptFrames;
 
 /// PreviewQuality chooses the quality of each picture while requests follow each other. Such a picture is finished and
-/// delivered even if a newer request waits, so that a drag always shows something. The next picture is cast while this
-/// one is drawn. At rest, better pictures follow up to the converged one. Any newer request cancels them within a tile.
-/// In a stream of requests they wait until the hand rests, so that they take no time from the next quick one. A request
-/// equal to the newest one does nothing. The pictures of all panes are delivered together or not at all.
+/// delivered even if a newer request of the same volume waits, so that a drag always shows something. The next picture
+/// is cast while this one is drawn. At rest, better pictures follow up to the converged one. Any newer request cancels
+/// them within a tile. In a stream of requests they wait until the hand rests, so that they take no time from the next
+/// quick one. A request equal to the newest one does nothing. The pictures of all panes are delivered together or not
+/// at all.
 ///
 /// Edits of curve and colour map keep one quality, because the ray caster keeps its samples. They wait longer before
 /// the picture is refined.
 ///
-/// While a motion plays, frames are also cast in high quality and kept (see KeptFrames). If that takes longer than a
-/// frame may, only every third frame is kept, so that the motion goes on; a quicker picture of it is delivered first.
-/// Turn by turn more of a loop comes from memory. Once the motion has stopped, the next request for another picture
-/// drops all kept frames.
+/// While a motion plays, frames are also cast in high quality and kept (see KeptFrames). If a high-quality frame takes
+/// longer than a frame may, only every third one is kept, so that the motion goes on; a quicker picture of it is
+/// delivered first. Turn by turn more of a loop comes from memory. Once the motion has stopped, the next request for
+/// another picture drops all kept frames.
 class ProgressiveCaster : public QObject {
     Q_OBJECT
 
@@ -49,7 +50,8 @@ public:
     /// Forgets the newest request, cancels what runs and delivers nothing of it. What was kept of its volume is freed.
     /// While a motion plays, the running picture ends first, so that its frame is kept.
     void clear();
-    /// True from a request until its converged picture was delivered or the request was cleared.
+    /// True from a request until its converged picture was delivered, its picture has failed, or the request was
+    /// cleared.
     [[nodiscard]] bool busy() const { return m_newest && (m_thread.busy() || m_rest.isActive()); }
     /// True while the quick picture of the newest request is on its way.
     [[nodiscard]] bool quickPictureComes() const { return m_newest && m_thread.busy() && m_startedQuick; }

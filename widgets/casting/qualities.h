@@ -25,8 +25,8 @@ struct Quality {
 ///
 /// Errors, in grey levels of 255, of the worst of two phantoms and two curves at 512 x 512 (docs/performance.md,
 /// "Pictures a second"): converged RMSE 0.1 and 1 at most; high quality 0.7 and 6; a preview of all rays 1.0 and 13 at
-/// step 1, and 2.1 and 24 at 1.5. Previews drop rays before steps, because from steps of 2 units on the steep curve of
-/// quiet voxels shows rings. Why these settings: docs/rendering.md.
+/// step 1, and 2.1 and 24 at 1.5. Previews drop rays before they lengthen steps: with steps of 2 units or more, the
+/// steep curve of quiet voxels shows rings. docs/rendering.md gives the reasons for these settings.
 inline constexpr std::array<Quality, 11> qualities{{
     {"converged", 1.0, convergedStep, true, convergedTransmittance},
     {"high quality", 1.0, 0.75, true},
@@ -41,16 +41,16 @@ inline constexpr std::array<Quality, 11> qualities{{
     {"preview", 8.0, 3.0},
 }};
 inline constexpr std::size_t convergedQuality = 0;
-/// For the kept frames of a motion.
+/// The quality of the kept frames of a motion.
 inline constexpr std::size_t highQuality = 1;
-/// Until something is measured.
+/// The quality of pictures in motion until something is measured.
 inline constexpr std::size_t firstQuality = 7;
 
 /// The settings of a picture at a quality. `asked`: the settings of the look, at the view's full size and the look's
 /// own step.
 [[nodiscard]] RayCastSettings settingsAt(std::size_t quality, const RayCastSettings& asked);
 
-/// The next finer quality that is shown at rest; convergedQuality has none.
+/// The next finer quality that is shown at rest. There is none for convergedQuality, which must not be asked for.
 [[nodiscard]] std::size_t nextAtRest(std::size_t quality);
 
 }  // namespace echolucent

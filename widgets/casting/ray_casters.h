@@ -15,8 +15,9 @@ namespace echolucent {
 /// The result of casting a request.
 struct CastResult {
     std::vector<CastPane> panes{};  ///< of all panes; empty if the work was cancelled
-    /// How samples were used. No value unless all panes that were cast used them alike and the time tells a picture's
-    /// cost. It does so if all panes were sampled, or if some were made of kept samples and the others stayed.
+    /// How the panes that were cast used samples. No value if none was cast, or if they used samples in different ways.
+    /// No value either if a pane stayed while others took new samples, because the time then does not tell a picture's
+    /// cost.
     std::optional<SampleUse> samples{};
     double lightMilliseconds = 0.0;  ///< for all panes' light volumes; independent of the picture's size
 };
@@ -26,8 +27,8 @@ struct CastResult {
 using Cast = std::function<CastResult(const PictureRequest& request, const Progress& progress)>;
 
 /// Casts each pane through a RayCaster, which is kept as long as the pane shows the same scan. Casters of one scan
-/// share its packed voxels. A pane is not cast again if nothing changed since its
-/// last cast, quality included.
+/// share its packed voxels. Among several panes, a pane is not cast again if nothing changed since its last cast,
+/// quality included.
 [[nodiscard]] Cast castThroughRayCasters();
 
 }  // namespace echolucent

@@ -12,20 +12,22 @@
 namespace echolucent {
 
 /// Places two to four panes of one size, as large as they can be. One of them may fill the whole room for a while. In a
-/// difference or a wipe the pair's pane fills it. Objects: compare.panes (this), compare.pane1 … .pane4, compare.pair.
+/// difference or a wipe the pair's pane fills the room. Objects: compare.panes (this), compare.pane1 … .pane4,
+/// compare.pair.
 class CompareGrid : public QWidget {
     Q_OBJECT
 
 public:
     explicit CompareGrid(QWidget* parent = nullptr);
 
-    /// If this is another arrangement, ends a maximised pane.
+    /// Arranges `panes` panes (fewestPanes to mostPanes, else clamped). Ends a maximised pane if the arrangement
+    /// changes.
     void arrange(ComparisonLayout layout, std::size_t panes);
     [[nodiscard]] ComparePane& pane(std::size_t place) { return *m_panes.at(place); }
     [[nodiscard]] ComparePane& pair() { return *m_pair; }
     /// The size of all shown pictures, in device pixels; empty if none is shown.
     [[nodiscard]] QSize pictureSize() const;
-    /// The panes that are shown side by side, or the maximised one; empty if the pair's pane is shown.
+    /// The places of the panes that are shown side by side, or of the maximised one; empty if the pair's pane is shown.
     [[nodiscard]] std::vector<std::size_t> shownPanes() const;
     [[nodiscard]] bool dragging() const;
     /// Ends a drag without change. False if there is none.
@@ -37,7 +39,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
 
 signals:
-    /// Other panes are shown, or their size has changed.
+    /// Other panes are shown, their size has changed, or the whole grid was shown or hidden.
     void arranged();
     // The signals of the panes.
     void dragEnded();

@@ -186,7 +186,7 @@ void ComparePane::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-/// The shift of the wipe's line by a key; no value for another key.
+/// The shift of the wipe's line by a key; no value for another key, or without a wipe.
 std::optional<double> ComparePane::wipeOf(const QKeyEvent& event) const {
     const std::optional<QPointF> direction = directionOfArrow(event.key());
     const bool held = event.modifiers() & (Qt::AltModifier | Qt::MetaModifier);

@@ -23,7 +23,7 @@ struct PaneFace {
 /// As in the 3D view: a left drag orbits, a middle or Shift + left drag pans, a right drag and the wheel zoom, a Ctrl +
 /// left drag moves the light, a double click asks for the whole room, Escape ends a drag. Ctrl + arrows orbit, Shift +
 /// arrows pan, + and - zoom. Drags are reported while they go on, in shares of the picture's height, to the right and
-/// down. In a wipe, a drag moves the line between the two pictures, and so do Left and Right.
+/// down. In a wipe, a left drag of the line between the two pictures moves the line, and so do Left and Right.
 class ComparePane : public QWidget {
     Q_OBJECT
 
@@ -58,7 +58,7 @@ signals:
     void orbited(double right, double down);
     void panned(double right, double down);
     void zoomed(double factor);  ///< above 1: things grow; about the picture's centre
-    /// The same about a point, in shares of the picture's height from its centre.
+    /// Zooms by `factor` about a point, given in shares of the picture's height from its centre.
     void zoomedAbout(double right, double down, double factor);
     void lightMoved(double right, double down);
     void wipeMoved(double share);  ///< [0, 1]

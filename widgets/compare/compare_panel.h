@@ -18,7 +18,8 @@ class QTableWidget;
 
 namespace echolucent {
 
-/// "Linear curve", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112". With ", phase 3" if it has one.
+/// "Linear curve", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112". With ", mean of 5" if the pane
+/// has an OTF of its own in a motion, and with ", phase 3" if it has a phase of its own.
 [[nodiscard]] QString nameOfPane(const Pane& choice);
 
 /// Objects: compare (this), compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4, compare.motion2 …
@@ -30,7 +31,7 @@ class ComparePanel : public QWidget {
 public:
     explicit ComparePanel(QWidget* parent = nullptr);
 
-    /// The panes compared. Without a pane, all but the number of panes is disabled.
+    /// The panes compared. Without a pane, a person can set nothing but the number of panes.
     void setPanes(const std::vector<Pane>& panes);
     void setComparison(const Comparison& comparison);
     /// Limits of the study and the method, for the choices that depend on them.

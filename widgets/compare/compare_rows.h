@@ -12,7 +12,7 @@ namespace echolucent {
 struct CompareRow {
     QString name;
     std::optional<double> contrast{};             ///< CNR_S by the tube cores' surfaces
-    std::optional<double> nearSurfaces{};         ///< mean share of a ray's light near them, [0,1]
+    std::optional<double> nearSurfaces{};         ///< mean share of a ray's light near these surfaces, [0,1]
     std::optional<double> flicker{};              ///< RMS of pictures in [0,1]
     std::optional<double> designMilliseconds{};   ///< of the designer; a curve needs none
     std::optional<double> pictureMilliseconds{};  ///< of the picture that is shown
@@ -21,9 +21,9 @@ struct CompareRow {
 
 /// The headings, the name first.
 [[nodiscard]] QStringList compareColumns();
-/// The cells of a row under these headings. An unknown value is "–".
+/// The cells of a row under the headings of compareColumns(). An unknown value is "–".
 [[nodiscard]] QStringList cellsOf(const CompareRow& row);
-/// "CNR_S 2.31 · 45 % near surfaces · 12 ms": the line under a picture.
+/// "CNR_S 2.31 · 45 % near surfaces · picture 12 ms": the line under a picture. Unknown values are left out.
 [[nodiscard]] QString numbersOf(const CompareRow& row);
 /// Columns aligned by spaces.
 [[nodiscard]] QString compareText(const std::vector<CompareRow>& rows);

@@ -8,7 +8,7 @@ namespace echolucent {
 
 /// A line takes as many items as fit at their preferred width. The layout is never narrower than its widest item. Items
 /// that expand share the free room of their line; the others keep their width. If a line holds items from before and
-/// after addStretch(), those after it stand at its right end.
+/// after addStretch(), the later ones stand at the line's right end.
 class FlowLayout : public QLayout {
     Q_OBJECT
 

@@ -21,8 +21,8 @@ namespace {
 constexpr int signWidth = 40;    // the coloured stripe and the sign beside it
 constexpr int gapToPicture = 8;  // pixels of picture that stay free below the bar and, at least, beside it
 constexpr int leastTextWidth = 160;
-constexpr int leastWidth = 480;   // if the picture is wide enough
-constexpr int cornerWidth = 142;  // of the picture's orientation marker and scale bar, which the bar leaves visible
+constexpr int leastWidth = 480;   // the bar may be so wide even over the picture's corners
+constexpr int cornerWidth = 142;  // of the orientation marker and scale bar, beside which the bar stays if it can
 
 QLabel* createLine(const QString& name, const QString& accessibleName) {
     auto* label = named(new QLabel, name, accessibleName);
@@ -30,7 +30,7 @@ QLabel* createLine(const QString& name, const QString& accessibleName) {
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label->setMinimumWidth(leastTextWidth);
-    label->setMinimumHeight(20);  // the sign's
+    label->setMinimumHeight(20);  // the height of the sign
     return label;
 }
 
@@ -90,7 +90,8 @@ void MessageBar::lieOver(QWidget& picture, Qt::Edge edge) {
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     if (watched == m_picture && (type == QEvent::Resize || type == QEvent::Move)) place();
-    // The picture's own window is made after it is shown. A tab of the docks raises it with all around it.
+    // The picture's own window is made after the picture is shown. A tab of the docks raises the picture with all
+    // widgets around it. So the bar must be raised again.
     if (m_picture != nullptr && (type == QEvent::Show || type == QEvent::ZOrderChange))
         QMetaObject::invokeMethod(this, &MessageBar::place, Qt::QueuedConnection);
     return QWidget::eventFilter(watched, event);

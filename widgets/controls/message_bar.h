@@ -21,8 +21,8 @@ struct MessageAction {
 };
 
 /// Objects: message (this), message.text, message.remark, message.action.0 ..., message.close. Hidden until
-/// showMessage. Escape closes the bar while the focus is inside. Message and remark each have a line with its own sign,
-/// so that a warning below good news does not change its sign.
+/// showMessage() or setRemark(). Escape closes the bar while the focus is inside. Message and remark each have a line
+/// with its own sign, so that a warning below good news does not change the sign of the news.
 class MessageBar : public QWidget {
     Q_OBJECT
 
@@ -36,16 +36,16 @@ public:
 
     /// Turns a sentence into the words that are shown.
     using Reading = std::function<QString(const QString& sentence)>;
-    /// Sets how sentences are shown from now on, and how those on the bar are. Without a reading they are shown as they
-    /// are.
+    /// `reading` reads each message and remark that is set later, `ofShown` those on the bar. An empty function leaves
+    /// sentences as they are.
     void setReading(Reading reading, Reading ofShown);
 
-    /// Shows a sentence; replaces what was shown before.
+    /// Shows a message in place of the one before. The remark stays.
     void showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
     /// Sets a warning about the present picture. It stands below the message, or alone. An empty sentence removes it. A
     /// remark that a person closed stays closed if it is set again.
     void setRemark(const QString& sentence);
-    /// Removes the message if it is still this one. The remark stays. Emits nothing.
+    /// Removes the message if it is still `text`. The remark stays. Emits nothing.
     void takeBack(const QString& text);
     /// Closes the bar, the remark included; emits nothing.
     void dismiss();
@@ -77,7 +77,7 @@ private:
     QWidget* m_picture = nullptr;  ///< the bar lies over it
     Qt::Edge m_edge = Qt::BottomEdge;
     MessageKind m_kind = MessageKind::info;
-    Reading m_reading;                          ///< of the next sentence
+    Reading m_reading;                          ///< of the next message or remark
     Reading m_messageReading, m_remarkReading;  ///< of those on the bar
     QString m_message;
     QString m_remark;

@@ -24,7 +24,8 @@ Widget* named(Widget* widget, const QString& objectName, const QString& accessib
     return widget;
 }
 
-/// Lets the wheel change a control only while it has the focus. So scrolling a dock changes no value by accident.
+/// Lets the wheel change a control only while the control has the focus. So scrolling a dock changes no value by
+/// accident.
 void wheelNeedsFocus(QWidget* control);
 
 /// A text in front of a control. The control is its buddy.

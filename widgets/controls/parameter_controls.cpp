@@ -50,7 +50,7 @@ double stepOfSpinBox(const AnyParameter& row) {
     return span <= 2.0 ? 0.05 : span <= 20.0 ? 0.25 : 1.0;
 }
 
-/// Name, tool tip and wheel of all controls but sliders. A slider names its own parts.
+/// Gives a combo box or spin box its name, its tool tip and its wheel. Check boxes and sliders do this themselves.
 template <typename Widget>
 Widget* dressed(Widget* widget, const AnyParameter& row, const QString& name) {
     named(widget, name, textOf(row.label), toolTipOf(row));

@@ -18,7 +18,7 @@ namespace echolucent {
 /// The control of one parameter: a check box for a flag, a combo box for a choice, a spin box or slider for a number.
 struct ParameterControl {
     QWidget* widget = nullptr;
-    QLabel* label = nullptr;                            ///< its buddy; null if the widget says itself what it is
+    QLabel* label = nullptr;  ///< the widget is its buddy; null for a check box, which shows the name itself
     std::function<void(const ParameterValue&)> show{};  ///< shows a value; emits nothing
 };
 
@@ -26,7 +26,7 @@ struct ParameterControl {
 enum class NumberControl {
     spinBox,
     slider,           ///< a slider and a spin box
-    resettingSlider,  ///< the same with a button that sets the default
+    resettingSlider,  ///< a slider, a spin box, and a button that sets the default
 };
 
 /// Makes the control of a row; the caller owns its widgets. Its object name is the group's name, a point and the row's

@@ -30,7 +30,7 @@ public:
     void clearOtf();
     /// Short statements about the data, for example "no lossy compression".
     void setNotes(const QStringList& notes);
-    /// Normalised intensity and opacity under the cursor, both in [0,1]; no values if it points at nothing.
+    /// Normalised intensity and opacity under the cursor, both in [0,1]; no values if the cursor points at nothing.
     void setPointed(std::optional<double> intensity, std::optional<double> opacity);
 
     /// Shows that something runs, named by a word ("loading"). Its share is unknown until setProgress. A second call

@@ -49,7 +49,7 @@ class MovieDialog : public QDialog {
 public:
     struct Facts {
         QString plays{};       ///< what the frames show, a few words
-        int frames = 1;        ///< how many they are
+        int frames = 1;        ///< the number of frames
         QSize ofView{};        ///< pixels of the view, offered as a size too
         MovieChoice choice{};  ///< what is proposed
         QString note{};        ///< a sentence to read before saving; empty if there is none

@@ -32,10 +32,11 @@ public:
     /// opened.
     RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
 
-    /// Spacing is 1, 1, 1 if it is unknown. Voxels along beams have none, and it is 1, 1, 1 for them too.
+    /// The spacing is 1, 1, 1 if it is unknown, and for voxels along beams, which have no spacing.
     [[nodiscard]] RawLayout values() const;
     void setValues(const RawLayout& values);
-    /// True if the file holds header and voxels. It may be longer.
+    /// True if the file is long enough for header and voxels, or packed, and the geometry of beams makes sense. The
+    /// file may be longer.
     [[nodiscard]] bool fits() const;
 
 private:

@@ -13,9 +13,9 @@ class QPushButton;
 namespace echolucent {
 
 struct SeriesRow {
-    QString title;        ///< the scanner's name for it, or "series 3"
+    QString title;        ///< the scanner's name for the series, or "series 3"
     QString facts;        ///< "DICOM ultrasound, 256 x 256, 66 slices"
-    QString hindrance{};  ///< a sentence that says why it cannot be opened as a volume; empty if it can
+    QString hindrance{};  ///< a sentence that says why the series cannot be opened as a volume; empty if it can
     bool openable = true;
 };
 

@@ -36,7 +36,8 @@ void DocumentModel::cancelPreview() {
     if (!m_beforePreview) return;
     Document before = *std::exchange(m_beforePreview, std::nullopt);
     before.scene.phase = m_document.scene.phase;
-    // A drag of the camera has stopped the motion, so its angle returns with the pose. Other drags let it go on.
+    // If the drag moved the camera, it stopped the motion, so the motion's angle returns with the pose. During other
+    // drags the motion goes on and keeps its present angle.
     if (before.scene.pose == m_document.scene.pose) before.scene.motionAngle = m_document.scene.motionAngle;
     set(keepingChecksum(before));
 }
@@ -95,14 +96,14 @@ void DocumentModel::begin(const Document& document) {
 }
 
 void DocumentModel::restore(const Document& document) {
-    // End the drag where it began. Then the step before it is undone.
+    // Drop a preview that goes on. `document` is the state to show instead.
     m_beforePreview.reset();
     set(keepingChecksum(withShown(document, m_document)));
 }
 
 void DocumentModel::set(Document next) {
     const Document before = std::exchange(m_document, std::move(next));
-    // A slot may change the document again. Announce this change all the same; each slot reads the newest document.
+    // A slot may change the document again. Announce this change all the same: each slot reads the newest document.
     const Document after = m_document;
     if (after.study != before.study) emit studyChanged();
     if (after.beam != before.beam) emit beamChanged();

@@ -28,29 +28,29 @@ public:
     using Gesture = int;
     static constexpr Gesture noGesture = 0;
 
-    /// The steps keep at most `mostBytes` bytes.
+    /// The steps keep at most `mostBytes` bytes, but always the newest step.
     explicit DocumentModel(QObject* parent = nullptr, std::size_t mostBytes = DocumentSteps::mostBytesKept);
 
     [[nodiscard]] const Document& document() const { return m_document; }
     [[nodiscard]] DocumentSteps& steps() { return m_steps; }
 
-    /// Says which gesture a hand makes now; noGesture if none. Without a Hand there is none.
+    /// Says which gesture a hand makes now; noGesture if none. Without a Hand, gesture() is noGesture.
     using Hand = std::function<Gesture()>;
     void setHand(Hand hand) { m_hand = std::move(hand); }
     [[nodiscard]] Gesture gesture() const { return m_hand ? m_hand() : noGesture; }
 
-    /// Makes `wanted` the document, as one step named `what`, of the hand's gesture or the given one. If `wanted`
-    /// differs only in the shown phase and frame, there is no step.
+    /// Makes `wanted` the document, as one step named `what`, of the hand's gesture or the given one. A preview that
+    /// goes on becomes part of this step. If `wanted` differs only in the shown phase and frame, there is no step.
     void edit(const Document& wanted, const QString& what) { edit(wanted, what, gesture()); }
     void edit(const Document& wanted, const QString& what, Gesture gesture);
-    /// The same, with how(Document&) changing the document.
+    /// edit() with the present document as changed by how(Document&).
     template <typename Change>
     void change(const QString& what, Change&& how) {
         Document next = m_document;
         std::forward<Change>(how)(next);
         edit(next, what);
     }
-    /// Calls show(const Document&) now, and after each such signal while the receiver lives.
+    /// Calls show(const Document&) now, and after each `signal` while the receiver lives.
     template <typename Signal, typename Show>
     void bind(Signal signal, const QObject* receiver, Show show) const {
         connect(this, signal, receiver, [this, show] { show(m_document); });
@@ -63,8 +63,8 @@ public:
     void cancelPreview();
     /// preview() while a drag goes on, else edit().
     void take(const Document& wanted, const QString& what, bool dragging);
-    /// The same for a camera that the hand has moved: the view looks from there. A motion starts anew from where the
-    /// person left it.
+    /// take() for a camera that the hand has moved to `moved`. The motion's angle becomes 0, so a motion starts anew
+    /// from where the person left the camera.
     void moveCamera(const Pose& moved, bool dragging);
     [[nodiscard]] bool previewing() const { return m_beforePreview.has_value(); }
 
@@ -74,7 +74,7 @@ public:
     void showFrame(double degrees, int phase);
 
     /// Notes the checksum of the document's study. This is no step, and emits only changed(). Edits, undo and redo keep
-    /// it. std::invalid_argument if it is another study than the document's.
+    /// the checksum. std::invalid_argument if `study` is another study than the document's.
     void noteChecksum(const StudyReference& study);
     /// Begins another document, and forgets the steps.
     void begin(const Document& document);
@@ -107,9 +107,11 @@ private:
     /// The function that undo and redo call.
     void restore(const Document& document);
     void set(Document next);
-    /// The document with the known checksum of its study, if that is still the same.
+    /// `document`, with the present document's study reference if both name the same study: only the present one may
+    /// know the checksum.
     [[nodiscard]] Document keepingChecksum(Document document) const;
-    /// The same, sharing lists with the document that an undo leads to.
+    /// keepingChecksum(), sharing lists with the present document, or with the document before the preview if there is
+    /// one.
     [[nodiscard]] Document keptOf(Document document) const;
 
     Hand m_hand;

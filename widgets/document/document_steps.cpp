@@ -17,7 +17,7 @@ void DocumentSteps::setIndex(int index) {
     index = std::clamp(index, 0, count());
     if (index == m_index) return;
     m_index = index;
-    m_restore(Document(shown().document));  // a copy, as a slot may forget this state
+    m_restore(Document(shown().document));  // a copy, as a slot may forget this state meanwhile
     emit changed();
 }
 

@@ -20,16 +20,16 @@ class DocumentSteps : public QObject {
 public:
     /// Makes a kept document the present one.
     using Restore = std::function<void(const Document& document)>;
-    /// Enough for some ten thousand steps without large lists, or for sixteen curved cuts with the most nodes that a
+    /// Enough for some ten thousand steps without large lists, or for fifteen curved cuts with the most nodes that a
     /// file may have (1024 by 1024). Less than the voxels of a small study.
     static constexpr std::size_t mostBytesKept = 64'000'000;
 
     explicit DocumentSteps(Restore restore, std::size_t mostBytes = mostBytesKept);
 
     [[nodiscard]] int count() const { return static_cast<int>(m_states.size()) - 1; }
-    /// Index of the state shown, from 0 to count(): so many steps can be undone.
+    /// Index of the state shown, from 0 to count(). It is also the number of steps that can be undone.
     [[nodiscard]] int index() const { return m_index; }
-    /// Shows the state of an index. If it is out of range, shows the nearest one.
+    /// Shows the state of an index, or the nearest state if `index` is out of range.
     void setIndex(int index);
     void undo() { setIndex(m_index - 1); }
     void redo() { setIndex(m_index + 1); }
@@ -40,23 +40,25 @@ public:
     [[nodiscard]] QString undoText() const { return text(m_index - 1); }
     [[nodiscard]] QString redoText() const { return text(m_index); }
 
-    /// The number of steps dropped since begin(). If above 0, the first state is not the document at the beginning.
+    /// The number of steps dropped since begin() or clear(). If above 0, the first state is not the document at the
+    /// beginning.
     [[nodiscard]] int dropped() const { return m_dropped; }
-    /// The bytes of all states (bytesBeside()), and their limit. Only a single step may exceed it.
+    /// The bytes of all states (bytesBeside()), and their limit. Only a single step may exceed the limit.
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
     [[nodiscard]] std::size_t mostBytes() const { return m_mostBytes; }
-    /// From the next step on; tests of a whole window set it.
+    /// Limits the bytes from the next step on. Tests of a whole window use it.
     void setMostBytes(std::size_t bytes) { m_mostBytes = bytes; }
 
     /// Forgets all steps. The shown state becomes the first.
     void clear();
 
-    // Only the model calls these. They emit nothing: the model shows the document first, then emits changed().
+    // Only the model calls begin() and push(). They emit nothing: the model shows the document first, then emits
+    // changed().
     /// Forgets all steps. `document` becomes the first state.
     void begin(const Document& document);
-    /// Adds a step from the shown state, which is now `before`, to `after`. Steps that were undone are forgotten. If
-    /// the step before has the same text and gesture, both become one. If nothing is changed then, the step is dropped.
-    /// Gesture 0 stands alone.
+    /// Adds a step to `after`. The state shown becomes `before`. Steps that were undone are forgotten. If the step that
+    /// led to the shown state has the same text and gesture, both become one, from where that step began. If they then
+    /// change nothing but phase and frame, the step is dropped. A step with gesture 0 is never joined.
     void push(const Document& before, const Document& after, const QString& what, int gesture);
 
 signals:

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array modesWithHistory{MotionOtf::eachView, MotionOtf::mean, MotionOtf::movingLeastSquares,
                                       MotionOtf::leastFlicker};
 
-/// Number of frames between two. The phases repeat in a circle.
+/// Number of frames from one frame to another. The phases repeat in a circle.
 int stepBetween(const CourseFrame& a, const CourseFrame& b) {
     const int phases = std::abs(a.phase - b.phase);
     return std::max(std::abs(a.angle - b.angle), std::min(phases, b.phases - phases));

@@ -41,7 +41,8 @@ public:
 
     /// The curve of a mode for the last frame; empty before the first.
     [[nodiscard]] const SampledCurve& newest(MotionOtf mode) const { return m_newest[indexOf(mode)]; }
-    /// otfFlicker() of the newest frames in a mode. No value before the third frame since the last jump.
+    /// otfFlicker() of the newest frames in a mode. No value before the third frame since the last jump. The one OTF
+    /// has a flicker of 0 as soon as there is a curve.
     [[nodiscard]] std::optional<double> flicker(MotionOtf mode) const;
 
     [[nodiscard]] Rows rows() const { return m_rows; }

@@ -9,8 +9,8 @@
 
 namespace echolucent {
 
-/// Object motion.map.curves. Shows the first, the middle and the last row of a course (-45°, 0° and +45°) and the
-/// present one. The curve of the mode is heavy, the unsmoothed OTF thin in the same colour and dashes.
+/// Object motion.map.curves. Shows the first, the middle and the last row of a course (-45°, 0° and +45° if rows are
+/// angles) and the present one. The curve of the mode is heavy, the unsmoothed OTF thin in the same colour and dashes.
 class OtfCurvesCanvas : public QWidget {
     Q_OBJECT
 

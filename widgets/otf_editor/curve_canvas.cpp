@@ -14,7 +14,7 @@ namespace {
 constexpr double nudgeStep = 1.0 / 256.0;
 constexpr double coarseNudgeFactor = 10.0;
 constexpr double zoomPerNotch = 0.85;
-constexpr double wheelNotch = 120.0;  // eighths of a degree times 15, Qt's unit
+constexpr double wheelNotch = 120.0;  // one notch: 15 degrees in Qt's unit, an eighth of a degree
 
 }  // namespace
 
@@ -161,7 +161,7 @@ void CurveCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void CurveCanvas::dragTo(QPointF position, Qt::KeyboardModifiers modifiers) {
-    if (!m_model.dragging()) {  // an undo elsewhere has ended it
+    if (!m_model.dragging()) {  // an undo elsewhere has ended the drag
         m_grab.reset();
         return;
     }

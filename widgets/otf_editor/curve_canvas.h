@@ -15,13 +15,13 @@ namespace echolucent {
 
 /// Mouse: a drag moves a node (with Shift along one axis), a double click adds one, the middle button pans. The wheel
 /// zooms the intensities over the plot or their axis, the opacities over their axis or with Ctrl. A double click on an
-/// axis resets it. Keys: Tab and the Page keys go from node to node, arrows move the selected one by 1/256 (with Shift
-/// by 10/256), Delete removes it, Escape ends a drag without change.
+/// axis resets that axis, in the corner both. Keys: Tab and the Page keys go from node to node, arrows move the
+/// selected one by 1/256 (with Shift by 10/256), Delete removes it, Escape ends a drag without change.
 class CurveCanvas : public QWidget {
     Q_OBJECT
 
 public:
-    /// A press hits a node if it is this near its centre along each axis, in pixels.
+    /// A press hits a node if it is nearer than this to the node's centre along each axis, in pixels.
     static constexpr double hitDistance = 10.0;
 
     explicit CurveCanvas(OtfEditorModel& model, QWidget* parent = nullptr);

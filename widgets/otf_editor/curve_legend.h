@@ -10,9 +10,9 @@
 
 namespace echolucent {
 
-/// The five curves, two in a row. Each has a radio button that renders it, and a check box with a piece of its line
-/// that shows it in the plot. If a designer's OTF is rendered, one more row has the designer's name; a click on any of
-/// the five curves then leaves the designer.
+/// The five curves, two in a row. Each has a radio button that renders the curve, and a check box that shows the curve
+/// in the plot, with a piece of the curve's line. If a designer's OTF is rendered, one more row has the designer's
+/// name; a click on any of the five curves then leaves the designer.
 class CurveLegend : public QWidget {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ private:
     OtfEditorModel& m_model;
     std::array<QRadioButton*, 5> m_active{};
     std::array<QCheckBox*, 5> m_visible{};
-    QRadioButton* m_designActive = nullptr;  ///< seen only while a designer's OTF is rendered; it is checked then
+    QRadioButton* m_designActive = nullptr;  ///< seen only while a designer's OTF is rendered, and checked then
     QCheckBox* m_designVisible = nullptr;
 };
 

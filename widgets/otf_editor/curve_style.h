@@ -24,7 +24,7 @@ namespace echolucent {
 [[nodiscard]] QColor curveColor(CurveKind kind, Theme theme);
 /// Colour, width and dashes; the active curve is drawn heavier.
 [[nodiscard]] QPen curvePen(CurveKind kind, bool active, Theme theme);
-/// Colour and pen of a designer's upper curve. Its colour and its dashes differ from those of the five.
+/// Colour and pen of a designer's upper curve. Its colour and its dashes differ from those of the five curves.
 [[nodiscard]] QColor designColor(Theme theme);
 [[nodiscard]] QPen designPen(Theme theme);
 inline constexpr QSize curveSampleSize{25, 12};  ///< pixels

@@ -14,8 +14,8 @@ namespace echolucent {
 enum class HistogramScale { linear, logarithmic };
 
 /// Height of each bin as a share of the plot, [0,1]. The reference is the fullest bin, the first and the last left out:
-/// saturated voxels and fluid at exactly 0 would flatten all others. These two bins are cut at 1. Logarithmic heights
-/// are log(1 + count) / log(1 + reference).
+/// saturated voxels and fluid at exactly 0 would flatten all others. These two bins are cut at 1. If all other bins are
+/// empty, the fuller of the two is the reference. Logarithmic heights are log(1 + count) / log(1 + reference).
 [[nodiscard]] std::array<double, 256> histogramHeights(const IntensityHistogram& histogram, HistogramScale scale);
 
 /// Fills the histogram's steps over the shown intensities. The zoom of the opacity axis does not change heights.

@@ -11,9 +11,10 @@ namespace echolucent {
 /// Largest difference in opacity if a sampled curve is copied into nodes, anywhere in [0,1].
 inline constexpr double copiedCurveMaxError = 0.003;
 
-/// The nodes of a manual curve that differs from `curve` by at most `maxError` (> 0) in opacity at every intensity.
-/// Douglas and Peucker's subdivision, with the distance along the opacity axis: so the bound holds for opacity. The
-/// first and last samples are always kept. Fewer than two samples give a constant curve of one node.
+/// The nodes of a manual curve that differs from `curve` by at most `maxError` in opacity at every intensity.
+/// `maxError` must be above 0, else std::invalid_argument is thrown. Douglas and Peucker's subdivision, with the
+/// distance along the opacity axis: so the bound holds for opacity. The first and last samples are always kept. Fewer
+/// than two samples give a constant curve of one node.
 [[nodiscard]] ManualCurve reducedToNodes(const SampledCurve& curve, double maxError);
 
 /// A named manual curve to start from.

@@ -7,8 +7,8 @@
 
 namespace echolucent {
 
-/// Its current row is the editor's selected node. Delete removes the node. A double click, Return or F2 lets a person
-/// type a number; digits do nothing before that.
+/// The table's current row is the editor's selected node. Delete removes the node. A double click, Return or F2 lets a
+/// person type a number; digits do nothing before that.
 class NodeTable : public QTableView {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ private:
 
     OtfEditorModel& m_editorModel;
     NodeTableModel m_rows;
-    bool m_following = false;  // the selection comes from the model
+    bool m_following = false;  // while the selection comes from the model
 };
 
 }  // namespace echolucent

@@ -8,7 +8,7 @@ namespace {
 
 QString exactText(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
 
-/// Four decimals, six significant digits for stored values, no trailing zeros.
+/// Four decimals; for stored values six significant digits without trailing zeros.
 QString roundedText(double value, bool stored) {
     if (stored) return QString::number(value, 'g', 6);
     return QString::number(value, 'f', 4);

@@ -23,7 +23,8 @@ public:
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     /// DisplayRole rounds, EditRole is the shortest text that reads back as the same number.
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    /// Takes text with a point or a comma. If it is no number or out of range, returns false, and `refused` says why.
+    /// Takes text with a point or a comma. If the text is no number or out of range, returns false, and `refused` says
+    /// why. Unchanged text also gives false, without a word.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;

@@ -166,7 +166,7 @@ QStackedWidget* OtfEditor::makePages() {
     pages->addWidget(new LinearParameters(m_model));
     pages->addWidget(new PowerParameters(m_model, CurveKind::parabolic));
     pages->addWidget(new PowerParameters(m_model, CurveKind::quartic));
-    pages->addWidget(makeDesignPage());  // behind them
+    pages->addWidget(makeDesignPage());  // after the pages of the curves
     return pages;
 }
 

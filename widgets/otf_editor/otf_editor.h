@@ -19,11 +19,11 @@ namespace echolucent {
 class CurveCanvas;
 class NodeTable;
 
-/// Holds the plot, the legend, the numbers of the active curve and the node table. It reads and writes no files: others
-/// answer openCurveRequested and saveCurveRequested.
+/// Holds the plot, the legend, the numbers of the active curve and the node table. The editor reads and writes no
+/// files: whoever receives openCurveRequested and saveCurveRequested does.
 ///
-/// Its actions have their shortcuts from the table of keys. They work in the whole window: put the actions into menus,
-/// and give their keys to nothing else.
+/// The editor's actions have their shortcuts from the table of keys. The shortcuts work in the whole window: put the
+/// actions into menus, and give their keys to nothing else.
 class OtfEditor : public QWidget {
     Q_OBJECT
 
@@ -48,7 +48,8 @@ public:
     /// Marks the intensity under the cursor in the 3D view. No value removes the mark.
     void setCursorIntensity(std::optional<double> intensity);
 
-    /// Takes a curve read from a file as the manual one and makes it active, in one undo step. It counts as saved.
+    /// Takes a curve read from a file as the manual one and makes it active, in one undo step. The curve counts as
+    /// saved.
     void openManualCurve(const ManualCurve& curve);
     [[nodiscard]] bool isManualModified() const { return m_model.isManualModified(); }
     /// Call this after the present manual curve has been written.
@@ -65,7 +66,7 @@ public:
     [[nodiscard]] QAction* openCurveAction() const { return m_openCurve; }
     [[nodiscard]] QAction* saveCurveAction() const { return m_saveCurve; }
     [[nodiscard]] QMenu* presetsMenu() const { return m_presets; }
-    /// Checkable, one of them checked; keys 1 to 5.
+    /// Checkable. One of them is checked, but none while a designer's OTF is rendered. Keys 1 to 5.
     [[nodiscard]] QAction* activateAction(CurveKind kind) const { return m_activate[indexOf(kind)]; }
 
 signals:

@@ -55,7 +55,7 @@ void OtfEditorModel::setActive(CurveKind kind) {
     next.active = kind;
     next.designed = false;
     next.visible[indexOf(kind)] = true;
-    // A person may go through the curves to compare them. One undo goes back to the first.
+    // A person may go through the curves to compare them. One undo goes back to the first curve.
     constexpr Gesture choosing = -1;
     edit(next, tr("choose curve"), choosing);
     announceNow();
@@ -140,7 +140,7 @@ void OtfEditorModel::replaceManual(const ManualCurve& curve, const QString& what
 bool OtfEditorModel::copyIntoNodes() {
     if (m_state.designed) {
         if (!m_state.design) return false;
-        constexpr int samples = 1024;  // a two-dimensional OTF has at most so many nodes
+        constexpr int samples = 1024;  // a two-dimensional OTF has at most this many nodes
         const SampledCurve upper{sampledOpacities(*m_state.design, samples)};
         replaceManual(reducedToNodes(upper, copiedCurveMaxError),
                       tr("copy %1 into nodes").arg(QString::fromStdString(m_state.designer)));

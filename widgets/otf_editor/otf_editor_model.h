@@ -11,10 +11,10 @@
 
 namespace echolucent {
 
-/// The curves are the document's, and the active one is its first pane's. Every edit goes there as one step. A drag is
-/// one step, as are edits that share a gesture (a key or button held down) and successive choices of the active curve.
-/// The visibility of curves, the selection and new adaptive curves are no steps. If a step made the manual curve
-/// active, its undo takes that back too.
+/// The curves are the document's, and the active one is that of its first pane. Every edit goes to the document as one
+/// step. A drag is one step, as are edits that share a gesture (a key or button held down) and successive choices of
+/// the active curve. The visibility of curves, the selection and new adaptive curves are no steps. If a step made the
+/// manual curve active, its undo makes the former curve active again.
 class OtfEditorModel : public QObject {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ public:
     /// The newest result of the adaptive method; not undoable.
     void setAdaptiveCurve(const SampledCurve& curve);
     /// Sets the result of the named designer: its upper curve, none if it is not computed yet. The document says
-    /// whether it is rendered. Not undoable.
+    /// whether the designer's OTF is rendered. Not undoable.
     void setDesign(const std::string& designer, const std::optional<OpacityCurve>& upper);
     void setDesignVisible(bool visible);
 
@@ -56,14 +56,17 @@ public:
     /// Copies the adaptive curve into few nodes (copiedCurveMaxError). If a designer's OTF is rendered, copies its
     /// upper curve. False if there is none yet.
     bool copyIntoNodes();
-    /// Clamps the bounds into [0,1] and orders them. Clamps the slope to >= 0.
+    /// Clamps the bounds into [0,1] and raises an upper bound below the lower one. Clamps the slope to >= 0; a slope
+    /// that is not finite changes nothing.
     void setLinear(const LinearCurve& curve, Gesture gesture = noGesture);
-    /// The scale a >= 0 of the parabolic or quartic curve.
+    /// The scale a of the parabolic or quartic curve, clamped to >= 0. A scale that is not finite is ignored.
     void setScale(CurveKind kind, double scale, Gesture gesture = noGesture);
-    /// Resets the active curve to CurveSet's default, and resets the adjustment. An adaptive curve stays.
+    /// Resets the active curve to CurveSet's default, and resets the adjustment. An adaptive curve or a designer's OTF
+    /// stays.
     void resetActiveCurve();
 
-    /// A drag: dragNode shows its change at once, endDrag makes one step of all, cancelDrag takes all back.
+    /// A drag: dragNode shows its change at once, endDrag makes one step of all changes, cancelDrag takes them all
+    /// back.
     void beginDrag();
     void dragNode(int index, const CurveNode& node);
     void endDrag();
@@ -76,16 +79,16 @@ public:
     [[nodiscard]] int selectedNode() const { return m_selectedNode; }
     void selectNode(int index);
 
-    /// True if the manual curve holds work that could be lost: it differs from the first curve, the last saved or
-    /// opened one, and every preset.
+    /// True if the manual curve holds work that could be lost: it differs from the curve last saved or opened (before
+    /// that, from the one at the beginning) and from every preset.
     [[nodiscard]] bool isManualModified() const { return m_manualModified; }
     void setManualSaved();
 
 signals:
     /// Something must be drawn anew.
     void changed();
-    /// The curve to render. Changes during a drag and of held keys are announced at most once in 16 ms. Their last
-    /// change, and every other one, is announced at once.
+    /// The curve to render. Changes during a drag and by held keys are announced at most once in 16 ms. The end of a
+    /// drag, and every other change, is announced at once.
     void activeCurveChanged(const echolucent::OpacityCurve& curve);
     void manualEdited(const echolucent::ManualCurve& curve);
     void manualModifiedChanged(bool modified);

@@ -15,7 +15,7 @@ struct OtfEditorState : CurveSet {
     CurveKind active = CurveKind::adaptive;                     ///< the curve that is rendered
     std::array<bool, 5> visible{true, true, true, true, true};  ///< drawn in the plot, by indexOf(kind)
     bool designed = false;                 ///< a designer's OTF is rendered instead of the active curve
-    std::string designer{};                ///< its name for a person
+    std::string designer{};                ///< the designer's name, as a person reads it
     std::optional<OpacityCurve> design{};  ///< upperCurveOf() the designer's OTF; none if it is not computed yet
     bool designVisible = true;             ///< drawn in the plot
     friend bool operator==(const OtfEditorState&, const OtfEditorState&) = default;

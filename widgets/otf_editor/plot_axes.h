@@ -15,7 +15,8 @@ struct AxisRange {
     double upper = 1.0;
 
     [[nodiscard]] double length() const { return upper - lower; }
-    /// Length times `factor`, within [0,1] and no shorter than `minLength`. `anchor` keeps its place on the screen.
+    /// Length times `factor`, within [0,1] and no shorter than `minLength`. `anchor` keeps its place on the screen,
+    /// unless the range would leave [0,1].
     [[nodiscard]] AxisRange zoomed(double anchor, double factor, double minLength) const;
     /// Moved by `distance`, stopped at 0 and 1.
     [[nodiscard]] AxisRange moved(double distance) const;

@@ -52,8 +52,8 @@ DesignerPanel::DesignerPanel(DocumentModel& document, QWidget* parent) : QWidget
     m_parameters = new DesignerParameters;
     connect(m_parameters, &DesignerParameters::changed, this,
             [this](const DesignerConfig& config, const QString& label) {
-                // If a person chooses another designer while typing a number, the hidden field still reports it. Ignore
-                // it.
+                // If a person chooses another designer while typing a number, the hidden field still reports that
+                // number. Ignore its report.
                 if (!m_config || m_config->index() != config.index()) return;
                 take(config, tr("%1: %2").arg(nameOfDesigner(), label.toLower()));
             });

@@ -22,9 +22,9 @@ class DesignPlotCanvas;
 class EmphasisCanvas;
 
 /// Objects: designer.choice, designer.reset, the parameters (DesignerParameters), designer.emphasis.canvas,
-/// designer.progress, designer.cancel, designer.compute, designer.message,
-/// designer.explanation, designer.facts, designer.plot (which one) and designer.plot.canvas. It shows the designer of
-/// the document's first pane and makes steps of what is chosen; what was made is told to it.
+/// designer.progress, designer.cancel, designer.compute, designer.message, designer.explanation, designer.facts,
+/// designer.plot (which one) and designer.plot.canvas. The panel shows the designer of the document's first pane. What
+/// a person chooses becomes a step of the document. The window tells the panel what was made.
 class DesignerPanel : public QWidget {
     Q_OBJECT
 
@@ -43,7 +43,7 @@ public:
 signals:
     /// A person cancels the designer.
     void cancelRequested();
-    /// A person asks for the OTF that was cancelled.
+    /// A person asks for the OTF that was cancelled or has failed.
     void computeRequested();
 
 private:
@@ -64,7 +64,7 @@ private:
     [[nodiscard]] QString nameOfDesigner() const;
 
     DocumentModel& m_document;
-    std::optional<DesignerConfig> m_config;  ///< that is shown; no value: the view is rendered with a curve
+    std::optional<DesignerConfig> m_config;  ///< of the designer shown; no value: a curve is rendered
     std::vector<DesignPlot> m_plots;
     QComboBox* m_choice = nullptr;
     QToolButton* m_reset = nullptr;

@@ -11,7 +11,7 @@ namespace echolucent {
 
 /// Mouse: a drag moves a node, a double click adds one. Keys: Tab and the Page keys go from node to node, arrows move
 /// the selected one by 1/20, Delete removes it, Escape ends a drag without change. A node stays between its neighbours,
-/// and within shownPositions.
+/// and within shownPositions unless it was set beyond.
 class EmphasisCanvas : public QWidget {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 140}; }
 
 signals:
-    /// A drag goes on; dragEnded() or dragCancelled() follows.
+    /// A drag goes on. dragEnded() or dragCancelled() follows, unless setNodes() sets other nodes and so ends the drag.
     void previewed(const std::vector<echolucent::EmphasisNode>& nodes);
     void dragEnded();
     void dragCancelled();

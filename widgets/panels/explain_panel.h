@@ -17,8 +17,8 @@ class ExplainPanel : public QWidget {
 public:
     explicit ExplainPanel(QWidget* parent = nullptr);
 
-    /// Sets who gives the sentences about the picture; empty lines separate paragraphs. The panel calls it only while
-    /// it is visible.
+    /// Sets who gives the sentences about the picture; empty lines separate paragraphs. The panel calls `explanation`
+    /// only while it is visible, and at most once more just after.
     void setSource(std::function<QString()> explanation);
     /// Call this if something in the sentences has changed.
     void follow();

@@ -67,8 +67,8 @@ HistoryPanel::HistoryPanel(DocumentSteps& steps, QWidget* parent)
     connect(m_snapshots, &QListWidget::currentRowChanged, this, &HistoryPanel::enableButtons);
     connect(m_snapshots, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         const int row = m_snapshots->row(item);
-        // Asked later: the answer makes the list anew, and now the list's editor is still at work. By then the item may
-        // be gone.
+        // Ask later: the answer makes the list anew, but here the list's editor is still at work. The item may be gone
+        // by then, so pass its row and its names.
         QMetaObject::invokeMethod(
             this, [this, row, before = m_names.at(row), name = item->text()] { requestRename(row, before, name); },
             Qt::QueuedConnection);

@@ -41,7 +41,7 @@ private:
     void enableButtons();
 
     QListView* m_steps;
-    QStringListModel* m_texts;  ///< the texts of the states: how it began, then each step
+    QStringListModel* m_texts;  ///< the texts of the states: how the document began, then each step
     QLabel* m_dropped;
     QListWidget* m_snapshots;
     QStringList m_names;  ///< of the snapshots, as they were set

@@ -89,7 +89,8 @@ int MeasurementsPanel::selectedId() const {
 
 void MeasurementsPanel::setRows(const std::vector<MeasurementRow>& rows) {
     const int selected = selectedId();
-    // Select a new measurement. Otherwise keep the selection; if it was removed, select the last.
+    // Select a new measurement. Otherwise keep the selection; if the selected measurement was removed, select the last
+    // one.
     const bool grown = rows.size() > m_rows.size();
     const QSignalBlocker blocker(m_list);
     m_rows = rows;

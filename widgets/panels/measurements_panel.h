@@ -30,7 +30,7 @@ public:
     explicit MeasurementsPanel(QWidget* parent = nullptr);
 
     void setRows(const std::vector<MeasurementRow>& rows);
-    /// The tool in the hand.
+    /// Shows which tool is in the hand; no value if none is.
     void setTool(std::optional<MeasurementKind> tool);
 
 signals:

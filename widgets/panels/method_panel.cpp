@@ -24,8 +24,8 @@ namespace {
 /// Entry of the choice of readings if a parameter was changed. A person cannot choose it.
 constexpr int changedReading = -1;
 
-/// Rows with a fixed place: above, and the interface function first under Advanced. Then follow the advanced rows in
-/// this order, and last the table's other rows.
+/// `mainRows` have a fixed place: above, and the interface function under Advanced, below the reading. Then follow
+/// `advancedRows` in this order, and last the table's other rows.
 constexpr std::array mainRows{std::string_view("strength"), std::string_view("ramp_opacity"), std::string_view("form"),
                               std::string_view("opacity_scale"), std::string_view("interface_function")};
 constexpr std::array advancedRows{
@@ -63,7 +63,7 @@ void MethodPanel::showDocument(DocumentModel& document) {
     connect(this, &MethodPanel::configChanged, &document, [this, &document](const AdaptiveOtfConfig& config) {
         document.change(tr("method"), [&](Document& next) {
             next.method = {config, m_initialKind, m_opacityScale};
-            next.method.config.initial = AdaptiveOtfConfig{}.initial;  // its name and scale stand beside it
+            next.method.config.initial = AdaptiveOtfConfig{}.initial;  // its kind and scale stand beside the config
         });
     });
     document.bind(&DocumentModel::methodChanged, this, [this](const Document& shown) { setConfig(configOf(shown)); });
@@ -121,7 +121,7 @@ QWidget* MethodPanel::createMainControls() {
     auto* grid = new QGridLayout(controls);
     grid->setHorizontalSpacing(4);  // so that both forms fit the column
     grid->setContentsMargins(0, 0, 0, 0);
-    for (const std::string_view ofTheForm : {"strength", "ramp_opacity"}) {  // one of the two, as the form has it
+    for (const std::string_view ofTheForm : {"strength", "ramp_opacity"}) {  // the form shows one of the two
         grid->addWidget(of(ofTheForm).label, 0, 0);
         grid->addWidget(of(ofTheForm).widget, 0, 1, 1, 3);
     }
@@ -194,7 +194,7 @@ void MethodPanel::take(const Row& row, const ParameterValue& value) {
         m_config.detection = m_detections[m_config.detection.index()];
         m_config.curve = m_curves[m_config.curve.index()];
     } else if (auto* variance = std::get_if<VarianceRule>(&m_config.detection)) {
-        // If the scales cross, the other one follows.
+        // If the scales cross, the scale that the person did not set follows.
         if (row.name == "coarsest_scale")
             variance->finestScale = std::min(variance->finestScale, variance->coarsestScale);
         else

@@ -32,8 +32,8 @@ public:
     void showDocument(DocumentModel& document);
 
     /// What the panel shows. `initial` is a PowerCurve for the kinds parabolic and quartic. For linear and manual it is
-    /// the last curve of that kind given to setConfig, else an empty one; the window replaces it with the editor's
-    /// curve. Parameters without a control keep their last value.
+    /// the last curve of that kind given to setConfig(), else the default one. Parameters without a control keep their
+    /// last value.
     [[nodiscard]] AdaptiveOtfConfig config() const { return m_config; }
     [[nodiscard]] InitialKind initialKind() const { return m_initialKind; }
     /// a of the parabolic and quartic initial functions.
@@ -44,7 +44,7 @@ public:
     void setConfig(const AdaptiveOtfConfig& config);
     /// Shows the summary line, and the result's message if there is one.
     void showResult(const AdaptiveOtf& result);
-    /// Empties the summary and the message, for example when another volume is opened.
+    /// Says "Not computed yet" in the summary line and hides the message, for example when another volume is opened.
     void clearResult();
 
 signals:

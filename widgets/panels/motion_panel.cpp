@@ -312,7 +312,7 @@ void MotionPanel::setChoice(const MotionChoice& choice) {
     showWhatMoves();
 }
 
-/// A document may have a speed that is not in the list. It is listed while it is set.
+/// A document may have a speed that is not in the list. The list shows this speed while it is set.
 void MotionPanel::showSpeed() {
     const QSignalBlocker blocker(m_speed);
     constexpr int usual = 5;

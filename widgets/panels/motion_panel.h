@@ -46,7 +46,7 @@ public:
     [[nodiscard]] double angle() const;
     void setAngle(double degrees);
     /// Shows the first phase of a study of `phases` phases (>= 1). They are phaseSeconds apart (above 0), if that is
-    /// known. With one phase only the probe can move: the choice is disabled and says why.
+    /// known. With one phase only the probe can move: the choice of what moves is disabled and says why.
     void setStudy(int phases, std::optional<double> phaseSeconds);
     /// Counted from 0.
     [[nodiscard]] int phase() const;
@@ -55,7 +55,7 @@ public:
     [[nodiscard]] const MotionChoice& choice() const { return m_choice; }
     /// If the study has one phase, only the probe may move.
     void setChoice(const MotionChoice& choice);
-    /// Shows frames per second, and what is kept in memory, if anything is. Without a rate the read-out is hidden.
+    /// Shows frames per second, and what is kept in memory, if frames are kept. Without a rate the read-out is empty.
     void setFrameRate(std::optional<double> framesPerSecond, const KeptMotion& kept = {});
 
 signals:

@@ -51,7 +51,7 @@ class PhaseOrder : public QWidget {
 public:
     explicit PhaseOrder(QWidget* parent = nullptr);
 
-    /// The number of the study's phases, at least 1. All of them play then.
+    /// The number of the study's phases, at least 1. From then on all of them play, until setRange().
     void setPhases(int phases);
     /// The phases that play; without a value all. Phases that the study does not have are left out.
     void setRange(const std::optional<PhaseRange>& range);

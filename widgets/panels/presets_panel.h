@@ -34,11 +34,13 @@ public:
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
-    /// Replaces all presets. Their pictures come by setPicture().
+    /// Replaces all presets. Their places stay dark until setPicture() gives each its picture. No preset is then the
+    /// current one.
     void setPresets(const QList<PresetEntry>& presets);
     /// A null picture leaves the place dark.
     void setPicture(int preset, const QImage& picture);
-    /// The preset of the present picture, shown above the gallery; -1 if it is none of them.
+    /// The preset of the present picture; its name is shown above the gallery. -1 if the picture has none of the
+    /// presets.
     void setCurrent(int preset);
     [[nodiscard]] bool isOpen() const;
     void setOpen(bool open);

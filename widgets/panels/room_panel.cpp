@@ -130,7 +130,7 @@ QGroupBox* RoomPanel::createBox() {
     column->setContentsMargins(6, 6, 6, 6);
     m_box = named(new QCheckBox(tr("Show only what lies in it")), "room.box", tr("Show only what lies in the box"),
                   tr("The box limits picture and tube cores; drag it in the planes and in the picture"));
-    // If the document refuses the change, show what it says.
+    // If the document refuses the change, show what the document says.
     connect(m_box, &QCheckBox::toggled, this, [this](bool on) {
         emit boxSwitched(on);
         showBox();

@@ -21,16 +21,16 @@ namespace echolucent {
 /// How the scalpel cuts, with any of its tools.
 struct ScalpelSettings {
     ScalpelSide side = ScalpelSide::inside;
-    double eraserMm = 4.0;            ///< its diameter, above 0
-    std::optional<double> depthMm{};  ///< below what is seen; no value: through everything
+    double eraserMm = 4.0;            ///< diameter of the eraser, above 0
+    std::optional<double> depthMm{};  ///< behind what is seen; no value: through everything
     friend bool operator==(const ScalpelSettings&, const ScalpelSettings&) = default;
 };
 
 /// Objects: room.quiet, room.linesIn3d, room.window (+ .value), room.level (+ .value), room.resetPlanes; room.box,
-/// room.front.top … room.front.far, room.width, room.depth, room.height (each .value), room.wholeBox,
-/// room.slab.thickness, room.slab.a, .b, .c; room.scalpel.freehand … .eraser, room.scalpel.inside, .outside,
-/// room.scalpel.size, .limited, .limit, room.scalpel.strokes, .takeBack, .takeAllBack. The panel shows the document. It
-/// changes the planes itself and asks for all other changes. No setter emits a signal.
+/// room.front.top … room.front.far, room.width, room.depth, room.height, room.wholeBox, room.slab.thickness,
+/// room.slab.a, .b, .c; room.scalpel.freehand … .eraser, room.scalpel.inside, .outside, room.scalpel.size, .limited,
+/// .limit, room.scalpel.strokes, .takeBack, .takeAllBack. The panel shows the document. It changes the planes itself,
+/// but for their reset, and asks for all other changes. No setter emits a signal.
 class RoomPanel : public QWidget {
     Q_OBJECT
 

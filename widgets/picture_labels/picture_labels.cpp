@@ -15,7 +15,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr double annotationRim = 1.0;                // pixels of a plain screen around a shape
+constexpr double annotationRim = 1.0;                // around a shape, in the painter's units at every scale
 constexpr QColor annotationRimColour{0, 0, 0, 140};  // as the 3D view's
 constexpr QColor shadowColour{0, 0, 0};              // below words, one pixel to the right and down
 

@@ -15,7 +15,9 @@ constexpr double turnStalk = 24.0;       // logical pixels from the box to its t
 constexpr double startLineStep = 4.0;    // between points of the start surface's line
 constexpr double leastMiddlePart = 0.3;  // least share of a surface's forward that must lie in the plane
 
-/// The start surface's line: there lines along its forward, projected onto the plane, first pass through it.
+/// The start surface's line in the plane. Each of its points is found by going along the surface's forward, projected
+/// onto the plane, to the first place that the surface does not cut away. Empty if the surface looks too much across
+/// the plane (leastMiddlePart), or if fewer than two points are found.
 QPolygonF startLineOf(const CutSurface& surface, const PlaneMapping& mapping) {
     const ViewFrame& frame = mapping.view.frame;
     const Vec3 inPlane = surface.frame.forward - frame.forward * frame.forward.dot(surface.frame.forward);
@@ -62,7 +64,8 @@ void addBoxGrips(BoxDrawing& drawing, const PlaneMapping& mapping, const Oriente
             {BoxGrip::Kind::face, drawing.faces[static_cast<std::size_t>(i)], {}, edgeOf(drawing.outline, i).center()});
 }
 
-/// Puts the bow's grip on the start line, at the point in the pane with the largest bow.
+/// Puts the bow's grip on the start line, at the point in the pane with the largest bow. No grip if bowAt() is 0.1 or
+/// less everywhere.
 void addBowGrip(BoxDrawing& drawing, const PlaneMapping& mapping, const CutSurface& surface) {
     double most = 0.1;
     std::optional<QPointF> middle;

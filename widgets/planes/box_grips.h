@@ -34,7 +34,7 @@ struct BoxGrip {
         start,   ///< the start surface moves along its forward
     };
     Kind kind = Kind::face;
-    BoxFace first{}, second{};  ///< of a face and a corner
+    BoxFace first{}, second{};  ///< the faces that move: `first` of a face or corner, `second` of a corner
     QPointF at;                 ///< logical pixels
 };
 
@@ -42,7 +42,7 @@ struct BoxGrip {
 struct BoxDrag {
     OrientedBox box{};     ///< changed by all grips but bow and start
     CutSurface start{};    ///< changed by bow and start
-    double startMm = 0.0;  ///< of start: by how much it moved
+    double startMm = 0.0;  ///< how far the grip `start` moved the surface
 };
 
 /// What a plane shows of the scene: polygon of the box with its faces, line of the start surface, grips.
@@ -55,12 +55,15 @@ struct BoxDrawing {
 };
 [[nodiscard]] BoxDrawing boxDrawing(const BoxScene& scene, const PlaneMapping& mapping);
 
-/// The grip under a place. A face can be held anywhere along its line.
+/// The grip under a place; no value if there is none. A face can be held anywhere along its line, and so can a start
+/// surface that cuts.
 [[nodiscard]] std::optional<BoxGrip> gripAt(const BoxDrawing& drawing, const QPointF& pixel);
-/// A grip is held if the place is nearer than this, in logical pixels: targets are 16 pixels wide.
+/// A grip is held at up to this distance, in logical pixels: targets are 16 pixels wide. A line is held at up to half
+/// of it.
 inline constexpr double gripReach = 8.0;
 
-/// The scene after a grip was dragged from one pixel to another. `scene` is that at the beginning of the drag.
+/// The scene after a grip was dragged from one pixel to another. `scene` and `mapping` are those at the beginning of
+/// the drag.
 [[nodiscard]] BoxDrag dragged(const BoxScene& scene, const PlaneMapping& mapping, const BoxGrip& grip,
                               const QPointF& from, const QPointF& to);
 

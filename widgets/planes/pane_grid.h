@@ -18,7 +18,7 @@ enum class PaneLayout {
 [[nodiscard]] std::string_view nameOf(PaneLayout layout);
 [[nodiscard]] std::optional<PaneLayout> paneLayoutFromName(std::string_view name);
 
-/// A, B, C, 3D.
+/// Planes A, B and C, and the 3D view, in this order.
 inline constexpr std::size_t paneCount = 4;
 
 /// Places four panes by a layout. One of them may fill the whole room for a while. A pane without a place is hidden, so
@@ -35,7 +35,8 @@ public:
     void setPaneLayout(PaneLayout layout);
     /// The pane that fills the whole room, by its place in `paneCount`.
     [[nodiscard]] std::optional<std::size_t> maximised() const { return m_maximised; }
-    /// Gives a pane the whole room. If it has that already, or is the only one, returns to the layout.
+    /// Gives a pane the whole room. If a pane has the whole room already, returns to the layout. Does nothing for a 3D
+    /// view that is alone.
     void toggleMaximised(std::size_t pane);
     /// False if no pane is maximised.
     bool endMaximised();

@@ -21,7 +21,7 @@ namespace echolucent {
 /// Amber. The face through which one looks into the box has the accent.
 [[nodiscard]] inline QColor boxColour() { return coloursOverPictures().warning; }
 [[nodiscard]] inline QColor boxFrontColour() { return coloursOverPictures().accent; }
-/// Of edges hidden behind the box itself.
+/// The colour of edges hidden behind the box itself.
 [[nodiscard]] inline QColor boxBehindColour() { return {0x8a, 0x6c, 0x38}; }
 
 }  // namespace echolucent

@@ -91,7 +91,7 @@ void PlanePane::paintLines(QPainter& painter) const {
     painter.drawEllipse(centre, referenceRadius, referenceRadius);
 }
 
-/// Draws the box with its front in the accent, the start line, and the grips.
+/// Draws the box with its front in the accent, the start line if the surface cuts, and the grips.
 void PlanePane::paintBox(QPainter& painter) const {
     const BoxDrawing& shown = drawing();
     painter.setBrush(Qt::NoBrush);
@@ -139,7 +139,7 @@ void PlanePane::paintWords(QPainter& painter) const {
         if (!m_scene->letters[i].isEmpty()) paintRimmedText(painter, places[i], m_scene->letters[i], words);
 }
 
-/// Shades the rim under the pointer: there a drag turns the planes.
+/// Shades the whole rim: there a drag turns the planes.
 void PlanePane::paintRim(QPainter& painter) const {
     QPainterPath path;
     path.addRect(rect());

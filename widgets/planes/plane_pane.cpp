@@ -110,7 +110,8 @@ PlaneMapping PlanePane::mapping() const {
 }
 
 const BoxDrawing& PlanePane::drawing() const {
-    // Kept, as its line takes hundreds of rays through the start surface, and every move of the cursor needs it.
+    // Keep the drawing: its line takes hundreds of rays through the start surface, and every move of the cursor needs
+    // the drawing.
     if (!m_drawing) m_drawing = boxDrawing(m_scene->box, mapping());
     return *m_drawing;
 }

@@ -28,7 +28,7 @@ struct PlaneScene {
     BeamAxis beam = BeamAxis::plusZ;
     DataBox data{};
     double unitMm = 1.0;       ///< length of a step through parallel planes
-    bool lengthsKnown = true;  ///< if false, no length is given in mm
+    bool lengthsKnown = true;  ///< if false, lengths in mm are marked as a guess
     double brightness = 1.0;   ///< of the look
     BoxScene box{};
     std::array<QString, 4> letters{};              ///< letters at the edges: left, right, top, bottom
@@ -63,7 +63,8 @@ public:
 
     /// Draws the measurement in progress too.
     void setMarking(const std::optional<ShownMeasurement>& marking);
-    /// The cursor while a tool is in the hand or a mark lies under it: the rim is off then. No value: the pane's own.
+    /// The cursor while a tool is in the hand or a mark lies under the cursor. The rim is not shown then. No value: the
+    /// pane's own cursor.
     void setToolCursor(std::optional<Qt::CursorShape> cursor);
 
     /// Where places of the grid are seen now. Needs a scene.
@@ -81,10 +82,10 @@ signals:
     /// The hand asks for other planes. `what` names the step. During a drag dragging() is true, and dragEnded() or
     /// dragCancelled() follows.
     void changed(const echolucent::Planes& next, const QString& what);
-    /// The same for the render box and the picture's start surface.
+    /// The hand asks for another render box, or another start surface of the picture. Otherwise as changed().
     void boxDragged(const echolucent::BoxGrip& grip, const echolucent::BoxDrag& next, const QString& what);
     void dragEnded(const QString& what);
-    /// Escape has ended the drag: restore the planes and the box as before it.
+    /// The drag was ended without change: restore the planes and the box as before it.
     void dragCancelled();
     /// A double click, or a click on the button: this pane asks for the whole room, or gives it back.
     void maximiseRequested();
@@ -135,7 +136,7 @@ private:
     std::optional<PlaneScene> m_scene;
     std::shared_ptr<const PlaneSamples> m_samples;
     QImage m_image;
-    mutable std::optional<BoxDrawing> m_drawing;  ///< for the present scene and size, once something asked for it
+    mutable std::optional<BoxDrawing> m_drawing;  ///< kept for the present scene and size, once drawing() was called
     GreyScale m_greys;                            ///< of the image
     QToolButton* m_reset = nullptr;
     QToolButton* m_maximise = nullptr;

@@ -23,8 +23,8 @@ struct PlaneRequest {
 /// The places of a picture's pixels. Its centre is the view's, and rows are as far apart as columns.
 [[nodiscard]] PlaneGrid gridOf(const PlaneRequest& request);
 
-/// Resamples the wanted planes in one thread. The newest request wins. A plane that is being made or was made last is
-/// not made again. Only values cross the threads.
+/// Resamples the wanted planes in one thread. The newest request wins. A plane that was made last is not made again. If
+/// all wanted planes are just being made, nothing is started. Only values cross the threads.
 class PlaneResampler : public QObject {
     Q_OBJECT
 

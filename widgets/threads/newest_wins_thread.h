@@ -30,8 +30,8 @@ namespace echolucent {
 /// Only values and shared_ptr<const ...> that the job captures cross the threads. If threads want more cores than there
 /// are, the worker gives way to the GUI thread.
 ///
-/// While this object is busy, Works has a work of it under way. A work that busyChanged(false) begins starts before
-/// this work ends.
+/// While this object is busy, its work is under way in Works. If a receiver of busyChanged(false) begins another work,
+/// that work begins before this one ends.
 class NewestWinsThread : public QObject {
     Q_OBJECT
 
@@ -61,7 +61,7 @@ public:
     void deliverMeanwhile(Deliver deliver);
     /// The words of its work, for the status line.
     void setWords(const QString& words) { m_work.setWords(words); }
-    /// True from submit() until the last job is delivered or dropped.
+    /// True from submit() until the last job has ended. Already false while that job's result is delivered.
     [[nodiscard]] bool busy() const { return m_running || m_waiting.has_value(); }
 
 signals:
@@ -108,8 +108,8 @@ private:
     CancelFlag m_cancelFlag;
     std::optional<Waiting> m_waiting;
 
-    // These cross the threads, under a mutex of the standard library. The thread sanitizer sees this mutex. It does not
-    // see the event queue of Qt, whose library is not instrumented.
+    // The members below cross the threads, under a mutex of the standard library. The thread sanitizer sees this mutex.
+    // It does not see the event queue of Qt, whose library is not instrumented.
     std::mutex m_mutex;
     std::condition_variable m_changed;  ///< an order came, the thread must end, or the thread has ended
     std::optional<Order> m_order;

@@ -17,7 +17,7 @@ enum class Urgency { loading, nearCut, quietening, designing, movie, report, com
 struct Work {
     QString words{};  ///< for the status line, such as "loading"; empty if it is never shown there
     Urgency urgency = Urgency::unseen;
-    bool countsForRest = true;       ///< false if it begins only at rest: else it would prevent its own beginning
+    bool countsForRest = true;       ///< false if it begins only at rest: it would otherwise prevent its own beginning
     std::function<void()> cancel{};  ///< may be empty
 };
 
@@ -27,8 +27,8 @@ struct Work {
     return work;
 }
 
-/// Knows all works that are under way. If one work follows another in one event, it begins before the other ends. So
-/// nobody sees a rest between them (see NewestWinsThread). For the GUI thread alone.
+/// Knows all works that are under way. Whoever lets one work follow another in one event begins it before the other
+/// ends. So nobody sees a rest between them (see NewestWinsThread). For the GUI thread alone.
 class Works : public QObject {
     Q_OBJECT
 
@@ -38,7 +38,7 @@ public:
     class UnderWay {
     public:
         UnderWay(Works& works, Work work) : m_works(&works), m_work(std::move(work)) {}
-        /// If a work ends here, the event loop emits changed(): by then its owner is gone.
+        /// Ends the work. If it was under way, the event loop emits changed() later, when the work's owner is gone.
         ~UnderWay();
         UnderWay(const UnderWay&) = delete;
         UnderWay& operator=(const UnderWay&) = delete;

@@ -9,15 +9,16 @@ class QOpenGLWindow;
 
 namespace echolucent {
 
-/// Watches an OpenGL window that draws in two steps. Its owner draws the scene into a frame buffer and tells so. When
-/// the window system asks for it, that frame buffer goes onto the screen.
+/// Watches an OpenGL window that draws in two steps. The window's owner draws the scene into a frame buffer and calls
+/// rendered(). When the window system asks for it, that frame buffer goes onto the screen.
 class FrameMeter : public QObject {
     Q_OBJECT
 
 public:
     explicit FrameMeter(QOpenGLWindow* window, QObject* parent = nullptr);
     bool eventFilter(QObject* watched, QEvent* event) override;
-    /// A new picture is in the frame buffer after this drawing time. followsHand: it belongs to a movement.
+    /// A new picture is in the frame buffer. Drawing it took `milliseconds`. `followsHand`: the picture belongs to a
+    /// movement.
     void rendered(double milliseconds, bool followsHand);
 
     /// Both steps of the newest picture on the screen, without the wait between them; 0 before the first.
@@ -28,7 +29,7 @@ public:
     [[nodiscard]] std::optional<double> framesPerSecond() const;
 
 signals:
-    /// A new picture is on the screen.
+    /// A new picture is on the screen. `milliseconds` is drawingMilliseconds().
     void pictureDrawn(double milliseconds);
 
 private:

@@ -14,7 +14,9 @@ class QWindow;
 
 namespace echolucent {
 
-/// A left drag that begins on a grip drags the grip. All other events pass on. Escape ends a drag without change.
+/// A left drag without modifier keys that begins on a grip drags the grip. Meanwhile presses, moves, releases and wheel
+/// turns go no further. All other events pass on. Whoever gets Escape calls cancelDrag(), which ends a drag without
+/// change.
 class GripPointer : public QObject {
     Q_OBJECT
 

@@ -14,16 +14,16 @@ class QWindow;
 namespace echolucent {
 
 /// While a tool is set, the left button draws. Freehand and eraser go from press to release, a box from corner to
-/// corner. A polygon goes corner by corner; a double click or Return closes it. Escape takes back what is being drawn.
-/// All other events pass on, so that right and middle drags and the wheel still move the camera.
+/// corner. A polygon goes corner by corner; a double click or closePolygon() closes it. cancelDrawing() takes back what
+/// is being drawn. All other events pass on, so that right and middle drags and the wheel still move the camera.
 class LassoPointer : public QObject {
     Q_OBJECT
 
 public:
     explicit LassoPointer(QWindow* window, QObject* parent = nullptr);
 
-    /// No value puts the scalpel away: the left button then does what it does without one. An unfinished stroke is
-    /// dropped.
+    /// No value puts the scalpel away: the left button then does what it does without a scalpel. An unfinished stroke
+    /// is dropped.
     void setTool(std::optional<ScalpelTool> tool);
     [[nodiscard]] std::optional<ScalpelTool> tool() const { return m_tool; }
     [[nodiscard]] bool drawing() const { return m_drawing; }
@@ -37,7 +37,7 @@ public:
 signals:
     /// Emitted even if the same tool was set again.
     void toolChanged();
-    /// Places in the picture, in heights of it from its centre; empty if nothing is being drawn.
+    /// Places in the picture, in heights of the picture from its centre; empty if nothing is being drawn.
     void drawn(const std::vector<echolucent::PicturePlace>& places);
     /// A stroke is complete: an outline of three places or more, or the line of an eraser.
     void finished(const std::vector<echolucent::PicturePlace>& places);

@@ -20,8 +20,9 @@ namespace echolucent {
 [[nodiscard]] QStringList localFiles(const QMimeData* data);
 
 /// Left drag orbits, middle or Shift + left drag pans, right drag and the wheel zoom, Ctrl + left drag moves the light.
-/// Drags are signalled as they go, to the right and down, in shares of the window's height. Escape ends a drag. All
-/// other events pass on.
+/// Drags are signalled as they go, to the right and down, in shares of the window's height. Whoever gets Escape calls
+/// cancelDrag(). Mouse and wheel events also pass on. Keys pass on unless a receiver of keyPressed() accepts them.
+/// Dragged and dropped data goes no further.
 class ViewPointer : public QObject {
     Q_OBJECT
 
@@ -39,7 +40,7 @@ signals:
     void orbited(double right, double down);
     void panned(double right, double down);
     void zoomed(double factor);  ///< above 1 things grow; about the picture's centre
-    /// The same about a point, in shares of the window's height from the picture's centre.
+    /// Zooms by `factor` about a point, in shares of the window's height from the picture's centre.
     void zoomedAbout(double right, double down, double factor);
     void lightMoved(double right, double down);
     void hovered(const QPointF& position);  ///< logical pixels from the window's top left corner; no button is held

@@ -25,7 +25,7 @@ struct VolumeViewWidget::Parts {
     explicit Parts(Works& works) : asks(works, {}), caster(works) {}
 
     std::shared_ptr<const Volume> volume;
-    std::shared_ptr<const Volume> measured;  ///< pointed values are read from it; null if the volume is
+    std::shared_ptr<const Volume> measured;  ///< pointed values are read from it; null only if the volume is null
     Classification classification = PowerCurve{2, 1.0};
     Look look;
     Pose pose;
@@ -36,7 +36,7 @@ struct VolumeViewWidget::Parts {
     Pose poseBeforeDrag;
     LightDirection lightBeforeDrag;
     std::shared_ptr<const CastPicture> shown;  ///< without pictures if the graphics card draws
-    std::optional<QPointF> cursor;             ///< while it rests over the picture, logical pixels
+    std::optional<QPointF> cursor;             ///< over the picture, logical pixels; no value elsewhere
     bool scheduled = false;                    ///< whether a request is on its way
     Works::UnderWay asks;                      ///< until the request is made
     bool toRedraw = false;                     ///< whether the overlay or caption has changed since it was drawn

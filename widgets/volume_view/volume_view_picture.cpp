@@ -18,7 +18,7 @@
 namespace echolucent {
 
 namespace {
-/// Settings of one sample for each pixel and unit. The qualities change them.
+/// The settings of a look at this size, as settingsAt() takes them.
 RayCastSettings lookSettings(const Look& look, const QSize& pixels) {
     RayCastSettings settings = rayCastSettings(look);
     settings.width = pixels.width();
@@ -111,7 +111,7 @@ bool VolumeViewWidget::pictureIsFine() const { return m_parts->shown && m_parts-
 bool VolumeViewWidget::pictureIsCurrent() const {
     if (!m_parts->shown) return false;
     PictureRequest shown = m_parts->shown->request;
-    // The scene adds it only when a picture is asked for.
+    // requestPicture() sets findDepth only in the request, and it changes no colour.
     shown.settings.findDepth = false;
     return samePicture(shown, presentRequest(pixelSize()));
 }
@@ -203,8 +203,8 @@ void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& pic
     report(*picture);
 }
 
-/// A drag changes caption and lines with every move of the hand. If it changes the picture too, they are drawn together
-/// with it: each drawing takes as long as the other.
+/// A drag changes caption and lines with every move of the hand. If the drag also changes the picture, draw picture,
+/// caption and lines in one go: one drawing of all takes no longer than one of the lines.
 void VolumeViewWidget::redrawSoon() {
     if (!m_parts->shown || std::exchange(m_parts->toRedraw, true)) return;
     QMetaObject::invokeMethod(
@@ -247,7 +247,7 @@ void VolumeViewWidget::report(const CastPicture& picture) {
     if (picture.live) {
         report.quality = QStringLiteral("live");
         report.castMilliseconds = parts.scene.liveMilliseconds();
-        report.drawMilliseconds = 0.0;  // the same work
+        report.drawMilliseconds = 0.0;  // casting and drawing are the same work
     }
     emit pictureDelivered(report);
 }

@@ -56,7 +56,7 @@ class VolumeViewWidget : public QWidget {
     Q_OBJECT
 
 public:
-    /// What is made for a picture is a work, from a change until the converged picture is there.
+    /// Making a picture counts as a work, from a change until the converged picture is there.
     explicit VolumeViewWidget(Works& works, QWidget* parent = nullptr);
     ~VolumeViewWidget() override;
     /// Chooses the OpenGL that VTK needs; call before the QApplication is made.
@@ -84,8 +84,9 @@ public:
     /// Sets the camera by a pose relative to the beam. The near cut stays.
     void setPose(const Pose& pose, BeamAxis beam);
     [[nodiscard]] Pose pose() const;
-    /// The pose of the default camera of a view: the widget's box, or the whole volume if it has none, fills the
-    /// picture. The second function also serves a volume of another geometry that is shown next.
+    /// The pose of the default camera of a view. The first function fits the widget's box into the picture, or the
+    /// whole volume if there is no box. The second fits the view's box, or `box` if the view has none; it also serves a
+    /// volume of another geometry that is shown next.
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view) const;
     [[nodiscard]] Pose wholeVolume(const Viewpoint& view, const DataBox& box) const;
     /// Width / height; 1 while the view has no size.
@@ -95,9 +96,9 @@ public:
     /// Frames of the motion that are kept in memory.
     [[nodiscard]] int keptFrames() const;
     [[nodiscard]] std::size_t keptFrameBytes() const;
-    /// True while the hand drags. What it has moved so far may still be taken back.
+    /// True while the hand drags the camera or the light. What has moved so far may still be taken back.
     [[nodiscard]] bool dragging() const;
-    /// Ends a drag without change; false if there is none.
+    /// Ends a drag of the camera, the light or a grip without change; false if there is none.
     bool cancelDrag();
     /// Expresses the view relative to another beam axis. The picture stays.
     void setBeamAxis(BeamAxis axis);
@@ -106,15 +107,15 @@ public:
     void setView(const Viewpoint& view);
     /// From where the person looks now, near cut included.
     [[nodiscard]] Viewpoint view() const;
-    /// Takes the default camera of a view, which shows the whole volume.
+    /// Takes the default camera of a view, which shows the whole volume, or the box if there is one.
     void resetView(const Viewpoint& view);
 
     /// The settings of the converged picture of the present state, at the view's size or, for saving, at another one.
     [[nodiscard]] RayCastSettings settings() const;
     [[nodiscard]] RayCastSettings settingsFor(const QSize& pixels) const;
 
-    /// The newest picture cast. Null before the first, and if the graphics card renders. Before it is converged, it may
-    /// be smaller than the view.
+    /// The newest picture cast. Null before the first, if the graphics card renders, and for a kept frame of a motion.
+    /// Before it is converged, it may be smaller than the view.
     [[nodiscard]] std::shared_ptr<const Picture> picture() const;
     /// True if the newest picture is converged, or the graphics card's.
     [[nodiscard]] bool pictureIsFine() const;
@@ -124,8 +125,8 @@ public:
     [[nodiscard]] bool pictureIsOnScreen() const;
     /// The picture on the screen with marker and scale bar, in device pixels; null before the widget was ever drawn.
     [[nodiscard]] QImage screenImage();
-    /// The same with the converged picture, for saving. If that is not there yet, it is cast now, while the person
-    /// waits.
+    /// The converged picture on the screen without the overlay, for saving. If it is not there yet, it is cast now,
+    /// while the person waits. If memory is short, emits pictureFailed() and takes the picture on the screen.
     [[nodiscard]] QImage convergedImage();
     /// Words in the picture that say what was done to it. An empty text shows nothing.
     void setCaption(const QString& text);
@@ -144,8 +145,8 @@ public:
     void setToolCursor(bool on);
     /// The camera of the picture that is shown.
     [[nodiscard]] Camera shownCamera() const;
-    /// The place (grid mm) that the picture shows at `place`. It is known along the ray to `step` (units, above 0).
-    /// Empty if the picture shows nothing there.
+    /// The place (grid mm) that the picture shows at `place`, sought with samples `step` units (above 0) apart along
+    /// the ray. Empty if the picture shows nothing there.
     [[nodiscard]] std::optional<Vec3> shownAt(const PicturePlace& place, double step = 1.0) const;
     /// The scale bar's words; a sentence if the volume's spacing is unknown.
     [[nodiscard]] QString scaleText() const;
@@ -179,7 +180,8 @@ signals:
     void pictureDrawn();
     /// The newest picture needs more memory than there is. The one before stays, and every change tries again.
     void pictureFailed();
-    /// The picture on the screen with marker and scale bar, in device pixels; null before the widget was ever drawn.
+    /// Intensity and opacity of what the cursor points at. No intensity if it points at nothing, no opacity in modes
+    /// without a curve.
     void pointed(std::optional<double> intensity, std::optional<double> opacity);
     void filesDropped(const QStringList& files);
 

@@ -10,16 +10,16 @@ namespace echolucent {
 /// The sample of a ray that a person sees.
 struct PointedSample {
     double intensity = 0.0;  ///< normalised
-    double opacity = 0.0;    ///< per reference step
+    double opacity = 0.0;    ///< per unit
     Vec3 gridMm{0, 0, 0};
 };
 
 /// Follows the ray of the pixel at a point of the picture (pixels from the top left corner; pixel centres at halves)
 /// with the steps that castRays() takes there. Returns the sample at which the accumulated opacity reaches one half. If
-/// it never does, returns the sample that contributes most. In modes without a curve it is the largest or the smallest
-/// sample. In the mean it is the mean, at the place of the first sample. The result is empty beside the picture, and if
-/// the ray meets nothing visible. It takes one ray's time, well below a millisecond. The settings must be those of the
-/// picture on the screen.
+/// the opacity never reaches it, returns the sample that contributes most. In modes without a curve it is the largest
+/// or the smallest sample. In the mean it is the mean, at the place of the first sample. The result is empty without a
+/// volume, beside the picture, and if the ray meets nothing visible. It takes one ray's time, well below a millisecond.
+/// The settings must be those of the picture on the screen.
 [[nodiscard]] std::optional<PointedSample> samplePointedAt(const PaneRequest& pane, const RayCastSettings& settings,
                                                            double x, double y);
 

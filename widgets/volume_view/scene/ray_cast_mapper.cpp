@@ -134,7 +134,7 @@ void RayCastMapper::upload(vtkOpenGLRenderWindow* window, bool filtered) {
     fill(texture, window, *m_picture, 4, VTK_UNSIGNED_CHAR, m_picture->rgba);
     if (!m_picture->depthMm.empty()) {
         vtkTextureObject& depths = *m_openGl->depths;
-        // Nothing to interpolate between a surface and no surface.
+        // There is nothing to interpolate between a surface and no surface.
         depths.SetMinificationFilter(vtkTextureObject::Nearest);
         depths.SetMagnificationFilter(vtkTextureObject::Nearest);
         fill(depths, window, *m_picture, 1, VTK_FLOAT, m_picture->depthMm);
@@ -170,8 +170,8 @@ void RayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume) {
     }
     drawColours(renderer, window, centre);
     if (m_picture->depthMm.empty()) return;
-    // A pass of its own. In one pass with the colours, the depth test would cut the colours, or depths would be wiped
-    // out where the volume has no surface.
+    // Draw depths in a pass of their own. In one pass with the colours, the depth test would cut the colours, or depths
+    // would be wiped out where the volume has no surface.
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     drawSurface(renderer, window, centre);
 }

@@ -20,9 +20,10 @@ class GraphicsCardVolume;
 /// (vtkRayCastImageDisplayHelper stretches n-1 pixels over n, which blurs.) A picture of another size or shape keeps
 /// its centre and fills the height, as its camera saw it.
 ///
-/// Its colours are drawn as if all of it lay at the volume's centre. A picture with depths is also written into the
-/// depth buffer, so that readers of the depth buffer find the surface. While a vtkHardwareSelector draws, the volume is
-/// where its surface is: at its depths, or, without depths, where the picture covers at least half.
+/// The picture's colours are drawn as if the whole picture lay at the depth of the volume's centre. A picture with
+/// depths is also written into the depth buffer, so that readers of the depth buffer find the surface. While a
+/// vtkHardwareSelector draws, the volume is where its surface is: at its depths, or, without depths, where the picture
+/// covers at least half.
 ///
 /// A GraphicsCardVolume may be drawn in place of the picture.
 class RayCastMapper : public vtkVolumeMapper {

@@ -53,7 +53,7 @@ void VolumeScene::setVolume(std::shared_ptr<const Volume> volume) {
     } else {
         m_mapper->SetInputData(static_cast<vtkImageData*>(nullptr));
     }
-    m_volume = std::move(volume);  // after the image on the volume before is freed
+    m_volume = std::move(volume);  // only after the image on the former volume's memory is freed
     updateVisibility();
 }
 

@@ -45,15 +45,16 @@ public:
     void setTransfer(const Classification& classification, ColourMap colourMap);
     /// Shows a finished picture with the camera it was made for.
     void show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera);
-    /// Looks at the scene with a camera. The graphics card then draws the volume with every drawing of the window. Only
-    /// if rendererFor(look) says graphicsCard. The curve is that of setTransfer(). The look's size plays no part.
+    /// Looks at the scene with a camera. The graphics card then draws the volume with every drawing of the window. Call
+    /// this only if rendererFor(look) says graphicsCard. The curve is that of setTransfer(). The look's size and camera
+    /// play no part.
     void showLive(const Camera& camera, const RayCastSettings& look);
     [[nodiscard]] Camera camera();
     void setAnnotationsVisible(bool visible);
     /// Words in the picture that say what was done to it. An empty text shows nothing.
     void setCaption(const std::string& text);
     [[nodiscard]] const std::string& caption() const { return m_caption.text(); }
-    /// Lines over the picture, besides the annotations. Those in space follow the camera.
+    /// Lines, discs and words over the picture, besides the annotations. Those in space follow the camera.
     void setOverlay(const Overlay& overlay) { m_overlay.setOverlay(overlay); }
     [[nodiscard]] const Overlay& overlay() const { return m_overlay.overlay(); }
 
@@ -68,9 +69,10 @@ public:
     [[nodiscard]] RendererChoice rendererChoice() const { return m_choice; }
     /// software or graphicsCard, for the volume in the scene. The scene knows the graphics card once the window was
     /// drawn. After the first drawing of showLive() it knows whether the card can hold and draw the volume. Ask again
-    /// after each.
+    /// after each of the two.
     [[nodiscard]] RendererChoice rendererInUse() const { return rendererFor({}); }
-    /// Who renders a picture of this look and classification. Some of both only the software ray caster can draw.
+    /// Who renders a picture of this look and classification. Some looks and classifications only the software ray
+    /// caster can draw.
     [[nodiscard]] RendererChoice rendererFor(const RayCastSettings& look,
                                              const Classification& classification = ManualCurve{}) const;
     /// A sentence that says why rendererFor() chose software against the choice; else empty.

@@ -13,7 +13,7 @@ namespace echolucent {
 /// VTK's camera as ours: parallel and perspective, roll included.
 [[nodiscard]] Camera cameraOf(vtkCamera& camera);
 
-/// Makes VTK look through ours. Its clipping planes stay where they are.
+/// Makes VTK's camera look as ours does. The clipping planes of VTK's camera stay where they are.
 void setCamera(vtkCamera& vtk, const Camera& camera);
 
 /// Puts the camera's clipping planes around a box (grid mm; x from, x to, y from, ...). Unlike with

@@ -10,7 +10,8 @@ class vtkTextActor;
 
 namespace echolucent {
 
-/// It stands in the upper left corner of the picture and is saved with it. The text may have several lines.
+/// The caption stands in the upper left corner of the picture and is saved with the picture. The text may have several
+/// lines.
 class Caption {
 public:
     Caption();

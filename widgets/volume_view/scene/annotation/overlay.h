@@ -9,7 +9,8 @@
 
 namespace echolucent {
 
-/// A line between two places of the grid, mm. It is drawn over the volume even if it lies behind it.
+/// A line between two places of the grid, mm. It is drawn over the volume even if it lies behind the volume. It is not
+/// drawn if one of its places lies behind the eye.
 struct SpaceLine {
     Vec3 from, to;
     Colour colour{};

@@ -12,8 +12,8 @@ class vtkTextActor;
 
 namespace echolucent {
 
-/// It stands in the lower right corner of the picture. If the volume's spacing is unknown, it says so and shows no
-/// length.
+/// The scale bar stands in the lower right corner of the picture. If the volume's spacing is unknown, words say so in
+/// place of a bar, and no length is shown.
 class ScaleBar {
 public:
     ScaleBar();
@@ -22,7 +22,7 @@ public:
     /// Sizes in device pixels; `scale`: device pixels per pixel of a plain screen.
     void layOut(int viewportWidth, int viewportHeight, double scale, double heightMm, bool spacingKnown);
     void setVisible(bool visible);
-    /// Its words: "10 mm", or that the spacing is unknown.
+    /// The words: "10 mm", or that the spacing is unknown.
     [[nodiscard]] const std::string& text() const { return m_said; }
     /// Length of the bar in device pixels; 0 if there is none.
     [[nodiscard]] double lengthPixels() const { return m_lengthPixels; }

@@ -27,7 +27,7 @@ public:
     void clear();
     /// A line with a dark rim, so that it shows over bright tissue too. Widths in pixels.
     void addLine(const Point2& from, const Point2& to, double width, const Colour& colour);
-    /// The same through two or more points. No rim covers a piece of the line.
+    /// A line as addLine() draws it, through two or more points. No rim covers a piece of the line.
     void addPath(const std::vector<Point2>& points, double width, const Colour& colour);
     void addDisc(const Point2& centre, double radius, const Colour& colour);
     /// The shapes of a layout, without its texts.

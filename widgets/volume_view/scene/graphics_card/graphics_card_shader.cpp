@@ -123,7 +123,7 @@ void GraphicsCardShader::set(vtkShaderProperty& shader, const Volume& volume, co
     vtkUniforms& uniforms = *shader.GetFragmentCustomUniforms();
     if (m_kind != kind) {
         setSource(shader, kind);
-        // All are declared, whichever parts use them, because undeclared names are errors in GLSL.
+        // Set all parameters, whichever parts use them, because undeclared names are errors in GLSL.
         setLight(uniforms, volume, look, Shading{});
         m_kind = kind;
     }

@@ -1,4 +1,4 @@
-// Puts into VTK's GPU mapper's shader what castRays() does to a sample's colour and that mapper does not.
+// Adds to the shader of VTK's GPU mapper what castRays() does to a sample's colour and the mapper does not.
 #pragma once
 
 #include <optional>

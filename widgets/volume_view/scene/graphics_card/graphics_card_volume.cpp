@@ -22,7 +22,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::size_t mostPlanes = 8;  // that VTK's shader holds
+constexpr std::size_t mostPlanes = 8;  // clipping planes that VTK's shader holds
 
 int blendModeOf(RenderMode mode) {
     switch (mode) {
@@ -65,7 +65,7 @@ void GraphicsCardVolume::setVolume(std::shared_ptr<const Volume> volume) {
         m_mapper->SetInputData(static_cast<vtkImageData*>(nullptr));
         m_mapper->SetMaskInput(nullptr);
     }
-    m_volume = std::move(volume);  // after the image on the volume before is freed
+    m_volume = std::move(volume);  // only after the image on the former volume's memory is freed
 }
 
 std::string GraphicsCardVolume::whyNot(const RayCastSettings& look) {
@@ -94,7 +94,7 @@ void GraphicsCardVolume::setLook(const RayCastSettings& look, vtkVolumeProperty&
     if (look.mode == RenderMode::direct) {
         m_property->SetScalarOpacity(transfer.GetScalarOpacity());
     } else {
-        // VTK weights these modes by the curve. Ours do not use it.
+        // VTK weights the samples of these modes by the curve. castRays() does not.
         m_property->SetScalarOpacity(m_opaque);
     }
     m_property->SetScalarOpacityUnitDistance(unit);

@@ -1,4 +1,5 @@
-// A volume as VTK sees it, for pickers and bounds. It has the same voxels, not a copy.
+// A volume as VTK sees it, for pickers, bounds and the GPU mapper: on the volume's own memory, unless a data mask needs
+// a copy.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -20,10 +21,10 @@ namespace echolucent {
 /// write to it, and the volume must outlive it.
 [[nodiscard]] vtkSmartPointer<vtkImageData> imageOn(const Volume& volume);
 
-/// The same grid with the voxels as cells: it reaches half a voxel beyond the outermost voxel centres, as the volume's
-/// box does. If the volume has no data mask, it is on the volume's own memory. Else the voxels are a copy. In the copy,
-/// a voxel without data next to data has the mean of the data around it, so that interpolation sees data only. The mask
-/// is 1 on data.
+/// The volume's grid with the voxels as cells: the images reach half a voxel beyond the outermost voxel centres, as the
+/// volume's box does. If the volume has no data mask, the image is on the volume's own memory. Else the voxels are a
+/// copy. In the copy, a voxel without data next to data has the mean of the data around it, so that interpolation sees
+/// data only. The mask is 1 on data.
 struct CellImages {
     vtkSmartPointer<vtkImageData> voxels;
     vtkSmartPointer<vtkImageData> mask;  ///< null if all voxels are data
