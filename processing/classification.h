@@ -31,14 +31,15 @@ template <typename Opacity>
 [[nodiscard]] TwoDimensionalOtf tabulated(int intensities, int gradients, double largestGradient,
                                           const Opacity& opacity);
 
-/// A curve or a two-dimensional OTF, as one value. Copies share the two-dimensional OTF. A curve converts by itself.
+/// A curve or a two-dimensional OTF, as one value. Copies share the two-dimensional OTF. A curve converts to a
+/// Classification implicitly.
 class Classification {
 public:
-    /// Clear everywhere.
+    /// Opacity 0 everywhere.
     Classification() = default;
     template <typename Curve>
     requires std::constructible_from<OpacityCurve, Curve> Classification(Curve curve) : m_curve(std::move(curve)) {}
-    /// Throws std::invalid_argument if a member is out of its range.
+    /// Throws std::invalid_argument if a member is out of its range, or if there is not exactly one opacity a node.
     explicit Classification(TwoDimensionalOtf otf);
 
     [[nodiscard]] bool isTwoDimensional() const { return m_twoDimensional != nullptr; }
@@ -57,7 +58,8 @@ private:
 /// Opacity at a normalised intensity and a gradient magnitude. A curve looks at the intensity only.
 [[nodiscard]] double opacityAt(const Classification& classification, double intensity, double gradient);
 
-/// The largest opacity of each intensity at any gradient. An editor with one axis shows this.
+/// The largest opacity of each intensity at any gradient; a curve stays as it is. An editor with one axis shows this
+/// curve.
 [[nodiscard]] OpacityCurve upperCurveOf(const Classification& classification);
 
 namespace classification_detail {

@@ -47,7 +47,8 @@ using OpacityCurve = std::variant<ManualCurve, LinearCurve, PowerCurve, SampledC
 /// Opacity at a normalised intensity (clamped into [0,1]; NaN counts as 0), clamped into [0,1].
 [[nodiscard]] double opacityAt(const OpacityCurve& curve, double intensity);
 
-/// Opacity at `count` (>= 2) equidistant intensities 0, 1/(count-1), ..., 1.
+/// Opacity at `count` equidistant intensities 0, 1/(count-1), ..., 1. Throws std::invalid_argument if `count` is
+/// below 2.
 [[nodiscard]] std::vector<double> sampledOpacities(const OpacityCurve& curve, int count);
 
 /// Natural logarithm of the curve before its clamp to 1; -infinity if the curve is 0 there.

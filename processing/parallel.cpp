@@ -24,8 +24,9 @@ namespace {
 #ifdef __SANITIZE_THREAD__
 
 /// Runs a loop on plain threads, for the thread sanitizer. The threads are as many as oneTBB would use here, the
-/// caller's among them. Debian's oneTBB runtime is not instrumented: the sanitizer would not see how it hands work from
-/// thread to thread, and would report false races. Each smallest part of `range` is a call.
+/// caller's among them. Debian's oneTBB runtime is not instrumented: the sanitizer would not see how oneTBB hands work
+/// from thread to thread, and would report false races. Each call gets one part of `range` that cannot be split any
+/// further.
 template <typename Range, typename Call>
 void onThreads(const Range& range, const Call& call) {
     std::vector<Range> open{range}, parts;

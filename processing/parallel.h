@@ -21,7 +21,7 @@ private:
     Index m_first, m_last, m_grain;
 };
 
-/// The indices of [0, rows) by [0, columns). A parallel loop splits it along both.
+/// The indices of [0, rows) by [0, columns). A parallel loop splits the rectangle along both.
 template <typename Index>
 class LoopRectangle {
 public:
@@ -48,7 +48,8 @@ using Part = LoopRange<std::int64_t>;
 using Tile = LoopRectangle<std::int64_t>;
 
 /// Splits `range` into parts and calls call(body, part) for each, on the threads of oneTBB's arena, the caller's among
-/// them. If calls throw, the caller gets the first exception once all calls have ended.
+/// them. If a call throws, parts that wait are left out, and the caller gets the first exception once all running calls
+/// have ended.
 void forParts(const Part& range, void (*call)(const void* body, const Part& part), const void* body);
 /// As forParts(), for tiles of a rectangle.
 void forTiles(const Tile& range, void (*call)(const void* body, const Tile& tile), const void* body);

@@ -9,8 +9,8 @@
 
 namespace echolucent {
 
-/// Counts what all threads have done. Only the thread that made it reports, since the counts of others may arrive out
-/// of order. The progress must outlive it.
+/// Counts what all threads have done. Only the thread that made the ProgressCount reports, since the counts of other
+/// threads may arrive out of order. The Progress must outlive the ProgressCount.
 class ProgressCount {
 public:
     ProgressCount(const Progress& progress, std::size_t total) : m_progress(progress), m_total(total) {}

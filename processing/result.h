@@ -11,7 +11,7 @@ enum class FailureKind {
     wrongUsage,  ///< the request itself makes no sense (exit status 2)
     unreadable,  ///< an input could not be read (exit status 3)
     unwritable,  ///< an output could not be written (exit status 4)
-    cancelled,   ///< the person, or a newer request, ended the operation
+    cancelled,   ///< the person, or a newer request, ended the operation (exit status 3)
 };
 
 /// One expected failure, in parts. The edge of the program makes one clear sentence of them.

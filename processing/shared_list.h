@@ -10,7 +10,8 @@
 namespace echolucent {
 
 /// The values never change: a change makes a new list, and copies keep the old one. So a copy costs as much as a
-/// pointer, two copies are compared at once, and threads may read copies of one list.
+/// pointer, two copies of one list are compared without a look at their values, and threads may read copies of one
+/// list.
 template <typename T>
 class SharedList {
 public:
@@ -55,7 +56,7 @@ public:
     }
     void clear() { m_values.reset(); }
 
-    /// Whether both are unchanged copies of one list.
+    /// Whether both are unchanged copies of one list, or both are empty.
     [[nodiscard]] bool sharesWith(const SharedList& other) const { return m_values == other.m_values; }
     friend bool operator==(const SharedList& one, const SharedList& other) {
         return one.m_values == other.m_values || one.values() == other.values();

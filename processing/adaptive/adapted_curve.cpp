@@ -39,7 +39,7 @@ AdaptedCurve adaptedCurve(const CurveRule& rule, const OpacityCurve& initial, st
                           int count) {
     AdaptedCurve adapted = std::visit([&](const auto& one) { return byRule(one, initial, tubes, count); }, rule);
     adapted.curve = curveFromLogOpacity(adapted.logOpacity);
-    // Exactly the initial function: its logarithm would round it.
+    // Without a weight, take the initial function itself: the way over its logarithm would round it.
     if (tubesWithWeight(tubes) == 0) adapted.curve.opacities = sampledOpacities(initial, count);
     return adapted;
 }

@@ -11,12 +11,14 @@
 namespace echolucent {
 
 struct AdaptedCurve {
-    std::vector<double> logOpacity;  ///< ln of the curve before any clamp, at equidistant intensities 0 ... 1
+    std::vector<double> logOpacity;  ///< ln of the curve before the clamp to 1, at equidistant intensities 0 ... 1
     SampledCurve curve;              ///< min(1, exp(logOpacity))
-    double trust = 1.0;  ///< with RampRule: the tubes' share of the curve, [0,1]; the rest is the initial function's
+    double trust = 1.0;  ///< with RampRule: the tubes' share of the curve, [0,1]; the rest is the initial function's. 1
+                         ///< with ProductRule
 };
 
-/// The curve at `count` (>= 2) intensities. If no tube core has a weight, it is the initial function.
+/// The curve at `count` (>= 2) intensities. If no tube core has a weight, the curve is the initial function, clamped to
+/// [0,1]. With RampRule and some trust, the initial function is clamped before it is mixed in.
 [[nodiscard]] AdaptedCurve adaptedCurve(const CurveRule& rule, const OpacityCurve& initial,
                                         std::span<const TubeCore> tubes, int count);
 

@@ -54,7 +54,8 @@ std::optional<AdaptedCurve> curveFor(const Volume& volume, const QuietVoxels& sh
     const AdaptiveOtfConfig& config = otf.config;
     if (otf.reduction == SpeckleReduction::off || otf.tubesWithWeight == 0)
         return adaptedCurve(config.curve, config.initial, otf.tubes, AdaptiveOtf::sampleCount);
-    // The surfaces stand where the voxels read have data; the shown voxels may have another mask.
+    // The surfaces were found with the mask of `volume`, and the shown voxels may have another one. So read them with
+    // the mask of `volume`.
     const auto& mask = volume.dataMask();
     const auto quiet = shown.volume->dataMask() == mask
                            ? readQuiet(*shown.volume, config, samples, otf.tubes, progress)
@@ -81,7 +82,8 @@ std::string messageFor(const AdaptiveOtf& otf) {
     if (found == 0) return "No surface found" + consequence;
     if (usable == 0) return "No surface found that stands out from the speckle" + consequence;
     if (otf.dMax == 0.0) return "The strength is 0" + consequence;
-    // Ranks compare tubes with each other, so a single tube or all equal tubes weigh nothing.
+    // Ranks compare tube cores with each other. If each tube core has a surface and all largest prior means are equal
+    // (or there is one tube core only), w_I is 0. If no slope is above 0, w_S is 0.
     return "The surfaces found do not differ enough to weigh them (" + std::to_string(usable) + " found)" + consequence;
 }
 
@@ -122,7 +124,7 @@ std::optional<AdaptiveOtf> adaptToData(const Volume& volume, const Viewpoint& vi
             tube.fluidSpread = detection->spreadAt(*tube.lowIntensity);
         });
 
-    // Weigh them (eqs. 8 to 11).
+    // Weigh the tube cores (eqs. 8 to 11).
     if (!run.begin(weightsStage)) return std::nullopt;
     otf.tubesMeetingVolume = tubesMeetingVolume(otf.tubes);
     if (otf.tubesMeetingVolume > 0) otf.dMax = strengthOf(config.curve) / otf.tubesMeetingVolume;
@@ -158,7 +160,7 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     auto mask = dataMaskWithoutGuess(volume);
     if (mask == volume.dataMask()) return otf;
 
-    Progress silent = progress;  // its progress already stands at the end, and must not fall
+    Progress silent = progress;  // the first run's progress already stands at the end, and must not fall
     silent.report = nullptr;
     auto begun = adaptToData(volume.withDataMask(std::move(mask)), view, config, silent, {});
     if (!begun) return std::nullopt;

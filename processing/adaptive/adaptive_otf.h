@@ -12,14 +12,17 @@
 
 namespace echolucent {
 
-/// Runs the method on a volume, seen from a viewpoint. The result is empty only if progress.cancel was raised. Its bits
-/// are the same for any number of threads.
-/// If no tube core finds a surface behind fluid, and a guess has masked zeros as no data, the method runs again with
-/// these zeros as data, dark as fluid. The surfaces found then are where the data begin
-/// (AdaptiveOtf::surfacesWhereDataBegin).
-/// If the picture shows other voxels than the volume's, pass them as `shown`: the curve is meant for them; surfaces and
-/// weights are still the volume's. Throws std::invalid_argument if problemOf(config) is not empty or the shown voxels
-/// have another grid.
+/// Runs the method on a volume, seen from a viewpoint. The result is empty only if progress.cancel was raised. The bits
+/// of the result are the same for any number of threads.
+///
+/// If no tube core finds a surface behind fluid, and zeros are masked as no data (by a guess or by the file), the
+/// method runs again with these zeros as data, dark as fluid. If a tube core then has a weight, the surfaces are where
+/// the data begin (AdaptiveOtf::surfacesWhereDataBegin), and the curve stays the initial function. Else the first run's
+/// result is returned.
+///
+/// If the picture shows other voxels than the volume's, pass them as `shown`: the curve is then made for the shown
+/// voxels, while surfaces and weights are still the volume's. Throws std::invalid_argument if problemOf(config) is not
+/// empty or the shown voxels have a grid of another size.
 [[nodiscard]] std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& view,
                                                       const AdaptiveOtfConfig& config, const Progress& progress = {},
                                                       const QuietVoxels& shown = {});

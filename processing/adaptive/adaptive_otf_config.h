@@ -17,7 +17,7 @@ inline constexpr double defaultOpacityScale = 1.0;
 /// One rule for each stage. methodParameters() holds the range and source of every parameter.
 struct AdaptiveOtfConfig {
     TubeGrid grid{};                        ///< where the tube cores lie
-    CellRule cells{};                       ///< how they are read
+    CellRule cells{};                       ///< how the cells of the tube cores are read
     DetectionRule detection = RatioRule{};  ///< what tells tissue from fluid
     SurfaceRule surface{};                  ///< how I_L, I_H and slope are read around a surface
     WeightRule weights{};                   ///< how the tube cores are weighed

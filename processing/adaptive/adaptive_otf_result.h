@@ -17,7 +17,8 @@
 namespace echolucent {
 
 /// Intensities around a tube core's surface, in the quiet voxels for which the curve is meant. They are TubeCore's
-/// values if the tube core has no weight or these voxels show no rise; empty without a surface.
+/// values if the tube core has no weight or the quiet voxels show no rise. They are not set if the tube core has no
+/// surface.
 struct QuietInterface {
     std::optional<double> low{}, high{}, fluidSpread{};  ///< I_L, I_H and the fluid's spread, as in TubeCore
 };
@@ -32,26 +33,31 @@ struct AdaptiveOtf {
     AdaptiveOtfConfig config;                      ///< as asked for
     std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, units, along the view's right and down axes
     Viewpoint view;
-    Vec3 directionVoxel{0, 0, 1};  ///< unit, voxel index space
+    Vec3 directionVoxel{0, 0, 1};  ///< the view direction, of length 1, voxel index space
     double tubeLengthUnit = 1.0;   ///< mm per unit
     int tubesMeetingVolume = 0;    ///< T and N: tube cores that meet the volume's data
     int tubesWithWeight = 0;       ///< status surface and d > 0
-    /// No surface stands behind fluid. The surfaces are where the data begin, seen from outside the scanned sector, and
-    /// the curve is the initial function.
+    /// If true, no surface stands behind fluid. The surfaces are where the data begin, seen from outside the scanned
+    /// sector, and the curve is the initial function.
     bool surfacesWhereDataBegin = false;
-    double dMax = 0.0;                    ///< strengthOf(config.curve) / T
+    double dMax = 0.0;                    ///< strengthOf(config.curve) / T; 0 if T is 0
     std::vector<TubeCore> tubes;          ///< row-major: index = row * config.grid.columns + column
     std::optional<double> leastContrast;  ///< with RatioRule: the least contrast of a boundary that counts
-    /// With RatioRule: means below it count as fluid. Empty if no boundary tells.
+    /// With RatioRule: means below it count as fluid. Empty if the view shows no boundary of fluid.
     std::optional<double> fluidIntensity;
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels for which the curve is meant
-    double speckleLeft = 1.0;                            ///< in these voxels, see QuietReading; 1 without reduction
-    std::vector<QuietInterface> quiet{};  ///< of each tube core; empty if the curve is meant for the voxels read
-    double trust = 1.0;  ///< with RampRule the curve is trust * ramp + (1 - trust) * initial function, [0,1]
-    /// sampleCount values: ln of the curve before any clamp. With ProductRule: ln initial(x) + sum over the tubes of
-    /// ln(1+d) g(x).
+    /// The share of the speckle that is left in the voxels for which the curve is meant, see QuietReading. 1 without
+    /// reduction, without a weight or if surfacesWhereDataBegin.
+    double speckleLeft = 1.0;
+    /// Of each tube core. Empty if the curve is meant for the voxels read, if no tube core has a weight, or if
+    /// surfacesWhereDataBegin.
+    std::vector<QuietInterface> quiet{};
+    double trust = 1.0;  ///< [0,1]; with RampRule the curve is trust * RampRule::opacity * ramp + (1 - trust) * initial
+                         ///< function; 1 with ProductRule
+    /// sampleCount values: ln of the curve before the clamp to 1. With ProductRule: ln initial(x) + sum over the tubes
+    /// of ln(1+d) g(x).
     std::vector<double> logOpacity;
-    SampledCurve curve;  ///< min(1, exp(logOpacity))
+    SampledCurve curve;  ///< min(1, exp(logOpacity)); without a weight exactly the initial function
     /// A sentence if something could not be done ("No surface found: the initial function is used."); else empty.
     std::string message;
     StageTimes times;

@@ -36,8 +36,8 @@ constexpr std::array priorCells{Choice{true, "overlapping"}, Choice{false, "apar
 constexpr ParameterSteps byOne{1, 0};
 constexpr ParameterSteps bySteps(double step) { return {step, 2}; }
 
-/// Sets how many tube cores lie across or down. If that changes, each index means another tube core, so none is left
-/// out any more.
+/// Sets how many tube cores lie across or down. If the number changes, each index means another tube core, so
+/// TubeGrid::withoutTubes is emptied.
 template <auto member>
 bool setTubeCount(AdaptiveOtfConfig& config, const ParameterValue& value) {
     const int before = config.grid.*member;
@@ -53,7 +53,7 @@ Row tubeCount(const Words& words) {
     return row;
 }
 
-/// a of the initial function, if it has one: a power's scale, or a linear curve's slope.
+/// a of the initial function: a power's scale, or a linear curve's slope. Null for other curves.
 template <typename Curve>
 auto* scaleOf(Curve& initial) {
     auto* power = std::get_if<PowerCurve>(&initial);
@@ -330,14 +330,15 @@ std::vector<Row> allRows() {
     append(curveByProduct());
     append(curveByRamp());
     append({opacityScale()});
-    // The panel offers only choices of rules and parameters with steps; all would be too many.
+    // The panel offers only the choices of rules and the parameters with steps, because all parameters would be too
+    // many.
     for (Row& row : all) row.inPanels = row.steps.has_value() || row.name == "form" || row.name == "interface_function";
     return all;
 }
 
 }  // namespace method_rows
 
-/// What is wrong with the list of tube cores that are never placed.
+/// What is wrong with the list of tube cores that are never placed; empty if nothing is.
 std::string problemWithLeftOut(const TubeGrid& grid) {
     const std::vector<int>& left = grid.withoutTubes;
     const int count = grid.columns * grid.rows;
@@ -351,7 +352,7 @@ std::string problemWithLeftOut(const TubeGrid& grid) {
     return {};
 }
 
-/// What is wrong between two parameters.
+/// What is wrong although each parameter is in its range; empty if nothing is.
 std::string problemBetweenRows(const AdaptiveOtfConfig& config) {
     constexpr int mostTubes = 1 << 18;
     if (config.grid.columns * config.grid.rows > mostTubes)

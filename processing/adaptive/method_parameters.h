@@ -1,4 +1,4 @@
-// The table of the method's parameters. Range check, command line, JSON, docs/cli-otf.md and panel read it.
+// The table of the method's parameters. Range check, command line, JSON and panel read it; docs/cli-otf.md lists it.
 #pragma once
 
 #include <string>

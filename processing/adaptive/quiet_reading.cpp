@@ -16,7 +16,7 @@ namespace {
 constexpr double beginRises = 0.16;
 constexpr double endFalls = 0.5;
 
-/// A tube read in the quiet voxels; unchanged if they show no rise.
+/// A tube core read in the quiet voxels; unchanged if it has no weight or the quiet voxels show no rise.
 TubeCore readAnew(const TubeCore& found, const CellStatistics& cells, const AdaptiveOtfConfig& config,
                   const Detection& detection) {
     TubeCore quiet = found;
@@ -53,7 +53,7 @@ CurveRule quieterRule(const CurveRule& rule, double speckleLeft) {
 std::optional<QuietReading> readQuiet(const Volume& quiet, const AdaptiveOtfConfig& config,
                                       std::span<const TubeSamples> samples, std::span<const TubeCore> tubes,
                                       const Progress& progress) {
-    // Too short a part of its stage to report progress.
+    // This reading is too short a part of its stage to report progress.
     const Progress silent{{}, progress.cancel};
     StageTimes times;
     StageRunner run(silent, times);

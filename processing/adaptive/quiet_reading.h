@@ -16,14 +16,16 @@ namespace echolucent {
 
 /// The voxels that the picture shows.
 struct QuietVoxels {
-    const Volume* volume = nullptr;  ///< null: those in which the surfaces are found
+    /// If null, or if `reduction` is off, the picture shows the voxels in which the surfaces are found.
+    const Volume* volume = nullptr;
     SpeckleReduction reduction = SpeckleReduction::off;
 };
 
 /// What the curve is made from.
 struct QuietReading {
     std::vector<TubeCore>
-        tubes;        ///< surfaces and weights as found; I_L, I_H and the fluid's spread of the quiet voxels
+        tubes;  ///< surfaces and weights as found; what readSurface() reads and the fluid's spread are of the quiet
+                ///< voxels, unless a tube core has no weight or the quiet voxels show no rise
     CurveRule curve;  ///< for the quiet voxels, see quieterRule()
     /// The fluid's spread in the quiet voxels over that in the voxels read, [0,1]: means weighted by d; 1 if the
     /// detection measures no spread.
@@ -36,9 +38,9 @@ struct QuietReading {
                                                     std::span<const TubeSamples> samples,
                                                     std::span<const TubeCore> tubes, const Progress& progress);
 
-/// The rule if this share of the speckle is left. A ramp is flat to tell speckle from surface, and quiet voxels do not
-/// need that. So their ramp begins later, above haze and partial volume, and is full sooner. With all speckle left, the
-/// rule stays as it is, and so does the product of basis functions.
+/// The rule for voxels in which the share `speckleLeft` of the speckle is left. A ramp rises gently to tell speckle
+/// from surface, and quiet voxels need no such ramp. So their ramp begins later, above haze and partial volume, and is
+/// full sooner. The rule stays as it is if all speckle is left, and always if it is a ProductRule.
 [[nodiscard]] CurveRule quieterRule(const CurveRule& rule, double speckleLeft);
 
 }  // namespace echolucent

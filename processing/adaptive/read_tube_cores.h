@@ -11,8 +11,8 @@
 
 namespace echolucent {
 
-/// Reads the tube cores, row by row on all threads, and lets the detection keep what it needs. `samples` are row-major,
-/// with `columns` tubes in a row.
+/// Reads the tube cores, row by row on all threads, and lets the detection keep what the detection needs. `samples` are
+/// row-major, with `columns` tubes in a row. If the run is cancelled, the remaining rows are not read.
 void readTubeCores(const Volume& volume, std::span<const TubeSamples> samples, int columns, const CellRule& rule,
                    Detection& detection, StageRunner& run);
 

@@ -16,7 +16,7 @@ namespace echolucent {
 enum class BeamEvidence {
     none,         ///< nothing clearly points to one axis
     sectorShape,  ///< the data widen away from the probe between straight edges
-    echo,         ///< the echo of one tissue falls with depth, or shadows lie behind bright places
+    echo,         ///< the echo falls with depth, altogether or within one tissue, or shadows lie behind bright places
     file,         ///< the file says where the probe was (VolumeGeometry::probe): nothing was guessed
 };
 /// "none", "sector shape", "echo", "file".
@@ -24,11 +24,12 @@ enum class BeamEvidence {
 [[nodiscard]] std::optional<BeamEvidence> beamEvidenceFromName(std::string_view name);
 
 struct BeamGuess {
-    BeamAxis axis = BeamAxis::plusZ;  ///< the likeliest; +z, the default, if not sure
+    BeamAxis axis = BeamAxis::plusZ;  ///< the likeliest axis if sure; else +z, the default
     BeamEvidence evidence = BeamEvidence::none;
-    double confidence = 0.0;  ///< [0,1]; of the best lead, even if it is not enough
-    bool sure = false;        ///< whether the axis may be taken without asking
-    std::string sentence{};   ///< for a person: what was found
+    /// Of the best lead, [0,1]. If not sure, at most the least confidence of a sure guess.
+    double confidence = 0.0;
+    bool sure = false;       ///< whether the axis may be taken without asking
+    std::string sentence{};  ///< for a person: what was found
     friend bool operator==(const BeamGuess&, const BeamGuess&) = default;
 };
 

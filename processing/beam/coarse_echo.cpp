@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t mostRowsOfCell = 4;
 
-/// Where the cells of one axis begin; one more than there are cells.
+/// Where the cells of one axis begin, and last where the last cell ends.
 std::vector<std::int64_t> cellEdges(std::int64_t voxels) {
     const std::int64_t voxelsOfCell = (voxels + CoarseEcho::mostCells - 1) / CoarseEcho::mostCells;
     const std::int64_t cells = voxels / voxelsOfCell;

@@ -1,4 +1,4 @@
-// A volume in a few thousand cells: made fast, and enough for questions about the whole scan.
+// A volume in at most 48 cells along each axis: made fast, and enough for questions about the whole scan.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct CoarseEcho {
     std::array<int, 3> size{0, 0, 0};  ///< cells along x, y, z; at most CoarseEcho::mostCells
     Vec3 cellMm{1, 1, 1};              ///< edges of a cell, mm
     std::vector<float> dataShare;      ///< share of the sampled voxels of a cell that are data, [0,1]
-    std::vector<float> echo;           ///< mean stored value of its data voxels above 0; 0 if it has none
+    std::vector<float> echo;  ///< mean stored value of the cell's sampled data voxels above 0; 0 if there is none
 
     static constexpr int mostCells = 48;           ///< along an axis
     static constexpr float leastDataShare = 0.5F;  ///< a cell of at least this share counts as data

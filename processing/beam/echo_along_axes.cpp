@@ -22,9 +22,9 @@ constexpr std::array<int, 3> shadowOffsets{2, 3, 4};  ///< cells between neighbo
 
 /// The logarithm of the echo, and the cells that hold echo.
 struct LogEcho {
-    std::vector<float> value;      ///< natural logarithm of the share of the bright echo
+    std::vector<float> value;      ///< natural logarithm of the share of the bright echo, at least ln `faintest`
     std::vector<float> linear;     ///< that share, [0,1]
-    std::vector<std::uint8_t> is;  ///< 1 where there is echo
+    std::vector<std::uint8_t> is;  ///< 1 if the cell holds echo
 };
 
 double medianOf(std::vector<float>& values) {
@@ -75,7 +75,7 @@ struct Course {
     }
 };
 
-/// Logarithmic steps from the cells of one slice to those `apart` behind them.
+/// Logarithmic steps from the cells of one slice to the cells `apart` slices behind.
 std::vector<float> stepsOf(const LogEcho& log, const Course& course, int slice, int apart) {
     std::vector<float> steps;
     steps.reserve(static_cast<std::size_t>(course.across[0]) * static_cast<std::size_t>(course.across[1]));
@@ -89,7 +89,7 @@ std::vector<float> stepsOf(const LogEcho& log, const Course& course, int slice, 
     return steps;
 }
 
-/// The mean step within one tissue of a slice; NaN if the slice has too few.
+/// The mean step within one tissue of a slice; NaN if the slice has too few such steps.
 float tissueStepOf(std::vector<float>& steps) {
     double sum = 0.0;
     std::size_t count = 0;
@@ -109,7 +109,8 @@ struct Fall {
     double fall = 0.0, share = 0.5;
 };
 
-/// The median over the slices of the step that `ofSlice` computes for each, scaled to the whole extent.
+/// The fall: minus the median over the slices of the step that `ofSlice` computes for each, scaled to the whole extent.
+/// 0 if too few slices have a step.
 Fall fallOf(const LogEcho& log, const Course& course, int apart,
             const std::function<float(std::vector<float>&)>& ofSlice) {
     std::vector<float> perSlice;
@@ -124,8 +125,8 @@ Fall fallOf(const LogEcho& log, const Course& course, int apart,
     return {-medianOf(perSlice) * course.cells / apart, share};
 }
 
-/// The echo that sound has passed on its way to each cell, from the first or the last slice on. Cells within the gap do
-/// not count.
+/// The sum of the echo that sound has passed on its way to each cell, from the first or the last slice on. Cells within
+/// shadowGap of the cell do not count.
 std::vector<float> passedEcho(const LogEcho& log, const Course& course, bool fromFirst) {
     std::vector<float> passed(log.value.size(), 0.0F);
     for (int v = 0; v < course.across[1]; ++v)

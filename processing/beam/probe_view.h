@@ -6,8 +6,8 @@
 
 namespace echolucent {
 
-/// The view along the mean direction of sound, relative to the grid axis nearest to it. The probe's own "down" is at
-/// the bottom of the picture. Angles below a millionth of a degree become 0.
+/// The view along the mean direction of sound, relative to the grid axis nearest to it. The probe's own "down" points
+/// to the bottom of the picture. Angles below a millionth of a degree become 0.
 [[nodiscard]] Viewpoint viewFromProbe(const StatedProbe& probe);
 
 }  // namespace echolucent

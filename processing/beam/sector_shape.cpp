@@ -27,7 +27,7 @@ struct Edges {
     [[nodiscard]] double width() const { return high - low; }
 };
 
-/// The place below which a share of the counted cells lies, mm; each cell is filled evenly.
+/// The place below which `below` of the counted cells lie, mm; each cell counts as filled evenly.
 double quantile(const std::vector<std::int32_t>& counts, double below, double cellMm) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
         if (below <= counts[i] && counts[i] > 0) return (static_cast<double>(i) + below / counts[i]) * cellMm;
@@ -36,7 +36,7 @@ double quantile(const std::vector<std::int32_t>& counts, double below, double ce
     return static_cast<double>(counts.size()) * cellMm;
 }
 
-/// How many cells of each slice along `depth` lie at each place along `across`.
+/// How many cells with data of each slice along `depth` lie at each place along `across`.
 std::vector<std::vector<std::int32_t>> countsOf(const CoarseEcho& coarse, int depth, int across) {
     const int other = 3 - depth - across;
     const auto sizeOf = [&](int axis) { return static_cast<std::size_t>(coarse.size[static_cast<std::size_t>(axis)]); };
@@ -50,7 +50,7 @@ std::vector<std::vector<std::int32_t>> countsOf(const CoarseEcho& coarse, int de
     return counts;
 }
 
-/// The edges of the slices from the first to the last that hold enough data.
+/// The edges of all slices that hold enough data, in order.
 std::vector<Edges> edgesOf(const CoarseEcho& coarse, int depth, int across) {
     constexpr double leastOfLargest = 0.02;
     const auto counts = countsOf(coarse, depth, across);
@@ -70,7 +70,7 @@ std::vector<Edges> edgesOf(const CoarseEcho& coarse, int depth, int across) {
     return edges;
 }
 
-/// A straight line through the values at 0, 1, 2, …
+/// A straight line through the values at 0, 1, 2, … by least squares; squaredResidual is a mean.
 struct Line {
     double start = 0.0, slope = 0.0, squaredResidual = 0.0;
 };
@@ -119,7 +119,8 @@ double fanScore(const std::vector<Edges>& edges, double sliceMm) {
     return share * straight * std::min(1.0, (last - first) / last / fullGrowth);
 }
 
-/// Whether the sector, seen from its first slice, gets narrower across the fan.
+/// Whether the sector, seen from its first slice, gets clearly narrower across the fan. True if there are too few
+/// slices to tell.
 bool shrinks(const std::vector<Edges>& edges) {
     if (edges.size() < fewestSectorSlices) return true;
     const Line width = lineThrough(edges.size(), [&](std::size_t i) { return edges[i].width(); });
@@ -127,7 +128,8 @@ bool shrinks(const std::vector<Edges>& edges) {
     return last < (1.0 - largestShrinking) * width.start;
 }
 
-/// The better of the two fans of a beam along `depth`.
+/// The score of the better of the two fans of a beam along `depth`. A fan counts only if the sector does not shrink
+/// across it.
 double scoreAlong(const CoarseEcho& coarse, int depth, bool reversed) {
     std::array<std::vector<Edges>, 2> fans;
     for (int i = 0; i < 2; ++i) {

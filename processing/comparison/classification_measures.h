@@ -1,4 +1,4 @@
-// The measures under a compared picture: how well it sets surfaces off, and where its light comes from.
+// The measures under a compared picture: how well the picture sets surfaces off, and where its light comes from.
 #pragma once
 
 #include <optional>
@@ -21,17 +21,17 @@ namespace echolucent {
 
 /// Measures of a classification on a volume whose true surfaces nobody knows.
 ///
-/// They take the surfaces that the tube cores found for true, and look only along the tube cores. That favours the
-/// adaptive OTF, which is made from these surfaces. They say nothing about surfaces that the tube cores missed. If tube
-/// cores took speckle for a surface, the measures praise whatever shows speckle. Compare values only on one volume,
-/// from one view, with one set of tube cores (docs/comparison.md).
+/// The measures take the surfaces that the tube cores found for true, and look only along the tube cores. This favours
+/// the adaptive OTF, which is made from these surfaces. The measures say nothing about surfaces that the tube cores
+/// missed. If tube cores took speckle for a surface, the measures praise whatever shows speckle. Compare values only on
+/// one volume, from one view, with one set of tube cores (docs/comparison.md).
 struct ClassificationMeasures {
     SurfaceContrast contrast;  ///< CNR_S with the tube cores' surfaces, over tubeCoreRays()
-    SurfaceLight light;        ///< the share of a ray's light that comes from near them
+    SurfaceLight light;        ///< the share of a ray's light that comes from near these surfaces
 };
 /// One a classification, in order; without rays if no tube core has a surface and a weight. `shown` holds the picture's
-/// voxels, on the grid of the volume that the tube cores read: samples and gradient magnitudes come from it. The result
-/// is empty only if progress.cancel was raised. Its bits are the same for any number of threads.
+/// voxels, on the grid of the volume that the tube cores read: samples and gradient magnitudes come from these voxels.
+/// The result is empty only if progress.cancel was raised. Its bits are the same for any number of threads.
 [[nodiscard]] std::optional<std::vector<ClassificationMeasures>> measuresOf(
     const Volume& shown, const AdaptiveOtf& otf, std::span<const Classification> classifications,
     const Progress& progress = {});

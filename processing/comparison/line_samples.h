@@ -1,5 +1,5 @@
 // Intensities along straight lines through the volume, in double precision, and what a classification makes of them.
-// The measures of a picture are made from them. They are slower and simpler than the ray caster.
+// The measures of a picture are made from these samples, slower and simpler than the ray caster makes a picture.
 #pragma once
 
 #include <cmath>
@@ -15,11 +15,11 @@
 namespace echolucent {
 
 /// Normalised intensities at firstVoxel + i * stepVoxel (voxel index space), by trilinear interpolation of
-/// VolumeSampler. NaN if it gives none or the position lies outside the volume's box.
+/// VolumeSampler. NaN if VolumeSampler gives no intensity or the position lies outside the volume's box.
 void sampleLine(const Volume& volume, const Vec3& firstVoxel, const Vec3& stepVoxel, std::span<double> intensities);
 
-/// The parameters t at which pointMm + t * directionMm (grid mm) enters and leaves the volume's box; empty if it misses
-/// the box.
+/// The parameters t at which pointMm + t * directionMm (grid mm) enters and leaves the volume's box; empty if the line
+/// misses the box.
 struct LineSpan {
     double from = 0.0, to = 0.0;
 };
@@ -50,7 +50,7 @@ struct RaySamples {
 
 class RaySampler {
 public:
-    /// The volume must outlive it. With gradient magnitudes, voxels without data beside data are filled first
+    /// The volume must outlive the sampler. With gradient magnitudes, voxels without data beside data are filled first
     /// (filledVoxels()). That takes a few passes if the volume lacks data somewhere.
     RaySampler(const Volume& volume, bool withGradients);
     RaySampler(const RaySampler&) = delete;

@@ -22,7 +22,7 @@ struct RayLight {
 };
 
 /// The lattice of the picture's rays: one unit apart, half a unit inside the box's outermost corner, like the ray
-/// caster's samples. In a view along a grid axis they pass through voxel centres.
+/// caster's samples. In a view along a grid axis they pass through voxel centres, if voxels are cubes.
 struct RayLattice {
     double firstRight, firstDown;
     int columns, rows;

@@ -15,8 +15,7 @@
 
 namespace echolucent {
 
-/// The light of rays whose surface is known. In a simulated scan these are the rays whose first interface
-/// (PhantomTruth::firstInterface) leads from fluid into object.
+/// The light of rays whose surface is known. In a simulated scan objectRays() gives these rays.
 struct SurfaceContrast {
     /// Mean composited intensity from 2 units before to 6 units behind the surface, over these rays; levels of 255.
     double meanSurface = 0.0;
@@ -41,21 +40,22 @@ struct SurfaceRay {
     double fromDepthMm = -std::numeric_limits<double>::infinity();
     double toDepthMm = std::numeric_limits<double>::infinity();
 };
-/// What a ray's first interface may lead into. A fetus is all skin, with its bones behind.
+/// What a ray's first interface (PhantomTruth::firstInterface) may lead into. The simulated fetus is covered with skin,
+/// which is tissue; only its bones are object.
 enum class InterfaceInto { object, objectOrTissue };
-/// The rays of surfaceContrast(), row by row, so that many curves need the truth only once. With objectOrTissue also
-/// those whose first interface leads into tissue.
+/// The rays of surfaceContrast(), row by row, so that many curves need the truth only once: those whose first interface
+/// leads from fluid into object. With objectOrTissue also those whose first interface leads into tissue.
 [[nodiscard]] std::vector<SurfaceRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth,
                                                  const Viewpoint& view, InterfaceInto into = InterfaceInto::object);
-/// The contrast of each classification on given rays; each equals surfaceContrast()'s, bit for bit. The volume is
-/// sampled once. Gradient magnitudes, if a classification needs them, come from `volume`.
+/// The contrast of each classification on given rays. With the rays of objectRays(), each equals surfaceContrast()'s,
+/// bit for bit. The volume is sampled once. Gradient magnitudes, if a classification needs them, come from `volume`.
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const SurfaceRay> rays,
                                                             const Viewpoint& view,
                                                             std::span<const Classification> classifications);
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const SurfaceRay> rays,
                                                             const Viewpoint& view,
                                                             std::span<const OpacityCurve> curves);
-/// The same on a sampler that other measures share. It must read gradient magnitudes if a table needs them.
+/// The same on a sampler that other measures share. The sampler must read gradient magnitudes if a table needs them.
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const RaySampler& sampler, std::span<const SurfaceRay> rays,
                                                             const Viewpoint& view,
                                                             std::span<const OpacityTable> tables);

@@ -24,7 +24,7 @@ struct TubeLight {
 /// The ray along a tube core's axis, from the tube's first sample on, and the place of its surface.
 struct TubeRay {
     RaySamples samples;
-    double surface = 0.0;  ///< samples behind the first
+    double surface = 0.0;  ///< place of the surface, in samples behind the first
 
     TubeRay(const RaySampler& sampler, const TubeCore& tube, const TubeAxis& axis, std::size_t most) {
         const VolumeGeometry& geometry = sampler.volume().geometry();

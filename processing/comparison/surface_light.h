@@ -11,10 +11,11 @@
 
 namespace echolucent {
 
-/// Each tube core with a surface and a weight has a ray along its axis. A ray's share is the part of its composited
-/// intensity from within 3 units of the surface found (0 if the ray has no light). Rays begin at the tube core's first
-/// sample and end where the view stops showing the axis. Samples lie one unit apart, are trilinear and not shaded. If
-/// tube cores found no true surface, light near "surfaces" is no merit. docs/comparison.md says more.
+/// The light of rays, one along the axis of each tube core with a surface and a weight. A ray's share is the part of
+/// its composited intensity from within 3 units of the surface found (0 if the ray has no light). Rays begin at the
+/// tube core's first sample and end where the view stops showing the axis. Samples lie one unit apart, are trilinear
+/// and not shaded. If tube cores found no true surface, light near "surfaces" is no merit. docs/comparison.md says
+/// more.
 struct SurfaceLight {
     double meanShare = 0.0;  ///< mean over these rays, [0,1]
     double medianShare = 0.0;
@@ -27,7 +28,7 @@ struct SurfaceLight {
 /// The same for several classifications; each equals surfaceLight()'s, bit for bit. The volume is sampled once.
 [[nodiscard]] std::vector<SurfaceLight> surfaceLights(const Volume& volume, const AdaptiveOtf& otf,
                                                       std::span<const Classification> classifications);
-/// The same on a sampler that other measures share. It must read gradient magnitudes if a table needs them.
+/// The same on a sampler that other measures share. The sampler must read gradient magnitudes if a table needs them.
 [[nodiscard]] std::vector<SurfaceLight> surfaceLights(const RaySampler& sampler, const AdaptiveOtf& otf,
                                                       std::span<const OpacityTable> tables);
 

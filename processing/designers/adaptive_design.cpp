@@ -61,7 +61,7 @@ DesignPlot initialFunction(const OpacityCurve& initial) {
     return plot;
 }
 
-/// With two decimals.
+/// With at most two decimals.
 std::string hundredthsInWords(double value) { return textOf(std::round(value * 100.0) / 100.0); }
 std::string wholePercentInWords(double share) { return textOf(std::round(share * 100.0)) + " %"; }
 

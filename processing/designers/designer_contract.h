@@ -11,8 +11,8 @@
 
 namespace echolucent {
 
-/// Throws std::invalid_argument, with "`configName`: " before its text, if problemIn() finds something or the volumes
-/// of the input have different grids.
+/// Throws std::invalid_argument, with "`configName`: " before the exception's text, if problemIn() finds something or
+/// the volumes of the input have different grids.
 template <typename Config>
 void requireDesignable(std::string_view configName, const ParameterTable<Config>& table, const Config& config,
                        const DesignerInput& input) {
@@ -26,7 +26,7 @@ void requireDesignable(std::string_view configName, const ParameterTable<Config>
 /// A number as designers write it in sentences: at most three decimals.
 [[nodiscard]] inline std::string inWords(double number) { return textOf(std::round(number * 1e3) / 1e3); }
 
-/// The same, rounded to a multiple of `step`, above 0.
+/// A number rounded to a multiple of `step`, which is above 0.
 [[nodiscard]] inline std::string roundedInWords(double number, double step) {
     return textOf(std::round(number / step) * step);
 }

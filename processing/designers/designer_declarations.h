@@ -3,7 +3,8 @@
 // - parametersOf(const XConfig&): the table of these values. The argument only selects it;
 // - design(const XConfig&, input, progress): what it makes of a volume. The result is empty only if progress.cancel was
 //   raised. Its bits are the same for any number of threads. It throws std::invalid_argument if problemIn() finds
-//   something in the config, or if the volumes of the input have different grids.
+//   something in the config, if the volumes of the input have different grids, or if the designer reads tube cores and
+//   problemOf(input.method) is not empty.
 // Such a header is light, because the document holds the configs of all designers.
 #pragma once
 

@@ -41,7 +41,7 @@ ManualCurve echoRamp(const EchoRampConfig& config) {
     return curve;
 }
 
-/// The curve unchanged, and the share of voxels that it shows.
+/// A design with the curve unchanged, and the share of voxels that the curve shows.
 Design presetDesign(ManualCurve curve, const Volume& shown, const std::string& name) {
     const IntensityCounts counts = intensityCounts(shown);
     Design design{std::move(curve)};

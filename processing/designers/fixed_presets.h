@@ -15,8 +15,8 @@ struct FetalPresetConfig {
 };
 [[nodiscard]] const ParameterTable<FetalPresetConfig>& parametersOf(const FetalPresetConfig&);
 
-/// The same curve for every volume. A fact tells how many voxels of input.shown it shows; if it shows none, the message
-/// says so.
+/// The same curve for every volume. A fact tells which share of the voxels of input.shown the curve shows. If the curve
+/// shows none, the message says so.
 [[nodiscard]] std::optional<Design> design(const FetalPresetConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

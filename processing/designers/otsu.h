@@ -19,9 +19,10 @@ struct OtsuConfig {
 };
 [[nodiscard]] const ParameterTable<OtsuConfig>& parametersOf(const OtsuConfig&);
 
-/// A curve that is clear below the ramp. The ramp is straight from the threshold minus the dark class's spread to the
-/// threshold plus the bright class's, both within [0,1]. It reads input.shown; voxels without data do not count. If all
-/// data have one value, or there are none, the curve is x^2, and the message says so.
+/// A curve that is clear below the ramp and has config.opacity beyond it. The ramp is straight from the threshold minus
+/// config.spreads times the dark class's spread to the threshold plus as many times the bright class's, both within
+/// [0,1]. The designer reads input.shown; voxels without data do not count. If all data have one value, or there are
+/// none, the curve is x^2, and the message says so.
 [[nodiscard]] std::optional<Design> design(const OtsuConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

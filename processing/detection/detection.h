@@ -1,4 +1,4 @@
-// The stages that differ between the rules that tell tissue from fluid: interface indicating function and surfaces.
+// The stages of the method in which the detection rules differ: interface indicating function and surfaces.
 #pragma once
 
 #include <optional>
@@ -45,7 +45,8 @@ public:
     [[nodiscard]] virtual double leastEdgeToNoise() const { return 0.0; }
     /// The least contrast of a boundary that counts; empty if the rule knows no contrast.
     [[nodiscard]] virtual std::optional<double> leastContrast() const { return std::nullopt; }
-    /// Means below this intensity count as fluid; empty if no boundary tells.
+    /// Means below this intensity count as fluid; empty if the rule does not tell, or the view shows no boundary of
+    /// fluid.
     [[nodiscard]] virtual std::optional<double> fluidIntensity() const { return std::nullopt; }
 };
 

@@ -40,7 +40,7 @@ std::optional<FoundSurface> DetectionByVariance::surfaceOf(std::size_t /*tube*/,
     if (tracked.empty()) return std::nullopt;
     for (int& cell : tracked) cell += cells.firstCell;
     int surface = tracked.back();
-    // A cell of too little data repeats the one before it, so take that one.
+    // A cell of too little data repeats the cell before it, so go back to the last complete cell.
     while (surface > cells.firstCell && cells.complete[static_cast<std::size_t>(surface)] == 0) --surface;
     return FoundSurface{surface, std::nullopt};
 }

@@ -13,10 +13,10 @@ namespace echolucent {
 
 namespace {
 
-/// Each task takes at least so many tubes.
+/// A task of this many tubes or fewer is not split.
 constexpr std::size_t tubesPerTask = 64;
 
-/// Half of slabsBehind, rounded up: so many slabs at least must lie behind a boundary.
+/// Half of slabsBehind, rounded up: at least this many slabs must lie behind a boundary.
 int leastBehind(const RatioRule& rule) { return (rule.slabsBehind + 1) / 2; }
 
 double meanOf(std::span<const float> values) {
@@ -40,7 +40,7 @@ public:
             ++m_bins[static_cast<std::size_t>(std::min(std::abs(contrast) * perContrast, bins - 1.0f))];
         m_count += contrasts.size();
     }
-    /// The standard deviation of normal noise whose absolute values have this lower quartile.
+    /// The standard deviation of normal noise whose absolute values have the counted lower quartile.
     [[nodiscard]] double spread() const {
         constexpr double quartileOfNormal = 0.318639;
         const double quarter = static_cast<double>(m_count) / 4.0;
@@ -85,7 +85,7 @@ void contrastsAlong(std::span<const float> scaled, const RatioRule& rule, std::s
 
 namespace {
 
-/// The boundary of highest contrast on a tube.
+/// The boundary of highest contrast on a tube; `boundary` is -1 if the tube has none.
 struct Strongest {
     int boundary = -1;
     float contrast = 0.0f;
@@ -97,7 +97,8 @@ Strongest strongestAt(std::span<const float> scaled, int boundary, float contras
     return {boundary, contrast, before + contrast / 2.0};
 }
 
-/// The index of the first of the largest values; not empty. It works in lanes, so that the compiler vectorises it.
+/// The index of the first of the largest values; `values` is not empty. The loop works in lanes, so that the compiler
+/// vectorises it.
 std::size_t placeOfLargest(std::span<const float> values) {
     std::array<float, 8> largest;
     largest.fill(values[0]);
@@ -165,7 +166,8 @@ namespace {
 bool mayBeFluid(const RatioThresholds& thresholds, const SpeckleScale& scale, const RatioRule& rule) {
     const double fluid = scale.intensityAt(thresholds.fluid), tissue = scale.intensityAt(thresholds.tissue);
     if (fluid <= 0.0 || tissue >= rule.leastRatio * fluid) return true;
-    // Compressed echo: over a quarter of the range of brightness the spread grows clearly less than the mean.
+    // Compressed echo: from a quarter of the bright mean to the bright mean, the mean grows four times, but the spread
+    // less than three times.
     constexpr double darker = 0.25, inProportion = 0.75;
     const double bright = scale.brightMean();
     return scale.spreadAt(bright) * darker < inProportion * scale.spreadAt(darker * bright);
@@ -207,7 +209,8 @@ RatioThresholds ratioThresholds(const TubeContrasts& tubes, const SpeckleScale& 
 namespace {
 
 /// The middle of a boundary's ramp, in intensity. There the running mean of `cellSize` slabs rises through the half
-/// between the levels on both sides. Of several such places the one nearest to the boundary counts.
+/// between the levels on both sides. Of several such places the one nearest to the boundary counts. If there is none,
+/// the cell around the boundary. Returns the cell's first slab.
 int cellAtHalf(std::span<const float> means, int boundary, const RatioRule& rule, int cellSize) {
     const double low = meanOf(slabs(means, boundary - rule.slabsBefore, boundary - rule.rampSlabs));
     const double high = meanOf(slabs(means, boundary + rule.rampSlabs, boundary + rule.rampSlabs + rule.slabsBehind));
@@ -229,8 +232,8 @@ int cellAtHalf(std::span<const float> means, int boundary, const RatioRule& rule
     return best;
 }
 
-/// The contrast, a difference of logarithms, is highest on the dark side of a wide ramp. So this reads the levels again
-/// on both sides of the half found, until it stays.
+/// The contrast, a difference of logarithms, is highest on the dark side of a wide ramp. So this function reads the
+/// levels again on both sides of the half found, until the cell stays, at most mostRounds times.
 int surfaceCellAt(std::span<const float> means, int boundary, const RatioRule& rule, int cellSize) {
     int cell = cellAtHalf(means, boundary, rule, cellSize);
     constexpr int mostRounds = 3;

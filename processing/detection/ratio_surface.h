@@ -2,8 +2,9 @@
 //
 // Speckle multiplies: inside tissue the variance of the echo is as large as that of an edge. So along a tube core the
 // variance is a step rather than a peak. Edge detectors for radar pictures therefore compare means by their ratio,
-// whose false alarms do not depend on the mean (Touzi 1988). Both kinds of speckle are of one nature, as Petersch 2005
-// (section 5) notes. Here the ratio is a difference on the SpeckleScale, so that it is right for compressed echo too.
+// whose false alarms do not depend on the mean (Touzi 1988). Speckle of radar and of ultrasound is of one nature, as
+// Petersch 2005 (section 5) notes. Here the ratio is a difference on the SpeckleScale, so that it is right for
+// compressed echo too.
 #pragma once
 
 #include <memory>
@@ -23,7 +24,8 @@ struct RatioThresholds {
     double fluidLevel = 0.0;           ///< means below it are fluid, above it tissue; on the scale
     double fluid = 0.0, tissue = 0.0;  ///< typical levels before and behind the strongest boundaries, on the scale
     double step = 0.0;                 ///< least rise of a surface, normalised intensity
-    bool mayHoldSurfaces = false;      ///< whether enough tubes hold a certain boundary, and whether it may be fluid's
+    bool mayHoldSurfaces = false;  ///< whether enough tubes hold a certain boundary, and the strongest boundaries may
+                                   ///< be those of fluid; if false, the levels above may be 0
 };
 
 /// The contrast at every boundary of a profile: the mean of the slabs behind less the mean of those before. Element i
@@ -47,11 +49,12 @@ private:
     std::vector<std::span<float>> m_profiles, m_contrasts;  ///< in m_values
 };
 
-/// Looks at all tubes. The lower quartile of all contrasts gives their spread without boundaries, because boundaries
-/// are few and hardly move it. The fluid level is the median middle of the tubes' strongest boundaries. A boundary is
-/// certain from `certainty` spreads on. The rule's floor and ceiling limit this and every other least contrast.
-/// Boundaries may be those of fluid if the intensities behind and before them differ by the least ratio. They always
-/// may be if echo is compressed, because the ratio of intensities then says nothing.
+/// Looks at all tubes. The lower quartile of all |contrast| gives the spread of contrasts without boundaries, because
+/// boundaries are few and hardly move the quartile. Each tube has one strongest boundary, and the fluid level is the
+/// median middle of the stronger ones of these. A boundary is certain from `certainty` spreads on. The rule's
+/// contrastFloor and contrastCeiling limit this and every other least contrast. Boundaries may be those of fluid if the
+/// intensities behind and before them differ by the least ratio. If echo is compressed, they always may be those of
+/// fluid, because the ratio of intensities then says nothing.
 [[nodiscard]] RatioThresholds ratioThresholds(const TubeContrasts& tubes, const SpeckleScale& scale,
                                               const RatioRule& rule);
 
@@ -60,10 +63,11 @@ struct RatioSurface {
     int cell = 0;  ///< the first slab of the surface cell, counted from the profile's first
     double contrast = 0.0;
 };
-/// The first surface of one tube; empty if there is none. Fluid lies before its boundary, tissue behind it, and its
-/// contrast counts. Of several such boundaries in a row it is the one of highest contrast. `means` is the tube's
-/// profile, `scaled` the profile on the scale, `contrasts` its contrasts. The surface cell's mean is halfway between
-/// fluid and tissue.
+/// The first surface of one tube; empty if there is none. It begins at the first boundary with a contrast that counts,
+/// fluid before it (the mean, and leastDark slabs), tissue behind it, and a rise of at least thresholds.step. From
+/// there on, as long as contrasts count and fluid lies before them, the boundary of highest contrast is the surface.
+/// `means` is the tube's profile, `scaled` the profile on the scale, `contrasts` its contrasts. The surface cell's mean
+/// is halfway between fluid and tissue.
 [[nodiscard]] std::optional<RatioSurface> firstFluidToTissue(std::span<const float> means,
                                                              std::span<const float> scaled,
                                                              std::span<const float> contrasts,

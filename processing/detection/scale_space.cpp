@@ -53,7 +53,8 @@ void ScaleSmoother::begin(std::span<const double> function) {
     if (count == 0) return;
     std::size_t length = count;
     if (m_space.border() == TubeBorder::mirrorThenZero) {
-        // The zeros are as wide as a kernel: only they meet what wraps around.
+        // The zeros are as wide as the radius of the coarsest kernel, so a kernel at any sample of the function meets
+        // only zeros where it wraps around.
         const std::size_t mirrored = std::min(radius, count);
         length = static_cast<std::size_t>(cv::getOptimalDFTSize(static_cast<int>(mirrored + count + radius)));
         continueFunction(mirrored, length);

@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// A sampled Gaussian, cut and renormalised: symmetric, odd, its weights sum to 1.
+/// A sampled Gaussian, cut and renormalised. It is symmetric, has an odd number of weights, and they sum to 1.
 class GaussianKernel {
 public:
     /// `sigma` is in samples, above 0; the kernel ends at cut * sigma. If endsAtZero, the kernel is lowered to end at
@@ -50,9 +50,9 @@ private:
 /// Borders: mirrorThenZero mirrors the function once before its first sample (f(-1 - i) = f(i)), and is zero before the
 /// mirror image and behind the last sample. circular repeats the function on both sides.
 ///
-/// Routes: direct adds up products and gives equal surroundings equal bits; so a constant stays the same to the last
-/// bit, out of reach of the zeros. fourier multiplies spectra (cv::dft; padded for mirrorThenZero, not for circular)
-/// and equals direct to rounding.
+/// Routes: direct adds up products and gives equal surroundings equal bits. So a constant function becomes one value to
+/// the last bit, out of reach of the zeros. fourier multiplies spectra (cv::dft; padded for mirrorThenZero, not for
+/// circular) and equals direct to rounding.
 class ScaleSmoother {
 public:
     explicit ScaleSmoother(const ScaleSpace& space) : m_space(space) {}

@@ -21,8 +21,8 @@ constexpr double leastShare = 0.25;
 constexpr int nearBins = 8;
 constexpr std::uint32_t leastSlabs = 16;
 
-/// A spread below this share of the mean is no speckle. It stays above 0, so that a difference is a ratio even without
-/// noise.
+/// A spread below this share of the mean is no speckle, and is raised to the share. So spreads stay above 0, and a
+/// difference is a ratio even without noise.
 constexpr double leastShareOfMean = 0.05;
 
 struct Knot {
@@ -81,8 +81,8 @@ std::vector<Knot> knotsOf(const std::array<SpreadCounts, meanBins>& counts) {
             knots.push_back({here.sumOfMeans / here.count, here.medianSpread()});
     }
     if (knots.empty()) knots.push_back({0.5, leastSpread});
-    // Speckle multiplies and scanners compress, so its spread never grows faster than the mean. A faster growth is a
-    // wall that a tube core straddles along its whole length.
+    // Speckle multiplies and scanners compress, so the spread of speckle never grows faster than the mean. If a spread
+    // grows faster, a tube core straddles a wall along its whole length.
     for (std::size_t i = 1; i < knots.size(); ++i)
         if (knots[i - 1].mean > 0.0)
             knots[i].spread = std::min(
@@ -90,7 +90,7 @@ std::vector<Knot> knotsOf(const std::array<SpreadCounts, meanBins>& counts) {
     return knots;
 }
 
-/// All but the brightest fiftieth of the slabs stay below this mean.
+/// The mean of the bin in which the brightest fiftieth of the slabs begins; 0 without slabs.
 double brightMeanOf(const std::array<SpreadCounts, meanBins>& counts) {
     std::uint64_t all = 0, above = 0;
     for (const SpreadCounts& bin : counts) all += bin.count;
@@ -101,8 +101,9 @@ double brightMeanOf(const std::array<SpreadCounts, meanBins>& counts) {
     return 0.0;
 }
 
-/// Linear between the knots and constant above the last. Below the first it is proportional to the mean, as in echo
-/// without an offset, but never less than half of the first knot's: the darkest voxels are rounded.
+/// Linear between the knots and constant above the last. Below the first knot the spread is proportional to the mean,
+/// as in echo without an offset, but never less than half of the first knot's spread or than leastSpread: the darkest
+/// voxels are rounded.
 double spreadFrom(const std::vector<Knot>& knots, double mean) {
     const auto above = std::find_if(knots.begin(), knots.end(), [mean](const Knot& knot) { return knot.mean > mean; });
     if (above == knots.end()) return knots.back().spread;

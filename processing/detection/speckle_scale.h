@@ -22,11 +22,11 @@ public:
 
     /// Standard deviation of voxels around this mean, normalised intensity, above 0.
     [[nodiscard]] double spreadAt(double intensity) const;
-    /// How bright the view is: nearly all slabs stay below this mean intensity.
+    /// How bright the view is: nearly all slabs stay below about this mean intensity. 0 without slabs.
     [[nodiscard]] double brightMean() const { return m_brightMean; }
     /// A normalised intensity in [0,1] on the scale; 0 at 0, rising.
     [[nodiscard]] double scaled(double intensity) const;
-    /// The same for many; as many results as intensities.
+    /// scaled() for many intensities; `results` is as long as `intensities`.
     void scale(std::span<const float> intensities, std::span<float> results) const;
     /// The intensity at a value of the scale, clamped into [0,1].
     [[nodiscard]] double intensityAt(double scaled) const;

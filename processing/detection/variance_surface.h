@@ -26,7 +26,8 @@ struct IndexRange {
 
 /// The function less its floor; values below the floor become 0. The floor is the function's `quantile` (share of
 /// values below, [0,1]); 0 takes nothing off. Speckle can lift the whole function, above all in log-compressed data.
-/// Then a share of the largest value alone rejects nothing, and the zeros behind the far end are a fall.
+/// Without the floor, every maximum then reaches a share of the largest value, and the step down to the zeros behind
+/// the far end looks like a peak's fall.
 void takeOffFloor(std::span<const double> function, double quantile, std::vector<double>& result);
 
 /// Scratch of trackSurface(), reused between tubes.
@@ -35,13 +36,13 @@ struct DetectionScratch {
 };
 
 /// The place of the maximum at each scale, as indices into the function: coarsest first, the unsmoothed function last.
-/// It begins at the coarsest scale with a significant maximum, unless coarsestMustHaveMaximum. The coarsest may have
-/// none: a peak nearer to the front than sigma makes one hill with its mirror image, and short tubes have no room for
-/// the kernel. A later scale without a maximum in the range keeps position and range.
+/// Tracking begins at the coarsest scale with a significant maximum. The coarsest scale of all may have none: a peak
+/// nearer to the front than sigma makes one hill with its mirror image, and short tubes have no room for the kernel. A
+/// later scale without a maximum in the range keeps position and range.
 ///
-/// It is empty if there is no surface: no scale has a maximum, or the function itself has none (a constant, a ramp, a
-/// step). A coarse maximum of such a function comes from the border or from rounding, and the original scale has no
-/// place for it.
+/// The result is empty if there is no surface: no scale has a maximum, the coarsest has none although
+/// coarsestMustHaveMaximum, or the function itself has none (a constant, a ramp, a step). A coarse maximum of such a
+/// function comes from the border or from rounding, and the original scale has no place for it.
 [[nodiscard]] std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
                                             const VarianceRule& rule, DetectionScratch& scratch);
 

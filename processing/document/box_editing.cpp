@@ -38,7 +38,7 @@ Document withBox(Document document, const Box& box) {
     document.scene.box = box;
     const bool looksInAnew = box.side != before.side || box.direction != before.direction;
     if (box.on && (!before.on || looksInAnew)) document.scene.side = directionFrom(box.side, box, beam);
-    // Without a box the tube cores look along the beam again, unless a person has since chosen another way.
+    // Without a box the tube cores look along the beam again, unless they look another way than through the box's side.
     if (!box.on && before.on && document.scene.side == directionFrom(before.side, before, beam))
         document.scene.side = document.beam.lean;
     return document;
@@ -85,7 +85,7 @@ Document withSlab(Document document, PlaneName plane, double thicknessMm, const 
     box.sizeMm[2] = thicknessMm;
     Document next = withBox(std::move(document), box);
     next.scene.motionAngle = 0.0;
-    // A slab behind a cut would be cut away.
+    // A slab before the front would be cut away.
     next.scene.front = Front{};
     Pose& pose = next.scene.pose;
     pose = turnedTo(pose, next.beam.axis, next.scene.side);

@@ -8,31 +8,34 @@ namespace echolucent {
 
 [[nodiscard]] BoxFace faceOf(BoxSide side);
 
-/// Gives a person's box another place, size or turn. Axes that the hand did not turn keep their bits.
+/// The box with the place, size and axes of `moved`. If the axes are those of `box`, the box's direction keeps its
+/// bits.
 [[nodiscard]] Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam);
 
-/// The document with the box. If the box is switched on or turned, or has another side, the adaptive OTF looks in
-/// through its side from now on. If it is switched off, the OTF looks along the beam, unless it looked another way
-/// before.
+/// The document with the box. If the box is on, and was switched on or turned or got another side, the scene's side
+/// becomes the box's: the adaptive OTF looks in through it. If the box is switched off and the scene's side was the
+/// box's, the OTF looks along the beam again.
 [[nodiscard]] Document withBox(Document document, const Box& box);
-/// The same with another side, from which the pose looks in. The box is switched on. If it was never set, it goes
-/// around all data.
+/// withBox() with another side, from which the pose looks in. The box is switched on, and the motion's angle becomes 0.
+/// If the box was never set, it goes around all data.
 [[nodiscard]] Document withSide(Document document, BoxSide side, const DataBox& data);
-/// The document with another beam. Boxes keep their place in the volume; planes are as on opening along that beam.
+/// The document with another beam. The box keeps its place in the volume. The planes look along the new beam, without
+/// crops.
 [[nodiscard]] Document withBeam(Document document, const Beam& beam);
 /// Switches the box on or off. If it was never set, it goes around all data.
 [[nodiscard]] Document withBoxSwitched(Document document, bool on, const DataBox& data);
-/// Sets a box of a thickness (mm, above 0) around plane A, B or C as it lies now. It is as wide as all data and seen as
-/// the plane is.
+/// Sets a box of a thickness (mm, above 0) around plane A, B or C. The box is as wide as all data and seen as the plane
+/// is. The pose looks in the same way, the front is taken away, and the motion's angle becomes 0.
 [[nodiscard]] Document withSlab(Document document, PlaneName plane, double thicknessMm, const DataBox& data);
 
 /// The surface at which a view's picture begins, ready to be bowed. If the front has a surface, that one. Else a flat
-/// one across the way that the adaptive OTF looks in, at the near cut or the front of the box, whichever is deeper.
+/// one across the way that the adaptive OTF looks in, at the near cut or the front of the box, whichever is deeper. If
+/// the box is off, the box around all data counts.
 [[nodiscard]] CutSurface startSurface(const Document& document, const Volume& volume);
 /// Bows a surface by `mm` along its forward in the middle of its nodes. Towards their border the bow falls as
 /// (1 - u^2)(1 - v^2), with u and v from -1 to 1 over the nodes.
 [[nodiscard]] CutSurface bowed(CutSurface surface, double mm);
-/// The share of a bow at a place of the grid.
+/// The share of a bow at a place of the grid: 1 in the middle of the nodes, 0 at their border and beyond.
 [[nodiscard]] double bowAt(const CutSurface& surface, const Vec3& gridMm);
 
 }  // namespace echolucent

@@ -21,7 +21,7 @@ enum class ComparisonLayout {
 inline constexpr std::size_t mostPanes = 4, fewestPanes = 2;
 inline constexpr double leastAmplification = 1.0, largestAmplification = 32.0;
 
-/// For documents of two panes or more.
+/// How two panes or more are compared.
 struct Comparison {
     ComparisonLayout layout = ComparisonLayout::sideBySide;
     int first = 0, second = 1;   ///< the two panes of a difference or a wipe, as places among the panes; they differ
@@ -30,7 +30,8 @@ struct Comparison {
     friend bool operator==(const Comparison&, const Comparison&) = default;
 };
 
-/// What is out of range in a document of that many panes: "wipe must be from 0 to 1". Empty if nothing is.
+/// What is out of range in a document of `panes` panes: "wipe must be from 0 to 1". Empty if nothing is. One pane
+/// counts as fewestPanes.
 [[nodiscard]] std::string problemOf(const Comparison& comparison, std::size_t panes);
 
 }  // namespace echolucent

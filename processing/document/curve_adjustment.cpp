@@ -12,7 +12,7 @@ namespace {
 constexpr int tableIntensities = 2041;               // the nodes of the ray caster's table
 constexpr double leastRise = 0.02, mostRise = 0.98;  // keep both sides of the rise from vanishing
 
-/// Where the curve first reaches half of its largest opacity.
+/// The intensity at which the curve first reaches half of its largest opacity.
 double riseOf(const std::vector<double>& opacities) {
     const double half = 0.5 * *std::ranges::max_element(opacities);
     const auto at = std::ranges::find_if(opacities, [half](double opacity) { return opacity >= half; });

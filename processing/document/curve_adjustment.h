@@ -16,14 +16,15 @@ struct CurveAdjustment {
 
 [[nodiscard]] const ParameterTable<CurveAdjustment>& adjustmentParameters();
 
-/// The curve as it is rendered. If nothing is adjusted, it is the same one, to the bit. Else it is sampled at the
-/// intensities of the ray caster's table.
+/// The curve as it is rendered. If nothing is adjusted or the curve is 0 everywhere, it stays the same, to the bit.
+/// Else it is sampled at the intensities of the ray caster's table.
 ///
-/// The rise is where the curve first reaches half of its largest opacity. Below and above it intensities are stretched
-/// linearly, so that 0 and 1 stay where they are.
+/// The rise is the intensity at which the curve first reaches half of its largest opacity. Intensities below and above
+/// the rise are stretched linearly, so that 0 and 1 stay where they are. Before and after it moves, the rise counts as
+/// at least 0.02 and at most 0.98.
 [[nodiscard]] OpacityCurve adjusted(const OpacityCurve& curve, const CurveAdjustment& adjustment);
-/// The same for a curve or an OTF. The rise of a two-dimensional OTF is that of its upper curve. Its intensities are
-/// stretched alike at every gradient, and it keeps its number of nodes.
+/// The same for a curve or an OTF. The rise of a two-dimensional OTF is that of its upper curve. The OTF's intensities
+/// are stretched alike at every gradient, and it keeps its number of nodes.
 [[nodiscard]] Classification adjustedClassification(const Classification& classification,
                                                     const CurveAdjustment& adjustment);
 

@@ -34,7 +34,8 @@ struct Document {
     friend bool operator==(const Document&, const Document&) = default;
 };
 
-// ---- What follows from the parts. They throw std::out_of_range if there is no such pane.
+// ---- What follows from the parts. Functions with a pane, also those below, throw std::out_of_range if there is no
+// such pane.
 
 /// The phase that a pane shows: its own, or that of the scene.
 [[nodiscard]] int phaseOf(const Document& document, std::size_t pane);
@@ -43,7 +44,7 @@ struct Document {
 /// From where the panes look now: the shown pose behind the front, within the box.
 [[nodiscard]] Viewpoint viewpointOf(const Document& document);
 /// From where the adaptive OTF of a pane is computed: from the scene's side behind the front, within the box. If the
-/// pane itself asks for an OTF of each frame (Pane::motionOtf), the result is viewpointOf().
+/// pane itself asks for other than one OTF (Pane::motionOtf), the result is viewpointOf().
 [[nodiscard]] Viewpoint otfViewpointOf(const Document& document, std::size_t pane);
 /// The adjusted curve that a pane is rendered with if it has no designer. `adaptive` is as in curveOf(CurveSet, ...).
 [[nodiscard]] OpacityCurve curveOf(const Document& document, std::size_t pane, const SampledCurve& adaptive);
@@ -51,8 +52,8 @@ struct Document {
 [[nodiscard]] const DesignerConfig* designerConfigOf(const Document& document, std::size_t pane);
 /// The config for adaptOpacity().
 [[nodiscard]] AdaptiveOtfConfig configOf(const Document& document);
-/// The same for a pane. The tube cores that are never placed for it are left out. Numbers of tube cores that its grid
-/// does not hold are dropped.
+/// The same for a pane: Pane::withoutTubes join the tube cores that the method never places. Numbers of the pane that
+/// the grid does not hold are dropped.
 [[nodiscard]] AdaptiveOtfConfig configOf(const Document& document, std::size_t pane);
 
 // ---- Changes
@@ -62,9 +63,10 @@ struct Document {
 [[nodiscard]] Document withCurve(Document document, std::size_t pane, CurveKind curve);
 /// The document with the phase and the frame of the motion that another document shows.
 [[nodiscard]] Document withShown(Document document, const Document& shown);
-/// A document of another study. It keeps the look, curves, panes, method parameters and motion choices of `before`, but
-/// neither choices that count phases nor the tube cores that are never placed. It is seen along the assumed beam,
-/// whole, from its first phase on, without front, box, strokes and measurements.
+/// A document of another study. It keeps the look, curves, panes, comparison, method parameters and motion choices of
+/// `before`, and how planes show grey values and their lines. It does not keep the curves' adjustment, choices that
+/// count phases, and the tube cores that are never placed. A pane with a phase of its own shows the first one. The
+/// study is seen along the assumed beam, whole, from its first phase on, without front, box, strokes and measurements.
 [[nodiscard]] Document openedDocument(const Document& before, const StudyReference& study);
 
 /// What breaks a rule, with its key ("scene.box size_mm must be ..."): lower case, no full stop. Empty if nothing does.

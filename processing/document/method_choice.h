@@ -10,7 +10,7 @@
 
 namespace echolucent {
 
-/// The kind of initial function that the adaptive method multiplies.
+/// The kind of initial function that the adaptive method begins with.
 enum class InitialKind {
     parabolic,  ///< a x^2
     quartic,    ///< a x^4
@@ -29,7 +29,7 @@ struct MethodChoice {
     friend bool operator==(const MethodChoice&, const MethodChoice&) = default;
 };
 
-/// The rows of the initial function and its scale. Those of the config are methodParameters().
+/// The rows of the initial function and its scale. The rows of the config are methodParameters().
 [[nodiscard]] const ParameterTable<MethodChoice>& initialFunctionParameters();
 
 [[nodiscard]] OpacityCurve initialCurve(const MethodChoice& method, const CurveSet& curves);

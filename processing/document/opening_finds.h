@@ -1,5 +1,5 @@
-// What is found in a volume when it is opened: which way round it is and where to cut. Also the document that begins
-// with it.
+// What is found in a volume when it is opened: from where sound came and where to cut. Also the document that begins
+// with these finds.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,19 @@
 
 namespace echolucent {
 
-/// What a person has said about a study that is opened. It is taken and not searched for.
+/// What a person has said about a study that is opened. What is said is taken and not searched for.
 struct SaidOnOpening {
     std::optional<BeamAxis> beam{};
     std::optional<ViewDirection> side{};  ///< from which the scan is looked into, relative to the beam
     bool front = false;                   ///< whether a person chose a front, or chose none
 };
 
-/// Each with its own confidence.
+/// What was found or said; beam and cut have a confidence each.
 struct OpeningFinds {
-    BeamGuess beam;                       ///< sure and without evidence if a person said it
-    ViewDirection lean{};                 ///< of the beam against its axis, if the file says so
-    std::optional<ViewDirection> side{};  ///< that a person said; if nobody did, the scan is looked into from the probe
+    BeamGuess beam;        ///< sure and without evidence if a person said it
+    ViewDirection lean{};  ///< of the beam against its axis, if the file says so and no person said the beam
+    /// The side that a person said. If nobody said one, the scan is looked into from the probe, along `lean`.
+    std::optional<ViewDirection> side{};
     /// Searched for along the side. Empty if a person chose the front. Also empty if the beam is not sure and nobody
     /// said the side: nobody cuts along such a beam.
     std::optional<NearCutFinding> cut{};
@@ -38,8 +39,9 @@ struct OpeningFinds {
 /// Whether the program may make a front from the finds without asking.
 [[nodiscard]] bool makesFront(const OpeningFinds& finds);
 
-/// The document with the finds that are sure: the beam, the side, and the flat cut as its front, rounded to 0.1 mm as
-/// people set it. Tube cores look from the side. The pose and everything that is not sure stay.
+/// The document with the finds that are sure: the beam, the side (also if only a person said it), and the flat cut as
+/// its front if makesFront(), rounded to 0.1 mm as people set it. Tube cores look from the side. The pose and
+/// everything that is not sure stay.
 [[nodiscard]] Document withFinds(Document document, const OpeningFinds& finds);
 
 /// A study that was just opened: all that its document depends on.
@@ -58,8 +60,8 @@ struct OpenedDocuments {
 };
 
 /// The documents of a study that is opened after `before` was shown: openedDocument() with all data in a picture of
-/// width / height `aspect` (> 0), seen from the scene's side. In a 4D study the object moves. If the study before was
-/// 4D too, its chosen motion stays.
+/// width / height `aspect` (> 0), seen from the scene's side. In a 3D study the probe moves, in a 4D study the object.
+/// If both this study and the one before are 4D, the chosen motion stays.
 [[nodiscard]] OpenedDocuments openedDocuments(const Document& before, const OpenedStudy& study, double aspect);
 
 }  // namespace echolucent

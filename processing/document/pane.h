@@ -11,15 +11,16 @@
 
 namespace echolucent {
 
-/// What the voxels of a pane are classified with.
+/// How a pane classifies voxels, and which phase and OTFs it shows.
 struct Pane {
     CurveKind curve = CurveKind::adaptive;     ///< rendered if there is no designer
-    std::optional<DesignerConfig> designer{};  ///< its OTF is rendered in place of the curve
+    std::optional<DesignerConfig> designer{};  ///< the designer's OTF is rendered in place of the curve
     /// Row-major numbers of the tube cores that are never placed for this pane's adaptive OTF, in addition to the
     /// method's (TubeGrid::withoutTubes).
     std::vector<int> withoutTubes{};
-    std::optional<int> phase{};  ///< its own, counted from 0; none: the scene's. The first pane has none.
-    /// Which OTF the frames of a motion show in this pane; none: the one chosen in the document's motion.
+    std::optional<int> phase{};  ///< the pane's own phase, counted from 0; none: the scene's. The first pane has none.
+    /// Which OTF the frames of a motion show in this pane; none: the one chosen in the document's motion. The first
+    /// pane has none.
     std::optional<MotionOtf> motionOtf{};
     friend bool operator==(const Pane&, const Pane&) = default;
 };

@@ -28,10 +28,11 @@ struct RawLayout {
 
 /// What a person may say about reading a file.
 struct ReadOptions {
-    std::optional<RawLayout> raw;  ///< for files that are neither MetaImage, NRRD nor DICOM
+    std::optional<RawLayout> raw;  ///< for files without a known header
     bool framesAsSlices = false;   ///< take the frames of a multi-frame file without volume geometry as slices
-    bool guessNoData = true;       ///< mark the outside of the scanned sector as no data (guessDataMask)
-    std::string series{};          ///< SeriesEntry::uid of the series to read from a folder; empty: the first listed
+    bool guessNoData = true;  ///< mark the outside of the scanned sector as no data (guessDataMask), unless the file
+                              ///< says what is no data
+    std::string series{};     ///< SeriesEntry::uid of the series to read from a folder; empty: the first listed
     /// MiB for the voxels of one phase if polar voxels are converted to a Cartesian grid; at least 1.
     std::int64_t conversionMebibytes = standardConversionBytes >> 20;
     /// MiB for the voxels of all phases, from 1 to mostStudyMebibytes. Larger studies are opened reduced. No value: as

@@ -22,8 +22,8 @@ struct Snapshot {
 struct SavedSession {
     Document document;
     std::vector<Snapshot> snapshots{};  ///< oldest first
-    std::string file{};  ///< path of the person's own session file, if any; only in a session that was kept without
-                         ///< being asked for
+    /// Path of the person's own session file, if any; only in a session that the program kept by itself.
+    std::string file{};
     friend bool operator==(const SavedSession&, const SavedSession&) = default;
 };
 

@@ -8,7 +8,8 @@
 
 namespace echolucent {
 
-/// Counts of the voxels with data by normalised intensity. Bin i counts [i/256, (i+1)/256); the last bin counts 1 too.
+/// Counts of the voxels with data by normalised intensity. Bin i counts [i/256, (i+1)/256); the last bin counts 1 and
+/// above, the first one values below 0 and NaN.
 struct IntensityHistogram {
     std::array<std::uint64_t, 256> counts{};
     std::uint64_t total = 0;  ///< sum of the counts

@@ -22,7 +22,8 @@ constexpr std::size_t floatIntensities = 1 << 16;
 template <typename Value, typename PlaceOf>
 std::vector<std::uint64_t> countPlaces(const VoxelArray<Value>& voxels, const std::uint8_t* mask, std::size_t places,
                                        const PlaceOf& placeOf) {
-    // Neighbours often hold one byte, and a count must be stored before it can grow again. So they count in turns.
+    // Neighbouring voxels often hold one byte, and a count must be stored before it can grow again. So neighbours of
+    // bytes count in different tables.
     constexpr std::size_t tables = sizeof(Value) == 1 ? 4 : 1;
     std::array<std::vector<std::uint64_t>, pieces> counted;
     parallelFor(std::size_t{0}, pieces, [&](std::size_t piece) {

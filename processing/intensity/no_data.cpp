@@ -16,8 +16,8 @@ namespace {
 
 /// A smaller share of the volume is not worth the risk of taking fluid for no data.
 constexpr double smallestShare = 0.02;
-/// The outside of a sector is solid. This share of the zeros that reach the border survives thinning by `thinnest`
-/// voxels and growing back. Fluid partly clipped to zero is riddled with echoes and does not survive.
+/// The outside of a sector is solid. At least this share of the zeros that reach the border survives thinning by
+/// `thinnest` voxels and growing back. Fluid partly clipped to zero is riddled with echoes and does not survive.
 constexpr double solidShare = 0.7;
 constexpr int thinnest = 2;
 

@@ -60,7 +60,8 @@ float opacityOf(const ByteRow& row, std::size_t at, const ByteOpacities& opaciti
         return opacities[row.bytes[at]];
 }
 
-/// Adds the opacities of a row of voxels to the sums of its places. It sums a whole place of few voxels in registers.
+/// Adds the opacities of a row of voxels to the sums of its whole places. A place has so few voxels that it is summed
+/// in registers.
 template <int voxels, bool isMasked>
 void addWholePlaces(const ByteRow& row, std::size_t places, const ByteOpacities& opacities, float* sums) {
     for (std::size_t place = 0; place < places; ++place) {
@@ -91,7 +92,7 @@ void addRow(const ByteRow& row, std::size_t count, std::size_t voxels, const Byt
 
 template <typename Voxel>
 std::uint8_t levelOf(Voxel value, float perWhite) {
-    // NaN becomes intensity 0. The caller sets no data apart.
+    // NaN becomes intensity 0. The caller gives voxels without data level 0.
     const float share = static_cast<float>(value) * perWhite;
     const float inside = share > 0.0f ? std::min(share, 1.0f) : 0.0f;
     return static_cast<std::uint8_t>(1.5f + inside * static_cast<float>(levelsAbove));

@@ -25,8 +25,8 @@ public:
     explicit CoarseExtinction(const Volume& volume);
     /// Follows another cut of the same scan. The cuts differ in the marked rows only (rowsMaskedOtherwise()).
     void setCut(const Volume& volume, const RowMarks& masked);
-    /// Makes the extinctions of places that hold a voxel of the marked rows; the others stay. If the work was
-    /// cancelled, some are not made; the caller sees that from `progress`.
+    /// Makes the extinctions of places that hold a voxel of the marked rows; other places keep theirs. If the work was
+    /// cancelled, some are not made; the caller must ask progress.cancelled().
     void make(std::vector<float>& extinctions, const RowMarks& rows, const OpacityCurve& curve, const LightGrid& grid,
               const Progress& progress) const;
     /// The same under a two-dimensional OTF. Each voxel has the opacity of its level and of its gradient's byte. Throws

@@ -23,7 +23,8 @@ struct Slices {
                            : std::array{0, 1, 2}) {
         for (std::size_t i = 0; i < 3; ++i) size[i] = grid.size[static_cast<std::size_t>(axes[i])];
         const auto columns = static_cast<std::size_t>(size[0]);
-        // Along x and y, slices are rows of a plane of constant z, and rows are such planes.
+        // If slices follow each other along x or y, each plane of constant z holds one row of every slice. So the next
+        // slice is one row on in memory, and the next row of a slice one plane on.
         rowStride = axis == 2 ? columns : columns * static_cast<std::size_t>(size[2]);
         sliceStride = axis == 2 ? columns * static_cast<std::size_t>(size[1]) : columns;
     }

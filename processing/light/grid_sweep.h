@@ -12,7 +12,8 @@
 
 namespace echolucent::light {
 
-/// The extinctions (per mm) of a grid's places in two orders, because the first order has long strides along x.
+/// The extinctions (per mm) of a grid's places in two orders, because a sweep along x would have long strides in the
+/// first order.
 struct GridExtinctions {
     const LightGrid& grid;
     const std::vector<float>& xFastest;  ///< places, and spareFloats more
@@ -20,8 +21,8 @@ struct GridExtinctions {
 };
 
 /// Directions that are swept together: their light enters through the same face of the grid. Light goes from slice to
-/// slice. Each place takes light from where its direction crosses the slice before, linear between the four places
-/// around.
+/// slice. Each place takes light from the point where the direction crosses the slice before, linear between the four
+/// places around.
 class DirectionBundle {
 public:
     static constexpr std::size_t most = 4;  ///< directions
@@ -32,8 +33,8 @@ public:
 
     [[nodiscard]] bool alongX() const { return m_axis == 0; }
     /// The light that reaches each place, a quarter of the way into it, times the directions' weights and `fullLight`.
-    /// `attenuation` multiplies the extinctions. The places have the order of these extinctions. Cancel is polled in
-    /// every slice.
+    /// `attenuation` multiplies the extinctions. The places are in the order of `yFastest` if alongX(), else of
+    /// `xFastest`. Polls progress.cancelled() in every slice; slices after a cancel stay 0.
     [[nodiscard]] std::vector<std::uint16_t> sweep(const GridExtinctions& extinctions, double attenuation,
                                                    const Progress& progress) const;
 
@@ -47,7 +48,7 @@ private:
     std::vector<WeightedDirection> m_directions;
 };
 
-/// The same floats with x and y exchanged, and spareFloats more.
+/// The floats of `xFastest` with x and y exchanged, and spareFloats more.
 [[nodiscard]] std::vector<float> withYFastest(const std::vector<float>& xFastest, const LightGrid& grid);
 
 }  // namespace echolucent::light

@@ -39,7 +39,8 @@ std::vector<DiscPlace> placesOf(DirectionRule rule) {
     return places;
 }
 
-/// Two unit vectors across a unit axis; they turn smoothly with it (Duff et al. 2017).
+/// Two unit vectors across a unit axis (Duff et al. 2017). They turn smoothly with the axis, but jump if axis[2]
+/// changes its sign.
 struct Across {
     Vec3 right, down;
     explicit Across(const Vec3& axis) {

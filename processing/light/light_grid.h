@@ -14,9 +14,9 @@ namespace echolucent::light {
 struct LightGrid {
     std::array<int, 3> voxels{1, 1, 1};  ///< along x, y, z in a place
     std::array<int, 3> size{1, 1, 1};    ///< places along x, y, z
-    Vec3 firstMm, spacingMm;             ///< grid mm of the centre of place (0,0,0); from place to place
+    Vec3 firstMm, spacingMm;             ///< grid mm: the centre of place (0,0,0), and the way from place to place
 
-    /// Places `coarseness` units apart along each axis, rounded to whole voxels, at least one.
+    /// Places `coarseness` units apart along each axis, rounded to whole voxels: at least one, at most the volume's.
     LightGrid(const VolumeGeometry& geometry, int coarseness);
     [[nodiscard]] std::size_t places() const {
         return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *

@@ -24,10 +24,11 @@ struct LightScene {
     double keyHalfAngleDegrees = 8.0;  ///< [0, 45]: half the angle of the key light's cone; 0 has no penumbra
     RenderedPart rendered;
     /// [1, 16]: units (smallest spacing) from place to place along each axis, rounded to whole voxels, at least one.
-    /// lightSceneOf() chooses it for a picture.
+    /// lightSceneOf() chooses the coarseness for a picture.
     int coarseness = 2;
-    /// (0,1]: the share of the curve's extinction that attenuates light. It is below 1, because tissue scatters most
-    /// light forwards. With 1, a surface would be half dark with nothing before it, because rays see some way into it.
+    /// (0,1]: the share of the curve's extinction that attenuates light. The default is below 1, because tissue
+    /// scatters most light forwards. With 1, a surface would be half dark with nothing before it, because rays see some
+    /// way into the surface.
     double attenuation = 0.5;
     light::DirectionRule keyDirections = light::DirectionRule::four;      ///< that stand for the key light's cone
     light::DirectionRule aroundDirections = light::DirectionRule::seven;  ///< that stand for the hemisphere
@@ -47,8 +48,8 @@ inline constexpr int usualVolumeEdge = 216;  ///< a little more than the paper's
 /// What attenuates light.
 struct LightOtf {
     Classification classification;
-    /// The gradients of the scan up to the OTF's largest, if somebody has them. If null, they are made for a
-    /// two-dimensional OTF; a curve needs none.
+    /// The gradients of the scan up to the OTF's largest, if the caller has them. If null, lightVolume() makes them for
+    /// a two-dimensional OTF. A curve needs none.
     const GradientLevels* gradients = nullptr;
 
     template <typename Otf>
@@ -57,8 +58,8 @@ struct LightOtf {
 };
 
 /// Makes light volumes of one volume again and again, and keeps what they share. It keeps coarse extinctions while the
-/// OTF stays, for two coarsenesses: pictures of the moving hand and at rest alternate. If only the key light changes,
-/// it keeps the light around the viewer. Only one thread at a time may use it.
+/// OTF stays, for two coarsenesses, because pictures while the hand moves and pictures at rest alternate. If only the
+/// key light changes, it keeps the light around the viewer. Only one thread at a time may use it.
 ///
 /// The light of a place is a mean over a fixed set of directions. The key light's directions lie within its half-angle.
 /// Those around the viewer lie in the hemisphere before the viewer and count by the cosine. Light is swept along each
@@ -75,9 +76,10 @@ public:
     /// Follows another cut of the same scan. The cuts differ in the marked rows only (rowsMaskedOtherwise()), and only
     /// these are computed anew.
     void setCut(std::shared_ptr<const Volume> volume, const RowMarks& masked);
-    /// The result is empty only if progress.cancel was raised; it is polled in every slice. The work runs in the
-    /// calling thread's oneTBB arena. The bytes are the same for any number of threads. Throws std::invalid_argument
-    /// for a scene out of range.
+    /// The result is empty only if progress.cancel was raised, which is polled in every slice. The work runs in the
+    /// calling thread's oneTBB arena. The bytes are the same for any number of threads. Throws std::invalid_argument if
+    /// a member of the scene is out of range, or if otf.gradients have another grid or scale than the volume and the
+    /// OTF.
     [[nodiscard]] std::optional<LightVolume> lightVolume(const LightOtf& otf, const LightScene& scene,
                                                          const Progress& progress = {});
 

@@ -9,14 +9,14 @@
 
 namespace echolucent {
 
-/// How much light reaches the places of a grid over a volume. It is read trilinearly between places, and as the nearest
-/// outermost place beyond them.
+/// How much light reaches the places of a grid over a volume. Light is read trilinearly between places, and as the
+/// nearest outermost place beyond them.
 struct LightVolume {
     std::array<int, 3> size{};  ///< places along x, y, z
     Vec3 firstMm;               ///< grid mm of place (0,0,0)
     Vec3 spacingMm;             ///< mm between places along x, y, z
-    /// Two bytes a place, x fastest: the share of the key light that reaches it, then that of the light around the
-    /// viewer. 255 is all light.
+    /// Two bytes a place, x fastest: the share of the key light that reaches the place, then that of the light around
+    /// the viewer. 255 is all light.
     std::vector<std::uint8_t> reaching;
     friend bool operator==(const LightVolume&, const LightVolume&) = default;
 };

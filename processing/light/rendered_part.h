@@ -12,7 +12,7 @@ namespace echolucent {
 
 /// The part of a volume that is rendered, as RayCastSettings says it.
 struct RenderedPart {
-    Vec3 forward{0, 0, 1};  ///< grid mm, unit: the near plane's depth is counted along it
+    Vec3 forward{0, 0, 1};  ///< grid mm, length above 0: the near plane's depth is counted along this direction
     double nearPlaneDepthMm = -std::numeric_limits<double>::infinity();  ///< from the grid origin along `forward`
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
@@ -25,7 +25,7 @@ struct RenderedPart {
 class RenderedShares {
 public:
     /// `placeMm` is the size of a place of the light's grid along x, y, z, each above 0. Throws std::invalid_argument
-    /// if the normal of a clipping plane is 0.
+    /// if the normal of a clipping plane is 0, or if there is a near plane and part.forward is 0.
     RenderedShares(const RenderedPart& part, const Vec3& placeMm);
 
     [[nodiscard]] bool everywhere() const { return m_faces.empty() && !m_surface; }

@@ -14,7 +14,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, spareFloats>;
 using FloatVector = hn::Vec<Floats>;
 
-/// exp(-x) for x >= 0, as 1 / (1 + y + y^2/2 + y^3/6)^4 with y = x/4: at most 0.0007 off, and 0 for large x.
+/// exp(-x) for x >= 0, as 1 / (1 + y + y^2/2 + y^3/6)^4 with y = x/4: at most 0.0016 off, and near 0 for large x.
 HWY_INLINE FloatVector faded(FloatVector x) {
     const Floats floats;
     const auto y = hn::Mul(x, hn::Set(floats, 0.25f)), one = hn::Set(floats, 1.0f);
@@ -24,8 +24,9 @@ HWY_INLINE FloatVector faded(FloatVector x) {
     return hn::Mul(square, square);
 }
 
-/// Light that leaves a place has passed half of it twice. Light that counts as reaching it has passed a quarter of it.
-/// Places smear a surface towards the light, so at their middle its lit side would be too dark (docs/light.md).
+/// Light that leaves a place has passed half of the place twice. Light that counts as reaching a place has passed a
+/// quarter of it. Places smear a surface towards the light, so light counted at the middle of places would leave the
+/// lit side of a surface too dark (docs/light.md).
 HWY_INLINE void sweepRow(const SliceJob& job, const SweptDirection& direction, const float* extinctions, int row) {
     const Floats floats;
     const auto stride = static_cast<std::ptrdiff_t>(job.planeStride);

@@ -10,8 +10,8 @@ namespace echolucent::light {
 /// One of the directions that are swept together. Planes have a rim of one place on all sides, which all light reaches.
 /// Place (column, row) stands at (row + 1) * planeStride + column + 1.
 struct SweptDirection {
-    float taps[4];       ///< shares of the places at (column, row) + (0,0), (1,0), (0,1), (1,1)
-    int column, row;     ///< -1 or 0: from a place to the first of these in the plane before
+    float taps[4];    ///< shares of the places at (column, row) + (0,0), (1,0), (0,1), (1,1)
+    int column, row;  ///< -1 or 0: the way from a place to the first of the four places of `taps` in the plane before
     float halfLengthMm;  ///< half the way from slice to slice
     float weight;
     const float* before;  ///< light behind the slice before

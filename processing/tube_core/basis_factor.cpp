@@ -60,10 +60,11 @@ HWY_INLINE DoubleVector exponential(DoubleVector x) {
     return hn::Mul(mantissa, hn::BitCast(Doubles(), exponent));
 }
 
-/// g at `intensity`. u is split into 24 bits behind the point, whose square is exact, and a rest, from the exact
-/// remainder of the division. Two terms of the series of e suffice for the rest.
+/// g at `intensity`. u is split into a value with 24 bits behind the point and a rest. The square of that value is
+/// exact for |u| up to 5.6; beyond, |g| is less than 2e-6. The rest comes from the exact remainder of the division, and
+/// two terms of the series of e suffice for the rest.
 HWY_INLINE DoubleVector basis(const BasisFactor& factor, DoubleVector intensity) {
-    // From here on g is less than 1e-300.
+    // From here on |g| is less than 1e-295.
     constexpr double far = 37.0;
     const auto way = exactSum(hn::Mul(intensity, constant(factor.twice)), constant(-factor.centre2));
     const auto wayLost = hn::Sub(way.lost, constant(factor.centre2Lost));
@@ -118,7 +119,7 @@ namespace echolucent {
 HWY_EXPORT(addFactorsTo);
 
 BasisFactor::BasisFactor(double low, double high, double logRange) : range(logRange), twice(2.0) {
-    // Below leastGap, 1 / gap would overflow against the distances. Scaling by a power of two changes no digit.
+    // If the gap is tiny, 1 / gap or its product with a distance overflows. Scaling by a power of two changes no digit.
     constexpr double leastGap = 0x1p-500, scale = 0x1p500;
     if (high - low < leastGap) {
         low *= scale;

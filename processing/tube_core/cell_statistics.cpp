@@ -29,7 +29,8 @@ bool beginCells(std::size_t slabs, int cellSize, const CountOf& countOf, CellSta
     return cells.lastCell >= cells.firstCell;
 }
 
-/// Cells of less than half their samples repeat the cell before; a first one is 0. Marks the others complete.
+/// Cells with data in less than half of their samples repeat the cell before; the first cell becomes 0. Marks all other
+/// cells complete.
 template <typename Count>
 void holdAcrossHoles(std::span<const Count> counts, int cellSize, CellStatistics& cells) {
     const int samples = cellSize * cellSize * cellSize;
@@ -100,7 +101,7 @@ void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStat
     if (!beginCells(
             slabs.means.size(), cellSize, [&](std::size_t k) { return slabs.counts[k]; }, cells))
         return;
-    // Counts have 10 bits and means 24: their products and sums are exact in double.
+    // Counts have 11 bits and means 24: their products are exact in double, and so are the sums of equal products.
     std::array<double, batch> counts, sums, deviations;
     const float* count = slabs.counts.data();
     const float* mean = slabs.means.data();

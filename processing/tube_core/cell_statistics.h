@@ -35,8 +35,8 @@ struct CellStatistics {
 /// Cells from exact sums. `whiteLevel` is the stored value of normalised intensity 1.
 void cellsFrom(const SlabSums& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
-/// Cells from single-precision moments. `whiteLevel` is multiplied by slabScale(), as the moments are. If all slabs are
-/// equal, the cells are equal to the last bit.
+/// Cells from single-precision moments. `whiteLevel` is the volume's white level times slabScale(), because the moments
+/// are multiplied by slabScale() too. If all slabs are equal, the cells are equal to the last bit.
 void cellsFrom(const SlabMeans& slabs, int cellSize, double whiteLevel, CellStatistics& cells);
 
 /// Cells from slabs of any of these kinds.

@@ -17,7 +17,7 @@ struct Ramp {
         const double clear = std::max(rule.begin * rise, rule.clearSpreads * tube.fluidSpread.value_or(0.0));
         const double full = std::max(rule.end * rise, clear + leastRampWidth * rise);
         from = *tube.lowIntensity + clear;
-        // A tiny rise would vanish in the product, and 0 / 0 is no number.
+        // The width of a tiny rise may become 0, and 0 / 0 is no number.
         perIntensity = 1.0 / std::max(full - clear, std::numeric_limits<double>::min());
     }
     [[nodiscard]] double at(double intensity) const {

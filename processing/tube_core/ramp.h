@@ -1,5 +1,5 @@
-// The curve as the mean of one ramp per tube core: each says which intensities are fluid and which are surface. It is
-// the alternative to the paper's product of basis functions.
+// The curve as the mean of one ramp per tube core. Each ramp says which intensities are fluid and which are surface.
+// This is the alternative to the paper's product of basis functions.
 #pragma once
 
 #include <span>
@@ -11,13 +11,13 @@
 namespace echolucent {
 
 /// The ramp of one tube core. It is 0 up to I_L + max(begin (I_H - I_L), clearSpreads times the fluid's spread), which
-/// hides the fluid's haze and speckle. From I_L + end (I_H - I_L) on it is 1. It is linear between, over at least
-/// leastRampWidth of I_H - I_L.
+/// hides the fluid's haze and speckle. From I_L + end (I_H - I_L) on, or from leastRampWidth (I_H - I_L) behind its
+/// beginning on if that is later, it is 1. It is linear between. I_L and I_H of `tube` must be set.
 [[nodiscard]] double rampAt(double intensity, const TubeCore& tube, const RampRule& rule);
 inline constexpr double leastRampWidth = 0.3;
 
-/// The mean of the tubes' ramps, weighted by d, at `count` equidistant intensities 0 ... 1: how surely each is surface,
-/// [0,1]. Empty if no tube has a weight. The bits do not depend on the order of the tubes.
+/// The mean of the tubes' ramps, weighted by d, at `count` equidistant intensities 0 ... 1: how surely each intensity
+/// is surface, [0,1]. Empty if no tube has a weight. The bits do not depend on the order of the tubes.
 [[nodiscard]] std::vector<double> meanRamp(std::span<const TubeCore> tubes, const RampRule& rule, int count);
 
 }  // namespace echolucent

@@ -72,8 +72,8 @@ private:
         m_stageStart = Clock::now();
     }
 
-    /// `ofStage` is the finished share of the stage, in [0,1]. Other threads report nothing, because their counts may
-    /// arrive out of order.
+    /// `ofStage` is the finished share of the stage, in [0,1]. Only the thread that made the runner reports, because
+    /// the counts of other threads may arrive out of order.
     void reportShare(double ofStage) {
         if (std::this_thread::get_id() == m_caller)
             m_progress.at(ofStage < 1.0 ? m_stage->from + ofStage * (m_stage->to - m_stage->from) : m_stage->to);

@@ -3,7 +3,7 @@
 
 namespace echolucent {
 
-/// Wall time of each stage, milliseconds; the same for every way of detection.
+/// Wall time of each stage, milliseconds. The stages are the same for every DetectionRule.
 struct StageTimes {
     double sampling = 0.0;   ///< placing the tube cores and reading their voxels into moments of slabs
     double cells = 0.0;      ///< from the slabs to the interface indicating function

@@ -10,8 +10,9 @@ namespace echolucent {
 
 namespace {
 
-/// The median of finite values, at least one; of an even number the upper of the middle two. Sorts the values: sorting
-/// by vectors takes half the time of std::nth_element, because no processor foresees its branches.
+/// The median of finite values, at least one; of an even number the upper of the middle two. Sorts the values. A
+/// vectorised sort takes half the time of std::nth_element, because a processor cannot foresee the branches of
+/// std::nth_element.
 double upperMedianOf(std::vector<double>& values) {
     thread_local hwy::Sorter sort;
     sort(values.data(), values.size(), hwy::SortAscending());

@@ -11,9 +11,9 @@
 namespace echolucent {
 
 /// Reads the surface's intensities into the tube: surfaceCell, I_L, I_H, the largest prior mean, the slope (over fewer
-/// units at the tube's ends) and the edge to noise. The rule says how far from the surface I_L and I_H are read: the
-/// ramp itself is halfway between fluid and tissue, and cells far in front tell nothing of this surface. Returns false,
-/// and leaves the tube as it is, if there is no complete prior cell.
+/// units at the tube's ends) and the edge to noise. Cells at the surface mix fluid and tissue, and cells far in front
+/// tell nothing of this surface. So `rule` says how far from the surface I_L and I_H are read. If there is no complete
+/// prior cell, returns false and leaves `tube` as it is.
 [[nodiscard]] bool readSurface(const CellStatistics& cells, int surfaceCell, const SurfaceRule& rule, int cellSize,
                                TubeCore& tube);
 

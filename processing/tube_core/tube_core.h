@@ -9,8 +9,8 @@
 namespace echolucent {
 
 enum class TubeStatus {
-    surface,  ///< an interface was detected with at least one cell before it
-    none,     ///< no interface was detected, or none with a cell in front of it; d is 0
+    surface,  ///< an interface was detected with at least one complete prior cell (readSurface())
+    none,     ///< no interface was detected, or none with a complete prior cell; d is 0
     outside,  ///< the axis misses the volume or meets no data, or the tube core is never placed
               ///< (TubeGrid::withoutTubes); it does not count in T and N
 };
@@ -21,13 +21,14 @@ struct TubeCore {
     int column = 0;  ///< u: index along the view's right axis
     int row = 0;     ///< v: index along the view's down axis
     TubeStatus status = TubeStatus::outside;
-    std::optional<Vec3> entryVoxel;         ///< where its axis enters the volume (the picture's near cut included)
+    /// Where the picture begins on the tube core's axis (TubeAxis::entryVoxel). Not set if `status` is outside.
+    std::optional<Vec3> entryVoxel;
     std::optional<Vec3> surfaceVoxel;       ///< centre of the detected cell on the axis
     Vec3 firstSampleVoxel{0, 0, 0};         ///< axis position of sample 0
     int firstCell = 0;                      ///< the tube begins here: earlier cells hold too little data
     int surfaceCell = -1;                   ///< s_t, index into cellMeans; -1 if there is no surface
     std::optional<double> lowIntensity;     ///< I_L: mean of the last SurfaceRule::lowReach cells that end before the
-                                            ///< surface cell; if that is 0, of all prior cells
+                                            ///< surface cell; of all prior cells if lowReach is 0 or no cell ends there
     std::optional<double> highIntensity;    ///< I_H: largest cell mean from the surface cell to
                                             ///< SurfaceRule::highReach cells behind it
     std::optional<double> lowIntensityMax;  ///< largest mean of all prior cells (eq. 8)
@@ -40,8 +41,8 @@ struct TubeCore {
     std::optional<double> fluidSpread;      ///< detection by ratio: standard deviation of voxels around I_L (speckle)
     double intensityWeight = 0.0;           ///< w_I, eq. 9
     double slopeWeight = 0.0;               ///< w_S, eq. 10
-    double extraWeight = 1.0;  ///< 0 if I_H <= I_L (eq. 6 has no meaning then), or if the edge to noise is not set or
-                               ///< below VarianceRule::leastEdgeToNoise; else 1
+    double extraWeight = 1.0;  ///< 0 if I_H <= I_L (eq. 6 has no meaning then), or if VarianceRule::leastEdgeToNoise is
+                               ///< above 0 and the edge to noise is not set or below it; else 1
     double d = 0.0;            ///< d_t = d_max w_I w_S extraWeight, eq. 11
 
     std::vector<float> cellMeans;          ///< mean normalised intensity of cell i (samples i ... i + cell size - 1)

@@ -12,9 +12,9 @@
 
 namespace echolucent {
 
-/// Reads exact sums if the tubes lie on voxels of integers; else in single precision, many slabs at a time; or in
-/// double, sample by sample, if Precision::double64 asks for it or canMeanSlabs() is false. It keeps the row that it
-/// read last, so each thread needs its own reader.
+/// Reads exact sums if the tubes lie on voxels and exactStoredLimit() has a value, whatever the rule's precision. Else
+/// it reads in single precision, many slabs at a time; or in double, sample by sample, if Precision::double64 asks for
+/// it or canMeanSlabs() is false. A reader keeps the row that it read last, so each thread needs its own reader.
 class TubeReader {
 public:
     /// The volume must outlive the reader.
@@ -22,7 +22,8 @@ public:
 
     /// Reads the tubes of one row of the grid, as samplesOf() gives them.
     void read(std::span<const TubeSamples> tubes);
-    /// Hands over the slabs of the tube at this place of the row. Ask once for each.
+    /// Hands over the slabs of the tube at this place of the row. Ask once for each place, and not for its profile
+    /// afterwards.
     [[nodiscard]] TubeSlabs slabsAt(std::size_t place);
     /// Writes the profile of the tube at this place of the row as the profile of `tube`.
     void profile(std::size_t place, TubeProfiles& profiles, std::size_t tube) const;

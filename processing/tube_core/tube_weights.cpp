@@ -14,7 +14,7 @@ double rankOf(double value, const std::vector<double>& ascending) {
     return static_cast<double>(std::upper_bound(ascending.begin(), ascending.end(), value) - ascending.begin());
 }
 
-/// Replaces each value by the number of its bin; leaves the values as they are if `bins` is 0.
+/// Replaces each value by the number of its bin; leaves the values as they are if `bins` is 0 or no value is above 0.
 void sortIntoBins(std::vector<double>& values, int bins) {
     if (bins == 0 || values.empty()) return;
     const double largest = *std::max_element(values.begin(), values.end());

@@ -8,11 +8,11 @@
 
 namespace echolucent {
 
-/// Fills the weights of all tubes, from exact, inclusive ranks over the tubes with a surface. N tubes meet the volume.
-/// w_I = 1 - #{Imax' <= Imax} / N; w_S = #{0 < S' <= S} / N if S > 0, else 0; d = dMax w_I w_S extraWeight.
-/// extraWeight is 0 if I_H <= I_L, or if the edge to noise is not set or below leastEdgeToNoise (0: no such test).
-/// If rankBins is above 0, the bins of a histogram are ranked instead: rankBins equal bins from 0 to the largest value.
-/// All values of a bin are ties.
+/// Fills the weights of all tubes with a surface, from exact, inclusive ranks over these tubes. Other tubes stay as
+/// they are. N tubes meet the volume. w_I = 1 - #{Imax' <= Imax} / N; w_S = #{0 < S' <= S} / N if S > 0, else 0; d =
+/// dMax w_I w_S extraWeight. extraWeight is 0 if I_H <= I_L, or if the edge to noise is not set or below
+/// leastEdgeToNoise (0: no such test). If rankBins is above 0, the bins of a histogram are ranked instead: rankBins
+/// equal bins from 0 to the largest value. All values of a bin are ties.
 void weighTubes(std::span<TubeCore> tubes, double dMax, double leastEdgeToNoise, const WeightRule& rule);
 
 /// T and N: how many tube cores meet data of the volume.

@@ -13,7 +13,7 @@ namespace echolucent {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double reliableVoxels = 30.0;  ///< a node of so many voxels has half the weight of one with very many
+constexpr double reliableVoxels = 30.0;  ///< a node of this many voxels has half the weight of one with very many
 constexpr double leastVoxels = 16.0;
 constexpr double leastShareOfGradient = 0.3;
 constexpr double leastGradient = 1e-4;  ///< a fortieth of a level of 255 over a unit

@@ -36,9 +36,10 @@ struct DerivativeSums {
 /// h = div grad f - g div(grad f / g), by central differences of the unit gradient (docs/designers/kindlmann.md,
 /// "Derivatives", compares it with others). Both are per unit, the smallest spacing.
 ///
-/// A voxel counts if it carries data and all voxels around it that its derivatives need were scanned: two voxels along
-/// each axis, and as many more as the Gaussian's standard deviation is long. A Gaussian that is cut off would bend an
-/// even intensity, and the end of the data is no boundary of tissue. An axis too short for that has no derivative.
+/// A voxel counts if it carries data and enough around it was scanned: the voxels that its derivatives use, up to two
+/// along each axis, and samples at this distance plus the Gaussian's standard deviation. A Gaussian that is cut off
+/// would bend an even intensity, and the end of the data is no boundary of tissue. An axis too short for that has no
+/// derivative.
 struct HistogramVolume {
     static constexpr int intensityNodes = 256;
 
@@ -55,8 +56,9 @@ struct HistogramVolume {
 };
 
 /// The result is empty only if progress.cancel was raised. Its bits are the same for any number of threads. Besides the
-/// result it takes about 24 bytes for each voxel of a slab of 2^21 voxels (at least eight slices). Throws
-/// std::invalid_argument if a member of the config is out of its range.
+/// result it takes about 24 bytes for each voxel of a slab of 2^21 voxels (at least eight slices); for overBoth also a
+/// copy of the volume, if voxels lack data (filledVoxels()). Throws std::invalid_argument if a member of the config is
+/// out of its range.
 [[nodiscard]] std::optional<HistogramVolume> histogramVolume(const Volume& volume, const HistogramVolumeConfig& config,
                                                              const Progress& progress = {});
 

@@ -98,8 +98,8 @@ void addSlice(const Volume& volume, const VoxelArray<Voxel>& voxels, const Gradi
     }
 }
 
-/// A row of isovalues, smoothed by a Gaussian with a standard deviation of two steps. The ends are no surfaces and take
-/// no part.
+/// A row of isovalues, smoothed by a Gaussian with a standard deviation of two steps. The ends are no surfaces: they
+/// take no part, and become 0.
 std::vector<double> smoothedOverIsovalues(const std::vector<double>& values) {
     constexpr int taps = 13;
     std::vector<double> inner(values.begin() + 1, values.end() - 1);
@@ -117,7 +117,7 @@ std::vector<double> ratios(const std::vector<double>& above, const std::vector<d
     return ratios;
 }
 
-/// How far the values fall from a place in one direction, before one rises above it; NaN ends the way.
+/// How far the values fall from a place in one direction, before a value exceeds that of the place; NaN ends the way.
 double fallFrom(const std::vector<double>& values, std::size_t from, std::ptrdiff_t step) {
     double least = values[from];
     for (auto i = static_cast<std::ptrdiff_t>(from) + step; i >= 0 && i < static_cast<std::ptrdiff_t>(values.size());

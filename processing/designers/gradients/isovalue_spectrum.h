@@ -49,8 +49,9 @@ struct SpectrumMaximum {
 
 /// The maxima of the mean gradient, steepest first. Area and gradient integral are smoothed over w before the division.
 /// Isovalues count only if their area is at least `leastArea` of the largest, [0,1]: at rare intensities the mean
-/// gradient of a few voxels is noise and often large. A maximum counts if the mean gradient falls by at least a
-/// twentieth of it on both sides, within these isovalues, before it rises above it.
+/// gradient of a few voxels is noise and often large. A maximum counts if, on both sides and within these isovalues,
+/// the mean gradient falls by at least a twentieth of the maximum before it rises above the maximum. Of a plateau, the
+/// first isovalue counts.
 [[nodiscard]] std::vector<SpectrumMaximum> maximaOf(const ContourSpectrum& spectrum, double leastArea);
 
 }  // namespace echolucent

@@ -94,7 +94,7 @@ double drawnAt(const std::vector<EmphasisNode>& nodes, double position) {
     return std::lerp(before.opacity, behind->opacity, share);
 }
 
-/// A number of three significant digits.
+/// A number with three significant digits.
 std::string threeDigitsInWords(double number) {
     if (number == 0.0) return "0";
     const double scale = std::pow(10.0, 2 - static_cast<int>(std::floor(std::log10(std::abs(number)))));

@@ -59,10 +59,12 @@ struct KindlmannConfig {
 
 /// Opacity is b of the position in boundaries (boundaryPositions()), and 0 if no position is known. The derivatives are
 /// those of input.shown. One dimension gives a SampledCurve of 256 nodes, two a TwoDimensionalOtf of 256 x 64.
+///
 /// Facts: the boundary's width with and without the prefilter, the extremes of the mean derivatives, the share of the
 /// voxels with data that count. Plots: mean derivatives and position over the intensity.
+///
 /// The curve is x^2, and the message says so, in three cases: no boundary is found, the one found is speckle or thin
-/// layers (BoundaryWidth::isSharperThanBoundaries()), or b leaves nothing of it.
+/// layers (BoundaryWidth::isSharperThanBoundaries()), or b leaves nothing of the boundaries.
 [[nodiscard]] std::optional<Design> design(const KindlmannConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

@@ -13,7 +13,7 @@ namespace echolucent {
 
 namespace {
 
-/// Derivatives of unit gradients reach so many voxels along an axis.
+/// Derivatives of unit gradients reach this many voxels along an axis.
 constexpr std::int64_t axisReach = 2;
 
 /// The standard deviation in the unit of gaussianFiltered(), mean voxels.
@@ -33,8 +33,8 @@ void makeRoom(std::vector<Value>& values, std::int64_t count) {
     if (static_cast<std::int64_t>(values.size()) < count) values = std::vector<Value>(static_cast<std::size_t>(count));
 }
 
-/// Offsets of the voxels around one that must be scanned: all that its derivatives use. If the margin is wider, also
-/// some on a ball of that radius.
+/// Offsets from a voxel to those that must be scanned: all that the voxel's derivatives use. If the margin is wider,
+/// also some on a ball with the margin as its radius.
 std::vector<std::int64_t> neighboursAround(const std::array<std::int64_t, 3>& stride,
                                            const std::array<std::int64_t, 3>& margin) {
     std::vector<std::int64_t> offsets{0}, corners{0};
@@ -98,7 +98,7 @@ void NormalDerivativeSlices::readIntensities(std::int64_t first, std::int64_t en
                     const std::int64_t from = z * m_slice + i;
                     const bool isData = mask == nullptr || mask[from] != 0;
                     const double stored = static_cast<double>(voxels[static_cast<std::size_t>(from)]);
-                    // A mask may mark voxels that are not finite. NaN becomes 0 here.
+                    // A mask may mark voxels that are not finite as data. NaN becomes 0 here.
                     const double share = isData ? stored / white : 0.0;
                     to[i] = share > 0.0 ? static_cast<float>(std::min(share, 1.0)) : 0.0F;
                 }

@@ -18,11 +18,11 @@ struct NormalDerivatives {
     float intensity = 0.0F, gradient = 0.0F, second = 0.0F;
 };
 
-/// Derivatives under a Gaussian, as HistogramVolume defines them. It reads voxels that a scalpel cut as they were
+/// Derivatives under a Gaussian, as HistogramVolume defines them. Voxels that a scalpel cut are read as they were
 /// scanned.
 class NormalDerivativeSlices {
 public:
-    /// The volume must outlive this; `prefilter` is the Gaussian's standard deviation in units, or 0.
+    /// Shares the voxels of `volume`. `prefilter` is the Gaussian's standard deviation in units; 0: no Gaussian.
     NormalDerivativeSlices(const Volume& volume, double prefilter);
 
     /// Makes slices [first, end). False if the work was cancelled.

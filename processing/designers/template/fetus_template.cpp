@@ -30,7 +30,7 @@ constexpr std::uint32_t fetusCounts[] = {
     24,    29,    20,    13,    19,    17,    10,    9,     8,     6,     8,     1,     0,      0,      2,      1,
     0,     1,     1};
 
-/// The adaptive curve within 0.02. Its nodes are given at intensities of 255.
+/// The adaptive curve within 0.02. The intensities of the nodes are written in levels of 255.
 ManualCurve fetusCurve() {
     ManualCurve curve{{{47, 0.0},
                        {54, 0.02},

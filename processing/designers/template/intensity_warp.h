@@ -30,9 +30,9 @@ struct WarpRule {
     double largestSlope = 4.0;  ///< of t, [1,8]
 };
 
-/// A warp, and how unlike the distributions are before and after it. A distance is the root of the mean over the
-/// reference's axis of the squared differences that the comparison weighs, without the price of slopes; 0 for equal
-/// distributions.
+/// A warp, and how unlike the distributions are before and after it. A distance comes from the weighted squared
+/// differences of the comparison, without the price of slopes: it is the root of their mean over the reference's axis.
+/// 0 for equal distributions.
 struct FoundWarp {
     IntensityWarp warp;
     double distanceBefore = 0.0;

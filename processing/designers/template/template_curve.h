@@ -26,8 +26,10 @@ struct TemplateConfig {
 /// findWarp() finds from the reference's histogram to that of the shown voxels. The plots are "warp" (NaN if the volume
 /// cuts the reference's intensity off), "reference_histogram" and "histogram". The facts are "largest_shift" (of the
 /// warp within [0,1], with its sign), "mean_slope", "distance_before" and "distance".
-/// If the volume or the reference holds no data, or one intensity alone, the curve is the reference's unchanged, and
-/// the message says why. If that curve is 0 everywhere, the curve is x².
+///
+/// If the reference's curve is 0 everywhere, the curve is x². Else, if the volume or the reference holds no data, or
+/// intensities of one bin alone, the curve is the reference's unchanged. In both cases the message says so, and there
+/// are no facts and no "warp".
 [[nodiscard]] std::optional<Design> design(const TemplateConfig& config, const DesignerInput& input,
                                            const Progress& progress = {});
 

@@ -16,8 +16,8 @@ struct PhantomConfig;
 /// A volume's intensities, and the curve that was made for it.
 struct TemplateReference {
     std::string name;  ///< for a person
-    /// Shares of its voxels with data by normalised intensity: bin i of 256 holds [i/256, (i+1)/256[. Their sum is 1,
-    /// or 0 without data.
+    /// Shares of the volume's voxels with data by normalised intensity: bin i of 256 holds [i/256, (i+1)/256[. Their
+    /// sum is 1, or 0 without data.
     std::vector<double> histogram;
     OpacityCurve curve = ManualCurve{};
     friend bool operator==(const TemplateReference&, const TemplateReference&) = default;
@@ -26,7 +26,7 @@ struct TemplateReference {
 /// A reference that copies share. Two are equal if their references are.
 class SharedTemplate {
 public:
-    /// It converts implicitly, so that a reference can stand for a shared one.
+    /// A reference converts implicitly, so that it can stand for a shared one.
     SharedTemplate(TemplateReference reference)
         : m_reference(std::make_shared<const TemplateReference>(std::move(reference))) {}
     // No moves: a moved-from object would have no reference.
@@ -48,7 +48,7 @@ private:
 /// are not finite are no data.
 [[nodiscard]] TemplateReference templateFrom(const Volume& volume, OpacityCurve curve, std::string name);
 
-/// The phantom of fetusTemplate(): the fetus in its base condition.
+/// The phantom of fetusTemplate(): the fetus with the defaults of PhantomConfig, in 128^3 voxels of 0.8 mm.
 [[nodiscard]] PhantomConfig fetusTemplateConfig();
 /// The simulated fetus: makePhantom() of fetusTemplateConfig() with the default speckle reduction. Its curve is the
 /// adaptive one along +z, reduced to a few nodes. Its numbers are stored, because making the phantom takes a while.

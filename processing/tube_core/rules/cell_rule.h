@@ -5,7 +5,8 @@
 
 namespace echolucent {
 
-/// Arithmetic of samples, moments and interface function. The curve is double always.
+/// Arithmetic of samples and of the moments of slabs. Tubes on voxels of integers are summed exactly with either choice
+/// (TubeReader). The curve is always computed in double.
 enum class Precision { single32, double64 };
 
 /// Lengths are in units: the volume's smallest spacing. The ranges stand in methodParameters().

@@ -20,10 +20,10 @@ struct RampRule {
     double begin = 0.4;          ///< an intensity is clear up to this share of the way from I_L to I_H
     double clearSpreads = 2.5;   ///< an intensity is clear, too, up to this many standard deviations of the fluid's
                                  ///< voxels above I_L
-    double end = 1.6;            ///< the ramp is full from this share of the way on; above begin
+    double end = 1.6;            ///< the ramp is full from this share of the way from I_L to I_H on; above `begin`
     double opacity = 1.0;        ///< opacity per unit length if all tube cores say surface
     double trustedShare = 0.05;  ///< if at least this share of the tube cores has a weight, the initial function has no
-                                 ///< say in the curve; below it both are mixed
+                                 ///< say in the curve; below this share, ramp and initial function are mixed
     friend bool operator==(const RampRule&, const RampRule&) = default;
 };
 

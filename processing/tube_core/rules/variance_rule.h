@@ -6,7 +6,7 @@ namespace echolucent {
 /// What stands beyond a tube's ends while its interface function is smoothed.
 enum class TubeBorder {
     mirrorThenZero,  ///< the function mirrored in front, zero behind the far end
-    circular,        ///< the far end again, as an FFT without padding gives it
+    circular,        ///< the other end of the function, as an FFT without padding gives it
 };
 
 /// How the interface function is convolved with a Gaussian.

@@ -71,7 +71,8 @@ std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& poin
     return chord;
 }
 
-/// The part that is also within the faces of the view's box and behind the cut surface.
+/// The part of chordInBox() that is also within the faces of the view's box and behind the cut surface; no value if
+/// there is none.
 std::optional<Chord> chordOf(const VolumeGeometry& geometry, const std::vector<CuttingFace>& faces, const Vec3& point,
                              const Viewpoint& view, double nearDepth) {
     const Vec3 direction = frameOf(view).forward;
@@ -80,7 +81,8 @@ std::optional<Chord> chordOf(const VolumeGeometry& geometry, const std::vector<C
     return chord && view.cutSurface ? view.cutSurface->firstLeft(point, direction, *chord) : chord;
 }
 
-/// The box's axes that are nearest to the frame's axes. They look straight onto the side that faces the view.
+/// The box's axes in the order of the frame's axes to which they are nearest. Their forward is across the side that
+/// faces the view, whichever way it points.
 ViewFrame straightOnto(const OrientedBox& box, const ViewFrame& frame) {
     std::vector<Vec3> left{box.axes.right, box.axes.down, box.axes.forward};
     const auto takeNearest = [&](const Vec3& direction) {

@@ -19,7 +19,8 @@ struct TubeGrid {
     double spacing = 0.0;  ///< units (the volume's smallest spacing) between tube cores; if 0, the grid covers the
                            ///< volume or the view's box (13 in the paper's 199x197x199)
     /// Tube cores that are never placed: indices row * columns + column, ascending, each once, within the grid
-    /// (problemOf()). The method runs as if the grid did not hold them. The others keep columns, rows and indices.
+    /// (problemOf()). The method runs as if the grid did not hold them. The other tube cores keep their columns, rows
+    /// and indices.
     std::vector<int> withoutTubes{};
     friend bool operator==(const TubeGrid&, const TubeGrid&) = default;
 };
@@ -35,13 +36,15 @@ struct TubeAxis {
     /// view's box, the near cut or the cut surface. Not set if the axis misses the picture, or if the tube core is
     /// never placed.
     std::optional<Vec3> entryVoxel;
-    /// Units from there to where the axis leaves the box or, from behind, the cut surface. Set if entryVoxel is set.
+    /// Units from entryVoxel to the place where the picture ends on the axis: where the axis leaves the volume's box or
+    /// the view's box, or comes out of the cut surface again. Set if entryVoxel is set.
     std::optional<double> lengthUnits;
 };
 
 /// Units between tube cores along the view's right and down axes: grid.spacing or, if that is 0, an equal share of the
-/// volume box's extent in whole units, at least a cell. The extent is taken across the unturned view of that beam axis,
-/// so it stays while the view turns. For a view's box it is the extent of the side that most faces the view.
+/// volume box's extent in whole units, at least a cell. The extent is taken across the unturned view along the view's
+/// beam axis, so it stays while the view turns. If the view has a box, the extent is that of the box's side that most
+/// faces the view.
 [[nodiscard]] std::array<double, 2> tubeSpacingUnits(const VolumeGeometry& geometry, const Viewpoint& view,
                                                      const TubeGrid& grid, int cellSize);
 

@@ -23,22 +23,23 @@ public:
     void set(std::size_t tube, std::span<const SlabMoments> slabs, int cellSize);
     /// Takes sums of stored values and of their squares. `whiteLevel` is the stored value of normalised intensity 1.
     void set(std::size_t tube, const SlabSums& slabs, int cellSize, double whiteLevel);
-    /// Takes means of stored values. `whiteLevel` is multiplied by slabScale(), as the means are.
+    /// Takes means of stored values. `whiteLevel` is the volume's white level times slabScale(), because the means are
+    /// multiplied by slabScale() too.
     void set(std::size_t tube, const SlabMeans& slabs, int cellSize, double whiteLevel);
 
     [[nodiscard]] std::size_t tubes() const { return m_first.size(); }
     /// Index of the tube's first slab among its samples.
     [[nodiscard]] int firstSlab(std::size_t tube) const { return m_first[tube]; }
-    /// Whether any of its samples has data.
+    /// Whether any sample of the tube has data.
     [[nodiscard]] bool anyData(std::size_t tube) const { return m_anyData[tube] != 0; }
-    /// Mean normalised intensity from that slab on; empty if no slab holds enough data.
+    /// Mean normalised intensity of each slab from firstSlab() on; empty if no slab holds enough data.
     [[nodiscard]] std::span<const float> means(std::size_t tube) const { return part(m_means, tube); }
     /// Standard deviation of a slab's samples, normalised intensity; as long as means().
     [[nodiscard]] std::span<const float> spreads(std::size_t tube) const { return part(m_spreads, tube); }
 
 private:
     /// countOf(k) gives the number of samples of slab k with data. write(first, count, means, spreads) writes means and
-    /// spreads of `count` slabs from the first on. Values of slabs with too little data are then overwritten.
+    /// spreads of `count` slabs from slab `first` on. Values of slabs with too little data are then overwritten.
     template <typename CountOf, typename Write>
     void setFrom(std::size_t tube, std::size_t slabs, int cellSize, const CountOf& countOf, const Write& write);
     [[nodiscard]] std::span<const float> part(const std::vector<float>& values, std::size_t tube) const {

@@ -72,7 +72,8 @@ public:
           m_mask(volume.dataMaskOrNull()),
           m_white(volume.whiteLevel()) {}
 
-    /// The nearest voxel's intensity; half way between two, the farther one's.
+    /// The nearest voxel's intensity; half way between two voxels, the intensity of the one with the higher index. NaN
+    /// outside the volume or without data.
     [[nodiscard]] double nearest(const Vec3& voxel) const {
         if (!inBox(m_geometry, voxel)) return noData;
         std::int64_t offset = 0, stride = 1;
@@ -84,7 +85,8 @@ public:
         return m_mask == nullptr || m_mask[offset] != 0 ? value(offset) : noData;
     }
 
-    /// The intensity, interpolated between the voxels around.
+    /// The intensity, interpolated between the voxels around; the nearest voxel's if one with a share carries no data.
+    /// NaN outside the volume or without data.
     [[nodiscard]] double at(const Vec3& voxel) const {
         if (!inBox(m_geometry, voxel)) return noData;
         std::array<std::int64_t, 3> low{}, high{};
@@ -123,7 +125,8 @@ private:
         }
         return false;
     }
-    /// A neighbour without share may be NaN, and so may any voxel if the volume's mask was taken away. NaN counts as 0.
+    /// The normalised intensity of a voxel, clamped into [0,1]. A voxel without share may be NaN, and so may any voxel
+    /// if the volume's mask was taken away. NaN counts as 0.
     [[nodiscard]] double value(std::int64_t offset) const {
         const double intensity = static_cast<double>(m_voxels[offset]) / m_white;
         return intensity > 0.0 ? std::min(intensity, 1.0) : 0.0;
@@ -136,8 +139,9 @@ private:
     double m_white;
 };
 
-/// Two passes lose no digits, even if the mean is far larger than the spread. Deviations from the first value give
-/// equal values that mean to the last bit, and no spread.
+/// Moments of the values that are not NaN. Two passes lose no digits, even if the mean is far larger than the spread.
+/// The mean is taken of deviations from the first value. So the mean of equal values is exactly their value, and their
+/// spread is 0.
 SlabMoments momentsOf(std::span<const double> values) {
     const auto first = std::find_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
     SlabMoments moments;

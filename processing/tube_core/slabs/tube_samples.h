@@ -38,9 +38,9 @@ struct SlabMoments {
 };
 
 /// Moments of any tube in double precision, one sample after the other: the reference for tube_slabs.h. Samples are
-/// interpolated trilinearly (exact if the position is whole) or are the nearest voxel. A sample outside the box is left
-/// out. If a neighbour of a sample carries no data, the sample is the nearest voxel, and is left out if that has none
-/// either. `values` is scratch memory for reuse between calls.
+/// interpolated trilinearly (exact if the position is whole) or are the nearest voxel. A sample outside the volume's
+/// box is left out. If a voxel with a share in a sample carries no data, the sample is the nearest voxel. If the
+/// nearest voxel carries no data, the sample is left out. `values` is scratch memory for reuse between calls.
 void sampleSlabs(const Volume& volume, Interpolation sampling, const TubeSamples& tube, std::vector<SlabMoments>& slabs,
                  std::vector<double>& values);
 

@@ -42,7 +42,7 @@ struct Position {
 /// The cell of a position: offset of its first voxel, and the weights of its far side.
 struct Cell {
     IntVector offset;  ///< voxels
-    IntVector shareX;  ///< fixed point, and as the weights that blend() takes
+    IntVector shareX;  ///< fixed point; for bytes the two weights that blendBytes() takes
     FloatVector partX, shareY, shareZ;
 };
 
@@ -86,7 +86,7 @@ HWY_INLINE FloatVector limited(FloatVector value, const Piece<float>& piece) {
     return hn::IfThenElseZero(hn::Gt(scaled, hn::Zero(floats)), hn::Min(scaled, hn::Set(floats, piece.white)));
 }
 
-/// The blend along x of the voxels at the cell's offset, moved by `shift` voxels, and of their next ones.
+/// The blend along x of two voxels: the one at the cell's offset plus `shift`, and the next one in memory.
 template <typename Voxel, bool careful>
 HWY_INLINE FloatVector pairAt(const Piece<Voxel>& piece, std::ptrdiff_t shift, const Cell& cell) {
     const Floats floats;
@@ -109,7 +109,7 @@ HWY_INLINE FloatVector pairAt(const Piece<Voxel>& piece, std::ptrdiff_t shift, c
     }
 }
 
-/// Like pairAt() of the mask: 1 if both voxels with a share carry data, else less.
+/// As pairAt(), of the mask: 1 if every voxel with a share carries data, else less.
 template <typename Voxel>
 HWY_INLINE FloatVector dataAt(const Piece<Voxel>& piece, std::int32_t shift, const Cell& cell) {
     const Floats floats;
@@ -147,7 +147,7 @@ HWY_INLINE Cell cellAt(const Piece<Voxel>& piece, const Position& position) {
     const auto x = cellOf<careful>(position.x, piece.lastCell[0]), y = cellOf<careful>(position.y, piece.lastCell[1]);
     const auto z = cellOf<careful>(position.z, piece.lastCell[2]);
     const auto share = [](IntVector at, IntVector cell) {
-        // The last cell's far side belongs to it: there the share is a whole voxel.
+        // The last cell includes its far side. There the share is a whole voxel.
         if constexpr (careful) return hn::Sub(at, hn::ShiftLeft<positionBits>(cell));
         return hn::And(at, hn::Set(Ints(), oneVoxel - 1));
     };
@@ -184,7 +184,7 @@ HWY_INLINE FloatMask completeAt(const Piece<Voxel>& piece, const Cell& cell) {
     return hn::Ge(between(front, back, cell.shareZ), hn::Set(Floats(), 1.0f));
 }
 
-/// Offset of the nearest voxel. A position half way belongs to the farther one.
+/// Offset of the nearest voxel. Half way between two voxels, the one with the higher index counts.
 template <typename Voxel>
 HWY_INLINE IntVector nearestOffset(const Piece<Voxel>& piece, const Position& position) {
     const auto nearest = [](IntVector at) {
@@ -233,7 +233,8 @@ HWY_INLINE FloatVector completeSample(const Piece<Voxel>& piece, const Position&
     return trilinear<Voxel, false>(piece, cellAt<Voxel, false>(piece, position));
 }
 
-/// Clamps positions into the volume. Positions up to half a voxel outside count as inside.
+/// Clamps positions along one axis into the volume. Returns which positions were inside. Positions up to half a voxel
+/// outside count as inside.
 HWY_INLINE hn::Mask<Ints> clampInto(IntVector& position, std::int32_t lowest, std::int32_t highest) {
     const Ints ints;
     const auto inside = hn::And(hn::Gt(position, hn::Set(ints, lowest - oneVoxel / 2 - 1)),

@@ -63,7 +63,7 @@ namespace {
 
 using namespace tube_slabs;
 
-/// Positions of slabs are added up with this many binary places, so that their steps do not drift.
+/// The step from slab to slab has this many binary places, so that the positions of slabs do not drift.
 constexpr int stepBits = 32;
 
 std::int64_t fixedPoint(double value, int bits) { return std::llround(std::ldexp(value, bits)); }
@@ -113,7 +113,7 @@ public:
         double begin = 0.0, end = tube.slabs - 1.0;
         for (int axis = 0; axis < 3; ++axis) {
             const double low = m_reach[axis];
-            // One less than there are cells along z: the four bytes of any sample end before the array does.
+            // Along z the last cell is left out, so that the four bytes read for any sample end before the array does.
             const double high = static_cast<double>(size(axis) - (axis == 2 ? 2 : 1)) - m_reach[axis];
             const double at = tube.first[axis], step = tube.along[axis];
             if (step == 0.0) {
@@ -210,7 +210,7 @@ private:
     std::array<std::int64_t, 3> m_step{};  ///< from slab to slab, fixed point with stepBits
 };
 
-/// A tube's slabs in pieces: border, inside, border.
+/// A tube's slabs in pieces: border, inside, border. The second value of a piece is true inside.
 std::vector<std::pair<SlabRange, bool>> piecesOf(const TubeSamples& tube, SlabRange inside) {
     std::vector<std::pair<SlabRange, bool>> pieces;
     const auto cut = [&](SlabRange range, bool isInside) {

@@ -10,8 +10,8 @@ namespace echolucent::tube_slabs {
 /// The most slabs in one piece, and the most lanes of one vector.
 inline constexpr int pieceLength = 16;
 
-/// Positions are fixed-point numbers with positionBits binary places. So sums are exact, and a shift gives a cell and
-/// its share.
+/// Positions are fixed-point numbers with positionBits binary places. So sums are exact, and a shift splits a position
+/// into a cell and the share within it.
 inline constexpr int positionBits = 16;
 inline constexpr std::int32_t oneVoxel = 1 << positionBits;
 

@@ -112,7 +112,8 @@ HWY_INLINE LaneVector gather(const Stored* first, hn::Vec<hn::RebindToSigned<Lan
     return hn::GatherOffset(Lanes(), reinterpret_cast<const std::uint64_t*>(first), hn::ShiftLeft<shift>(offsets));
 }
 
-/// Adds the slabs begin ... end - 1, at most slabsPerTurn, one to a lane. All their lanes must lie in the volume.
+/// Adds the slabs begin ... end - 1, at most slabsPerTurn, one to a lane. All their lanes must lie in the volume's
+/// array.
 template <typename Stored, bool masked>
 HWY_INLINE void sumLanes(const VoxelGrid<Stored>& grid, const VoxelTube& tube, int begin, int end,
                          const SumColumns& columns) {
@@ -159,7 +160,7 @@ HWY_INLINE void sumLanes(const VoxelGrid<Stored>& grid, const VoxelTube& tube, i
 
 #endif
 
-/// Adds one line of voxels to as many slabs. The compiler makes vectors of it.
+/// Adds a line of `count` voxels, one voxel to each slab. The compiler vectorises both loops.
 template <typename Stored, bool masked>
 HWY_INLINE void addLine(const Stored* voxels, const std::uint8_t* mask, Stored limit, int count,
                         const SumColumns& columns) {

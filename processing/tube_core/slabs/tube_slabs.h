@@ -48,7 +48,7 @@ void sumSlabs(const Volume& volume, std::uint32_t storedLimit, std::span<const T
 [[nodiscard]] double slabScale(const Volume& volume);
 
 /// Whether meanSlabs() can take the volume; else sampleSlabs() must. Needs at least 2 voxels in a row and 4 in a slice,
-/// at most 16384 along an axis and 8 million in a slice, and no 8-bit voxels above the white level.
+/// at most 16384 along an axis and 8 * 2^20 in a slice, and no 8-bit voxels above the white level.
 [[nodiscard]] bool canMeanSlabs(const Volume& volume);
 
 /// Moments of tubes side by side in one row of the grid, anywhere between voxels. Samples are as in sampleSlabs(), the
