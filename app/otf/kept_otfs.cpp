@@ -42,6 +42,7 @@ void KeptOtfs::forgetAdaptive() {
 void KeptOtfs::keep(const ComputedOtf& otf) {
     if (find(otf.asked)) return;
     const std::size_t bytes = bytesOf(otf);
+    if (bytes > byteLimit) return;
     if (m_bytes + bytes > byteLimit) {
         std::erase_if(m_kept, [](const Kept& kept) { return kept.raw.expired() || kept.shown.expired(); });
         countBytes();
@@ -50,7 +51,6 @@ void KeptOtfs::keep(const ComputedOtf& otf) {
         m_kept.pop_back();
         countBytes();
     }
-    if (bytes > byteLimit) return;
     Kept kept{otf, otf.asked.raw, otf.asked.shown, bytes};
     kept.otf.asked.raw = kept.otf.asked.shown = nullptr;
     m_kept.push_back(std::move(kept));

@@ -94,22 +94,23 @@ public:
     }
 
     std::optional<Picture> cast(const Classification& otf, const RayCastSettings& settings, const Progress& progress) {
-        const bool mixes = settings.mode == RenderMode::direct && settings.mixing.share > 0.0;
+        const RayGeometry rays(volume->geometry(), settings);
+        const bool direct = settings.mode == RenderMode::direct;
+        const bool readsGradients = direct && otf.isTwoDimensional();
+        if (readsGradients && !prepareGradients(otf, progress)) return std::nullopt;
+        const GradientLevels* const levels = readsGradients ? m_gradients->levels().get() : nullptr;
+        if (!m_reaching.update({otf, levels}, settings, progress)) return std::nullopt;
+        const bool mixes = direct && settings.mixing.share > 0.0;
         std::optional<Picture> other;
         // Cast the mixed-in picture first, so that the samples kept at the end are the direct picture's.
-        if (mixes && !(other = castOne(otf, mixedIn(settings), progress))) return std::nullopt;
-        auto picture = castOne(otf, settings, progress);
+        if (mixes && !(other = castOne(rays, otf, mixedIn(settings), progress))) return std::nullopt;
+        auto picture = castOne(rays, otf, settings, progress);
         if (picture && mixes) mixIn(*picture, *other, settings.mixing.share);
         return picture;
     }
 
-    std::optional<Picture> castOne(const Classification& otf, const RayCastSettings& settings,
+    std::optional<Picture> castOne(const RayGeometry& rays, const Classification& otf, const RayCastSettings& settings,
                                    const Progress& progress) {
-        const RayGeometry rays(volume->geometry(), settings);
-        const bool readsGradients = otf.isTwoDimensional() && settings.mode == RenderMode::direct;
-        if (readsGradients && !prepareGradients(otf, progress)) return std::nullopt;
-        const GradientLevels* const levels = readsGradients ? m_gradients->levels().get() : nullptr;
-        if (!m_reaching.update({otf, levels}, settings, progress)) return std::nullopt;
         Picture picture = emptyPicture(settings.width, settings.height, settings.findDepth);
         const bool finished = std::visit(
             [&](const auto& packed) { return castVoxels(packed, rays, otf, settings, picture, progress); }, *m_packed);

@@ -229,7 +229,8 @@ void VolumeViewWidget::render(bool followsHand) {
     parts.renderWindow->Render();
     parts.meter->rendered(static_cast<double>(timer.nsecsElapsed()) * 1e-6, followsHand);
     // Only after a drawing is it known that there is a graphics card, or that it failed.
-    const bool live = parts.scene.rendererFor(parts.shown->request.settings) == RendererChoice::graphicsCard;
+    const bool live =
+        parts.scene.rendererFor(parts.shown->request.settings, parts.classification) == RendererChoice::graphicsCard;
     if (live != rendersLive()) schedule();
 }
 

@@ -73,8 +73,8 @@ private:
 
     Result<void> check() override {
         constexpr double mostFrames = 2000;
-        const double frames = std::abs(m_motion.to - m_motion.from) / m_motion.step;
-        if (!(m_motion.step > 0.0) || !(frames >= 2.0 && frames <= mostFrames))
+        const double frames = 1.0 + std::abs(m_motion.to - m_motion.from) / m_motion.step;
+        if (!(m_motion.step > 0.0) || !(frames >= 3.0 && frames <= mostFrames))
             return fail(FailureKind::wrongUsage, "", "--from, --to and --step", "must make 3 to 2000 frames");
         return {};
     }

@@ -97,6 +97,15 @@ private slots:
         QVERIFY(kept.find(last));
     }
 
+    void whatIsTooLargeToKeepTakesNothingFromTheOthers() {
+        KeptOtfs kept;
+        const OtfRequest first = request(1), large = request(2);
+        kept.keep(otfOf(first, third));
+        kept.keep(otfOf(large, 4 * third));
+        QVERIFY(kept.find(first));
+        QCOMPARE(kept.find(large), nullptr);
+    }
+
     void whatIsOfNoUseMakesRoom() {
         KeptOtfs kept;
         OtfRequest gone = request(1);

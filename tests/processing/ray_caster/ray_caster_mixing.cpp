@@ -58,6 +58,19 @@ TEST(RayCasterMixing, KeptSamplesGoOnWorking) {
     EXPECT_EQ(caster.sampleUse(), SampleUse::kept);
 }
 
+TEST(RayCasterMixing, TheLightVolumeStaysIfOnlyTheShareChanges) {
+    Scene scene;
+    scene.settings.shading = Shading{.reaching = ReachingLight{}};
+    scene.settings.mixing = {0.4, RenderMode::mean};
+    RayCaster caster(std::make_shared<const Volume>(scene.volume));
+    (void)caster.cast(mixedCurve, scene.settings);
+    EXPECT_GT(caster.lightMilliseconds(), 0.0);
+    scene.settings.mixing.share = 0.6;
+    const auto again = caster.cast(mixedCurve, scene.settings);
+    EXPECT_EQ(caster.lightMilliseconds(), 0.0);
+    EXPECT_LT(apart(*again, *castRays(scene.volume, mixedCurve, scene.settings)).rootMeanSquare, 0.03);
+}
+
 TEST(RayCasterMixing, BrightnessIsAFactorThatStaysWithinAlpha) {
     const Scene scene;
     for (const double brightness : {0.25, 1.0, 2.5}) {
