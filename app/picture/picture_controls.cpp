@@ -36,7 +36,6 @@ void PictureControls::connectPanel() {
         m_parts.model.change(tr("near cut"), [mm](Document& next) { next.scene.front = Front{.depthMm = mm}; });
     });
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
-    connect(panel, &ViewPanel::phaseChanged, this, [this](int phase) { m_parts.model.showPhase(phase); });
     connect(panel, &ViewPanel::lookChanged, this, &PictureControls::setLook);
     connect(panel, &ViewPanel::lookReset, this, [this](const Look& look, const QString& group) {
         m_parts.model.change(tr("reset %1").arg(group.toLower()), [&look](Document& next) { next.scene.look = look; });

@@ -40,8 +40,6 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
         m_numbers.tellNow();
         showRemark();
     });
-    connect(&m_parts.model, &DocumentModel::phaseChanged, this,
-            [this] { m_parts.controls.setPhase(phaseOf(m_parts.model.document(), firstPane)); });
     connect(&m_parts.model, &DocumentModel::curvesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showNumbers);
@@ -125,7 +123,6 @@ void ShownStudy::beginDocument() {
     m_parts.status.clearOtf();
     if (const OtfEditorState& state = m_parts.editor.state(); state.designed)  // a design of the previous study
         m_parts.editor.setDesign(QString::fromStdString(state.designer), std::nullopt);
-    m_parts.controls.setPhaseCount(m_phases);
     m_parts.motion.setStudy(study);
     emit aboutToBegin();
     OpenedDocuments opened =

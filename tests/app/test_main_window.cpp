@@ -158,7 +158,7 @@ private slots:
         lookFrom(window(), turned);
         waitUntilIdle();
         const Picture before = shown();
-        window().findChild<QAbstractSlider*>("view.phase")->setValue(1);
+        window().findChild<QAbstractSlider*>("motion.phase")->setValue(1);
         waitUntilIdle();
         QCOMPARE(window().openStudy().phase(), 1);
         QVERIFY(qAbs(window().volumeView().view().azimuthDegrees - 12) < 1e-6);

@@ -113,7 +113,7 @@ private slots:
             const auto own = adaptOpacity(*phases[static_cast<std::size_t>(frames[i].phase)], view, {})->curve;
             QVERIFY2(frames[i].curve == history.add(time, own), qPrintable(QString::number(i)));
         }
-        QCOMPARE(m_fixture.child<QSlider>("view.phase")->value(), window().motionPlayer().phase());
+        QCOMPARE(m_fixture.child<QSlider>("motion.phase")->value(), window().motionPlayer().phase());
         QCOMPARE(window().openStudy().phase(), window().motionPlayer().phase());
         QCOMPARE(window().otfCourse().rowCount(), degreesPerFrame == 0 ? 4 : 91);
     }

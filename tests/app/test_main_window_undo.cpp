@@ -99,7 +99,7 @@ private slots:
     void phaseAndMotionAreNoStepsAndStay() {
         open(m_moving);
         type("view.nearCut.value", "5.0");
-        child<QSlider>("view.phase")->setValue(1);
+        child<QSlider>("motion.phase")->setValue(1);
         waitUntilIdle();
         child<QSlider>("motion.angle")->setValue(10);
         waitUntilIdle();

@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
-#include <QSpinBox>
 #include <QString>
 #include <QTest>
 #include <QToolButton>
@@ -291,34 +290,6 @@ private slots:
         // A wish that cannot be met now is kept for the day when it can.
         panel.setGraphicsCardUsable(false);
         QCOMPARE(panel.renderer(), RendererChoice::graphicsCard);
-    }
-
-    void phaseSelectorAppearsWithPhases() {
-        ViewPanel panel;
-        panel.show();
-        auto* slider = child<QSlider>(panel, "view.phase");
-        auto* number = child<QSpinBox>(panel, "view.phase.value");
-        QVERIFY(!slider->isVisible());
-        AllSignals all(panel);
-        panel.setPhaseCount(12);
-        QVERIFY(slider->isVisible());
-        panel.setPhase(11);
-        QCOMPARE(number->text(), "12 of 12");
-        QCOMPARE(all.count(), 0);
-
-        QSignalSpy spy(&panel, &ViewPanel::phaseChanged);
-        QTest::keyClick(slider, Qt::Key_Left);
-        QCOMPARE(spy.takeFirst().first().toInt(), 10);
-        QTest::keyClick(number, Qt::Key_Down);
-        QCOMPARE(spy.takeFirst().first().toInt(), 9);
-        QCOMPARE(panel.phase(), 9);
-        QCOMPARE(all.count(), 2);
-
-        panel.setPhaseCount(5);
-        QCOMPARE(panel.phase(), 0);
-        panel.setPhaseCount(1);
-        QVERIFY(!slider->isVisible());
-        QCOMPARE(all.count(), 2);
     }
 
     void viewSettersAreSilent() {

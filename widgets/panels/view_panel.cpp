@@ -4,9 +4,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QSlider>
-#include <QSpinBox>
 #include <QStandardItemModel>
 #include <QToolButton>
 #include <algorithm>
@@ -72,10 +69,8 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     QWidget* lighting = m_look->of("lighting").widget;
     lighting->setToolTip(tr("%1. Ctrl + left drag in the picture moves the light").arg(lighting->toolTip()));
     createChoices();
-    createPhaseSelector();
     arrange();
     setNearCutRange(100);
-    setPhaseCount(1);
     setGraphicsCardUsable(false);
     updateForMode();
     connectControls();
@@ -104,29 +99,6 @@ void ViewPanel::createChoices() {
                                          {"+z", BeamAxis::plusZ},
                                          {"−z", BeamAxis::minusZ}});
     selectData(m_beamAxis, static_cast<int>(BeamAxis::plusZ));
-}
-
-void ViewPanel::createPhaseSelector() {
-    const QString toolTip = tr("Phase of the 4D study");
-    m_phaseSlider = named(new QSlider(Qt::Horizontal), "view.phase", tr("Phase"), toolTip);
-    m_phaseSpinBox = named(new QSpinBox, "view.phase.value", tr("Phase"), toolTip);
-    m_phaseSpinBox->setKeyboardTracking(false);
-    m_phaseSpinBox->setAlignment(Qt::AlignRight);
-    wheelNeedsFocus(m_phaseSlider);
-    wheelNeedsFocus(m_phaseSpinBox);
-    connect(m_phaseSlider, &QSlider::valueChanged, this, [this](int phase) {
-        showPhase(phase);
-        emit phaseChanged(phase);
-    });
-    connect(m_phaseSpinBox, &QSpinBox::valueChanged, this, [this](int number) {
-        showPhase(number - 1);
-        emit phaseChanged(number - 1);
-    });
-    m_phaseSelector = new QWidget;
-    auto* layout = new QHBoxLayout(m_phaseSelector);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_phaseSlider, 1);
-    layout->addWidget(m_phaseSpinBox);
 }
 
 QLayout* ViewPanel::createButtons() {
@@ -206,8 +178,6 @@ void ViewPanel::addViewGroup(QGridLayout& grid) {
     QToolButton* reset = addGroup(grid, "view.reset", tr("View"),
                                   tr("Reset the view: looks along the beam axis at the whole volume (R)"));
     connect(reset, &QToolButton::clicked, this, &ViewPanel::resetRequested);
-    m_phaseLabel = labelFor(m_phaseSlider, tr("Phase"));
-    addRow(grid, m_phaseLabel, m_phaseSelector);
     addRow(grid, labelFor(m_beamAxis, tr("Beam axis")), m_beamAxis);
 }
 
@@ -252,30 +222,5 @@ void ViewPanel::setGraphicsCardUsable(bool usable) {
 
 BeamAxis ViewPanel::beamAxis() const { return chosen<BeamAxis>(m_beamAxis); }
 void ViewPanel::setBeamAxis(BeamAxis axis) { selectData(m_beamAxis, static_cast<int>(axis)); }
-
-void ViewPanel::setPhaseCount(int count) {
-    Q_ASSERT(count >= 1);
-    const int kept = phase() < count ? phase() : 0;
-    {
-        const QSignalBlocker sliderBlocker(m_phaseSlider);
-        const QSignalBlocker spinBoxBlocker(m_phaseSpinBox);
-        m_phaseSlider->setRange(0, count - 1);
-        m_phaseSpinBox->setRange(1, count);
-        m_phaseSpinBox->setSuffix(tr(" of %1").arg(count));
-    }
-    showPhase(kept);
-    m_phaseLabel->setVisible(count > 1);
-    m_phaseSelector->setVisible(count > 1);
-}
-
-int ViewPanel::phase() const { return m_phaseSlider->value(); }
-void ViewPanel::setPhase(int phase) { showPhase(phase); }
-
-void ViewPanel::showPhase(int phase) {
-    const QSignalBlocker sliderBlocker(m_phaseSlider);
-    const QSignalBlocker spinBoxBlocker(m_phaseSpinBox);
-    m_phaseSlider->setValue(phase);
-    m_phaseSpinBox->setValue(phase + 1);
-}
 
 }  // namespace echolucent

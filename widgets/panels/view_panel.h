@@ -1,4 +1,4 @@
-// How the picture is made: near cut, mode, light, colours, sampling, projection, renderer, beam axis and phase.
+// How the picture is made: near cut, mode, light, colours, sampling, projection, renderer and beam axis.
 #pragma once
 
 #include <QWidget>
@@ -14,8 +14,6 @@ class QComboBox;
 class QGridLayout;
 class QLabel;
 class QLayout;
-class QSlider;
-class QSpinBox;
 
 namespace echolucent {
 
@@ -26,7 +24,7 @@ class ParameterControls;
 /// Objects: view.nearCut (+ .value, .suggest), view.mode (+ .remark), view.mixing, view.mixedMode, view.reduction,
 /// view.lighting, view.lightAzimuth (+ .value), view.lightElevation (+ .value), view.lightSoftness, view.shadow,
 /// view.occlusion, view.translucency, view.brightness, view.depthColouring, view.colourMap, view.interpolation,
-/// view.projection, view.renderer, view.beamAxis, view.phase (+ .value; hidden with one phase), view.reset,
+/// view.projection, view.renderer, view.beamAxis, view.reset,
 /// view.resetAll, view.savePicture; sliders with ".value" and ".reset". The controls stand in groups, each with a reset
 /// beside its title: view.cut.reset, view.light.reset, view.speckle.reset, view.colours.reset, view.rendering.reset;
 /// view.reset resets the view. Controls that play no part in the chosen mode are disabled. view.mode.remark says that
@@ -54,12 +52,6 @@ public:
     [[nodiscard]] BeamAxis beamAxis() const;
     void setBeamAxis(BeamAxis axis);
 
-    /// Number of phases, at least 1. With 1 the selector is hidden. A phase beyond the last becomes 0.
-    void setPhaseCount(int count);
-    /// Counted from 0; people read it from 1.
-    [[nodiscard]] int phase() const;
-    void setPhase(int phase);
-
 signals:
     void nearCutChanged(double mm);
     /// The person asks for a suggested near cut.
@@ -71,15 +63,12 @@ signals:
     void lookReset(const echolucent::Look& look, const QString& group);
     void rendererChanged(echolucent::RendererChoice renderer);
     void beamAxisChanged(echolucent::BeamAxis axis);
-    /// Counted from 0.
-    void phaseChanged(int phase);
     void resetRequested();
     void resetAllRequested();
     void savePictureRequested();
 
 private:
     void createChoices();
-    void createPhaseSelector();
     void connectControls();
     void arrange();
     QLayout* createButtons();
@@ -88,17 +77,12 @@ private:
     void addViewGroup(QGridLayout& grid);
     void resetLook(const QString& group, const std::vector<std::string_view>& rows);
     void updateForMode();
-    void showPhase(int phase);
 
     ValueSlider* m_nearCut = nullptr;
     std::unique_ptr<ParameterControls<Look>> m_look;
     QLabel* m_modeRemark = nullptr;
     QComboBox* m_renderer = nullptr;
     QComboBox* m_beamAxis = nullptr;
-    QLabel* m_phaseLabel = nullptr;
-    QWidget* m_phaseSelector = nullptr;
-    QSlider* m_phaseSlider = nullptr;
-    QSpinBox* m_phaseSpinBox = nullptr;
 };
 
 }  // namespace echolucent
