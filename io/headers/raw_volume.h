@@ -14,7 +14,7 @@ inline constexpr std::string_view rawLayoutEnding = ".echolucent.json";
 [[nodiscard]] std::string rawLayoutPath(const std::string& path);
 
 /// Checks the `layout` of an opened raw file; no voxel is read. `source` tells where the layout came from: "--raw-size"
-/// or the name of its file. Fails (unreadable) if the layout makes no sense.
+/// or the name of the file that holds the layout. Fails (unreadable) if the layout makes no sense.
 [[nodiscard]] Result<StoredVolume> storedVolumeFromLayout(const InputFile& file, const RawLayout& layout,
                                                           const std::string& source);
 

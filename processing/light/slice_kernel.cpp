@@ -24,9 +24,9 @@ HWY_INLINE FloatVector faded(FloatVector x) {
     return hn::Mul(square, square);
 }
 
-/// Light that leaves a place has passed half of the place twice. Light that counts as reaching a place has passed a
-/// quarter of it. Places smear a surface towards the light, so light counted at the middle of places would leave the
-/// lit side of a surface too dark (docs/light.md).
+/// Carries light through one row of places. Each place weakens the light in two halves. The light that counts as
+/// reaching the place is taken after a quarter of it, not after half: a place is so large that it smears a surface
+/// towards the light, so light taken at its middle would leave the lit side of the surface too dark (docs/light.md).
 HWY_INLINE void sweepRow(const SliceJob& job, const SweptDirection& direction, const float* extinctions, int row) {
     const Floats floats;
     const auto stride = static_cast<std::ptrdiff_t>(job.planeStride);

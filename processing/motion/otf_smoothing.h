@@ -32,9 +32,10 @@ enum class OtfSmoothing {
 ///   mean                Each of n frames weighs 1/n.
 ///   movingLeastSquares  The newest time's row of the projection onto the polynomials of order min(2, n - 1), by QR on
 ///                       centred, scaled times. If times are too close to tell the powers apart, the order is lower.
-///   leastFlicker        The taps of docs/motion.md, linear between taps at each frame's age in mean intervals. Each is
-///                       multiplied by the time its frame stands for, and divided by the sum of all. At equal intervals
-///                       these are the newest n taps over their sum.
+///   leastFlicker        The taps of docs/motion.md, one for each whole age. A frame's age is counted in mean intervals
+///                       between frames; between two ages the taps are interpolated linearly. A frame's tap is
+///                       multiplied by the time that the frame stands for. All weights are divided by their sum. At
+///                       equal intervals they are the newest n taps over their sum.
 /// Throws std::invalid_argument if `times` breaks one of these rules.
 [[nodiscard]] std::vector<double> smoothingWeights(OtfSmoothing smoothing, std::span<const double> times);
 

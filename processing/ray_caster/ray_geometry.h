@@ -81,8 +81,8 @@ public:
 
     [[nodiscard]] Ray rayThrough(int column, int row) const;
 
-    /// Lane i is the ray through pixel (column + i % columns, row + i / columns). Inline it into code for one
-    /// instruction set: its loops over lanes become vectors there.
+    /// Lane i becomes the ray through pixel (column + i % columns, row + i / columns). It is inlined into the kernels,
+    /// each compiled for one instruction set, so that its loops over lanes become vectors of that set.
     template <int lanes>
     __attribute__((always_inline)) inline void fill(RayBundle<lanes>& bundle, int column, int row, int columns) const;
 

@@ -21,8 +21,8 @@ constexpr ChoiceNames<4> kindNames{"linear", "convex", "linear-wobbler", "wobble
 
 bool isAngular(const PolarAxis& axis) { return axis.spread == PolarSpread::angles; }
 
-/// The place at distance `along` from the face after a turn by `angle` about an axis. The axis lies `radius` mm behind
-/// the face.
+/// Where a place `along` mm before the transducer's face comes to lie if it is turned by `angle` about an axis that
+/// lies `radius` mm behind the face.
 struct Turned {
     double across, along;
 };

@@ -11,8 +11,8 @@
 
 namespace echolucent {
 
-/// One pass. Each voxel becomes the mean of the voxels around it, weighted by nearness and likeness. Lengths are mean
-/// voxels (filterSpacing()).
+/// One pass. Each voxel becomes the mean of the voxels around it, weighted by nearness and likeness. Lengths are given
+/// in mean edges of a voxel (filterSpacing()).
 struct JointBilateralPass {
     double guideSigma = 1.0;  ///< standard deviation of the Gaussian that makes the guide, above 0
     double spreads = 5.0;     ///< voxels take no part if their guides differ by this many standard deviations of the

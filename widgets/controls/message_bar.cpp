@@ -90,8 +90,8 @@ void MessageBar::lieOver(QWidget& picture, Qt::Edge edge) {
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     if (watched == m_picture && (type == QEvent::Resize || type == QEvent::Move)) place();
-    // The picture's own window is made after the picture is shown. A tab of the docks raises the picture with all
-    // widgets around it. So the bar must be raised again.
+    // The picture gets a window of its own only after it is shown, and a click on a dock's tab raises that window. Both
+    // would cover the bar, so raise the bar again.
     if (m_picture != nullptr && (type == QEvent::Show || type == QEvent::ZOrderChange))
         QMetaObject::invokeMethod(this, &MessageBar::place, Qt::QueuedConnection);
     return QWidget::eventFilter(watched, event);

@@ -14,8 +14,8 @@ inline constexpr double legendGap = 16.0;  ///< pixels between the map and its l
 inline constexpr double legendWidth = 12.0;
 inline constexpr double markWidth = 6.0;  ///< of the marks beside the map's present row
 
-/// The lines of the first, the middle and the last row (place 0, 1, 2). Their dashes differ too. The contrast on the
-/// plot's ground is at least 3 : 1.
+/// The colour of the line of the first, the middle or the last row (`place` 0, 1, 2). Beside their colours the three
+/// lines differ in their dashes. The contrast with the plot's ground is at least 3 : 1.
 [[nodiscard]] QColor fixedRowColour(std::size_t place, Theme theme);
 
 /// "+3°", "−3°", "0°" for an angle, "phase 3" for a phase.

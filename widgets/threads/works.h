@@ -27,8 +27,8 @@ struct Work {
     return work;
 }
 
-/// Knows all works that are under way. Whoever lets one work follow another in one event begins it before the other
-/// ends. So nobody sees a rest between them (see NewestWinsThread). For the GUI thread alone.
+/// Knows all works that are under way. If one work follows another in the same event, begin it before the first ends:
+/// then nobody sees a rest between them (as NewestWinsThread does). For the GUI thread alone.
 class Works : public QObject {
     Q_OBJECT
 
