@@ -6,6 +6,7 @@
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/designers/gradients/levoy.h"
 #include "processing/designers/otsu.h"
+#include "processing/intensity/intensity_counts.h"
 #include "processing/intensity/no_data.h"
 #include "processing/phantom/phantom.h"
 #include "processing/sampling/gradient_magnitude.h"
