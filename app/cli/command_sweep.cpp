@@ -98,29 +98,30 @@ Frames framesFrom(const SweepOptions& options, Motion range, const DocumentStudy
     range.probeMoves = movesProbe(document.motion.scenario);
     range.objectMoves = movesObject(document.motion.scenario);
     range.firstPhase = phaseOf(document, made.pane);
-    return {motionFrames(startOf(document), range, static_cast<int>(made.study.phases.size()))};
+    return {motionFrames(motionStartOf(document), range, static_cast<int>(made.study.phases.size()))};
 }
 
 Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& made, const std::vector<SweptOtf>& swept,
-                        FramePictures& pictures, const std::array<int, 2>& size) {
+                        FrameCaster& caster, const std::array<int, 2>& size) {
     const double asShown = 1.0 / frameSeconds(made.document.motion, made.study.phaseSeconds);
     const double rate = options.frameRate.value_or(std::clamp(asShown, leastFrameRate, largestFrameRate));
     auto movie = MovieFile::begin(options.movie, size[0], size[1], rate);
     if (!movie) return tl::unexpected<Failure>(movie.error());
     const std::string words = options.words ? pictureWordsOf(made.study.phases.front()->geometry()) : "";
     for (const SweptOtf& frame : swept) {
-        std::vector<std::uint8_t> rgb = overBackground(pictures.of(frame.frame, frame.shown), Vec3(0, 0, 0));
+        std::vector<std::uint8_t> rgb = overBackground(caster.picture(frame.frame, frame.shown, size), Vec3(0, 0, 0));
         writeWords(rgb, size[0], size[1], words);
         if (auto added = movie->add(rgb); !added) return added;
     }
     return movie->finish();
 }
 
-Result<void> writeReport(const SweepOptions& options, SweepReport& report, FramePictures& pictures) {
+Result<void> writeReport(const SweepOptions& options, SweepReport& report, FrameCaster& caster,
+                         const std::array<int, 2>& size) {
     if (options.pictureFlicker) {
         const std::vector<SweepFrame> frames = framesOf(report.frames);
         const FrameRenderer render = [&](const SweepFrame& frame, const SampledCurve& curve) {
-            return std::optional(pictures.of(frame, curve));
+            return std::optional(caster.picture(frame, curve, size));
         };
         report.unsmoothedPictures = pictureFlicker(frames, unsmoothedOf(report.frames), render);
         report.shownPictures =
@@ -206,7 +207,7 @@ Result<void> sweep(const SweepOptions& options, const CLI::App& command, const I
     if (!made) return tl::unexpected<Failure>(made.error());
 
     const Document& document = made->document;
-    SweepReport report{.start = startOf(document), .motion = document.motion};
+    SweepReport report{.start = motionStartOf(document), .motion = document.motion};
     report.smoothing = smoothingFrom(options, *made);
     const Frames frames =
         framesFrom(options, *range, *made, framesUsed(report.smoothing.value_or(OtfSmoothing::none)) - 1);
@@ -219,13 +220,12 @@ Result<void> sweep(const SweepOptions& options, const CLI::App& command, const I
     // One OTF for all frames, without pictures, reads one phase only: the other phases need no quiet voxels.
     if (report.smoothing || options.pictureFlicker || !options.movie.empty())
         phases = withQuiet(std::move(phases), frames.frames);
-    const std::vector<SweptOtf> swept = report.smoothing ? withOwnOtfs(*made, phases, frames, *report.smoothing)
-                                                         : withOneOtf(*made, phases, frames.frames);
+    FrameCaster caster(*made, phases, report.smoothing);
+    const std::vector<SweptOtf> swept = caster.otfs(frames);
     report.frames = swept;
     sayWhatIsMissing(made->study, swept, !options.movie.empty());
-    FramePictures pictures(*made, phases, *size);
-    if (auto done = writeReport(options, report, pictures); !done) return done;
-    return options.movie.empty() ? Result<void>() : writeMovie(options, *made, swept, pictures, *size);
+    if (auto done = writeReport(options, report, caster, *size); !done) return done;
+    return options.movie.empty() ? Result<void>() : writeMovie(options, *made, swept, caster, *size);
 }
 
 void addMotion(CLI::App& command, SweepOptions& options) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "app/cli/options/document_study.h"
@@ -20,33 +21,28 @@ struct Frames {
     std::size_t before = 0;
 };
 
-/// The view from which the motion of a document turns.
-[[nodiscard]] Viewpoint startOf(Document document);
-
 /// One turn of the document's motion, which repeats: its last `before` frames count as shown before the first.
 [[nodiscard]] Frames turnFrames(const DocumentStudy& made, std::size_t before);
 
 /// The phases, with quiet voxels of those that the frames show.
 [[nodiscard]] StudyPhases withQuiet(StudyPhases phases, const std::vector<SweepFrame>& frames);
 
-/// The OTF of the view from which the motion begins, for all frames.
-[[nodiscard]] std::vector<SweptOtf> withOneOtf(const DocumentStudy& made, const StudyPhases& phases,
-                                               const std::vector<SweepFrame>& frames);
-/// The OTF of each frame's own view and phase, smoothed over the frames before it.
-[[nodiscard]] std::vector<SweptOtf> withOwnOtfs(const DocumentStudy& made, const StudyPhases& phases,
-                                                const Frames& frames, OtfSmoothing smoothing);
-
-/// Casts the frames of a document's motion as the window shows them at rest, with adaptive OTFs.
-class FramePictures {
+/// Makes the adaptive OTFs and the pictures of a motion's frames, as the window shows them at rest.
+class FrameCaster {
 public:
-    FramePictures(const DocumentStudy& made, const StudyPhases& phases, const std::array<int, 2>& size);
-    [[nodiscard]] Picture of(const SweepFrame& frame, const SampledCurve& curve);
+    /// With a smoothing each frame has the OTF of its own view and phase, smoothed over the frames before it. Without
+    /// one, all frames have the OTF of the document's side.
+    FrameCaster(const DocumentStudy& made, const StudyPhases& phases, std::optional<OtfSmoothing> smoothing);
+    [[nodiscard]] std::vector<SweptOtf> otfs(const Frames& frames);
+    [[nodiscard]] Picture picture(const SweepFrame& frame, const SampledCurve& curve, const std::array<int, 2>& size);
 
 private:
+    [[nodiscard]] Document documentOf(const SweepFrame& frame) const;
+
     Document m_document;
     std::size_t m_pane;
+    std::optional<OtfSmoothing> m_smoothing;
     PaneCaster m_caster;
-    std::array<int, 2> m_size;
 };
 
 }  // namespace echolucent::cli

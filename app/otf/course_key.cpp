@@ -2,13 +2,6 @@
 
 namespace echolucent {
 
-Viewpoint motionStartOf(const Document& document) {
-    Viewpoint start = viewpointOf(document.beam.axis, document.scene.pose.direction, document.scene.front.depthMm);
-    start.cutSurface = document.scene.front.surface;
-    start.box = viewpointOf(document).box;
-    return start;
-}
-
 CourseKey courseKeyOf(const Document& document, const AdaptiveOtfConfig& config, const CourseFrame& frame) {
     const MotionScenario scenario = document.motion.scenario;
     const auto rows = movesProbe(scenario) ? OtfCourse::Rows::angles : OtfCourse::Rows::phases;

@@ -18,9 +18,6 @@ struct CourseKey {
     friend bool operator==(const CourseKey&, const CourseKey&) = default;
 };
 
-/// The viewpoint at angle 0 of a motion: the scene's pose, front and box.
-[[nodiscard]] Viewpoint motionStartOf(const Document& document);
-
 /// The key of the course of a pane's frame. `config` is that of the frame's OTF.
 [[nodiscard]] CourseKey courseKeyOf(const Document& document, const AdaptiveOtfConfig& config,
                                     const CourseFrame& frame);

@@ -32,10 +32,12 @@ Viewpoint limitedView(const Document& document, const ViewDirection& direction) 
 
 }  // namespace
 
+Viewpoint motionStartOf(const Document& document) { return limitedView(document, document.scene.pose.direction); }
+
 Viewpoint viewpointOf(const Document& document) {
-    const Scene& scene = document.scene;
-    const Viewpoint start = limitedView(document, scene.pose.direction);
-    return scene.motionAngle == 0.0 ? start : turned(start, document.motion.axis, scene.motionAngle);
+    const double angle = document.scene.motionAngle;
+    const Viewpoint start = motionStartOf(document);
+    return angle == 0.0 ? start : turned(start, document.motion.axis, angle);
 }
 
 Viewpoint otfViewpointOf(const Document& document, std::size_t pane) {

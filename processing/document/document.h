@@ -43,6 +43,8 @@ struct Document {
 [[nodiscard]] Pose shownPose(const Document& document);
 /// From where the panes look now: the shown pose behind the front, within the box.
 [[nodiscard]] Viewpoint viewpointOf(const Document& document);
+/// viewpointOf() before the motion turned it.
+[[nodiscard]] Viewpoint motionStartOf(const Document& document);
 /// From where the adaptive OTF of a pane is computed: from the scene's side behind the front, within the box. If the
 /// pane itself asks for other than one OTF (Pane::motionOtf), the result is viewpointOf().
 [[nodiscard]] Viewpoint otfViewpointOf(const Document& document, std::size_t pane);

@@ -20,18 +20,6 @@ constexpr double mostFrames = 1e6;
 /// Slack for rounding if the range is a whole number of steps.
 constexpr double stepRounding = 1e-9;
 
-struct FrameOtf {
-    SampledCurve curve;
-    double sumOfD = 0.0;
-    int tubesWithWeight = 0;
-};
-
-FrameOtf reduced(const AdaptiveOtf& otf) {
-    FrameOtf frame{otf.curve, 0.0, otf.tubesWithWeight};
-    for (const TubeCore& tube : otf.tubes) frame.sumOfD += tube.d;
-    return frame;
-}
-
 bool sameOtf(const SweepFrame& left, const SweepFrame& right) {
     return left.phase == right.phase && left.view == right.view;
 }
@@ -64,21 +52,19 @@ void check(std::span<const std::shared_ptr<const Volume>> phases, std::span<cons
 /// Computes the frames at the places `wanted` side by side. False if the work was cancelled.
 bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,
                    std::span<const std::size_t> wanted, const AdaptiveOtfConfig& config, const Progress& progress,
-                   std::span<const QuietVoxels> shown, std::span<FrameOtf> results) {
+                   std::span<SweptOtf> results) {
     ProgressCount count(progress, wanted.size());
     const Progress quiet{{}, progress.cancel};
     parallelFor(LoopRange<std::size_t>(0, wanted.size(), 1), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end() && !progress.cancelled(); ++i) {
             const SweepFrame& frame = frames[wanted[i]];
-            const auto phase = static_cast<std::size_t>(frame.phase);
-            const Volume& volume = *phases[phase];
-            const QuietVoxels meantFor = shown.empty() ? QuietVoxels{} : shown[phase];
+            const Volume& volume = *phases[static_cast<std::size_t>(frame.phase)];
             // A thread that waits for a frame's tube cores must not begin another frame: frames would pile up on its
             // stack.
-            const auto otf = tbb::this_task_arena::isolate(
-                [&] { return adaptOpacity(volume, frame.view, config, quiet, meantFor); });
+            const auto otf =
+                tbb::this_task_arena::isolate([&] { return adaptOpacity(volume, frame.view, config, quiet); });
             if (!otf) return;
-            results[wanted[i]] = reduced(*otf);
+            results[wanted[i]] = sweptOtf(frame, *otf);
             count.oneDone();
         }
     });
@@ -95,6 +81,12 @@ Viewpoint turned(const Viewpoint& start, MotionAxis axis, double degrees) {
         case MotionAxis::z: view.rollDegrees += degrees; break;
     }
     return view;
+}
+
+SweptOtf sweptOtf(const SweepFrame& frame, const AdaptiveOtf& otf) {
+    SweptOtf swept{.frame = frame, .unsmoothed = otf.curve, .shown = {}, .tubesWithWeight = otf.tubesWithWeight};
+    for (const TubeCore& tube : otf.tubes) swept.sumOfD += tube.d;
+    return swept;
 }
 
 std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept) {
@@ -134,24 +126,21 @@ std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motio
 
 std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                std::span<const SweepFrame> frames, const AdaptiveOtfConfig& config,
-                                               OtfSmoothing smoothing, const Progress& progress,
-                                               std::span<const QuietVoxels> shown) {
+                                               OtfSmoothing smoothing, const Progress& progress) {
     check(phases, frames);
-    if (!shown.empty() && shown.size() != phases.size())
-        throw std::invalid_argument("sweepOtfs: needs the shown voxels of every phase");
     const std::vector<std::size_t> first = firstOfEqual(frames);
     std::vector<std::size_t> wanted;
     for (std::size_t i = 0; i < frames.size(); ++i)
         if (first[i] == i) wanted.push_back(i);
-    std::vector<FrameOtf> otfs(frames.size());
-    if (!computeFrames(phases, frames, wanted, config, progress, shown, otfs)) return std::nullopt;
+    std::vector<SweptOtf> otfs(frames.size());
+    if (!computeFrames(phases, frames, wanted, config, progress, otfs)) return std::nullopt;
 
     std::vector<SweptOtf> swept;
     OtfHistory history(smoothing);
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        const FrameOtf& otf = otfs[first[i]];
-        swept.push_back(
-            {frames[i], otf.curve, history.add(frames[i].time, otf.curve), otf.sumOfD, otf.tubesWithWeight});
+        swept.push_back(otfs[first[i]]);
+        swept.back().frame = frames[i];
+        swept.back().shown = history.add(frames[i].time, swept.back().unsmoothed);
     }
     return swept;
 }

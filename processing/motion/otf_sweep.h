@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "processing/adaptive/adaptive_otf_config.h"
-#include "processing/adaptive/quiet_reading.h"
+#include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/motion/motion_mode.h"
 #include "processing/motion/otf_smoothing.h"
 #include "processing/opacity_curve.h"
@@ -35,6 +35,9 @@ struct SweptOtf {
     int tubesWithWeight = 0;  ///< tube cores of the unsmoothed OTF that have a weight
 };
 
+/// A frame and its OTF, not smoothed yet.
+[[nodiscard]] SweptOtf sweptOtf(const SweepFrame& frame, const AdaptiveOtf& otf);
+
 [[nodiscard]] std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept);
 
 /// The frames of a probe that turns from `from` to `to` degrees in steps. If `to` is below `from`, it turns backwards.
@@ -57,19 +60,17 @@ struct Motion {
 /// study has no firstPhase.
 [[nodiscard]] std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motion, int phases);
 
-/// Computes every frame's OTF; `phases` are the volumes of the study. The OTFs are meant for the voxels in `shown`,
-/// which has one entry a phase. If `shown` is empty, they are meant for the voxels of `phases`. The result is empty
-/// only if the work was cancelled.
+/// Computes every frame's OTF; `phases` are the volumes of the study. The result is empty only if the work was
+/// cancelled.
 ///
 /// Frames are computed side by side; the bits are the same for any number of threads. Frames of one phase and view are
 /// computed once. (Frames whose views differ in nothing but box or cut surface may be computed again.) A roll is
 /// another view, because it turns the grid of tube cores with the picture. Smoothing runs afterwards in frame order.
-/// Throws std::invalid_argument if a frame's phase is missing, `shown` holds another number of phases,
-/// problemOf(config) is not empty, or a frame's time descends or is not finite.
+/// Throws std::invalid_argument if a frame's phase is missing, problemOf(config) is not empty, or a frame's time
+/// descends or is not finite.
 [[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                              std::span<const SweepFrame> frames,
                                                              const AdaptiveOtfConfig& config, OtfSmoothing smoothing,
-                                                             const Progress& progress = {},
-                                                             std::span<const QuietVoxels> shown = {});
+                                                             const Progress& progress = {});
 
 }  // namespace echolucent
