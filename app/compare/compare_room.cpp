@@ -24,10 +24,10 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
       m_parts(parts),
       m_views({parts.model, parts.openStudy, parts.works, parts.otfs, parts.panes, parts.grid}),
       m_hand(parts.model, parts.openStudy, parts.grid),
-      m_controls(parts.model, parts.openStudy, parts.panel),
       m_measures({parts.model, parts.openStudy, parts.works, parts.otfs, m_views, parts.player}, work()),
       m_pageWaits(parts.works, work()),
       m_writing(parts.works, "comparison page", work()) {
+    connectPanel();
     // The 3D view tells of failures of the first pane and of the scene's adaptive OTF already.
     connect(&m_parts.otfs, &PaneOtfs::failed, this, [this](std::size_t place, const QString& sentence) {
         if (place != firstPane && place != PaneOtfs::adaptiveOfScene)
@@ -45,17 +45,44 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
         m_parts.messages.showMessage(MessageKind::error, tr("The pictures need more memory than this machine has."));
         setWaitingPage({});
     });
-    connect(&m_measures, &CompareMeasures::measuringFlicker, &m_parts.panel, &ComparePanel::setMeasuringFlicker);
     connect(&m_measures, &CompareMeasures::failed, this,
             [this](const QString& sentence) { m_parts.messages.showMessage(MessageKind::error, sentence); });
-    connect(&m_measures, &CompareMeasures::rowsChanged, &m_parts.panel, &ComparePanel::setRows);
-    connect(&m_parts.panel, &ComparePanel::flickerRequested, &m_measures, &CompareMeasures::measureFlicker);
-    connect(&m_parts.panel, &ComparePanel::pageRequested, this, &CompareRoom::chooseAndSavePage);
     connect(&m_parts.otfs, &PaneOtfs::computed, this, &CompareRoom::setUpWaitingFigure, Qt::QueuedConnection);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
         setWaitingPage({});
         if (!m_parts.openStudy.isSimulatedScan()) m_figureWaits = 0;
     });
+}
+
+void CompareRoom::connectPanel() {
+    DocumentModel& model = m_parts.model;
+    ComparePanel& panel = m_parts.panel;
+    connect(&panel, &ComparePanel::countChosen, this, [&model](int count) {
+        model.edit(withPaneCount(model.document(), static_cast<std::size_t>(count)), tr("number of panes"));
+    });
+    connect(&panel, &ComparePanel::paneChosen, this, [&model](int place, const Pane& choice) {
+        model.edit(withPane(model.document(), static_cast<std::size_t>(place), choice),
+                   tr("OTF of pane %1").arg(place + 1));
+    });
+    connect(&panel, &ComparePanel::comparisonChosen, this, [&model](const Comparison& comparison, const QString& what) {
+        model.change(what, [&comparison](Document& next) { next.comparison = comparison; });
+    });
+    connect(&panel, &ComparePanel::flickerRequested, &m_measures, &CompareMeasures::measureFlicker);
+    connect(&panel, &ComparePanel::pageRequested, this, &CompareRoom::chooseAndSavePage);
+    connect(&m_measures, &CompareMeasures::measuringFlicker, &panel, &ComparePanel::setMeasuringFlicker);
+    connect(&m_measures, &CompareMeasures::rowsChanged, &panel, &ComparePanel::setRows);
+    connect(&model, &DocumentModel::changed, this, &CompareRoom::showInPanel);
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &CompareRoom::showInPanel);
+    showInPanel();
+}
+
+void CompareRoom::showInPanel() {
+    const Document& document = m_parts.model.document();
+    const TubeGrid grid = configOf(document).grid;
+    const Study* study = m_parts.openStudy.study();
+    m_parts.panel.setLimits(study != nullptr ? static_cast<int>(study->phases.size()) : 1, grid.columns * grid.rows);
+    m_parts.panel.setComparison(document.comparison);
+    m_parts.panel.setPanes(isCompared(document) ? document.panes : std::vector<Pane>{});
 }
 
 Work CompareRoom::work() {
@@ -64,7 +91,8 @@ Work CompareRoom::work() {
 
 void CompareRoom::setShown(bool shown) {
     if (shown == m_views.shown()) return;
-    if (shown) m_controls.begin();
+    DocumentModel& model = m_parts.model;
+    if (shown && !isCompared(model.document())) model.edit(withPaneCount(model.document(), mostPanes), tr("compare"));
     m_parts.rooms.setCurrentIndex(shown ? 1 : 0);
     m_views.setShown(shown);
     if (shown)

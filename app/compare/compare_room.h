@@ -4,16 +4,15 @@
 #include <QObject>
 #include <functional>
 
-#include "app/compare/compare_controls.h"
 #include "app/compare/compare_hand.h"
 #include "app/compare/compare_measures.h"
 #include "app/compare/compared_views.h"
 #include "app/files/file_writing.h"
 #include "app/motion/motion_player.h"
+#include "widgets/compare/compare_panel.h"
 #include "widgets/escape_order.h"
 #include "widgets/threads/works.h"
 
-class QAction;
 class QMainWindow;
 class QStackedWidget;
 
@@ -23,7 +22,8 @@ class MessageBar;
 class Settings;
 class StudyNames;
 
-/// Puts the panes of the comparison into the window and takes them out. Connects the parts of the comparison.
+/// Puts the panes of the comparison into the window and takes them out. Connects the parts of the comparison. Choices
+/// in the panel become steps.
 class CompareRoom : public QObject {
     Q_OBJECT
 
@@ -68,6 +68,8 @@ signals:
 
 private:
     [[nodiscard]] Work work();
+    void connectPanel();
+    void showInPanel();
     /// Ends measuring and writing, and drops a page or a figure that waits. Pictures and OTFs go on.
     void cancel();
     void chooseAndSavePage();
@@ -81,7 +83,6 @@ private:
     Parts m_parts;
     ComparedViews m_views;
     CompareHand m_hand;
-    CompareControls m_controls;
     CompareMeasures m_measures;
     QString m_waitingPage;  ///< path of the page to write; empty if none waits
     Works::UnderWay m_pageWaits;
