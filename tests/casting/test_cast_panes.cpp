@@ -50,7 +50,7 @@ private slots:
         QVERIFY(samePicture(last.request, asked));
         for (std::size_t i = 0; i < asked.panes.size(); ++i) {
             const auto picture = castRays(*asked.panes[i].volume, asked.panes[i].classification, last.settings);
-            QVERIFY2(last.panes[i].picture->rgba == picture->rgba, qPrintable(QString::number(i)));
+            QVERIFY(!last.panes[i].picture);
             QVERIFY2(last.panes[i].screen->rgba == screenPicture(*picture).rgba, qPrintable(QString::number(i)));
         }
         for (const auto& frame : m_frames) {
@@ -90,12 +90,12 @@ private slots:
         asked.panes[1].classification = PowerCurve{4, 0.7};
         const CastResult after = cast(asked, {});
         QVERIFY(after.panes[1].screen->rgba != before.panes[1].screen->rgba);
-        QVERIFY(after.panes[0].picture == before.panes[0].picture);
-        QVERIFY(after.panes[2].picture == before.panes[2].picture);
+        QVERIFY(after.panes[0].screen == before.panes[0].screen);
+        QVERIFY(after.panes[2].screen == before.panes[2].screen);
         QVERIFY(!after.samples);  // what one pane took does not say what a frame costs
         asked.settings.step = 0.5;
         const CastResult finer = cast(asked, {});
-        for (std::size_t i = 0; i < 3; ++i) QVERIFY(finer.panes[i].picture != after.panes[i].picture);
+        for (std::size_t i = 0; i < 3; ++i) QVERIFY(finer.panes[i].screen != after.panes[i].screen);
     }
 
 private:

@@ -14,7 +14,7 @@ namespace echolucent {
 
 /// The finished picture of one pane.
 struct CastPane {
-    std::shared_ptr<const Picture> picture{};  ///< null if the picture comes from kept frames
+    std::shared_ptr<const Picture> picture{};  ///< null if the pane is one of several, or comes from kept frames
     std::shared_ptr<const ScreenPicture> screen{};
     double milliseconds = 0.0;  ///< wall time in the casting thread, light included
     bool sampled = true;        ///< false: made of kept samples, which takes less time

@@ -27,6 +27,7 @@ public:
             const bool stays = m_panes.size() > 1 && pane.made && pane.made->volume == asked.volume &&
                                pane.made->classification == asked.classification && pane.settings == request.settings;
             if (!stays && !castPane(pane, asked, request.settings, progress)) return {};
+            if (m_panes.size() > 1) pane.picture.picture.reset();  // of panes side by side, only screens are read
             made.panes.push_back(pane.picture);
             if (stays) continue;
             ++cast;
