@@ -79,7 +79,6 @@ void Autosave::beginFile() {
     m_file->lock = m_lock;
     m_written.reset();
     m_file->thread = std::make_unique<NewestWinsThread>(m_works, QStringLiteral("autosave"));
-    connect(m_file->thread.get(), &NewestWinsThread::busyChanged, this, [this] { emit busyChanged(busy()); });
 }
 
 bool Autosave::busy() const {

@@ -74,7 +74,6 @@ public:
     static QString lockOf(const QString& file) { return file + QStringLiteral(".lock"); }
 
 signals:
-    void busyChanged(bool busy);
     /// A session, the open one or one that was left, is on disk as it was when writing began.
     void written();
     /// A session could not be written, and is tried again. Emitted once until a session is written again.

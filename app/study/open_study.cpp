@@ -186,8 +186,6 @@ void OpenStudy::setReduction(SpeckleReduction reduction) {
     if (reduction == SpeckleReduction::off) takeQuietVoxels(m_phase);  // the raw voxels are there already
 }
 
-void OpenStudy::cancelQuietening() { m_quiet.cancel(); }
-
 std::shared_ptr<const Volume> OpenStudy::volumeOf(int phase) {
     return m_study ? m_cut.of(phase, m_study->phases[static_cast<std::size_t>(phase)]) : nullptr;
 }

@@ -89,8 +89,6 @@ public:
     [[nodiscard]] bool cutting() const { return m_cut.busy(); }
     /// Sets how much speckle is taken away. The voxels are made quiet in the background, the phase shown first.
     void setReduction(SpeckleReduction reduction);
-    /// Leaves the voxels as they are until another reduction is set, or another phase is shown or wanted.
-    void cancelQuietening();
     [[nodiscard]] const QuietPhases& quietPhases() const { return m_quiet; }
     /// For tests, which set another filter (QuietPhases::setReduce()).
     [[nodiscard]] QuietPhases& quietPhases() { return m_quiet; }

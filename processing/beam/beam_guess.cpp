@@ -113,10 +113,6 @@ BeamGuess sureGuess(const Lead& lead, BeamEvidence evidence) {
 
 std::string_view nameOf(BeamEvidence evidence) { return nameIn(evidenceNames, evidence); }
 
-std::optional<BeamEvidence> beamEvidenceFromName(std::string_view name) {
-    return choiceNamed<BeamEvidence>(evidenceNames, name);
-}
-
 std::optional<BeamGuess> guessBeamAxis(const Volume& volume, const Progress& progress) {
     if (const auto& probe = volume.geometry().probe)
         return sureGuess({viewFromProbe(*probe).beamAxis, 1.0, true, "the file says where the probe was"},

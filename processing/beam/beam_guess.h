@@ -21,7 +21,6 @@ enum class BeamEvidence {
 };
 /// "none", "sector shape", "echo", "file".
 [[nodiscard]] std::string_view nameOf(BeamEvidence evidence);
-[[nodiscard]] std::optional<BeamEvidence> beamEvidenceFromName(std::string_view name);
 
 struct BeamGuess {
     BeamAxis axis = BeamAxis::plusZ;  ///< the likeliest axis if sure; else +z, the default

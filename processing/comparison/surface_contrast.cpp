@@ -178,10 +178,4 @@ std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<co
     return surfaceContrasts(volume, rays, view, classifications);
 }
 
-SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const Viewpoint& view,
-                                const Classification& classification) {
-    const auto rays = objectRays(volume.geometry(), truth, view);
-    return surfaceContrasts(volume, rays, view, std::span(&classification, 1)).front();
-}
-
 }  // namespace echolucent

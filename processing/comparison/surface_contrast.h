@@ -26,11 +26,6 @@ struct SurfaceContrast {
     [[nodiscard]] std::optional<double> contrastToNoise() const;
 };
 
-/// Rays are parallel, one per unit across the view. Samples lie one unit apart, are trilinear and not shaded. Light is
-/// composited by eq. 3, white for full intensity, on a black ground (docs/experiments.md, "The curve").
-[[nodiscard]] SurfaceContrast surfaceContrast(const Volume& volume, const PhantomTruth& truth, const Viewpoint& view,
-                                              const Classification& classification);
-
 /// A ray whose surface is known, and the part of it that a picture shows. Depths are mm along the view's forward, from
 /// the grid's origin.
 struct SurfaceRay {
@@ -43,12 +38,15 @@ struct SurfaceRay {
 /// What a ray's first interface (PhantomTruth::firstInterface) may lead into. The simulated fetus is covered with skin,
 /// which is tissue; only its bones are object.
 enum class InterfaceInto { object, objectOrTissue };
-/// The rays of surfaceContrast(), row by row, so that many curves need the truth only once: those whose first interface
-/// leads from fluid into object. With objectOrTissue also those whose first interface leads into tissue.
+/// The rays of a simulated scan whose surface is known: parallel, one per unit across the view, row by row. They are
+/// those whose first interface leads from fluid into object; with objectOrTissue also those whose first interface leads
+/// into tissue.
 [[nodiscard]] std::vector<SurfaceRay> objectRays(const VolumeGeometry& geometry, const PhantomTruth& truth,
                                                  const Viewpoint& view, InterfaceInto into = InterfaceInto::object);
-/// The contrast of each classification on given rays. With the rays of objectRays(), each equals surfaceContrast()'s,
-/// bit for bit. The volume is sampled once. Gradient magnitudes, if a classification needs them, come from `volume`.
+/// The contrast of each classification on given rays. Samples lie one unit apart, are trilinear and not shaded. Light
+/// is composited by eq. 3, white for full intensity, on a black ground (docs/experiments.md, "The curve"). The volume
+/// is sampled once, so each has the bits that it has alone. Gradient magnitudes, if a classification needs them, come
+/// from `volume`.
 [[nodiscard]] std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<const SurfaceRay> rays,
                                                             const Viewpoint& view,
                                                             std::span<const Classification> classifications);

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
-#include "processing/median.h"
 #include "processing/parallel.h"
 #include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/tube_core/slabs/tube_samples.h"
@@ -60,7 +58,6 @@ SurfaceLight surfaceLightOf(const std::vector<TubeLight>& lights, std::size_t fi
     if (shares.empty()) return light;
     light.meanShare = std::accumulate(shares.begin(), shares.end(), 0.0) / light.rays;
     light.meanIntensity = std::accumulate(intensities.begin(), intensities.end(), 0.0) / light.rays;
-    light.medianShare = medianOf(std::move(shares));
     return light;
 }
 

@@ -17,8 +17,7 @@ namespace echolucent {
 /// and not shaded. If the surfaces that tube cores found are none in the body, light near them says nothing
 /// good of an OTF (docs/comparison.md).
 struct SurfaceLight {
-    double meanShare = 0.0;  ///< mean over these rays, [0,1]
-    double medianShare = 0.0;
+    double meanShare = 0.0;      ///< mean over these rays, [0,1]
     double meanIntensity = 0.0;  ///< mean composited intensity, [0,1]
     int rays = 0;
 };

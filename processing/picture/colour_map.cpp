@@ -33,10 +33,6 @@ const ColourStops& stopsOf(ColourMap map) {
 
 std::string_view nameOf(ColourMap map) { return nameIn(colourMapNames, map); }
 
-std::optional<ColourMap> colourMapFromName(std::string_view name) {
-    return choiceNamed<ColourMap>(colourMapNames, name);
-}
-
 Vec3 colourOf(ColourMap map, double intensity) {
     const ColourStops& stops = stopsOf(map);
     const double position = (intensity > 0.0 ? std::min(intensity, 1.0) : 0.0) * static_cast<double>(stops.size() - 1);

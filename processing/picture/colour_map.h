@@ -1,7 +1,6 @@
 // Colours of intensities.
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 #include "processing/volume/geometry.h"
@@ -12,7 +11,6 @@ enum class ColourMap { sepia, grey, ice };
 
 /// "sepia", "grey", "ice".
 [[nodiscard]] std::string_view nameOf(ColourMap map);
-[[nodiscard]] std::optional<ColourMap> colourMapFromName(std::string_view name);
 /// Colour of a normalised intensity, each component in [0,1]. A fully opaque, unshaded voxel shows this colour.
 [[nodiscard]] Vec3 colourOf(ColourMap map, double intensity);
 

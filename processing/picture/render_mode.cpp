@@ -10,8 +10,4 @@ constexpr ChoiceNames<4> renderModeNames{"direct", "maximum", "minimum", "mean"}
 
 std::string_view nameOf(RenderMode mode) { return nameIn(renderModeNames, mode); }
 
-std::optional<RenderMode> renderModeFromName(std::string_view name) {
-    return choiceNamed<RenderMode>(renderModeNames, name);
-}
-
 }  // namespace echolucent

@@ -1,7 +1,6 @@
 // What a picture shows of the samples on its rays.
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 namespace echolucent {
@@ -16,6 +15,5 @@ enum class RenderMode {
 
 /// "direct", "maximum", "minimum", "mean".
 [[nodiscard]] std::string_view nameOf(RenderMode mode);
-[[nodiscard]] std::optional<RenderMode> renderModeFromName(std::string_view name);
 
 }  // namespace echolucent

@@ -130,27 +130,6 @@ std::optional<double> indexOnAxis(const PolarAxis& axis, double value) {
     return std::clamp(index, 0.0, static_cast<double>(last));
 }
 
-std::optional<Vec3> polarFromProbeMm(const PolarGeometry& geometry, const Vec3& mm) {
-    double plane = mm[1], along = mm[2];
-    if (isAngular(geometry.planes)) {
-        const double depth = mm[2] + geometry.planes.radiusMm;
-        plane = std::atan2(mm[1], depth);
-        along = std::hypot(mm[1], depth) - geometry.planes.radiusMm;
-    }
-    double line = mm[0], range = along;
-    if (isAngular(geometry.lines)) {
-        const double depth = along + geometry.lines.radiusMm;
-        line = std::atan2(mm[0], depth);
-        range = std::hypot(mm[0], depth) - geometry.lines.radiusMm;
-    }
-    const double sample = (range - geometry.rangeStartMm) / geometry.rangeStepMm;
-    const auto last = static_cast<double>(geometry.samples - 1);
-    if (!(sample >= -forgivenPosition && sample <= last + forgivenPosition)) return std::nullopt;
-    const auto lineIndex = indexOnAxis(geometry.lines, line), planeIndex = indexOnAxis(geometry.planes, plane);
-    if (!lineIndex || !planeIndex) return std::nullopt;
-    return Vec3(std::clamp(sample, 0.0, last), *lineIndex, *planeIndex);
-}
-
 std::optional<Vec3> apexMm(const PolarGeometry& geometry) {
     if (!isAngular(geometry.lines) || !isAngular(geometry.planes)) return std::nullopt;
     return Vec3(0, 0, -0.5 * (geometry.lines.radiusMm + geometry.planes.radiusMm));

@@ -72,11 +72,6 @@ struct PolarProblem {
 /// Between lines and planes, their values are interpolated.
 [[nodiscard]] Vec3 probeMmFromPolar(const PolarGeometry& geometry, const Vec3& index);
 
-/// The way back: the index (sample, line, plane) at a position in probe mm. Empty if the position lies outside the
-/// insonified region. The region reaches from the first sample, line and plane to the last, and a millionth of a sample
-/// beyond, for rounding. Parts of beams behind the axis of the planes belong to no position.
-[[nodiscard]] std::optional<Vec3> polarFromProbeMm(const PolarGeometry& geometry, const Vec3& mm);
-
 /// The index of a value among the values of an axis. It may lie between two of them. Empty if the value lies outside.
 [[nodiscard]] std::optional<double> indexOnAxis(const PolarAxis& axis, double value);
 

@@ -92,11 +92,4 @@ SpeckleLaw SpeckleLawMeasurement::law() {
     return {std::exp((y1 - exponent * x1) / weights), exponent};
 }
 
-SpeckleLaw speckleLawOf(const Volume& volume) {
-    const std::int64_t slices = volume.geometry().size[2];
-    SpeckleLawMeasurement measurement(volume.geometry());
-    measurement.add(volume, {0, slices, 0, slices});
-    return measurement.law();
-}
-
 }  // namespace echolucent

@@ -48,7 +48,4 @@ private:
     std::array<std::vector<double>, intensityBins> m_differences;  // of the pairs of each intensity
 };
 
-/// The law of a volume in one go.
-[[nodiscard]] SpeckleLaw speckleLawOf(const Volume& volume);
-
 }  // namespace echolucent

@@ -31,9 +31,6 @@ inline constexpr SpeckleReduction defaultSpeckleReduction = SpeckleReduction::me
 [[nodiscard]] inline std::string_view nameOf(SpeckleReduction reduction) {
     return nameIn(speckleReductionNames, reduction);
 }
-[[nodiscard]] inline std::optional<SpeckleReduction> speckleReductionFromName(std::string_view name) {
-    return choiceNamed<SpeckleReduction>(speckleReductionNames, name);
-}
 
 /// The volume with quiet voxels. Voxel type, geometry, white level and data mask stay, and scalpel cuts change no quiet
 /// voxel (Volume::scannedMask()). Voxels without data stay, and their stored values change no other voxel. Values above

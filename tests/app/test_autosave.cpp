@@ -162,7 +162,7 @@ private slots:
         change(*autosave, 2.0);
         QTRY_COMPARE(failed.count(), 1);
         // It is tried again and again, and said once.
-        QSignalSpy tries(autosave.get(), &Autosave::busyChanged);
+        QSignalSpy tries(&m_works, &Works::changed);
         QTRY_VERIFY(tries.count() >= 4);
         QCOMPARE(failed.count(), 1);
         QVERIFY(autosave->keeps());

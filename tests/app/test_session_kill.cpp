@@ -48,8 +48,8 @@ public:
         m_window.resize(700, 520);
         Autosave& autosave = m_window.sessionKeeping().autosave();
         autosave.setInterval(interval);
-        connect(&autosave, &Autosave::busyChanged, this, [](bool busy) {
-            if (busy) say(writingBegins);
+        connect(&m_window.works(), &Works::changed, this, [&autosave, writes = false]() mutable {
+            if (!std::exchange(writes, autosave.busy()) && writes) say(writingBegins);
         });
         connect(&autosave, &Autosave::written, this, [] { say(written); });
         connect(&m_window.sessionKeeping(), &SessionKeeping::saved, this, [] { say(saved); });

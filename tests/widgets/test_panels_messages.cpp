@@ -190,16 +190,16 @@ private slots:
         window.show();
         QVERIFY(!bar->isVisible());
         QStringList order;
-        connect(bar, &MessageBar::closed, this, [&] { order << "closed"; });
         bar->showMessage(MessageKind::error, "cine.dcm: no geometry <b>",
-                         {{"As slices", [&] { order << "slices"; }}, {"Other file", [&] { order << "other"; }}});
+                         {{"As slices", [&] { order << (bar->isVisible() ? "too early" : "slices"); }},
+                          {"Other file", [&] { order << "other"; }}});
         QVERIFY(bar->isVisible());
         QCOMPARE(child<QLabel>(window, "message.text")->text(), "cine.dcm: no geometry <b>");
         QCOMPARE(child<QLabel>(window, "message.text")->textFormat(), Qt::PlainText);
         QCOMPARE(bar->kind(), MessageKind::error);
         QCOMPARE(bar->accessibleDescription(), "cine.dcm: no geometry <b>");
         QTest::mouseClick(child<QPushButton>(window, "message.action.0"), Qt::LeftButton);
-        QCOMPARE(order, (QStringList{"closed", "slices"}));
+        QCOMPARE(order, QStringList{"slices"});
         QVERIFY(!bar->isVisible());
         QVERIFY(bar->text().isEmpty());
         QVERIFY(!window.findChild<QPushButton*>("message.action.0"));
@@ -312,7 +312,6 @@ private slots:
 
     void aMessageIsTakenBackWhereItIsStillShown() {
         MessageBar bar;
-        QSignalSpy closed(&bar, &MessageBar::closed);
         bar.showMessage(MessageKind::error, "first", {{"Back", {}}});
         bar.setRemark("No surface found.");
         bar.takeBack("another");
@@ -327,21 +326,18 @@ private slots:
         bar.takeBack("second");
         QVERIFY(!bar.isVisible());
         QVERIFY(bar.text().isEmpty());
-        QCOMPARE(closed.count(), 0);
     }
 
     void messageIsClosedByButtonKeyAndProgram() {
         MessageBar bar;
-        QSignalSpy spy(&bar, &MessageBar::closed);
         bar.showMessage(MessageKind::info, "one");
         QTest::mouseClick(child<QToolButton>(bar, "message.close"), Qt::LeftButton);
-        QCOMPARE(spy.count(), 1);
+        QVERIFY(!bar.isVisible());
         bar.showMessage(MessageKind::info, "two");
         QTest::keyClick(child<QToolButton>(bar, "message.close"), Qt::Key_Escape);
-        QCOMPARE(spy.count(), 2);
+        QVERIFY(!bar.isVisible());
         bar.showMessage(MessageKind::info, "three");
         bar.dismiss();
-        QCOMPARE(spy.count(), 2);  // nobody closed it but the program
         QVERIFY(!bar.isVisible());
     }
 

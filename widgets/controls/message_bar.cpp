@@ -223,7 +223,6 @@ void MessageBar::closeByPerson() {
     dismiss();
     m_remark = remark;
     m_remarkClosed = !remark.isEmpty();
-    emit closed();
 }
 
 void MessageBar::keyPressEvent(QKeyEvent* event) {

@@ -57,10 +57,6 @@ public:
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
-signals:
-    /// The person closed the bar or chose an action. The action runs after this.
-    void closed();
-
 protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;

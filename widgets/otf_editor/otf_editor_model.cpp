@@ -312,9 +312,7 @@ void OtfEditorModel::announceNow() {
 
 void OtfEditorModel::updateManualModified() {
     const auto isPreset = [this](const CurvePreset& preset) { return preset.curve == m_state.manual; };
-    const bool modified = m_state.manual != m_savedManual && std::ranges::none_of(curvePresets(), isPreset);
-    if (modified == std::exchange(m_manualModified, modified)) return;
-    emit manualModifiedChanged(modified);
+    m_manualModified = m_state.manual != m_savedManual && std::ranges::none_of(curvePresets(), isPreset);
 }
 
 }  // namespace echolucent

@@ -91,7 +91,6 @@ signals:
     /// drag, and every other change, is announced at once.
     void activeCurveChanged(const echolucent::OpacityCurve& curve);
     void manualEdited(const echolucent::ManualCurve& curve);
-    void manualModifiedChanged(bool modified);
     void selectedNodeChanged(int index);
 
 private:

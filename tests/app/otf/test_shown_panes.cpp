@@ -95,7 +95,7 @@ private slots:
         m_quieteningIsHeld = true;
         open(m_first);
         QVERIFY(!m_panes->at(firstPane).ready);
-        m_openStudy->cancelQuietening();
+        m_openStudy->quietPhases().cancel();
         QTRY_VERIFY(m_panes->at(firstPane).ready);
         QVERIFY(m_panes->at(firstPane).voxels == m_openStudy->volume());
     }

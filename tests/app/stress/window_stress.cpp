@@ -234,7 +234,7 @@ QString WindowStress::cancel(RandomChoice& choice) {
     }
     switch (choice.below(4)) {
         case 0: m_window.openStudy().cancelLoading(); return "loading";
-        case 1: m_window.openStudy().cancelQuietening(); return "speckle reduction";
+        case 1: m_window.openStudy().quietPhases().cancel(); return "speckle reduction";
         case 2: m_window.otfs().cancel(); return "OTFs";
         default: QTest::keyClick(&m_window, Qt::Key_Escape); return "Escape";
     }

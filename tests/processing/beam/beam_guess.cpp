@@ -123,11 +123,5 @@ TEST(BeamGuess, ACancelledRunGivesNothing) {
     EXPECT_FALSE(guessBeamAxis(scanOf(conditionOf(PhantomScene::empty, "base", 3)), {{}, &cancel}));
 }
 
-TEST(BeamGuess, NamesGoBothWays) {
-    for (const BeamEvidence evidence : {BeamEvidence::none, BeamEvidence::sectorShape, BeamEvidence::echo})
-        EXPECT_EQ(beamEvidenceFromName(nameOf(evidence)), evidence);
-    EXPECT_FALSE(beamEvidenceFromName("probe"));
-}
-
 }  // namespace
 }  // namespace echolucent

@@ -24,6 +24,12 @@ SurfaceContrast contrastOf(const Volume& volume, const Classification& classific
     return surfaceContrasts(volume, allRays(), Viewpoint{}, std::span(&classification, 1)).front();
 }
 
+SurfaceContrast contrastOf(const Volume& volume, const PhantomTruth& truth, const Viewpoint& view,
+                           const Classification& classification) {
+    const auto rays = objectRays(volume.geometry(), truth, view);
+    return surfaceContrasts(volume, rays, view, std::span(&classification, 1)).front();
+}
+
 TEST(SurfaceContrast, LayersOfOneOpacityGiveAGeometricSeries) {
     // Samples lie on voxel centres. Of the true surface at 19.5 slices 18 (1.5 units before) to 25 (5.5 behind) count.
     constexpr double opacity = 0.07, before = 51, behind = 204;
@@ -129,7 +135,7 @@ TEST(SurfaceContrast, SameBitsForAnyNumberOfThreads) {
     const Viewpoint view{.azimuthDegrees = 20, .elevationDegrees = -8};
     const auto with = [&](int threads) {
         tbb::task_arena arena(threads);
-        return arena.execute([&] { return surfaceContrast(volume, truth, view, PowerCurve{2, 1.0}); });
+        return arena.execute([&] { return contrastOf(volume, truth, view, PowerCurve{2, 1.0}); });
     };
     const SurfaceContrast one = with(1);
     EXPECT_GT(one.rays, 0);
@@ -149,7 +155,7 @@ TEST(SurfaceContrast, ManyCurvesAtOnceEqualEachAlone) {
     const std::array<OpacityCurve, 3> curves{PowerCurve{2, 1.0}, LinearCurve{}, PowerCurve{4, 0.5}};
     const auto together = surfaceContrasts(volume, objectRays(volume.geometry(), truth, {}), {}, curves);
     for (std::size_t i = 0; i < curves.size(); ++i)
-        EXPECT_EQ(together[i].contrastToNoise(), surfaceContrast(volume, truth, {}, curves[i]).contrastToNoise());
+        EXPECT_EQ(together[i].contrastToNoise(), contrastOf(volume, truth, {}, curves[i]).contrastToNoise());
 }
 
 /// A table of 256 intensities that says the same as a curve of as many samples, whatever the gradient magnitude.
@@ -167,8 +173,8 @@ TEST(SurfaceContrast, ATableThatDoesNotAskTheGradientIsTheCurve) {
     const PhantomTruth truth(config);
     for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 25, .elevationDegrees = 10}}) {
         const auto [curve, table] = sameInBothKinds(3);
-        const SurfaceContrast ofCurve = surfaceContrast(volume, truth, view, curve);
-        const SurfaceContrast ofTable = surfaceContrast(volume, truth, view, table);
+        const SurfaceContrast ofCurve = contrastOf(volume, truth, view, curve);
+        const SurfaceContrast ofTable = contrastOf(volume, truth, view, table);
         ASSERT_GT(ofCurve.rays, 100);
         EXPECT_NEAR(ofTable.meanSurface, ofCurve.meanSurface, 1e-5);
         EXPECT_NEAR(ofTable.meanRest, ofCurve.meanRest, 1e-5);
@@ -217,7 +223,7 @@ TEST(SurfaceContrast, BothKindsAtOnceEqualEachAlone) {
     const std::array<Classification, 3> mixed{PowerCurve{2, 1.0}, opacityOfGradient(0.3), LinearCurve{}};
     const auto together = surfaceContrasts(volume, objectRays(volume.geometry(), truth, {}), {}, mixed);
     for (std::size_t i = 0; i < mixed.size(); ++i) {
-        const SurfaceContrast alone = surfaceContrast(volume, truth, {}, mixed[i]);
+        const SurfaceContrast alone = contrastOf(volume, truth, {}, mixed[i]);
         EXPECT_EQ(together[i].meanSurface, alone.meanSurface);
         EXPECT_EQ(together[i].contrastToNoise(), alone.contrastToNoise());
     }

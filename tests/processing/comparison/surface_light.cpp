@@ -22,7 +22,6 @@ TEST(SurfaceLight, IsTheShareOfAGeometricSeries) {
     EXPECT_EQ(light.rays, 1);
     EXPECT_NEAR(light.meanIntensity, all, 1e-12);
     EXPECT_NEAR(light.meanShare, near / all, 1e-12);
-    EXPECT_EQ(light.medianShare, light.meanShare);
 }
 
 TEST(SurfaceLight, AllOfItBehindAnOpaqueSurfaceAndNoneWhereNothingIsOpaque) {

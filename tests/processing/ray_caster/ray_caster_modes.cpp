@@ -10,12 +10,6 @@ namespace {
 
 constexpr RenderMode extremes[] = {RenderMode::maximum, RenderMode::minimum, RenderMode::mean};
 
-TEST(RayCasterModes, NamesAreRoundTrips) {
-    for (const RenderMode mode : {RenderMode::direct, RenderMode::maximum, RenderMode::minimum, RenderMode::mean})
-        EXPECT_EQ(renderModeFromName(nameOf(mode)), mode);
-    EXPECT_FALSE(renderModeFromName("Mean").has_value());
-}
-
 /// The layers lie along z, each one step thick; they are more than one run of the kernel deep.
 template <typename Voxel>
 Volume layers() {

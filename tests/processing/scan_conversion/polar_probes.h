@@ -1,8 +1,10 @@
 // Polar geometries of every kind, and a slow, obvious conversion as a measure for the fast one.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +58,31 @@ std::vector<Value> sampledValues(const PolarGeometry& polar, const Function& fun
                 values.push_back(static_cast<Value>(std::is_floating_point_v<Value> ? value : std::round(value)));
             }
     return values;
+}
+
+/// The way back from probeMmFromPolar(): the index (sample, line, plane) at a position in probe mm. Empty outside the
+/// insonified region, which reaches from the first sample, line and plane to the last, and a millionth of a sample
+/// beyond, for rounding. Parts of beams behind the axis of the planes belong to no position.
+inline std::optional<Vec3> polarFromProbeMm(const PolarGeometry& geometry, const Vec3& mm) {
+    double plane = mm[1], along = mm[2];
+    if (geometry.planes.spread == PolarSpread::angles) {
+        const double depth = mm[2] + geometry.planes.radiusMm;
+        plane = std::atan2(mm[1], depth);
+        along = std::hypot(mm[1], depth) - geometry.planes.radiusMm;
+    }
+    double line = mm[0], range = along;
+    if (geometry.lines.spread == PolarSpread::angles) {
+        const double depth = along + geometry.lines.radiusMm;
+        line = std::atan2(mm[0], depth);
+        range = std::hypot(mm[0], depth) - geometry.lines.radiusMm;
+    }
+    constexpr double forgiven = 1e-6;
+    const double sample = (range - geometry.rangeStartMm) / geometry.rangeStepMm;
+    const auto last = static_cast<double>(geometry.samples - 1);
+    if (!(sample >= -forgiven && sample <= last + forgiven)) return std::nullopt;
+    const auto lineIndex = indexOnAxis(geometry.lines, line), planeIndex = indexOnAxis(geometry.planes, plane);
+    if (!lineIndex || !planeIndex) return std::nullopt;
+    return Vec3(std::clamp(sample, 0.0, last), *lineIndex, *planeIndex);
 }
 
 /// Trilinear in double, at an index of the polar volume.

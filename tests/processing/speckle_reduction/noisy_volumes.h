@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "processing/speckle_reduction/speckle_law.h"
 #include "processing/volume/volume.h"
 #include "tests/processing/grids.h"
 
@@ -60,6 +61,14 @@ inline Moments momentsOf(const Volume& volume,
                 squares += value * value;
             }
     return {sum / n, std::sqrt(std::max(0.0, squares / n - sum / n * sum / n))};
+}
+
+/// The law of a volume in one go.
+inline SpeckleLaw speckleLawOf(const Volume& volume) {
+    const std::int64_t slices = volume.geometry().size[2];
+    SpeckleLawMeasurement measurement(volume.geometry());
+    measurement.add(volume, {0, slices, 0, slices});
+    return measurement.law();
 }
 
 }  // namespace echolucent

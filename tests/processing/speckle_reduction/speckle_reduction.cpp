@@ -19,13 +19,6 @@ double slope(std::int64_t x, std::int64_t y, std::int64_t z) {
     return 40.0 + 3.0 * static_cast<double>(x) + static_cast<double>(y) + static_cast<double>(z % 3);
 }
 
-TEST(SpeckleReduction, NamesReadBack) {
-    for (const SpeckleReduction reduction : allSpeckleReductions)
-        EXPECT_EQ(speckleReductionFromName(nameOf(reduction)), reduction);
-    EXPECT_EQ(nameOf(SpeckleReduction::strong), "strong");
-    EXPECT_FALSE(speckleReductionFromName("Strong"));
-}
-
 TEST(SpeckleReduction, OffSharesTheVoxels) {
     const Volume volume = noisyVolume<std::uint8_t>(gridOf({5, 4, 3}), 0.2, slope);
     EXPECT_EQ(&quietVolume(volume, SpeckleReduction::off)->voxels(), &volume.voxels());

@@ -264,7 +264,6 @@ void TestOtfEditorModel::reductionKeepsBoundForHarshCurves() {
 void TestOtfEditorModel::modifiedFollowsTheNodes() {
     EditedModel model;
     model.setState(stateWith(threeNodes));
-    QSignalSpy flag(&model, &OtfEditorModel::manualModifiedChanged);
     QVERIFY(!model.isManualModified());
     model.setScale(CurveKind::quartic, 0.1);
     QVERIFY(!model.isManualModified());  // only nodes are files
@@ -279,7 +278,6 @@ void TestOtfEditorModel::modifiedFollowsTheNodes() {
     QVERIFY(model.isManualModified());  // what is shown is not what was saved
     model.replaceManual(curvePresets()[0].curve, "preset");
     QVERIFY(!model.isManualModified());  // a preset cannot be lost
-    QCOMPARE(flag.count(), 6);
 }
 
 void TestOtfEditorModel::clampsBetweenNeighboursAndRefusesNaN() {
