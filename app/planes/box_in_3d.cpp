@@ -1,7 +1,6 @@
 #include "app/planes/box_in_3d.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/picture/picture_to_keep.h"
 #include "app/planes/measurement_overlay.h"

@@ -1,7 +1,6 @@
 #include "app/planes/scalpel_hand.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "widgets/volume_view/lasso_pointer.h"
 #include "widgets/volume_view/volume_view_widget.h"

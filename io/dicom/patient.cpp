@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
-#include <string_view>
-#include <utility>
 
 #include "io/dicom/elements/dicom_attributes.h"
 #include "io/dicom/elements/dicom_file.h"

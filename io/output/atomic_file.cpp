@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <optional>
 
 #include "io/files/descriptor.h"
 #include "io/output/interruption.h"

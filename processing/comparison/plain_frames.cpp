@@ -1,7 +1,6 @@
 #include "processing/comparison/plain_frames.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>

@@ -1,6 +1,5 @@
 #include "processing/designers/fixed_presets.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

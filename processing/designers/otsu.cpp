@@ -1,11 +1,9 @@
 #include "processing/designers/otsu.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 
 #include "processing/designers/designer_contract.h"
 #include "processing/intensity/intensity_counts.h"

@@ -1,7 +1,6 @@
 #include "processing/designers/percentile.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,7 +1,6 @@
 #include "processing/light/light_volume.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace echolucent {

@@ -1,9 +1,7 @@
 #include "processing/near_cut/fluid_stretches.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace echolucent {
 

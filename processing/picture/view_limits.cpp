@@ -1,7 +1,6 @@
 #include "processing/picture/view_limits.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace echolucent {

@@ -1,7 +1,6 @@
 #include "processing/ray_caster/ray_caster.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 

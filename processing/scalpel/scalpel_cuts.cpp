@@ -1,7 +1,6 @@
 #include "processing/scalpel/scalpel_cuts.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>

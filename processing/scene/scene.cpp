@@ -1,7 +1,6 @@
 #include "processing/scene/scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "processing/choice_names.h"

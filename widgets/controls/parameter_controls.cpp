@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <cmath>
 #include <utility>
 
 #include "widgets/controls/panel_controls.h"

@@ -10,7 +10,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
 #include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_controls.h"

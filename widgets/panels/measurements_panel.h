@@ -11,7 +11,6 @@
 
 class QAbstractButton;
 class QListWidget;
-class QPushButton;
 
 namespace echolucent {
 

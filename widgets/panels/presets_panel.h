@@ -9,7 +9,6 @@
 class QAction;
 class QLabel;
 class QListWidget;
-class QListWidgetItem;
 class QToolButton;
 
 namespace echolucent {

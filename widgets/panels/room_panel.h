@@ -11,7 +11,6 @@ class QAbstractButton;
 class QCheckBox;
 class QDoubleSpinBox;
 class QGroupBox;
-class QLabel;
 class QListWidget;
 class QPushButton;
 class QVBoxLayout;

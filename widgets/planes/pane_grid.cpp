@@ -1,7 +1,5 @@
 #include "widgets/planes/pane_grid.h"
 
-#include <algorithm>
-
 #include "processing/choice_names.h"
 
 namespace echolucent {

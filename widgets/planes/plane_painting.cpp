@@ -1,7 +1,6 @@
 // How the pane of a plane is painted.
 #include <QPainter>
 #include <QPainterPath>
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -9,7 +9,6 @@
 
 #include "processing/picture/camera.h"
 
-class QMouseEvent;
 class QWindow;
 
 namespace echolucent {

@@ -8,7 +8,6 @@
 #include <QWheelEvent>
 #include <QWindow>
 #include <algorithm>
-#include <cmath>
 
 namespace echolucent {
 

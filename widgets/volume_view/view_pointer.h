@@ -7,7 +7,6 @@
 
 #include "widgets/camera_gestures.h"
 
-class QDropEvent;
 class QKeyEvent;
 class QMimeData;
 class QMouseEvent;

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/measuring/designers/study_designers.h"
 #include "app/measuring/study_output.h"

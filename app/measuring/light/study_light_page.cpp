@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/measuring/light/study_light.h"
 #include "app/measuring/study_output.h"
 

@@ -1,6 +1,5 @@
 #include "io/dicom/frames/picture_scale.h"
 
-#include <array>
 #include <cmath>
 
 #include "io/dicom/elements/dicom_attributes.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "io/files/header_text.h"
 #include "io/study/study_assembly.h"

@@ -8,8 +8,6 @@
 #include <dcmtk/dcmjpeg/djutils.h>
 #include <fmt/format.h>
 
-#include <memory>
-
 namespace echolucent {
 
 namespace {

@@ -1,5 +1,4 @@
 // The program that reads strangers' files for the workstation and the command line. It can do nothing else.
-#include <cstdlib>
 #include <string_view>
 
 #include "io/restricted/reader_service.h"

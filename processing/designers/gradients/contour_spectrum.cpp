@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "processing/designers/designer_contract.h"

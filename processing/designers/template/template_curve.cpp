@@ -1,7 +1,6 @@
 #include "processing/designers/template/template_curve.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>

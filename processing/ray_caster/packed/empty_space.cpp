@@ -1,7 +1,6 @@
 #include "processing/ray_caster/packed/empty_space.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "processing/parallel.h"

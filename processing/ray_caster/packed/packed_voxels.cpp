@@ -1,10 +1,8 @@
 #include "processing/ray_caster/packed/packed_voxels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 #include <variant>
-#include <vector>
 
 #include "processing/parallel.h"
 #include "processing/ray_caster/packed/transfer_table.h"

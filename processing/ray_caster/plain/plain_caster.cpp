@@ -1,7 +1,6 @@
 #include "processing/ray_caster/plain/plain_caster.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <span>

@@ -9,7 +9,6 @@
 
 class vtkOpenGLHelper;
 class vtkOpenGLRenderWindow;
-class vtkTextureObject;
 
 namespace echolucent {
 

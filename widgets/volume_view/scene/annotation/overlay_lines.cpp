@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "processing/scene/shown_measurement.h"
