@@ -19,7 +19,8 @@ public:
     /// The answer to an offered press.
     enum class Take {
         no,     ///< the press passes on
-        drag,   ///< press, moves and release are taken: pressed, dragged and released follow
+        drag,   ///< press, moves and release are taken, and other buttons meanwhile: pressed, dragged and released
+                ///< follow
         click,  ///< the press passes on, unless it is the second of a double click; clicked follows if the release is
                 ///< near the press, and moves near the press are taken
     };

@@ -1,10 +1,13 @@
 #include "app/cli/sweep_frames.h"
 
+#include <tbb/task_arena.h>
+
 #include <map>
 #include <memory>
 #include <utility>
 
 #include "processing/pane_picture/pane_frames.h"
+#include "processing/parallel.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 
 namespace echolucent::cli {
@@ -41,24 +44,42 @@ FrameCaster::FrameCaster(const DocumentStudy& made, const StudyPhases& phases, s
 }
 
 Document FrameCaster::documentOf(const SweepFrame& frame) const {
-    Document document = m_document;
-    document.scene.motionAngle = frame.degrees;
-    auto& ownPhase = document.panes.at(m_pane).phase;
-    (ownPhase ? *ownPhase : document.scene.phase) = frame.phase;
-    return document;
+    return documentAt(m_document, m_pane, frame.degrees, frame.phase);
+}
+
+void FrameCaster::compute(std::span<SweptOtf* const> ofPhase) {
+    const auto voxels = m_caster.otfVoxels(documentOf(ofPhase.front()->frame), m_pane);
+    parallelFor(LoopRange<std::size_t>(0, ofPhase.size(), 1), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            SweptOtf& otf = *ofPhase[i];
+            // A thread that waits for a frame's tube cores must not begin another frame: frames would pile up on its
+            // stack.
+            otf = sweptOtf(otf.frame, *tbb::this_task_arena::isolate(
+                                          [&] { return adaptiveOtfOf(documentOf(otf.frame), m_pane, *voxels); }));
+        }
+    });
 }
 
 std::vector<SweptOtf> FrameCaster::otfs(const Frames& frames) {
-    std::map<std::pair<double, int>, SweptOtf> known;  // by angle and phase; one OTF stands at {0, 0}
+    // By phase and angle, so that the voxels of a phase are cut once. One OTF for all frames stands at {0, 0}.
+    std::map<std::pair<int, double>, SweptOtf> made;
+    const auto keyOf = [this](const SweepFrame& frame) {
+        return m_smoothing ? std::pair(frame.phase, frame.degrees) : std::pair(0, 0.0);
+    };
+    for (const SweepFrame& frame : frames.frames)
+        made.emplace(keyOf(frame), SweptOtf{.frame = frame, .unsmoothed = {}, .shown = {}});
+    for (auto next = made.begin(); next != made.end();) {
+        std::vector<SweptOtf*> ofPhase;
+        const int phase = next->first.first;
+        for (; next != made.end() && next->first.first == phase; ++next) ofPhase.push_back(&next->second);
+        compute(ofPhase);
+    }
     OtfHistory history(m_smoothing.value_or(OtfSmoothing::none));
     std::vector<SweptOtf> swept;
     const auto count = static_cast<std::ptrdiff_t>(frames.frames.size());
     for (auto i = -static_cast<std::ptrdiff_t>(frames.before); i < count; ++i) {
         const SweepFrame& frame = frames.frames[static_cast<std::size_t>((i % count + count) % count)];
-        const auto key = m_smoothing ? std::pair(frame.degrees, frame.phase) : std::pair(0.0, 0);
-        if (!known.contains(key))
-            known.emplace(key, sweptOtf(frame, m_caster.readTubeCores(documentOf(frame), m_pane)->otf));
-        SweptOtf otf = known.at(key);
+        SweptOtf otf = made.at(keyOf(frame));
         otf.frame = frame;
         otf.shown = history.add(static_cast<double>(i), otf.unsmoothed);
         if (i >= 0) swept.push_back(std::move(otf));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "app/cli/options/document_study.h"
@@ -31,13 +32,15 @@ struct Frames {
 class FrameCaster {
 public:
     /// With a smoothing each frame has the OTF of its own view and phase, smoothed over the frames before it. Without
-    /// one, all frames have the OTF of the document's side.
+    /// one, all frames have the OTF of the document's side and of the phase otfPhaseOf().
     FrameCaster(const DocumentStudy& made, const StudyPhases& phases, std::optional<OtfSmoothing> smoothing);
     [[nodiscard]] std::vector<SweptOtf> otfs(const Frames& frames);
     [[nodiscard]] Picture picture(const SweepFrame& frame, const SampledCurve& curve, const std::array<int, 2>& size);
 
 private:
     [[nodiscard]] Document documentOf(const SweepFrame& frame) const;
+    /// Computes the OTFs of frames of one phase, side by side.
+    void compute(std::span<SweptOtf* const> ofPhase);
 
     Document m_document;
     std::size_t m_pane;

@@ -32,9 +32,9 @@ public:
     explicit OpenStudy(Works& works, QObject* parent = nullptr);
 
     /// Loads a file or a DICOM folder. The open study stays until the new one is there. A newer call replaces an older
-    /// one. If the options name no series, and a folder holds several of which not exactly one is a volume, emits
-    /// seriesFound() instead. A file that says it is a document is opened as a session: its study is read, and saved()
-    /// gives the rest.
+    /// one. If the options name no series, and a folder holds several of which not exactly one is a volume, or the only
+    /// one cannot be read, emits seriesFound() instead. A file that says it is a document is opened as a session: its
+    /// study is read, and saved() gives the rest.
     void open(const QString& path, const ReadOptions& options = {});
     /// Opens a session file with a person's answer to savedStudyAsked().
     void openSaved(const QString& file, const SavedStudyAnswer& answer);

@@ -14,7 +14,6 @@
 #include "widgets/escape_order.h"
 #include "widgets/planes/pane_grid.h"
 
-class QAction;
 class QMainWindow;
 class QMenu;
 

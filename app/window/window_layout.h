@@ -63,7 +63,7 @@ struct WindowLayout {
 
 /// The dock in which a panel stands. Throws std::invalid_argument if it stands in none.
 [[nodiscard]] QDockWidget& dockOf(const QWidget& panel);
-/// Shows it in front of the others.
+/// Shows the dock of `panel` in front of the other docks.
 void showDockOf(const QWidget& panel);
 
 }  // namespace echolucent

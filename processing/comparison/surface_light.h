@@ -14,8 +14,8 @@ namespace echolucent {
 /// The light of rays, one along the axis of each tube core with a surface and a weight. A ray's share is the part of
 /// its composited intensity from within 3 units of the surface found (0 if the ray has no light). Rays begin at the
 /// tube core's first sample and end where the view stops showing the axis. Samples lie one unit apart, are trilinear
-/// and not shaded. If the surfaces that tube cores found are none in the body, light near them says nothing
-/// good of an OTF (docs/comparison.md).
+/// and not shaded. If tube cores took speckle for surfaces, light near these places says nothing good of
+/// an OTF (docs/comparison.md).
 struct SurfaceLight {
     double meanShare = 0.0;      ///< mean over these rays, [0,1]
     double meanIntensity = 0.0;  ///< mean composited intensity, [0,1]

@@ -15,7 +15,7 @@
 namespace echolucent {
 
 struct Design;         // processing/designers/design.h
-struct DesignerInput;  // the same
+struct DesignerInput;  // processing/designers/design.h
 template <typename Values>
 struct ParameterTable;  // processing/parameters/parameter.h
 

@@ -124,15 +124,19 @@ std::optional<PaneOtf> PaneCaster::computedOtf(const Document& document, std::si
     return PaneOtf{.curve = std::move(read->otf.curve), .message = std::move(read->otf.message)};
 }
 
+std::optional<AdaptiveOtf> adaptiveOtfOf(const Document& document, std::size_t pane,
+                                         const PaneCaster::OtfVoxels& voxels, const Progress& progress) {
+    const SpeckleReduction reduction = document.scene.look.reduction;
+    const QuietVoxels shown =
+        reduction == SpeckleReduction::off ? QuietVoxels{} : QuietVoxels{voxels.shown.get(), reduction};
+    return adaptOpacity(*voxels.raw, otfViewpointOf(document, pane), configOf(document, pane), progress, shown);
+}
+
 std::optional<PaneCaster::TubeCoreReading> PaneCaster::readTubeCores(const Document& document, std::size_t pane,
                                                                      const Progress& progress) {
-    const Progress silent{{}, progress.cancel};
-    const Voxels* of = voxels(askedVoxels(document, otfPhaseOf(document, pane, phaseCount())), silent);
+    const auto of = otfVoxels(document, pane, progress);
     if (!of) return std::nullopt;
-    const SpeckleReduction reduction = of->asked.reduction;
-    const QuietVoxels shown =
-        reduction == SpeckleReduction::off ? QuietVoxels{} : QuietVoxels{of->shown.get(), reduction};
-    auto otf = adaptOpacity(*of->raw, otfViewpointOf(document, pane), configOf(document, pane), silent, shown);
+    auto otf = adaptiveOtfOf(document, pane, *of, {{}, progress.cancel});
     if (!otf) return std::nullopt;
     return TubeCoreReading{std::move(*otf), of->shown};
 }

@@ -147,4 +147,11 @@ private:
     RayCastSettings m_cast;  ///< what m_rays cast with last
 };
 
+/// The adaptive OTF of a pane, from voxels that PaneCaster::otfVoxels() gave for a document with the same phase,
+/// strokes and speckle reduction. Several threads may call it at once. The result is empty only if progress.cancel was
+/// raised.
+[[nodiscard]] std::optional<AdaptiveOtf> adaptiveOtfOf(const Document& document, std::size_t pane,
+                                                       const PaneCaster::OtfVoxels& voxels,
+                                                       const Progress& progress = {});
+
 }  // namespace echolucent

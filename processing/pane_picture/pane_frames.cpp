@@ -11,6 +11,13 @@ std::vector<MotionPosition> turnOf(const Document& document, std::size_t pane, i
     return framesOfTurn(document.motion, phases, at);
 }
 
+Document documentAt(Document document, std::size_t pane, double degrees, int phase) {
+    document.scene.motionAngle = degrees;
+    auto& ownPhase = document.panes.at(pane).phase;
+    (ownPhase ? *ownPhase : document.scene.phase) = phase;
+    return document;
+}
+
 PaneFrames::PaneFrames(Document document, std::size_t pane, StudyPhases phases)
     : m_document(std::move(document)),
       m_pane(pane),
@@ -19,10 +26,7 @@ PaneFrames::PaneFrames(Document document, std::size_t pane, StudyPhases phases)
 
 Document PaneFrames::documentOf(int frame) const {
     const MotionPosition& at = position(frame);
-    Document shown = m_document;
-    shown.scene.motionAngle = at.angle;
-    Pane& pane = shown.panes.at(m_pane);
-    (pane.phase ? *pane.phase : shown.scene.phase) = at.phase;
+    Document shown = documentAt(m_document, m_pane, at.angle, at.phase);
     if (smoothingOf(shown.motion.otf)) shown.scene.side = shownPose(shown).direction;
     return shown;
 }

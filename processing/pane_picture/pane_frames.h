@@ -16,6 +16,9 @@ namespace echolucent {
 /// shows it.
 [[nodiscard]] std::vector<MotionPosition> turnOf(const Document& document, std::size_t pane, int phases);
 
+/// The document with a pane at an angle of the motion, degrees, and in a phase.
+[[nodiscard]] Document documentAt(Document document, std::size_t pane, double degrees, int phase);
+
 /// One turn of a motion (turnOf()), which may be shown over and over. A frame is the document's pane turned by the
 /// frame's angle, of the frame's phase, in converged quality. If the pane is rendered with the adaptive OTF,
 /// MotionChoice::otf chooses which (Pane::motionOtf must be empty, as it is in the first pane):

@@ -102,8 +102,9 @@ void ViewPanel::createChoices() {
 }
 
 QLayout* ViewPanel::createButtons() {
-    auto* resetAll = named(new QPushButton(tr("Reset all")), "view.resetAll", tr("Reset all"),
-                           tr("Look, cut, view and curve back to what opening gave (Shift+R)"));
+    auto* resetAll =
+        named(new QPushButton(tr("Reset all")), "view.resetAll", tr("Reset all"),
+              tr("Beam, look, cut, view, curves, planes, box and strokes back to what opening gave (Shift+R)"));
     auto* savePicture = named(new QPushButton(tr("Save picture…")), "view.savePicture", tr("Save picture"),
                               tr("Writes the picture as PNG (P)"));
     connect(resetAll, &QPushButton::clicked, this, &ViewPanel::resetAllRequested);

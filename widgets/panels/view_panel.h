@@ -24,11 +24,12 @@ class ParameterControls;
 /// Objects: view.nearCut (+ .value, .suggest), view.mode (+ .remark), view.mixing, view.mixedMode, view.reduction,
 /// view.lighting, view.lightAzimuth (+ .value), view.lightElevation (+ .value), view.lightSoftness, view.shadow,
 /// view.occlusion, view.translucency, view.brightness, view.depthColouring, view.colourMap, view.interpolation,
-/// view.projection, view.renderer, view.beamAxis, view.reset,
-/// view.resetAll, view.savePicture; sliders with ".value" and ".reset". The controls stand in groups, each with a reset
-/// beside its title: view.cut.reset, view.light.reset, view.speckle.reset, view.colours.reset, view.rendering.reset;
-/// view.reset resets the view. Controls that play no part in the chosen mode are disabled. view.mode.remark says that
-/// the opacity curve plays no part. No setter emits a signal.
+/// view.projection, view.renderer, view.beamAxis, view.reset, view.resetAll, view.savePicture; sliders with ".value"
+/// and
+/// ".reset". The controls stand in groups, each with a reset beside its title: view.cut.reset, view.light.reset,
+/// view.speckle.reset, view.colours.reset, view.rendering.reset; view.reset resets the view. Controls that play no part
+/// in the chosen mode are disabled. view.mode.remark says that the opacity curve, light and depth colours play no part
+/// in it. No setter emits a signal.
 class ViewPanel : public QWidget {
     Q_OBJECT
 
