@@ -68,7 +68,6 @@ public:
     [[nodiscard]] PaneOtfs& otfs() { return *m_otfs; }
     [[nodiscard]] NearCutFinder& nearCutFinder() { return *m_nearCutFinder; }
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
-    [[nodiscard]] ReviewRoom& reviewRoom() { return *m_room; }
     [[nodiscard]] CompareRoom& compareRoom() { return *m_compare; }
     [[nodiscard]] MovieFiles& movieFiles() { return *m_movies; }
     [[nodiscard]] SessionKeeping& sessionKeeping() { return *m_sessions; }
