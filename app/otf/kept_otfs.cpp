@@ -42,11 +42,9 @@ void KeptOtfs::forgetAdaptive() {
 void KeptOtfs::keep(const ComputedOtf& otf) {
     if (find(otf.asked)) return;
     const std::size_t bytes = bytesOf(otf);
+    std::erase_if(m_kept, [](const Kept& kept) { return kept.raw.expired() || kept.shown.expired(); });
+    countBytes();
     if (bytes > byteLimit) return;
-    if (m_bytes + bytes > byteLimit) {
-        std::erase_if(m_kept, [](const Kept& kept) { return kept.raw.expired() || kept.shown.expired(); });
-        countBytes();
-    }
     while (m_bytes + bytes > byteLimit && !m_kept.empty()) {
         m_kept.pop_back();
         countBytes();

@@ -32,9 +32,9 @@ struct ComputedOtf {
 /// Finds OTFs by their requests. It keeps no voxels alive: an OTF is never found again once its voxels are gone.
 class KeptOtfs {
 public:
-    /// Keeps an OTF. All kept OTFs together take at most byteLimit; one that takes more alone is not kept, and the
-    /// others stay. If `otf` does not fit beside the others, OTFs of lost voxels make room, then the newest kept ones.
-    /// So if a loop is too long, its first OTFs stay.
+    /// Keeps an OTF, and forgets those of lost voxels. All kept OTFs together take at most byteLimit; one that takes
+    /// more alone is not kept, and the others stay. If `otf` does not fit beside the others, the newest of them make
+    /// room. So if a loop is too long, its first OTFs stay.
     void keep(const ComputedOtf& otf);
     /// The OTF of the same request; null if it is not kept.
     [[nodiscard]] std::shared_ptr<const ComputedOtf> find(const OtfRequest& request) const;

@@ -1,5 +1,7 @@
 #include "processing/scene/pose.h"
 
+#include <cmath>
+
 #include "processing/choice_names.h"
 
 namespace echolucent {
@@ -27,7 +29,13 @@ Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double near
 Viewpoint viewAlongBeam(const Beam& beam) { return viewpointOf(beam.axis, beam.lean, 0.0); }
 
 ViewDirection directionOf(const Viewpoint& viewpoint) {
-    return {viewpoint.azimuthDegrees, viewpoint.elevationDegrees, viewpoint.rollDegrees};
+    const ViewDirection same{viewpoint.azimuthDegrees, viewpoint.elevationDegrees, viewpoint.rollDegrees};
+    if (std::abs(same.elevation) <= 90.0) return same;
+    // Over a pole the view looks back: R_x(e) = R_y(180) R_x(180 - e) R_z(180).
+    const double elevation = std::remainder(same.elevation, 360.0);
+    if (std::abs(elevation) <= 90.0) return {same.azimuth, elevation, same.roll};
+    return {std::remainder(same.azimuth + 180.0, 360.0), std::copysign(180.0, elevation) - elevation,
+            std::remainder(same.roll + 180.0, 360.0)};
 }
 
 Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction) {

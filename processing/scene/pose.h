@@ -52,6 +52,8 @@ struct Pose {
 /// The direction of a view, its beam and its near cut in one value. The cut is in mm behind the volume's foremost point
 /// along the view, >= 0.
 [[nodiscard]] Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double nearCutMm);
+/// The direction of a viewpoint. If a motion has turned the viewpoint over a pole, its elevation is beyond ±90 degrees.
+/// The direction then has other angles that show the same.
 [[nodiscard]] ViewDirection directionOf(const Viewpoint& viewpoint);
 
 /// Looks from another direction. The data box's centre keeps its place in the picture.

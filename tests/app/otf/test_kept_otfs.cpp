@@ -80,6 +80,10 @@ private slots:
         asked.shown.reset();
         QCOMPARE(kept.count(), std::size_t(1));
         QCOMPARE(kept.find(asked), nullptr);
+        const OtfRequest next = request();
+        kept.keep(otfOf(next, 10));  // the one that nobody can find any more is forgotten
+        QCOMPARE(kept.count(), std::size_t(1));
+        QVERIFY(kept.find(next));
     }
 
     void ofALoopThatIsTooLongTheFirstStayAndTheNewestIsThere() {

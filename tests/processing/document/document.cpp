@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "processing/motion/otf_sweep.h"
@@ -67,6 +68,26 @@ TEST(Document, TheMotionTurnsWhatIsShownAndNotThePose) {
         EXPECT_TRUE(document.scene.pose == before);
         EXPECT_TRUE(otfViewpointOf(document, firstPane) == (Viewpoint{BeamAxis::minusY, 0, 0, 0, 3}));
     }
+}
+
+TEST(Pose, AMotionOverAPoleShowsADirectionThatAFileMayHold) {
+    for (const double elevation : {-100.0, -90.0, 0.0, 90.0, 91.0, 135.0, 180.0, 269.0}) {
+        const Viewpoint view{BeamAxis::plusY, 170, elevation, -30, 0};
+        const ViewDirection direction = directionOf(view);
+        EXPECT_LE(std::abs(direction.elevation), 90.0) << elevation;
+        const ViewFrame seen = frameOf(view), said = frameOf(viewpointOf(BeamAxis::plusY, direction, 0));
+        EXPECT_NEAR(length(seen.forward - said.forward) + length(seen.down - said.down), 0.0, 1e-12) << elevation;
+        if (std::abs(elevation) <= 90.0) {
+            EXPECT_TRUE(direction == (ViewDirection{170, elevation, -30})) << "to the bit";
+        }
+    }
+    Document document;  // looked into from above, and tilted by the motion
+    document.scene.pose.direction.elevation = 90;
+    document.motion.axis = MotionAxis::x;
+    document.scene.motionAngle = 1;
+    document.scene.pose = shownPose(document);
+    EXPECT_EQ(problemOf(document), "");
+    EXPECT_NEAR(document.scene.pose.direction.elevation, 89.0, 1e-12);
 }
 
 TEST(Pose, AnOffsetTurnsWithTheCameraAboutTheCentre) {
