@@ -5,9 +5,12 @@
 #include "app/window/main_window.h"
 #include "app/window/review_room.h"
 #include "widgets/compare/compare_grid.h"
+#include "widgets/compare/compare_panel.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/run_status.h"
 #include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/room_panel.h"
+#include "widgets/panels/view_panel.h"
 
 namespace echolucent {
 
