@@ -89,8 +89,8 @@ Result<MotionChoice> motionFrom(const SweepOptions& options, const Document& ope
     return motion;
 }
 
-/// The frames of a range of angles. If no angle is given, one turn of the document's motion, of which the last `before`
-/// frames count as shown before the first.
+/// The frames of the range of angles. If no angle is given, they are one turn of the document's motion. The motion
+/// repeats: the turn's last `before` frames count as shown before its first.
 Frames framesFrom(const SweepOptions& options, Motion range, const DocumentStudy& made, std::size_t before) {
     if (!options.angles()) return turnFrames(made, before);
     const Document& document = made.document;

@@ -34,7 +34,7 @@ std::vector<std::string> joinedArguments(int count, char** arguments) {
 /// A command, or the program itself, that needs another command after it.
 struct NeedsCommand {
     const CLI::App* command;
-    std::string word;  ///< what stands where that other command is missing; empty if the line ends there
+    std::string word;  ///< the word that is no command; empty if the line ends after `command`
 };
 
 /// The first command of a command line that is wrong or missing. No value if all are right.

@@ -1,16 +1,28 @@
 #include "app/cli/sweep_frames.h"
 
-#include <tbb/task_arena.h>
-
 #include <map>
 #include <memory>
 #include <utility>
 
 #include "processing/pane_picture/pane_frames.h"
-#include "processing/parallel.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 
 namespace echolucent::cli {
+
+namespace {
+
+/// The frames with those that count as shown before the first of them.
+std::vector<SweepFrame> withBefore(const Frames& turn) {
+    std::vector<SweepFrame> all;
+    const auto count = static_cast<std::ptrdiff_t>(turn.frames.size());
+    for (auto i = -static_cast<std::ptrdiff_t>(turn.before); i < count; ++i) {
+        all.push_back(turn.frames[static_cast<std::size_t>((i % count + count) % count)]);
+        all.back().time = static_cast<double>(i);
+    }
+    return all;
+}
+
+}  // namespace
 
 Frames turnFrames(const DocumentStudy& made, std::size_t before) {
     const Document& document = made.document;
@@ -47,44 +59,23 @@ Document FrameCaster::documentOf(const SweepFrame& frame) const {
     return documentAt(m_document, m_pane, frame.degrees, frame.phase);
 }
 
-void FrameCaster::compute(std::span<SweptOtf* const> ofPhase) {
-    const auto voxels = m_caster.otfVoxels(documentOf(ofPhase.front()->frame), m_pane);
-    parallelFor(LoopRange<std::size_t>(0, ofPhase.size(), 1), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            SweptOtf& otf = *ofPhase[i];
-            // A thread that waits for a frame's tube cores must not begin another frame: frames would pile up on its
-            // stack.
-            otf = sweptOtf(otf.frame, *tbb::this_task_arena::isolate(
-                                          [&] { return adaptiveOtfOf(documentOf(otf.frame), m_pane, *voxels); }));
-        }
-    });
-}
-
 std::vector<SweptOtf> FrameCaster::otfs(const Frames& frames) {
-    // By phase and angle, so that the voxels of a phase are cut once. One OTF for all frames stands at {0, 0}.
-    std::map<std::pair<int, double>, SweptOtf> made;
-    const auto keyOf = [this](const SweepFrame& frame) {
-        return m_smoothing ? std::pair(frame.phase, frame.degrees) : std::pair(0, 0.0);
+    // Without a smoothing, the OTF of one frame serves all.
+    const std::vector<SweepFrame> asked = m_smoothing ? withBefore(frames) : std::vector{frames.frames.front()};
+    std::map<int, PaneCaster::OtfVoxels> voxels;
+    for (const SweepFrame& frame : asked)
+        if (!voxels.contains(frame.phase)) voxels[frame.phase] = *m_caster.otfVoxels(documentOf(frame), m_pane);
+    const FrameOtf otfOf = [&](const SweepFrame& frame, const Progress& progress) {
+        return adaptiveOtfOf(documentOf(frame), m_pane, voxels.at(frame.phase), progress);
     };
-    for (const SweepFrame& frame : frames.frames)
-        made.emplace(keyOf(frame), SweptOtf{.frame = frame, .unsmoothed = {}, .shown = {}});
-    for (auto next = made.begin(); next != made.end();) {
-        std::vector<SweptOtf*> ofPhase;
-        const int phase = next->first.first;
-        for (; next != made.end() && next->first.first == phase; ++next) ofPhase.push_back(&next->second);
-        compute(ofPhase);
+    auto swept = *sweepOtfs(asked, otfOf, m_smoothing.value_or(OtfSmoothing::none));
+    if (m_smoothing) {
+        swept.erase(swept.begin(), swept.begin() + static_cast<std::ptrdiff_t>(frames.before));
+        return swept;
     }
-    OtfHistory history(m_smoothing.value_or(OtfSmoothing::none));
-    std::vector<SweptOtf> swept;
-    const auto count = static_cast<std::ptrdiff_t>(frames.frames.size());
-    for (auto i = -static_cast<std::ptrdiff_t>(frames.before); i < count; ++i) {
-        const SweepFrame& frame = frames.frames[static_cast<std::size_t>((i % count + count) % count)];
-        SweptOtf otf = made.at(keyOf(frame));
-        otf.frame = frame;
-        otf.shown = history.add(static_cast<double>(i), otf.unsmoothed);
-        if (i >= 0) swept.push_back(std::move(otf));
-    }
-    return swept;
+    std::vector<SweptOtf> same(frames.frames.size(), swept.front());
+    for (std::size_t i = 0; i < same.size(); ++i) same[i].frame = frames.frames[i];
+    return same;
 }
 
 Picture FrameCaster::picture(const SweepFrame& frame, const SampledCurve& curve, const std::array<int, 2>& size) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "app/cli/options/document_study.h"
@@ -39,8 +38,6 @@ public:
 
 private:
     [[nodiscard]] Document documentOf(const SweepFrame& frame) const;
-    /// Computes the OTFs of frames of one phase, side by side.
-    void compute(std::span<SweptOtf* const> ofPhase);
 
     Document m_document;
     std::size_t m_pane;

@@ -50,21 +50,20 @@ void check(std::span<const std::shared_ptr<const Volume>> phases, std::span<cons
 }
 
 /// Computes the frames at the places `wanted` side by side. False if the work was cancelled.
-bool computeFrames(std::span<const std::shared_ptr<const Volume>> phases, std::span<const SweepFrame> frames,
-                   std::span<const std::size_t> wanted, const AdaptiveOtfConfig& config, const Progress& progress,
-                   std::span<SweptOtf> results) {
+bool computeFrames(std::span<const SweepFrame> frames, std::span<const std::size_t> wanted, const FrameOtf& otfOf,
+                   const Progress& progress, std::span<SweptOtf> results) {
     ProgressCount count(progress, wanted.size());
     const Progress quiet{{}, progress.cancel};
     parallelFor(LoopRange<std::size_t>(0, wanted.size(), 1), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end() && !progress.cancelled(); ++i) {
             const SweepFrame& frame = frames[wanted[i]];
-            const Volume& volume = *phases[static_cast<std::size_t>(frame.phase)];
             // A thread that waits for a frame's tube cores must not begin another frame: frames would pile up on its
             // stack.
-            const auto otf =
-                tbb::this_task_arena::isolate([&] { return adaptOpacity(volume, frame.view, config, quiet); });
+            const auto otf = tbb::this_task_arena::isolate([&] { return otfOf(frame, quiet); });
             if (!otf) return;
-            results[wanted[i]] = sweptOtf(frame, *otf);
+            results[wanted[i]] = {.frame = frame, .unsmoothed = otf->curve, .shown = {}};
+            results[wanted[i]].tubesWithWeight = otf->tubesWithWeight;
+            for (const TubeCore& tube : otf->tubes) results[wanted[i]].sumOfD += tube.d;
             count.oneDone();
         }
     });
@@ -81,12 +80,6 @@ Viewpoint turned(const Viewpoint& start, MotionAxis axis, double degrees) {
         case MotionAxis::z: view.rollDegrees += degrees; break;
     }
     return view;
-}
-
-SweptOtf sweptOtf(const SweepFrame& frame, const AdaptiveOtf& otf) {
-    SweptOtf swept{.frame = frame, .unsmoothed = otf.curve, .shown = {}, .tubesWithWeight = otf.tubesWithWeight};
-    for (const TubeCore& tube : otf.tubes) swept.sumOfD += tube.d;
-    return swept;
 }
 
 std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept) {
@@ -124,16 +117,14 @@ std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motio
     return frames;
 }
 
-std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
-                                               std::span<const SweepFrame> frames, const AdaptiveOtfConfig& config,
+std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const SweepFrame> frames, const FrameOtf& otfOf,
                                                OtfSmoothing smoothing, const Progress& progress) {
-    check(phases, frames);
     const std::vector<std::size_t> first = firstOfEqual(frames);
     std::vector<std::size_t> wanted;
     for (std::size_t i = 0; i < frames.size(); ++i)
         if (first[i] == i) wanted.push_back(i);
     std::vector<SweptOtf> otfs(frames.size());
-    if (!computeFrames(phases, frames, wanted, config, progress, otfs)) return std::nullopt;
+    if (!computeFrames(frames, wanted, otfOf, progress, otfs)) return std::nullopt;
 
     std::vector<SweptOtf> swept;
     OtfHistory history(smoothing);
@@ -143,6 +134,16 @@ std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<c
         swept.back().shown = history.add(frames[i].time, swept.back().unsmoothed);
     }
     return swept;
+}
+
+std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
+                                               std::span<const SweepFrame> frames, const AdaptiveOtfConfig& config,
+                                               OtfSmoothing smoothing, const Progress& progress) {
+    check(phases, frames);
+    const FrameOtf otfOf = [&](const SweepFrame& frame, const Progress& quiet) {
+        return adaptOpacity(*phases[static_cast<std::size_t>(frame.phase)], frame.view, config, quiet);
+    };
+    return sweepOtfs(frames, otfOf, smoothing, progress);
 }
 
 }  // namespace echolucent

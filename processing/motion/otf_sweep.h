@@ -1,6 +1,7 @@
 // The OTFs of a moving transducer, a moving object, or both (Petersch 2005, section 5).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,9 +36,6 @@ struct SweptOtf {
     int tubesWithWeight = 0;  ///< tube cores of the unsmoothed OTF that have a weight
 };
 
-/// A frame and its OTF, not smoothed yet.
-[[nodiscard]] SweptOtf sweptOtf(const SweepFrame& frame, const AdaptiveOtf& otf);
-
 [[nodiscard]] std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept);
 
 /// The frames of a probe that turns from `from` to `to` degrees in steps. If `to` is below `from`, it turns backwards.
@@ -60,14 +58,20 @@ struct Motion {
 /// study has no firstPhase.
 [[nodiscard]] std::vector<SweepFrame> motionFrames(const Viewpoint& start, const Motion& motion, int phases);
 
-/// Computes every frame's OTF; `phases` are the volumes of the study. The result is empty only if the work was
-/// cancelled.
+/// Computes the OTF of a frame. Several threads call it at once. The result is empty only if progress.cancel was
+/// raised.
+using FrameOtf = std::function<std::optional<AdaptiveOtf>(const SweepFrame& frame, const Progress& progress)>;
+
+/// Computes every frame's OTF by `otfOf`. The result is empty only if the work was cancelled.
 ///
 /// Frames are computed side by side; the bits are the same for any number of threads. Frames of one phase and view are
 /// computed once. (Frames whose views differ in nothing but box or cut surface may be computed again.) A roll is
 /// another view, because it turns the grid of tube cores with the picture. Smoothing runs afterwards in frame order.
-/// Throws std::invalid_argument if a frame's phase is missing, problemOf(config) is not empty, or a frame's time
-/// descends or is not finite.
+/// Throws std::invalid_argument if a frame's time descends or is not finite.
+[[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const SweepFrame> frames, const FrameOtf& otfOf,
+                                                             OtfSmoothing smoothing, const Progress& progress = {});
+/// The same for the adaptive OTFs of `phases`, the volumes of the study, along each frame's view. Also throws
+/// std::invalid_argument if a frame's phase is missing or problemOf(config) is not empty.
 [[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const std::shared_ptr<const Volume>> phases,
                                                              std::span<const SweepFrame> frames,
                                                              const AdaptiveOtfConfig& config, OtfSmoothing smoothing,

@@ -231,7 +231,7 @@ private:
     std::optional<Classification> m_visibleOf;
 };
 
-RayCaster::RayCaster(std::shared_ptr<const Volume> volume) : m_parts(std::make_unique<Parts>(std::move(volume))) {}
+RayCaster::RayCaster(const std::shared_ptr<const Volume>& volume) : m_parts(std::make_unique<Parts>(volume)) {}
 
 RayCaster::RayCaster(std::unique_ptr<Parts> parts) : m_parts(std::move(parts)) {}
 RayCaster RayCaster::sharing() const { return RayCaster(std::make_unique<Parts>(*m_parts)); }

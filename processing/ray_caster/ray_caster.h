@@ -47,7 +47,7 @@ namespace echolucent {
 /// differ by up to half an 8-bit level (RMSE 0.02). Only one thread at a time may use it.
 class RayCaster {
 public:
-    explicit RayCaster(std::shared_ptr<const Volume> volume);
+    explicit RayCaster(const std::shared_ptr<const Volume>& volume);
     ~RayCaster();
     RayCaster(RayCaster&&) noexcept;
     RayCaster& operator=(RayCaster&&) noexcept;

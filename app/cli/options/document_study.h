@@ -41,8 +41,8 @@ struct DocumentStudy {
 /// Reads a document and its study. `number` is that of --view. If `volume` has a path, that is the study. Else the
 /// document names it: a relative path is looked for from the document's folder, then from the working folder; then a
 /// file with the study's bytes is looked for in the document's folder. The document that is returned names the study
-/// by the place where it was found. The standard error says if that is another place than the document named, or if the
-/// study's bytes have changed. Fails if document or study cannot be read, if the document names no study, if one of the
+/// by the place it was read from. If the document named another place, or if the study's bytes have changed, the
+/// standard error says so. Fails if document or study cannot be read, if the document names no study, if one of the
 /// `outputs` is one of the files read, or if pane or phase is not there.
 [[nodiscard]] Result<DocumentStudy> readDocumentStudy(const std::string& document, const VolumeOptions& volume,
                                                       const std::vector<std::string>& outputs,

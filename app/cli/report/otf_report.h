@@ -16,10 +16,10 @@ namespace echolucent::cli {
 struct OtfContext {
     Json madeOf;
     ChosenBeam beam;
-    std::string initialName;           ///< of the initial function: as in --initial, or the document's InitialKind
-    double manualFactor = 1.0;         ///< by which the opacities in a manual initial function's file were multiplied
-    CurveAdjustment adjustment{};      ///< made on the curve
-    double findingMilliseconds = 0.0;  ///< wall time of the search for beam and front
+    std::string initialName;              ///< of the initial function: as in --initial, or the document's InitialKind
+    double manualFactor = 1.0;            ///< of a manual initial function: its file's opacities were multiplied by it
+    CurveAdjustment adjustment{};         ///< made on the curve
+    double findingMilliseconds = 0.0;     ///< wall time of the search for beam and front
     double quieteningMilliseconds = 0.0;  ///< wall time of making the quiet voxels
 };
 

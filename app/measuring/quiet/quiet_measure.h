@@ -24,8 +24,8 @@ struct QuietFilter {
 /// The loss of known structures, on small volumes with speckle of s = 0.5 and a FWHM of 2 voxels. Fluid is 14, tissue
 /// 85, object 170. Means along the structure remove the noise.
 struct StructureError {
-    double planeShift = 0.0;   ///< units by which the middle of a plane's ramp of 4 units moves, without a sign
-    double sphereShift = 0.0;  ///< units by which the radius of a sphere of 12 units grows; below 0 if it shrinks
+    double planeShift = 0.0;   ///< how far the middle of a plane's ramp moves, units, without a sign; the ramp has 4
+    double sphereShift = 0.0;  ///< how much a sphere of radius 12 units grows, units; below 0 if it shrinks
     double membrane = 0.0;     ///< remaining share of the contrast of a membrane of tissue in fluid, 2 voxels thick
     double finger = 0.0;       ///< remaining share of the contrast on the axis of a finger of object, 4 voxels thick
 };
