@@ -92,7 +92,8 @@ Json infoJson(const Study& study, const Volume& volume, int phase) {
     entry["white_level"] = volume.whiteLevel();
     entry["phases"] = study.phases.size();
     entry["phase"] = phase;
-    entry["phase_seconds"] = study.phaseSeconds ? Json(*study.phaseSeconds) : Json();
+    entry["phase_seconds"] = study.phaseTimes.meanSeconds ? Json(*study.phaseTimes.meanSeconds) : Json();
+    if (!study.phaseTimes.starts.empty()) entry["phase_times"] = study.phaseTimes.starts;
     entry["stored_range"] = range.dataVoxels > 0 ? Json{range.low, range.high} : Json();
     entry["no_data_share"] = 1.0 - static_cast<double>(range.dataVoxels) / static_cast<double>(geometry.voxelCount());
     const bool lossKnown = study.lossyCompression != LossyCompression::unknown;

@@ -103,15 +103,20 @@ Frames framesFrom(const SweepOptions& options, Motion range, const DocumentStudy
 
 Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& made, const std::vector<SweptOtf>& swept,
                         FrameCaster& caster, const std::array<int, 2>& size) {
-    const double asShown = 1.0 / frameSeconds(made.document.motion, made.study.phaseSeconds);
-    const double rate = options.frameRate.value_or(std::clamp(asShown, leastFrameRate, largestFrameRate));
+    std::vector<int> phases;
+    for (const SweptOtf& otf : swept) phases.push_back(otf.frame.phase);
+    const HeldFrames held = heldFrames(made.document.motion, made.study.phaseTimes, phases);
+    const double rate =
+        options.frameRate.value_or(std::clamp(1.0 / held.pictureSeconds, leastFrameRate, largestFrameRate));
     auto movie = MovieFile::begin(options.movie, size[0], size[1], rate);
     if (!movie) return tl::unexpected<Failure>(movie.error());
     const std::string words = options.words ? pictureWordsOf(made.study.phases.front()->geometry()) : "";
-    for (const SweptOtf& frame : swept) {
+    for (std::size_t i = 0; i < swept.size(); ++i) {
+        const SweptOtf& frame = swept[i];
         std::vector<std::uint8_t> rgb = overBackground(caster.picture(frame.frame, frame.shown, size), Vec3(0, 0, 0));
         writeWords(rgb, size[0], size[1], words);
-        if (auto added = movie->add(rgb); !added) return added;
+        for (int picture = 0; picture < held.pictures[i]; ++picture)
+            if (auto added = movie->add(rgb); !added) return added;
     }
     return movie->finish();
 }

@@ -43,7 +43,7 @@ PictureLabels frameLabels(const FrameOrder& order, const PaneFrames& frames, int
                                        .lengthsKnown = known,
                                        .reduction = picture.voxels->geometry().reduction}),
             .frame = frameWords(frames.position(frame), motion.scenario, static_cast<int>(order.phases.scans.size()),
-                                order.phaseSeconds),
+                                order.phaseTimes),
             .camera = picture.cast.camera,
             .spacingKnown = known};
 }
@@ -124,6 +124,12 @@ Result<void> removePictures(const std::vector<std::string>& files) {
     return {};
 }
 
+std::vector<int> phasesOf(const PaneFrames& frames) {
+    std::vector<int> phases;
+    for (int frame = 0; frame < frames.count(); ++frame) phases.push_back(frames.position(frame).phase);
+    return phases;
+}
+
 /// Hands each frame to `take`, in turn.
 template <typename Take>
 Result<void> eachFrame(const FrameOrder& order, PaneFrames& frames, const Progress& progress, const Take& take) {
@@ -192,8 +198,12 @@ Result<void> writeFrames(const FrameOrder& order, const Progress& progress) {
     auto movie =
         MovieFile::begin(order.choice.path.toStdString(), size.width(), size.height(), order.choice.framesPerSecond);
     if (!movie) return tl::unexpected<Failure>(movie.error());
-    const auto taken =
-        eachFrame(order, frames, progress, [&](int, const std::vector<std::uint8_t>& rgb) { return movie->add(rgb); });
+    const std::vector<int> held = heldFrames(order.document.motion, order.phaseTimes, phasesOf(frames)).pictures;
+    const auto taken = eachFrame(order, frames, progress, [&](int frame, const std::vector<std::uint8_t>& rgb) {
+        Result<void> added;
+        for (int i = 0; added && i < held[static_cast<std::size_t>(frame)]; ++i) added = movie->add(rgb);
+        return added;
+    });
     return taken ? movie->finish(progress) : taken;
 }
 

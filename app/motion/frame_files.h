@@ -16,7 +16,7 @@ namespace echolucent {
 struct FrameOrder {
     Document document{};
     StudyPhases phases{};
-    std::optional<double> phaseSeconds{};  ///< as in Study
+    PhaseTimes phaseTimes{};  ///< as in Study
     FrameOutput output = FrameOutput::movie;
     MovieChoice choice{};
 };

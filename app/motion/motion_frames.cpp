@@ -68,8 +68,8 @@ void MotionFrames::takeAngle() {
 void MotionFrames::setStudy(const Study& study) {
     const int phases = static_cast<int>(study.phases.size());
     m_parts.player.pause();
-    m_parts.player.setStudy(phases, study.phaseSeconds);
-    m_parts.panel.setStudy(phases, study.phaseSeconds);
+    m_parts.player.setStudy(phases, study.phaseTimes);
+    m_parts.panel.setStudy(phases, study.phaseTimes);
 }
 
 void MotionFrames::takePhase() {

@@ -20,7 +20,9 @@ void MotionPlayer::setMinimumFrameInterval(std::optional<int> milliseconds) {
 
 FramePacing::Time MotionPlayer::interval() const {
     if (m_minimumInterval) return std::chrono::milliseconds(*m_minimumInterval);
-    return std::chrono::round<FramePacing::Time>(std::chrono::duration<double>(frameSeconds(m_choice, m_phaseSeconds)));
+    const int next = nextFrame(m_position, m_choice, m_phases).phase;
+    return std::chrono::round<FramePacing::Time>(
+        std::chrono::duration<double>(frameSeconds(m_choice, m_times, m_position.phase, next)));
 }
 
 void MotionPlayer::waitForInterval() {
@@ -30,8 +32,9 @@ void MotionPlayer::waitForInterval() {
 bool MotionPlayer::stepNow() {
     if (!m_playing || !m_frameShown) return false;
     m_pacing.begin(now(), interval());
+    m_position = nextFrame(m_position, m_choice, m_phases);
     waitForInterval();
-    moveTo(nextFrame(m_position, m_choice, m_phases));
+    moveTo(m_position);
     return true;
 }
 
@@ -66,10 +69,10 @@ void MotionPlayer::setChoice(const MotionChoice& choice) {
     if (choice.axis != before.axis) setAngle(0);
 }
 
-void MotionPlayer::setStudy(int phases, std::optional<double> phaseSeconds) {
+void MotionPlayer::setStudy(int phases, const PhaseTimes& times) {
     Q_ASSERT(phases >= 1);
     m_phases = phases;
-    m_phaseSeconds = phaseSeconds;
+    m_times = times;
     m_position.phase = 0;
     m_position.phaseBack = false;
 }

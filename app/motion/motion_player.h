@@ -11,9 +11,9 @@
 
 namespace echolucent {
 
-/// nextFrame() gives the order of frames, frameSeconds() their interval (see FramePacing). A step needs the frame
-/// before it on the screen. So playing never outruns the renderer and skips no frame. If frames take longer than their
-/// interval, the motion is slower than asked for.
+/// nextFrame() gives the order of frames, frameSeconds() the interval after each (see FramePacing). A step needs the
+/// frame before it on the screen. So playing never outruns the renderer and skips no frame. If frames take longer than
+/// their interval, the motion is slower than asked for.
 ///
 ///                 play()                        step: frameChanged(a, p)
 ///   [Paused] ---------------> [Frame shown, interval over] --------> [Waiting for frameShown() and the interval]
@@ -33,6 +33,8 @@ public:
     /// The phase of the 4D study, counted from 0.
     [[nodiscard]] int phase() const { return m_position.phase; }
     [[nodiscard]] const MotionChoice& choice() const { return m_choice; }
+    /// How long the present frame is shown before the next one.
+    [[nodiscard]] FramePacing::Time interval() const;
     /// Sets the interval between steps in milliseconds, in place of frameSeconds(). No value brings frameSeconds()
     /// back. At 0 each step follows as soon as the frame before is shown.
     void setMinimumFrameInterval(std::optional<int> milliseconds);
@@ -54,8 +56,8 @@ public slots:
     /// from its view again: emits frameChanged with angle 0.
     void setChoice(const echolucent::MotionChoice& choice);
     /// Takes the phases of another study and begins at its first phase; emits nothing. The study has `phases` phases
-    /// (>= 1). They are phaseSeconds apart (above 0), if that is known.
-    void setStudy(int phases, std::optional<double> phaseSeconds);
+    /// (>= 1).
+    void setStudy(int phases, const PhaseTimes& times);
     /// The hand shows another phase of the study; emits nothing.
     void setPhase(int phase);
     /// The present frame is on the screen. Call this for every frame, played or scrubbed.
@@ -68,7 +70,6 @@ signals:
 
 private:
     [[nodiscard]] FramePacing::Time now() const { return FramePacing::Time(m_clock.nsecsElapsed()); }
-    [[nodiscard]] FramePacing::Time interval() const;
     void waitForInterval();
     void advanceIfReady();
     void moveTo(const MotionPosition& position);
@@ -80,7 +81,7 @@ private:
     MotionChoice m_choice;
     MotionPosition m_position;
     int m_phases = 1;
-    std::optional<double> m_phaseSeconds;
+    PhaseTimes m_times;
     bool m_playing = false;
     bool m_frameShown = true;
 };

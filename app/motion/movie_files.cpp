@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QWidget>
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "app/files/save_dialog.h"
@@ -32,17 +33,19 @@ void MovieFiles::ask(FrameOutput output) {
         m_parts.messages.showMessage(MessageKind::info, tr("A movie is being written. Wait for it, or cancel it."));
         return;
     }
-    auto* dialog =
-        new MovieDialog(output,
-                        {.plays = whatPlays(),
-                         .frames = frameCount(),
-                         .ofView = m_parts.viewPixels(),
-                         .choice = proposal(output),
-                         .note = QString::fromStdString(burnedInTextNote(*m_parts.openStudy.study())),
-                         .folderShown = !m_parts.names.showsNumbers(),
-                         .hindrance = [this, output](const MovieChoice& choice) { return hindrance(output, choice); },
-                         .choosePath = [this, output](const QString& path) { return choosePath(output, path); }},
-                        &m_parts.window);
+    const HeldFrames held = heldInMovie();
+    auto* dialog = new MovieDialog(
+        output,
+        {.plays = whatPlays(),
+         .frames = output == FrameOutput::movie ? std::accumulate(held.pictures.begin(), held.pictures.end(), 0)
+                                                : frameCount(),
+         .ofView = m_parts.viewPixels(),
+         .choice = proposal(output),
+         .note = QString::fromStdString(burnedInTextNote(*m_parts.openStudy.study())),
+         .folderShown = !m_parts.names.showsNumbers(),
+         .hindrance = [this, output](const MovieChoice& choice) { return hindrance(output, choice); },
+         .choosePath = [this, output](const QString& path) { return choosePath(output, path); }},
+        &m_parts.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, output] { begin(output, dialog->choice()); });
     // Another study has other frames.
@@ -50,11 +53,16 @@ void MovieFiles::ask(FrameOutput output) {
     dialog->open();
 }
 
-int MovieFiles::frameCount() const {
+HeldFrames MovieFiles::heldInMovie() const {
     const Document& document = m_parts.model.document();
-    const int phases = static_cast<int>(m_parts.openStudy.study()->phases.size());
-    return static_cast<int>(turnOf(document, firstPane, phases).size());
+    const Study& study = *m_parts.openStudy.study();
+    std::vector<int> phases;
+    for (const MotionPosition& position : turnOf(document, firstPane, static_cast<int>(study.phases.size())))
+        phases.push_back(position.phase);
+    return heldFrames(document.motion, study.phaseTimes, phases);
 }
+
+int MovieFiles::frameCount() const { return static_cast<int>(heldInMovie().pictures.size()); }
 
 QString MovieFiles::whatPlays() const {
     const MotionChoice& motion = m_parts.model.document().motion;
@@ -73,14 +81,13 @@ QString MovieFiles::whatPlays() const {
 }
 
 MovieChoice MovieFiles::proposal(FrameOutput output) const {
-    const MotionChoice& motion = m_parts.model.document().motion;
     MovieChoice choice = m_last;
     const QString name = output == FrameOutput::movie ? m_parts.proposedName(QStringLiteral("movie")) + ".mp4"
                                                       : m_parts.proposedName(QStringLiteral("frame")) + ".png";
     const QString folder = m_parts.settings.lastSaveFolder();
     choice.path = QDir(folder.isEmpty() ? QDir::homePath() : folder).filePath(name);
-    choice.framesPerSecond = std::clamp(1.0 / frameSeconds(motion, m_parts.openStudy.study()->phaseSeconds),
-                                        MovieDialog::leastRate, MovieDialog::largestRate);
+    choice.framesPerSecond =
+        std::clamp(1.0 / heldInMovie().pictureSeconds, MovieDialog::leastRate, MovieDialog::largestRate);
     choice.replace = false;
     return choice;
 }
@@ -121,7 +128,7 @@ FrameOrder MovieFiles::orderOf(FrameOutput output, const MovieChoice& choice) co
     const Study& study = *m_parts.openStudy.study();
     FrameOrder order{.document = m_parts.model.document(),
                      .phases = {.scans = study.phases, .quiet = {}, .reduction = quiet.reduction()},
-                     .phaseSeconds = study.phaseSeconds,
+                     .phaseTimes = study.phaseTimes,
                      .output = output,
                      .choice = choice};
     for (int phase = 0; phase < quiet.phaseCount(); ++phase) order.phases.quiet.push_back(quiet.of(phase));

@@ -56,6 +56,7 @@ signals:
 private:
     [[nodiscard]] FrameOrder orderOf(FrameOutput output, const MovieChoice& choice) const;
     [[nodiscard]] MovieChoice proposal(FrameOutput output) const;
+    [[nodiscard]] HeldFrames heldInMovie() const;
     [[nodiscard]] int frameCount() const;
     [[nodiscard]] MovieHindrance hindrance(FrameOutput output, const MovieChoice& choice) const;
     [[nodiscard]] QString whatPlays() const;

@@ -63,7 +63,7 @@ std::size_t turnPhasesIntoSlices(StoredVolume& stored) {
     }
     stored.phases = 1;
     stored.phasesFastest = false;
-    stored.phaseSeconds.reset();
+    stored.phaseTimes = {};
     return axis;
 }
 

@@ -179,7 +179,7 @@ Result<void> MetaImageHeader::readSpacing() {
 void MetaImageHeader::readPhaseTime(const std::vector<double>& spacing) {
     // MetaImage has no unit for the fourth axis. Programs that know no time write 1.
     if (spacing.size() < 4 || !std::isfinite(spacing[3]) || spacing[3] <= 0.0 || spacing[3] == 1.0) return;
-    m_stored.phaseSeconds = spacing[3];
+    m_stored.phaseTimes = PhaseTimes::every(spacing[3]);
     m_stored.phaseSource = m_stored.spacingSource + ", assumed to be seconds";
 }
 

@@ -254,7 +254,7 @@ Result<void> NrrdHeader::readPhaseTime() {
     const auto seconds = *m_timeAxis < units.size() ? secondsOfUnit(units[*m_timeAxis]) : std::nullopt;
     // Without a unit, programs that know no time write 1.
     if (!seconds && step == 1.0) return {};
-    m_stored.phaseSeconds = step * seconds.value_or(1.0);
+    m_stored.phaseTimes = PhaseTimes::every(step * seconds.value_or(1.0));
     m_stored.phaseSource = seconds ? "spacings, units" : "spacings, assumed to be seconds";
     return {};
 }

@@ -194,7 +194,7 @@ Result<void> NiftiReader::readTime() {
             {"time of the first phase", fmt::format("{:.9g} s", m_header.toffset * seconds), "toffset"});
     // Without a unit, programs that know no time write 1.
     if (!std::isfinite(step) || step <= 0 || (!unitGiven && step == 1.0)) return {};
-    m_stored.phaseSeconds = step * seconds;
+    m_stored.phaseTimes = PhaseTimes::every(step * seconds);
     m_stored.phaseSource = source;
     return {};
 }

@@ -69,10 +69,15 @@ void describe(Archive& archive, Value& fact) {
     archive(fact.name, fact.value, fact.source);
 }
 
+template <typename Archive, Described<PhaseTimes> Value>
+void describe(Archive& archive, Value& times) {
+    archive(times.meanSeconds, times.starts);
+}
+
 /// Everything but the volumes, which travel in shared memory.
 template <typename Archive, Described<Study> Value>
 void describe(Archive& archive, Value& study) {
-    archive(study.name, study.files, study.phaseSeconds);
+    archive(study.name, study.files, study.phaseTimes);
     archive.choice(study.lossyCompression, LossyCompression::yes);
     archive.choice(study.burnedInText, BurnedInText::yes);
     archive(study.facts, study.warnings);

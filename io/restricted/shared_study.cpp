@@ -182,10 +182,7 @@ bool isSensible(const SharedVolume& volume) {
            isSensibleSpacing(geometry.spacing) && isPosition(geometry.origin);
 }
 
-bool isSensible(const Study& study) {
-    return !study.name.empty() &&
-           (!study.phaseSeconds || (*study.phaseSeconds > 0 && std::isfinite(*study.phaseSeconds)));
-}
+bool isSensible(const Study& study) { return !study.name.empty(); }
 
 /// Whether phases can be of one study: one size and type, and at most mostPhases.
 bool belongTogether(const std::vector<SharedVolume>& phases) {
@@ -245,6 +242,7 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
     MessageReader reader(bytes);
     reader(study, shared);
     if (!reader.complete() || !isSensible(study) || !belongTogether(shared.phases) ||
+        !areTimesOf(study.phaseTimes, shared.phases.size()) ||
         std::ranges::max(shared.phases.front().geometry.size) > longest)
         return std::nullopt;
     // Only memory without a name can be sealed. Sealed memory is no file, and neither shrinks nor changes.

@@ -48,7 +48,7 @@ struct StoredVolume {
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;
     std::optional<WindowWhite> window;  ///< as StudyParts::window
-    std::optional<double> phaseSeconds;
+    PhaseTimes phaseTimes{};
     std::string phaseSource;
     std::vector<ImportFact> facts;
     std::vector<std::string> warnings;

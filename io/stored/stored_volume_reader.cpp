@@ -115,7 +115,7 @@ Result<Study> studyOf(const StoredVolume& stored, std::vector<VoxelBytes> phases
     parts.whiteLevel = stored.whiteLevel;
     parts.whiteLevelSource = stored.whiteLevelSource;
     parts.window = stored.window;
-    parts.phaseSeconds = stored.phaseSeconds;
+    parts.phaseTimes = stored.phaseTimes;
     parts.phaseSource = stored.phaseSource;
     parts.facts = stored.facts;
     parts.warnings = stored.warnings;

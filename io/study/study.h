@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "processing/document/read_options.h"
+#include "processing/motion/phase_times.h"
 #include "processing/progress.h"
 #include "processing/result.h"
 #include "processing/volume/volume.h"
@@ -41,7 +42,7 @@ struct Study {
     /// that can be opened. Empty if it was not read from files. No output may be one of them (refuseToOverwrite()).
     std::vector<std::string> files;
     std::vector<std::shared_ptr<const Volume>> phases;
-    std::optional<double> phaseSeconds;  ///< seconds between phases, above 0; no value if unknown
+    PhaseTimes phaseTimes{};
     LossyCompression lossyCompression = LossyCompression::unknown;
     BurnedInText burnedInText = BurnedInText::no;
     std::vector<ImportFact> facts;

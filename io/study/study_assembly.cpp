@@ -143,12 +143,18 @@ void addGeometryFacts(const StudyParts& parts, Study& study) {
     study.facts.push_back({"voxel type", parts.voxels.story, parts.typeSource});
 }
 
+std::string timesText(const PhaseTimes& times) {
+    const auto gaps = gapsOf(times);
+    if (!gaps) return "unknown";
+    if (times.starts.empty()) return fmt::format("{:.6g} s", *times.meanSeconds);
+    return fmt::format("{:.4g} to {:.4g} s; played as they are", gaps->first, gaps->second);
+}
+
 void addPhaseFacts(const StudyParts& parts, Study& study) {
     if (study.phases.size() < 2) return;
     study.facts.push_back({"phases", std::to_string(study.phases.size()),
                            parts.phasesSource.empty() ? parts.sizeSource : parts.phasesSource});
-    study.facts.push_back({"time between phases",
-                           parts.phaseSeconds ? fmt::format("{:.6g} s", *parts.phaseSeconds) : "unknown",
+    study.facts.push_back({"time between phases", timesText(parts.phaseTimes),
                            parts.phaseSource.empty() ? "the file does not say it" : parts.phaseSource});
 }
 
@@ -319,9 +325,8 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     study.name = nameFromPath(parts.path);
     study.files = std::move(parts.files);
     // Times far apart overflow. No time is better than one that no clock can wait for.
-    if (parts.phaseSeconds && !(*parts.phaseSeconds > 0 && std::isfinite(*parts.phaseSeconds)))
-        parts.phaseSeconds.reset();
-    study.phaseSeconds = parts.phaseSeconds;
+    if (!areTimesOf(parts.phaseTimes, parts.voxels.phases.size())) parts.phaseTimes = {};
+    study.phaseTimes = parts.phaseTimes;
     study.lossyCompression = parts.lossyCompression;
     study.burnedInText = parts.burnedInText;
     study.facts = std::move(parts.facts);
@@ -348,6 +353,8 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     addProbeFacts(parts, study);
     addLossFact(parts, study);
     addBurnedInTextFact(parts, study);
+    if (!study.phaseTimes.starts.empty())
+        study.warnings.push_back("The times between phases are uneven (" + timesText(study.phaseTimes) + ").");
     if (parts.reduction) study.warnings.push_back(reductionWarning(*parts.reduction));
     if (!parts.voxels.warning.empty()) study.warnings.push_back(parts.voxels.warning);
     if (parts.inPlaneSpacingKnown && !parts.geometry.spacingKnown)

@@ -54,8 +54,8 @@ struct StudyParts {
     /// through them.
     std::vector<std::size_t> missingSlices;
     std::string probeSource;  ///< tags or items of geometry.probe, if there is one
-    std::optional<double> phaseSeconds;
-    std::string phaseSource;  ///< key or tag of phaseSeconds
+    PhaseTimes phaseTimes{};
+    std::string phaseSource;  ///< key or tag of phaseTimes
     LossyCompression lossyCompression = LossyCompression::unknown;
     std::string lossSource;  ///< tags of lossyCompression; empty if the format has no entry for it
     BurnedInText burnedInText = BurnedInText::no;

@@ -1,6 +1,7 @@
 #include "processing/motion/motion_choice.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace echolucent {
 
@@ -28,10 +29,31 @@ PhaseRange playedPhases(const MotionChoice& motion, int phases) {
     return {std::clamp(motion.phaseRange->first, 0, all.last), std::clamp(motion.phaseRange->last, 0, all.last)};
 }
 
-double frameSeconds(const MotionChoice& motion, std::optional<double> phaseSeconds) {
-    const double standard = movesObject(motion.scenario) ? phaseSeconds.value_or(1.0 / assumedPhasesPerSecond)
-                                                         : 1.0 / motionDegreesPerSecond;
+double frameSeconds(const MotionChoice& motion, const PhaseTimes& times) { return frameSeconds(motion, times, 0, 0); }
+
+double frameSeconds(const MotionChoice& motion, const PhaseTimes& times, int from, int to) {
+    const double standard = movesObject(motion.scenario)
+                                ? secondsBetween(times, from, to).value_or(1.0 / assumedPhasesPerSecond)
+                                : 1.0 / motionDegreesPerSecond;
     return standard / motion.speed;
+}
+
+HeldFrames heldFrames(const MotionChoice& motion, const PhaseTimes& times, std::span<const int> phases) {
+    std::vector<double> seconds;
+    for (std::size_t frame = 0; frame < phases.size(); ++frame)
+        seconds.push_back(frameSeconds(motion, times, phases[frame], phases[(frame + 1) % phases.size()]));
+    HeldFrames held{.pictures = std::vector<int>(phases.size(), 1), .pictureSeconds = frameSeconds(motion, times)};
+    if (seconds.empty() || times.starts.empty() || !movesObject(motion.scenario)) return held;
+    constexpr double mostPictures = 100;
+    held.pictureSeconds = *std::ranges::min_element(seconds);
+    double end = 0;  // of the frames so far, in pictures
+    double shown = 0;
+    for (std::size_t frame = 0; frame < seconds.size(); ++frame) {
+        end += std::min(seconds[frame] / held.pictureSeconds, mostPictures);
+        held.pictures[frame] = static_cast<int>(std::max(1.0, std::round(end - shown)));
+        shown += held.pictures[frame];
+    }
+    return held;
 }
 
 MotionPosition nextFrame(const MotionPosition& position, const MotionChoice& motion, int phases) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "processing/motion/motion_mode.h"
+#include "processing/motion/phase_times.h"
 
 namespace echolucent {
 
@@ -39,9 +41,20 @@ inline constexpr double assumedPhasesPerSecond = 20.0;
 /// the study's last phase.
 [[nodiscard]] PhaseRange playedPhases(const MotionChoice& motion, int phases);
 
-/// Seconds from one frame to the next. If the object moves: `phaseSeconds` (> 0), or 1 / assumedPhasesPerSecond if it
-/// is empty. Otherwise 1 / motionDegreesPerSecond. Either is divided by MotionChoice::speed (> 0).
-[[nodiscard]] double frameSeconds(const MotionChoice& motion, std::optional<double> phaseSeconds);
+/// Mean seconds from one frame to the next. If the object moves: from phase to phase, or 1 / assumedPhasesPerSecond if
+/// that is unknown. Otherwise 1 / motionDegreesPerSecond. Either is divided by MotionChoice::speed (> 0).
+[[nodiscard]] double frameSeconds(const MotionChoice& motion, const PhaseTimes& times);
+/// The same from a frame that shows phase `from` to one that shows phase `to`: uneven phases are played as they are.
+[[nodiscard]] double frameSeconds(const MotionChoice& motion, const PhaseTimes& times, int from, int to);
+/// How many pictures of a movie show each of its frames, and how long each picture lasts. `phases` are the phases of
+/// the frames in order; the movie begins again after its last. If all frames last equally long, each has one picture.
+/// Otherwise the shortest has one and the others have as many as they are longer, rounded so that errors do not add up,
+/// at least 1 and at most 100.
+struct HeldFrames {
+    std::vector<int> pictures;
+    double pictureSeconds = 0;
+};
+[[nodiscard]] HeldFrames heldFrames(const MotionChoice& motion, const PhaseTimes& times, std::span<const int> phases);
 
 struct MotionPosition {
     int angle = 0;  ///< whole degrees from the view in which the motion began

@@ -162,7 +162,7 @@ private slots:
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
         player.setChoice({.scenario = MotionScenario::object});
-        player.setStudy(3, std::nullopt);
+        player.setStudy(3, {});
         QSignalSpy frames(&player, &MotionPlayer::frameChanged);
         player.play();
         showAndStep(player, 4);
@@ -176,7 +176,7 @@ private slots:
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
         player.setChoice({.scenario = MotionScenario::both});
-        player.setStudy(2, std::nullopt);
+        player.setStudy(2, {});
         player.setAngle(45);
         player.frameShown();
         QSignalSpy frames(&player, &MotionPlayer::frameChanged);
@@ -188,7 +188,7 @@ private slots:
     void thePhasesOfARangeGoBackAndForth() {
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
-        player.setStudy(9, std::nullopt);
+        player.setStudy(9, {});
         player.setChoice({.scenario = MotionScenario::object, .phasesPingPong = true, .phaseRange = PhaseRange{2, 4}});
         QSignalSpy frames(&player, &MotionPlayer::frameChanged);
         player.play();
@@ -239,10 +239,26 @@ private slots:
         QCOMPARE(pacing.wait(9s + 10ms, interval), interval);
     }
 
+    void unevenPhasesAreShownAsLongAsTheyLasted() {
+        using namespace std::chrono_literals;
+        MotionPlayer player;
+        player.setChoice({.scenario = MotionScenario::object, .phasesPingPong = true, .speed = 0.5});
+        player.setStudy(3, phaseTimesAt({2.0, 2.1, 2.4}));
+        QCOMPARE(player.interval(), FramePacing::Time(200ms));  // from phase 0 to 1, at half speed
+        player.play();
+        player.frameShown();
+        QCOMPARE(player.phase(), 1);
+        QCOMPARE(player.interval(), FramePacing::Time(600ms));
+        player.setPhase(2);  // back from here: the same gap
+        QCOMPARE(player.interval(), FramePacing::Time(600ms));
+        player.setChoice({.scenario = MotionScenario::object});
+        QCOMPARE(player.interval(), FramePacing::Time(200ms));  // the first follows the last after the mean
+    }
+
     void aPhaseChosenByHandIsAFrameToWaitFor() {
         MotionPlayer player;
         player.setMinimumFrameInterval(anHour);
-        player.setStudy(5, std::nullopt);
+        player.setStudy(5, {});
         QSignalSpy frames(&player, &MotionPlayer::frameChanged);
         player.setPhase(3);
         QCOMPARE(frames.count(), 0);
@@ -250,7 +266,7 @@ private slots:
         QCOMPARE(frames.count(), 0);
         player.frameShown();
         QCOMPARE(frames, (QList<QList<QVariant>>{{1.0, 3}}));  // the probe moves, not the object
-        player.setStudy(1, std::nullopt);
+        player.setStudy(1, {});
         QCOMPARE(player.phase(), 0);
     }
 

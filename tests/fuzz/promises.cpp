@@ -55,8 +55,7 @@ void requireSoundStudy(const Study& study) {
     require(!study.phases.empty(), "a study has a phase");
     for (const auto& phase : study.phases) requireSoundPhase(*phase, *study.phases.front());
     require(!study.files.empty(), "a study names its files");
-    require(!study.phaseSeconds || (std::isfinite(*study.phaseSeconds) && *study.phaseSeconds > 0),
-            "the time between phases is finite and above 0");
+    require(areTimesOf(study.phaseTimes, study.phases.size()), "times of phases rise and are finite");
     for (const ImportFact& fact : study.facts) {
         require(!fact.name.empty() && !fact.value.empty() && !fact.source.empty(),
                 "a fact has a name, a value and a source: " + fact.name);

@@ -31,7 +31,7 @@ TEST_P(SharedVolumes, LoadWithTheirSizeAndSpacing) {
     const auto study = readStudy(sharedData + "/volumes/" + row.name, withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     ASSERT_EQ(study->phases.size(), row.phases);
-    EXPECT_FALSE(study->phaseSeconds);
+    EXPECT_FALSE(study->phaseTimes.meanSeconds);
     for (const auto& phase : study->phases) {
         EXPECT_EQ(phase->geometry().size, row.size);
         EXPECT_LT(length(phase->geometry().spacing - row.spacing), 1e-9);

@@ -40,7 +40,7 @@ using testing::HasSubstr;
 std::string wordsOf(const Result<Study>& study) {
     if (!study) return "refused: " + study.error().sentence();
     std::string words =
-        study->name + fmt::format(" {} {} {} {}", study->phaseSeconds.value_or(-1), study->phases.size(),
+        study->name + fmt::format(" {} {} {} {}", study->phaseTimes.meanSeconds.value_or(-1), study->phases.size(),
                                   static_cast<int>(study->lossyCompression), static_cast<int>(study->burnedInText));
     for (const std::string& file : study->files) words += "\nfile " + file;
     for (const ImportFact& fact : study->facts)

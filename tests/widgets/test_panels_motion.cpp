@@ -64,7 +64,7 @@ private slots:
 
     void everyChoiceIsSaidOnceAndChangesNothingElse() {
         MotionPanel panel;
-        panel.setStudy(20, 0.05);
+        panel.setStudy(20, PhaseTimes::every(0.05));
         panel.show();
         MotionChoice expected{.scenario = MotionScenario::both};
         panel.setChoice(expected);
@@ -123,7 +123,7 @@ private slots:
 
     void onlyWhatPlaysAPartIsShown() {
         MotionPanel panel;
-        panel.setStudy(20, std::nullopt);
+        panel.setStudy(20, {});
         panel.show();
         constexpr std::array ofPhases{"motion.phase", "motion.phase.value", "motion.firstPhase",
                                       "motion.phasesPingPong"};
@@ -141,7 +141,7 @@ private slots:
         QVERIFY(showsRightly(MotionScenario::object));
         QCOMPARE(child<QRadioButton>(panel, "motion.mode.eachView")->text(), "Each phase's");
         QVERIFY(showsRightly(MotionScenario::both));
-        panel.setStudy(1, std::nullopt);
+        panel.setStudy(1, {});
         QCOMPARE(panel.choice().scenario, MotionScenario::probe);
         QVERIFY(!child<QComboBox>(panel, "motion.scenario")->isEnabled());
         QVERIFY(!child<QWidget>(panel, "motion.otfPhase")->isVisible());
@@ -152,7 +152,7 @@ private slots:
 
     void thePhaseIsSaidInTimeWhereThatIsKnown() {
         MotionPanel panel;
-        panel.setStudy(20, 0.0305);
+        panel.setStudy(20, PhaseTimes::every(0.0305));
         panel.setChoice({.scenario = MotionScenario::object});
         auto* slider = child<QSlider>(panel, "motion.phase");
         auto* readOut = child<QLabel>(panel, "motion.phase.value");
@@ -167,7 +167,7 @@ private slots:
         QCOMPARE(spy.takeFirst().first().toInt(), 19);
         QTest::keyClick(slider, Qt::Key_Home);
         QCOMPARE(spy.takeFirst().first().toInt(), 0);
-        panel.setStudy(20, std::nullopt);
+        panel.setStudy(20, {});
         panel.setPhase(6);
         QCOMPARE(readOut->text(), "phase 7 of 20");
     }
@@ -176,11 +176,11 @@ private slots:
         MotionPanel panel;
         auto* speed = child<QComboBox>(panel, "motion.speed");
         QVERIFY2(speed->toolTip().contains("30 frames a second"), qPrintable(speed->toolTip()));
-        panel.setStudy(20, 0.0625);
+        panel.setStudy(20, PhaseTimes::every(0.0625));
         panel.setChoice({.scenario = MotionScenario::object, .speed = 0.5});
         QCOMPARE(speed->currentText(), "½×");
         QVERIFY2(speed->toolTip().contains("8 frames a second"), qPrintable(speed->toolTip()));
-        panel.setStudy(20, std::nullopt);
+        panel.setStudy(20, {});
         QVERIFY2(speed->toolTip().contains("10 frames a second"), qPrintable(speed->toolTip()));
         QVERIFY(speed->toolTip().contains("does not say"));
         // A document's own speed stands among the others while it is set.
@@ -194,7 +194,7 @@ private slots:
 
     void theFirstPhaseThatPlaysIsNeverBehindTheLast() {
         MotionPanel panel;
-        panel.setStudy(5, std::nullopt);
+        panel.setStudy(5, {});
         panel.setChoice({.scenario = MotionScenario::object, .phaseRange = PhaseRange{2, 3}});
         auto* first = child<QSpinBox>(panel, "motion.firstPhase");
         auto* last = child<QSpinBox>(panel, "motion.lastPhase");
@@ -216,7 +216,7 @@ private slots:
 
     void aNarrowWindowKeepsEveryControlInside() {
         MotionPanel panel;
-        panel.setStudy(200, 0.05);
+        panel.setStudy(200, PhaseTimes::every(0.05));
         panel.show();
         for (const MotionScenario scenario : {MotionScenario::probe, MotionScenario::object, MotionScenario::both})
             for (const int width : {1400, 930, 760, panel.minimumSizeHint().width()}) {
@@ -236,7 +236,7 @@ private slots:
         AllSignals all(panel);
         panel.setPlaying(true);
         panel.setAngle(-7.4);
-        panel.setStudy(3, 0.1);
+        panel.setStudy(3, PhaseTimes::every(0.1));
         panel.setPhase(2);
         const MotionChoice choice{.axis = MotionAxis::z,
                                   .scenario = MotionScenario::both,

@@ -28,9 +28,7 @@ private slots:
         QFETCH(double, seconds);
         QFETCH(QString, words);
         const MotionPosition position{.angle = -12, .phase = 6};
-        QCOMPARE(frameWords(position, static_cast<MotionScenario>(scenario), 20,
-                            seconds > 0 ? std::optional(seconds) : std::nullopt),
-                 words);
+        QCOMPARE(frameWords(position, static_cast<MotionScenario>(scenario), 20, PhaseTimes::every(seconds)), words);
     }
 
     void theBarIsAsLongAsItSays_data() {

@@ -87,7 +87,7 @@ MotionPanel::MotionPanel(QWidget* parent) : QWidget(parent) {
     createChoices();
     arrange();
     setPlaying(false);
-    setStudy(1, std::nullopt);
+    setStudy(1, {});
     showAngle();
     connectControls();
     connectChoices();
@@ -274,10 +274,10 @@ void MotionPanel::showAngle() { m_angleValue->setText(angleText(m_angle->value()
 int MotionPanel::phase() const { return m_phase->phase(); }
 void MotionPanel::setPhase(int phase) { m_phase->setPhase(phase); }
 
-void MotionPanel::setStudy(int phases, std::optional<double> phaseSeconds) {
+void MotionPanel::setStudy(int phases, const PhaseTimes& times) {
     m_phases = phases;
-    m_phaseSeconds = phaseSeconds;
-    m_phase->setStudy(phases, phaseSeconds);
+    m_times = times;
+    m_phase->setStudy(phases, times);
     m_phaseOrder->setPhases(phases);
     {
         const QSignalBlocker blocker(m_otfPhase);
@@ -319,11 +319,13 @@ void MotionPanel::showSpeed() {
     while (m_speed->count() > usual) m_speed->removeItem(usual);
     if (m_speed->findData(m_choice.speed) < 0) m_speed->addItem(speedText(m_choice.speed), m_choice.speed);
     m_speed->setCurrentIndex(m_speed->findData(m_choice.speed));
-    const QString rate = QLocale().toString(1.0 / frameSeconds(m_choice, m_phaseSeconds), 'g', 3);
+    const QString rate = QLocale().toString(1.0 / frameSeconds(m_choice, m_times), 'g', 3);
     QString why;
     if (!movesObject(m_choice.scenario))
         why = tr("at 1× the probe turns by %1° a second").arg(motionDegreesPerSecond);
-    else if (m_phaseSeconds)
+    else if (!m_times.starts.empty())
+        why = tr("at 1× as it was scanned, unevenly");
+    else if (m_times.meanSeconds)
         why = tr("at 1× as fast as it was scanned");
     else
         why = tr("at 1× %1, as the file does not say the time between phases").arg(assumedPhasesPerSecond);

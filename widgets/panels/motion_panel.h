@@ -45,9 +45,9 @@ public:
     /// Whole degrees, firstMotionAngle to lastMotionAngle.
     [[nodiscard]] double angle() const;
     void setAngle(double degrees);
-    /// Shows the first phase of a study of `phases` phases (>= 1). They are phaseSeconds apart (above 0), if that is
-    /// known. With one phase only the probe can move: the choice of what moves is disabled and says why.
-    void setStudy(int phases, std::optional<double> phaseSeconds);
+    /// Shows the first phase of a study of `phases` phases (>= 1). With one phase only the probe can move: the choice
+    /// of what moves is disabled and says why.
+    void setStudy(int phases, const PhaseTimes& times);
     /// Counted from 0.
     [[nodiscard]] int phase() const;
     void setPhase(int phase);
@@ -86,7 +86,7 @@ private:
 
     MotionChoice m_choice;
     int m_phases = 1;
-    std::optional<double> m_phaseSeconds;
+    PhaseTimes m_times;
     bool m_playing = false;
     QPushButton* m_play = nullptr;
     PhaseSlider* m_phase = nullptr;

@@ -58,16 +58,16 @@ PhaseSlider::PhaseSlider(QWidget* parent)
     layout->setSpacing(5);
     layout->addWidget(m_slider, 1);
     layout->addWidget(m_readOut);
-    setStudy(1, std::nullopt);
+    setStudy(1, {});
     connect(m_slider, &QSlider::valueChanged, this, [this](int phase) {
         showPhase();
         emit phaseChanged(phase);
     });
 }
 
-void PhaseSlider::setStudy(int phases, std::optional<double> phaseSeconds) {
+void PhaseSlider::setStudy(int phases, const PhaseTimes& times) {
     const QSignalBlocker blocker(m_slider);
-    m_phaseSeconds = phaseSeconds;
+    m_times = times;
     m_slider->setRange(0, phases - 1);
     m_slider->setPageStep(std::max(1, phases / 10));
     m_slider->setValue(0);
@@ -88,7 +88,7 @@ void PhaseSlider::setPhase(int phase) {
 }
 
 QString PhaseSlider::textOf(int phase) const {
-    return frameWords({.phase = phase}, MotionScenario::object, m_slider->maximum() + 1, m_phaseSeconds);
+    return frameWords({.phase = phase}, MotionScenario::object, m_slider->maximum() + 1, m_times);
 }
 
 void PhaseSlider::showPhase() { m_readOut->setText(textOf(phase())); }

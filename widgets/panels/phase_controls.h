@@ -21,9 +21,8 @@ class PhaseSlider : public QWidget {
 public:
     explicit PhaseSlider(QWidget* parent = nullptr);
 
-    /// Shows the first phase of a study of `phases` phases (>= 1). They are phaseSeconds apart (above 0), if that is
-    /// known.
-    void setStudy(int phases, std::optional<double> phaseSeconds);
+    /// Shows the first phase of a study of `phases` phases (>= 1).
+    void setStudy(int phases, const PhaseTimes& times);
     void setPlayed(const PhaseRange& range);
     /// Counted from 0.
     [[nodiscard]] int phase() const;
@@ -39,7 +38,7 @@ private:
 
     Groove* m_slider = nullptr;
     QLabel* m_readOut = nullptr;
-    std::optional<double> m_phaseSeconds;
+    PhaseTimes m_times;
 };
 
 /// Which phases play, and whether back and forth. Objects: motion.firstPhase, motion.lastPhase, motion.allPhases,

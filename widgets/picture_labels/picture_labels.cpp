@@ -88,12 +88,12 @@ private:
 
 }  // namespace
 
-QString frameWords(const MotionPosition& position, MotionScenario scenario, int phases,
-                   std::optional<double> phaseSeconds) {
+QString frameWords(const MotionPosition& position, MotionScenario scenario, int phases, const PhaseTimes& times) {
     QStringList words;
     if (movesObject(scenario)) {
         words << QObject::tr("phase %1 of %2").arg(position.phase + 1).arg(phases);
-        if (phaseSeconds) words << QObject::tr("%1 ms").arg(std::lround(1e3 * position.phase * *phaseSeconds));
+        if (const auto seconds = secondsOfPhase(times, position.phase))
+            words << QObject::tr("%1 ms").arg(std::lround(1e3 * *seconds));
     }
     if (movesProbe(scenario)) words << angleText(position.angle);
     return words.join(QStringLiteral(" · "));

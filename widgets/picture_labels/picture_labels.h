@@ -21,9 +21,9 @@ struct PictureLabels {
 };
 
 /// "phase 7 of 20 · 183 ms" if the object moves, "+3°" if the probe does, both if both do. The time is counted from the
-/// study's first phase, and missing without `phaseSeconds`.
+/// study's first phase, and missing if it is unknown.
 [[nodiscard]] QString frameWords(const MotionPosition& position, MotionScenario scenario, int phases,
-                                 std::optional<double> phaseSeconds);
+                                 const PhaseTimes& times);
 
 /// Paints the labels over a picture at the painter's origin: caption and frame above, the orientation marker and the
 /// scale bar below, as in the 3D view. `picture` is its size in the painter's units. `scale` is the number of units in

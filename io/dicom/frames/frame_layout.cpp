@@ -66,7 +66,7 @@ Result<void> GroupLayout::takePhases() {
     auto split = splitIntoPhases(m_path, m_dimensions, m_groups, m_tissue);
     if (!split) return tl::unexpected(split.error());
     m_layout.phases = std::move(split->phases);
-    m_layout.phaseSeconds = split->phaseSeconds;
+    m_layout.phaseTimes = split->phaseTimes;
     m_layout.phaseSource = split->source;
     m_layout.warnings.insert(m_layout.warnings.end(), split->warnings.begin(), split->warnings.end());
     constexpr DicomTag organizationTag{0x0020, 0x9311};

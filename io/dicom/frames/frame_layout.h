@@ -21,7 +21,7 @@ struct FrameLayout {
     VolumeGeometry geometry;                       ///< of every phase
     std::string spacingSource;
     bool inPlaneSpacingKnown = false;  ///< whether pixels have a known size although the distance of slices is a guess
-    std::optional<double> phaseSeconds;
+    PhaseTimes phaseTimes{};
     std::string phaseSource;  ///< the attribute that told the phases apart
     std::optional<FoundProbe> probe;
     std::vector<ImportFact> facts;

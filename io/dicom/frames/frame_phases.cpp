@@ -175,7 +175,7 @@ Result<void> PhaseSplitter::checkDimensions() const {
 Result<void> PhaseSplitter::setTimes(FramePhases& result) const {
     if (result.phases.size() < 2 || !allHave([](const FrameGroups& frame) { return frame.timeOffset.has_value(); }))
         return {};
-    std::vector<double> starts, gaps;
+    std::vector<double> starts;
     double latest = 0.0;
     for (const auto& frames : result.phases) {
         const auto [first, last] =
@@ -185,17 +185,11 @@ Result<void> PhaseSplitter::setTimes(FramePhases& result) const {
             return refuse(timeOffsetName,
                           fmt::format("puts phase {} at {:.6g} s, not after phase {}, against the order of {}",
                                       starts.size() + 1, start, starts.size(), result.source));
-        if (!starts.empty()) gaps.push_back(start - starts.back());
         starts.push_back(start);
         latest = *m_groups[last].timeOffset;
     }
     if (result.source != timeOffsetName) result.source = timeOffsetName + "; phases by " + result.source;
-    result.phaseSeconds = (starts.back() - starts.front()) / static_cast<double>(starts.size() - 1);
-    const auto [least, most] = std::ranges::minmax(gaps);
-    if (most - least > 0.1 * *result.phaseSeconds)
-        result.warnings.push_back(
-            fmt::format("The phases are between {:.4g} and {:.4g} s apart; they are played {:.4g} s apart.", least,
-                        most, *result.phaseSeconds));
+    result.phaseTimes = phaseTimesAt(starts);
     return {};
 }
 

@@ -38,7 +38,7 @@ struct FramePhases {
     std::vector<std::vector<std::size_t>>
         phases;  ///< in the order of time; the frames of each in the order of the file
     /// Mean seconds between phases; no value for one phase, or if a frame states no time offset.
-    std::optional<double> phaseSeconds;
+    PhaseTimes phaseTimes{};
     std::string source;  ///< the attribute that told the phases apart; empty if none was taken
     std::vector<std::string> warnings;
 };

@@ -139,7 +139,7 @@ Result<Study> MultiframeReader::read() {
     parts.inPlaneSpacingKnown = layout->inPlaneSpacingKnown;
     parts.voxels = convertVoxels(std::move(*phases), m_frames.type());
     m_frames.sayWhite(parts);
-    parts.phaseSeconds = layout->phaseSeconds;
+    parts.phaseTimes = layout->phaseTimes;
     parts.phaseSource = layout->phaseSource;
     if (layout->probe) {
         parts.geometry.probe = layout->probe->probe;

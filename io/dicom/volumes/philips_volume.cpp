@@ -382,7 +382,7 @@ Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file, c
     parts.typeSource = volume.kind == PhilipsVolume::Kind::privateElement
                            ? "the length of " + tagText(volume.voxels) + " Philips private: one byte a voxel"
                            : "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
-    parts.phaseSeconds = volume.phaseSeconds;
+    parts.phaseTimes = PhaseTimes::every(volume.phaseSeconds.value_or(0));
     if (volume.phaseSeconds) parts.phaseSource = "(0018,1063) Frame Time";
     sayLoss(file.dataset(), parts);
     sayBurnedInText(file.dataset(), true, parts);

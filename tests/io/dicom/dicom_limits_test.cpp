@@ -46,7 +46,7 @@ TEST(DicomLimits, TimesThatAreTooFarApartAreUnknown) {
     const auto study = readStudy(folder.file("v"), withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(study->phases.size(), 2u);
-    EXPECT_FALSE(study->phaseSeconds);
+    EXPECT_FALSE(study->phaseTimes.meanSeconds);
 }
 
 TEST(SliceStacks, PositionsThatAreNoNumbersAreRefused) {

@@ -221,7 +221,7 @@ TEST(DicomMultiframe, TemporalPositionsSplitPhasesWhateverTheFileOrder) {
                                                 {{0, 0, 0}, 0.04, ""}}));
     ASSERT_TRUE(study) << study.error().sentence();
     ASSERT_EQ(study->phases.size(), 3U);
-    EXPECT_NEAR(study->phaseSeconds.value_or(0), 0.04, 1e-12);
+    EXPECT_NEAR(study->phaseTimes.meanSeconds.value_or(0), 0.04, 1e-12);
     const std::vector<std::pair<int, int>> expected{{11, 13}, {15, 14}, {12, 10}};
     for (std::size_t phase = 0; phase < 3; ++phase) {
         EXPECT_EQ(study->phases[phase]->storedValue(0), expected[phase].first);

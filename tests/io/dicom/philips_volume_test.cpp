@@ -58,7 +58,7 @@ TEST(QlabCartesian, GivesAllVolumesWithTheirSpacing) {
     EXPECT_EQ(geometry.size, (std::array<std::int64_t, 3>{3, 2, 4}));
     EXPECT_LT(length(geometry.spacing - Vec3(0.2, 0.4, 0.5)), 1e-12);
     EXPECT_TRUE(geometry.spacingKnown);
-    EXPECT_DOUBLE_EQ(*study->phaseSeconds, 0.04);
+    EXPECT_DOUBLE_EQ(*study->phaseTimes.meanSeconds, 0.04);
     EXPECT_EQ(study->phases[1]->storedValue(0), 25);
     EXPECT_EQ(study->phases[1]->storedValue(23), 48);
     EXPECT_THAT(factOf(*study, "format"), HasSubstr("Philips QLAB Cartesian"));
@@ -186,7 +186,7 @@ TEST(PhilipsScanner, FramesOfSeveralVolumesArePhases) {
     ASSERT_TRUE(study) << study.error().sentence();
     ASSERT_EQ(study->phases.size(), 2u);
     EXPECT_EQ(study->phases[1]->storedValue(0), 13);
-    EXPECT_FALSE(study->phaseSeconds);
+    EXPECT_FALSE(study->phaseTimes.meanSeconds);
 }
 
 TEST(PhilipsScanner, PlainVoxelsOfAPrivateElementAreRead) {

@@ -187,9 +187,9 @@ TEST(MetaImage, FourthAxisIsTimeWhateverItsSpacing) {
         ASSERT_EQ(study->phases.size(), 3U);
         EXPECT_THAT(storedValues(*study->phases[1]), ElementsAre(3, 4));
         EXPECT_EQ(study->phases[2]->geometry().spacing, Vec3(1, 2, 3));
-        EXPECT_FALSE(study->phaseSeconds) << spacing;
+        EXPECT_FALSE(study->phaseTimes.meanSeconds) << spacing;
     }
-    EXPECT_EQ(read("1 2 3 0.04")->phaseSeconds, 0.04);
+    EXPECT_EQ(read("1 2 3 0.04")->phaseTimes.meanSeconds, 0.04);
 }
 
 TEST(MetaImage, PhasesShareOneWhiteLevelAndType) {
@@ -256,7 +256,7 @@ TEST_P(WriterRoundTrip, GivesBackVoxelsGeometryAndWhiteLevel) {
     const auto study = readStudy(folder.file("v.mha"), withoutGuess());
     ASSERT_TRUE(study) << study.error().sentence();
     ASSERT_EQ(study->phases.size(), phases.size());
-    EXPECT_FALSE(study->phaseSeconds);
+    EXPECT_FALSE(study->phaseTimes.meanSeconds);
     for (std::size_t phase = 0; phase < phases.size(); ++phase) {
         const Volume& read = *study->phases[phase];
         EXPECT_EQ(read.voxels(), phases[phase]->voxels());

@@ -161,17 +161,19 @@ TEST(Nrrd, TimeAxisMayBeLastOrFirst) {
         EXPECT_THAT(storedValues(*study->phases[1]), ElementsAre(20, 21)) << i;
         EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(1, 2, 3)) << i;
         EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{1, 1, 2})) << i;
-        EXPECT_FALSE(study->phaseSeconds) << i;
+        EXPECT_FALSE(study->phaseTimes.meanSeconds) << i;
     }
 }
 
 TEST(Nrrd, TimeStepIsReadWithItsUnit) {
     const std::vector<std::uint8_t> values{10, 11, 20, 21};
-    EXPECT_EQ(readMoving("1 1 2 2", "spacings: 1 1 1 40\nunits: \"mm\" \"mm\" \"mm\" \"ms\"\n", values)->phaseSeconds,
+    EXPECT_EQ(readMoving("1 1 2 2", "spacings: 1 1 1 40\nunits: \"mm\" \"mm\" \"mm\" \"ms\"\n", values)
+                  ->phaseTimes.meanSeconds,
               0.04);
-    EXPECT_EQ(readMoving("1 1 2 2", "spacings: 1 1 1 1\nunits: \"mm\" \"mm\" \"mm\" \"s\"\n", values)->phaseSeconds,
-              1.0);
-    EXPECT_EQ(readMoving("1 1 2 2", "spacings: 1 1 1 0.5\n", values)->phaseSeconds, 0.5);
+    EXPECT_EQ(
+        readMoving("1 1 2 2", "spacings: 1 1 1 1\nunits: \"mm\" \"mm\" \"mm\" \"s\"\n", values)->phaseTimes.meanSeconds,
+        1.0);
+    EXPECT_EQ(readMoving("1 1 2 2", "spacings: 1 1 1 0.5\n", values)->phaseTimes.meanSeconds, 0.5);
 }
 
 TEST(Nrrd, ColourAxisIsReducedToLuma) {

@@ -94,7 +94,7 @@ TEST(Nifti, UnitsAreTurnedIntoMillimetresAndSeconds) {
         fields.pixdim = {1, 1, 1, 1, step};
         const auto study = readFields(fields);
         EXPECT_TRUE(study) << study.error().sentence();
-        return study->phaseSeconds.value_or(-1);
+        return study->phaseTimes.meanSeconds.value_or(-1);
     };
     EXPECT_EQ(seconds(8, 0.5), 0.5);
     EXPECT_EQ(seconds(8, 1), 1);

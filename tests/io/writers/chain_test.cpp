@@ -37,12 +37,12 @@ TEST(FormatChain, KeepsEveryVoxelAndItsPlace) {
         ASSERT_TRUE(writeEnhancedUs(folder.file("a.dcm"), phases, details));
         const auto dicom = readStudy(folder.file("a.dcm"), withoutGuess());
         ASSERT_TRUE(dicom) << dicom.error().sentence();
-        ASSERT_TRUE(writeNifti(folder.file("a.nii.gz"), dicom->phases, dicom->phaseSeconds));
+        ASSERT_TRUE(writeNifti(folder.file("a.nii.gz"), dicom->phases, dicom->phaseTimes.meanSeconds));
         const auto nifti = readStudy(folder.file("a.nii.gz"), withoutGuess());
         ASSERT_TRUE(nifti) << nifti.error().sentence();
         ASSERT_EQ(nifti->phases.size(), 2U);
-        ASSERT_TRUE(nifti->phaseSeconds);
-        EXPECT_NEAR(*nifti->phaseSeconds, 0.04, 1e-8);
+        ASSERT_TRUE(nifti->phaseTimes.meanSeconds);
+        EXPECT_NEAR(*nifti->phaseTimes.meanSeconds, 0.04, 1e-8);
         for (std::size_t phase = 0; phase < 2; ++phase) {
             const Volume& read = *nifti->phases[phase];
             EXPECT_EQ(read.voxels(), phases[phase]->voxels()) << bits << " bits";

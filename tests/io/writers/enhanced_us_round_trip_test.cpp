@@ -95,8 +95,8 @@ TEST_P(EnhancedUsRoundTrip, VolumesAreReadAsTheyWereWritten) {
     expectSameVolumes(*study, written);
     EXPECT_EQ(study->phases[0]->geometry().patientFrameKnown,
               GetParam().geometry.patientFrameKnown || !GetParam().apex);
-    EXPECT_EQ(study->phaseSeconds.has_value(), GetParam().phaseSeconds.has_value());
-    EXPECT_NEAR(study->phaseSeconds.value_or(0), GetParam().phaseSeconds.value_or(0), 1e-12);
+    EXPECT_EQ(study->phaseTimes.meanSeconds.has_value(), GetParam().phaseSeconds.has_value());
+    EXPECT_NEAR(study->phaseTimes.meanSeconds.value_or(0), GetParam().phaseSeconds.value_or(0), 1e-12);
     const auto slices = GetParam().geometry.size[2];
     EXPECT_EQ(factOf(*study, "format"), GetParam().phases == 1
                                             ? fmt::format("DICOM Enhanced US Volume, one file, {} frames", slices)

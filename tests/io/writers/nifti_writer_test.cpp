@@ -61,7 +61,7 @@ TEST_P(NiftiRoundTrip, GivesBackEveryBitOfTheVoxels) {
         EXPECT_LT(cv::norm(read.direction - truth.direction), 1e-6);
     }
     if (count > 1) {
-        EXPECT_EQ(study->phaseSeconds, 0.125);
+        EXPECT_EQ(study->phaseTimes.meanSeconds, 0.125);
     }
     if (bits < 32) {
         EXPECT_EQ(study->phases[0]->whiteLevel(), phases[0]->whiteLevel());

@@ -59,10 +59,31 @@ TEST(MotionChoice, APhaseOutsideTheRangeGoesOnWithItsFirst) {
 
 TEST(MotionChoice, TimesBetweenFramesFollowTheScanAndTheSpeed) {
     MotionChoice motion{.scenario = MotionScenario::object, .speed = 0.5};
-    EXPECT_DOUBLE_EQ(frameSeconds(motion, 0.04), 0.08);
-    EXPECT_DOUBLE_EQ(frameSeconds(motion, std::nullopt), 2.0 / assumedPhasesPerSecond);
+    EXPECT_DOUBLE_EQ(frameSeconds(motion, PhaseTimes::every(0.04)), 0.08);
+    EXPECT_DOUBLE_EQ(frameSeconds(motion, {}), 2.0 / assumedPhasesPerSecond);
     motion.scenario = MotionScenario::probe;
-    EXPECT_DOUBLE_EQ(frameSeconds(motion, 0.04), 2.0 / motionDegreesPerSecond);
+    EXPECT_DOUBLE_EQ(frameSeconds(motion, PhaseTimes::every(0.04)), 2.0 / motionDegreesPerSecond);
+}
+
+TEST(MotionChoice, AMovieHoldsUnevenPhasesAsLongAsTheyLasted) {
+    const PhaseTimes times = phaseTimesAt({0.0, 0.1, 0.35, 0.6, 0.7});  // gaps 1 : 2.5 : 2.5 : 1, then the mean, 1.75
+    MotionChoice motion{.scenario = MotionScenario::object, .speed = 2.0};
+    const std::vector<int> phases{0, 1, 2, 3, 4};
+    const HeldFrames held = heldFrames(motion, times, phases);
+    EXPECT_NEAR(held.pictureSeconds, 0.05, 1e-12);
+    // The frames end at 1, 3.5, 6, 7 and 8.75 pictures: what is rounded away is not lost.
+    EXPECT_EQ(held.pictures, (std::vector<int>{1, 3, 2, 1, 2}));
+    EXPECT_EQ(heldFrames(motion, PhaseTimes::every(0.1), phases).pictures, std::vector<int>(5, 1));
+    EXPECT_EQ(heldFrames(motion, PhaseTimes::every(0.1), phases).pictureSeconds, 0.05);
+    motion.scenario = MotionScenario::probe;
+    EXPECT_EQ(heldFrames(motion, times, phases).pictures, std::vector<int>(5, 1));
+    EXPECT_TRUE(heldFrames(motion, times, {}).pictures.empty());
+}
+
+TEST(MotionChoice, AMovieHoldsNoPhaseLongerThanAHundredPictures) {
+    const MotionChoice motion{.scenario = MotionScenario::object};
+    const HeldFrames held = heldFrames(motion, phaseTimesAt({0.0, 1e-9, 1e9}), std::vector<int>{0, 1, 2});
+    EXPECT_EQ(held.pictures, (std::vector<int>{1, 100, 100}));
 }
 
 TEST(MotionChoice, WhatMakesNoSenseIsNamed) {
