@@ -135,12 +135,49 @@ Result<std::vector<DataFile>> dataFilesBeside(const DataFileKey& key, const std:
     return files;
 }
 
+Result<std::optional<DataFile>> dataFileOfThatName(const DataFileKey& key, const std::string& name) {
+    if (name.empty() || name.size() > longestName) return std::optional<DataFile>();
+    const auto path = std::filesystem::path(key.headerPath).parent_path() / name;
+    if (!staysBelow(name) || fileAccess().kindOf(path.string()) == FileKind::missing) return std::optional<DataFile>();
+    auto file = dataFileBeside(key, name);
+    if (!file) return tl::unexpected(file.error());
+    return std::optional(std::move(*file));
+}
+
+NamePattern namePatternIn(const std::string& text, std::size_t mostNumbers) {
+    NamePattern pattern{.name = trimmed(text), .numbers = {}};
+    while (pattern.numbers.size() < mostNumbers) {
+        const auto blank = pattern.name.find_last_of(" \t");
+        const auto sign = pattern.name.find_last_of('%');
+        if (blank == std::string::npos || sign == std::string::npos || blank < sign) break;
+        const auto number = wholeNumber(pattern.name.substr(blank + 1));
+        if (!number) break;
+        pattern.numbers.insert(pattern.numbers.begin(), *number);
+        pattern.name = trimmed(pattern.name.substr(0, blank));
+    }
+    pattern.isPattern = patternFrom(pattern.name).has_value();
+    return pattern;
+}
+
+std::string literalNameNote(const std::string& name) {
+    return "A file is called " + quotedText(name) +
+           ", word for word: it is read, and the name is taken for no pattern.";
+}
+
+tl::unexpected<Failure> neitherNameNorPattern(const DataFileKey& key, const std::string& text) {
+    return wrong(key,
+                 "is " + quotedText(text) +
+                     ", which is no pattern with one number such as slice%03d.raw, and no file of that name lies "
+                     "beside the header",
+                 "Put the file of that name beside the header, or correct the name.");
+}
+
 Result<std::vector<std::string>> namesOfPattern(const DataFileKey& key, const std::string& text,
                                                 const FileNumbers& numbers) {
     const auto pattern = patternFrom(text);
     if (!pattern)
         return wrong(key, "is " + quotedText(text) + ", which is no pattern with one number such as slice%03d.raw",
-                     "Correct the pattern. Where the % belongs to the name of one file, rename that file without it.");
+                     "Correct the pattern.");
     constexpr std::int64_t largest = 1'000'000'000;
     for (const std::int64_t number : {numbers.first, numbers.last, numbers.step})
         if (number < -largest || number > largest)

@@ -48,6 +48,23 @@ struct DataFileKey {
 /// mostDataFiles.
 [[nodiscard]] Result<std::vector<DataFile>> dataFilesBeside(const DataFileKey& key,
                                                             const std::vector<std::string>& names);
+/// The data file whose name is `name` word for word, per cent signs and blanks included; no value if there is none.
+/// Fails as dataFileBeside() if such a file may not be read.
+[[nodiscard]] Result<std::optional<DataFile>> dataFileOfThatName(const DataFileKey& key, const std::string& name);
+
+/// A value such as "my slice %03d.raw 1 66 1": a name and the whole numbers behind it.
+struct NamePattern {
+    std::string name;
+    std::vector<std::int64_t> numbers;
+    bool isPattern = false;  ///< whether namesOfPattern() takes the name
+};
+/// The parts of `text`, with at most this many numbers.
+[[nodiscard]] NamePattern namePatternIn(const std::string& text, std::size_t mostNumbers);
+/// The sentence that a value which is also a pattern was taken as the name of a file.
+[[nodiscard]] std::string literalNameNote(const std::string& name);
+/// The failure of a value with a per cent sign that is neither the name of a file nor a pattern.
+[[nodiscard]] tl::unexpected<Failure> neitherNameNorPattern(const DataFileKey& key, const std::string& text);
+
 /// The names that a pattern stands for. It holds exactly one number: "%d", or "%03d" or "%3d", padded with zeros or
 /// spaces; "i" and "u" stand for "d" too. "%%" is a per cent sign. Fails (unreadable) if anything else follows a per
 /// cent sign, if there is no number or a second one, if the width is above 20, if a number is beyond 10^9, if the

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "io/files/input_problems.h"
+
 namespace echolucent {
 
 namespace {
@@ -65,6 +67,24 @@ std::optional<double> positiveNumber(std::string_view word) {
 std::optional<std::vector<std::int64_t>> wholeNumbers(std::string_view text) { return numbersFrom<std::int64_t>(text); }
 std::optional<std::vector<double>> realNumbers(std::string_view text) { return numbersFrom<double>(text); }
 
+std::optional<std::string> withDecimalPoints(std::string_view text) {
+    bool found = false;
+    std::string points;
+    for (std::string& word : wordsOf(text)) {
+        if (const auto comma = word.find(','); comma != std::string::npos) {
+            const auto isDigit = [&](std::size_t at) { return at < word.size() && word[at] >= '0' && word[at] <= '9'; };
+            // A point beside it, or no digit behind it, leaves doubt whether the comma separates numbers.
+            if (word.find('.') != std::string::npos || comma == 0 || !isDigit(comma - 1) || !isDigit(comma + 1))
+                return std::nullopt;
+            word[comma] = '.';
+            found = true;
+        }
+        if (!realNumber(word)) return std::nullopt;
+        points += points.empty() ? word : " " + word;
+    }
+    return found ? std::optional(points) : std::nullopt;
+}
+
 std::string quotedText(std::string_view text) {
     std::string plain = "\"";
     for (const char character : text.substr(0, 60)) {
@@ -72,6 +92,22 @@ std::string quotedText(std::string_view text) {
         plain += printable ? character : '?';
     }
     return plain + (text.size() > 60 ? "...\"" : "\"");
+}
+
+std::string decimalCommasNote(const std::string& key, std::string_view text) {
+    return key + " has decimal commas, " + quotedText(text) + ": they are read as points.";
+}
+
+std::string remedyOfNumbers(std::string_view text) {
+    return text.find(',') == std::string_view::npos
+               ? correctHeader
+               : "Write decimal points, and blanks between the numbers: a comma may be either.";
+}
+
+std::string_view withoutByteOrderMark(std::string_view text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+    return text;
 }
 
 std::optional<std::string_view> nextLine(std::string_view& rest) {

@@ -28,10 +28,21 @@ constexpr std::size_t headerLimit = std::size_t{1} << 20;
 /// All words of `text` as numbers; no value if one is no number.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> wholeNumbers(std::string_view text);
 [[nodiscard]] std::optional<std::vector<double>> realNumbers(std::string_view text);
+/// The text with points for decimal commas ("0,5 0,5 1,2"), as programs write them in some countries. No value if it
+/// has none, or if a word is no number then.
+[[nodiscard]] std::optional<std::string> withDecimalPoints(std::string_view text);
 
 /// The text in quotes, fit for a sentence: at most 60 bytes of it, then "...", with "?" for control characters and
 /// bytes beyond ASCII.
 [[nodiscard]] std::string quotedText(std::string_view text);
+
+/// A sentence that says that the decimal commas of the header's value `text` under `key` are read as points.
+[[nodiscard]] std::string decimalCommasNote(const std::string& key, std::string_view text);
+/// The remedy for a value that is no list of numbers. It tells of commas if the value has any.
+[[nodiscard]] std::string remedyOfNumbers(std::string_view text);
+
+/// The text without the mark of byte order (UTF-8) that some editors put before it.
+[[nodiscard]] std::string_view withoutByteOrderMark(std::string_view text);
 
 /// Cuts one line (without its end, LF or CR LF) off the front of `rest`; no value if `rest` is empty.
 [[nodiscard]] std::optional<std::string_view> nextLine(std::string_view& rest);

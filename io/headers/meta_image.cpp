@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "io/files/header_text.h"
 #include "io/headers/frames_over_time.h"
+#include "io/headers/header_units.h"
+#include "io/headers/meta_image_data.h"
 #include "io/headers/meta_image_keys.h"
 #include "io/study/study_assembly.h"
 
@@ -59,14 +60,7 @@ private:
     Result<void> readWhiteLevel();
     Result<void> readFrames();
     Result<void> readDataPlace();
-    Result<void> readFileList(const std::vector<std::string>& words);
-    Result<void> readFilePattern(const std::vector<std::string>& words);
-    Result<void> setDataFiles(const std::vector<std::string>& names, std::int64_t expected);
-    Result<void> readCompressedSize();
-    Result<void> readHeaderSize(bool local);
-    [[nodiscard]] std::int64_t slowestSize() const {
-        return m_dimensions == 4 ? m_stored.phases : m_stored.geometry.size[2];
-    }
+    void readUnit();
     void readPhaseTime(const std::vector<double>& spacing);
 
     [[nodiscard]] const std::string* find(const std::string& key) const { return m_keys.find(key); }
@@ -85,6 +79,7 @@ private:
     bool m_framesAsSlices = false;
     MetaImageKeys m_keys;
     std::int64_t m_dimensions = 0;
+    double m_mm = 1.0;  // length of the header's unit
     StoredVolume m_stored;
 };
 
@@ -133,8 +128,9 @@ Result<void> MetaImageHeader::readSize() {
 Result<void> MetaImageHeader::readType() {
     const auto* text = find("ElementType");
     if (text == nullptr) return wrong("ElementType", "is missing");
-    const auto known = std::find_if(typeNames.begin(), typeNames.end(),
-                                    [&](const TypeName& candidate) { return candidate.name == *text; });
+    const auto known = std::find_if(typeNames.begin(), typeNames.end(), [&](const TypeName& candidate) {
+        return lowerCase(candidate.name) == lowerCase(*text);
+    });
     if (known == typeNames.end())
         return wrong("ElementType", "is " + quotedText(*text) + ", which is not a scalar type that can be read",
                      "Use MET_UCHAR, MET_USHORT, MET_SHORT or MET_FLOAT.");
@@ -151,28 +147,37 @@ Result<void> MetaImageHeader::readType() {
     return {};
 }
 
+void MetaImageHeader::readUnit() {
+    const auto* unit = find("DistanceUnits");
+    if (unit == nullptr) return;
+    const LengthUnits units = lengthUnits("DistanceUnits", {*unit});
+    m_mm = units.mm.front();
+    if (units.known) return;
+    m_stored.geometry.spacingKnown = false;
+    m_stored.warnings.push_back(units.warning);
+}
+
 Result<void> MetaImageHeader::readSpacing() {
+    readUnit();
     const std::string key = firstOf({"ElementSpacing", "ElementSize"});
     if (key.empty()) {
         m_stored.geometry.spacingKnown = false;
         return {};
     }
-    const std::string& text = *find(key);
-    const auto spacing = realNumbers(text);
     // Some programs leave out the spacing of the time axis.
-    if (!spacing || spacing->size() < 3 || static_cast<std::int64_t>(spacing->size()) > m_dimensions)
-        return wrong(key, fmt::format("must be {} numbers, not {}", m_dimensions, quotedText(text)));
+    const auto spacing = m_keys.numbers(key, 3, static_cast<std::size_t>(m_dimensions), m_stored.warnings);
+    if (!spacing) return tl::unexpected(spacing.error());
     for (int axis = 0; axis < 3; ++axis) {
-        double value = (*spacing)[static_cast<std::size_t>(axis)];
+        const double value = (*spacing)[static_cast<std::size_t>(axis)];
         if (!std::isfinite(value) || value == 0.0)
-            return wrong(key, "must be finite and not 0 along x, y and z, not " + quotedText(text));
-        m_stored.geometry.spacing[axis] = value;
+            return wrong(key, "must be finite and not 0 along x, y and z, not " + quotedText(*find(key)));
+        m_stored.geometry.spacing[axis] = value * m_mm;
     }
-    m_stored.spacingSource = key;
+    m_stored.spacingSource = key + (m_mm != 1.0 ? ", DistanceUnits" : "");
     readPhaseTime(*spacing);
     const auto known = flag("SpacingKnown");
     if (!known) return tl::unexpected(known.error());
-    if (find("SpacingKnown") != nullptr) m_stored.geometry.spacingKnown = *known;
+    if (find("SpacingKnown") != nullptr) m_stored.geometry.spacingKnown = m_stored.geometry.spacingKnown && *known;
     return {};
 }
 
@@ -189,9 +194,8 @@ Result<void> MetaImageHeader::readPosition() {
     if (!turned) return tl::unexpected(turned.error());
     if (const std::string& key = *turned; !key.empty()) {
         const std::string& text = *find(key);
-        const auto values = realNumbers(text);
-        if (!values || values->size() != dimensions * dimensions)
-            return wrong(key, fmt::format("must be {} numbers, not {}", dimensions * dimensions, quotedText(text)));
+        const auto values = m_keys.numbers(key, dimensions * dimensions, dimensions * dimensions, m_stored.warnings);
+        if (!values) return tl::unexpected(values.error());
         // The file's rows are the directions of the grid axes; ours are columns.
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (std::size_t row = 0; row < 3; ++row)
@@ -207,12 +211,12 @@ Result<void> MetaImageHeader::readPosition() {
     if (!placed) return tl::unexpected(placed.error());
     if (const std::string& key = *placed; !key.empty()) {
         const std::string& text = *find(key);
-        const auto values = realNumbers(text);
-        const bool finite =
-            values && values->size() == dimensions &&
-            std::all_of(values->begin(), values->begin() + 3, [](double v) { return std::isfinite(v); });
-        if (!finite) return wrong(key, fmt::format("must be {} finite numbers, not {}", dimensions, quotedText(text)));
-        for (int axis = 0; axis < 3; ++axis) m_stored.geometry.origin[axis] = (*values)[static_cast<std::size_t>(axis)];
+        const auto values = m_keys.numbers(key, dimensions, dimensions, m_stored.warnings);
+        if (!values) return tl::unexpected(values.error());
+        if (!std::all_of(values->begin(), values->begin() + 3, [](double v) { return std::isfinite(v); }))
+            return wrong(key, fmt::format("must be {} finite numbers, not {}", dimensions, quotedText(text)));
+        for (int axis = 0; axis < 3; ++axis)
+            m_stored.geometry.origin[axis] = (*values)[static_cast<std::size_t>(axis)] * m_mm;
         if (!isPosition(m_stored.geometry.origin))
             return wrong(key, "lies farther than 10 km from 0: " + quotedText(text));
     }
@@ -274,103 +278,16 @@ Result<void> MetaImageHeader::readFrames() {
     return settleFrames(m_stored, words, m_framesAsSlices);
 }
 
-Result<void> MetaImageHeader::readDataPlace() {
-    const std::string name = *find("ElementDataFile");
-    const std::vector<std::string> words = wordsOf(name);
-    const bool pattern = name.find('%') != std::string::npos;
-    if (isMetaImageList(name) || pattern) {
-        if (find("CompressedDataSize") != nullptr && m_stored.extent.encoding == VoxelEncoding::zlib)
-            return wrong("CompressedDataSize", "is one number beside several data files", "Leave it out.");
-        if (auto named = pattern ? readFilePattern(words) : readFileList(words); !named) return named;
-        return readHeaderSize(false);
-    }
-    const bool local = name == "LOCAL" || name == "Local" || name == "local";
-    if (local) {
-        m_stored.data = {{m_path, m_file}};
-        m_stored.extent.offset = m_keys.headerBytes;
-    } else {
-        const auto beside = dataFileBeside({m_path, "ElementDataFile"}, name);
-        if (!beside) return tl::unexpected(beside.error());
-        m_stored.data = {*beside};
-    }
-    if (auto size = readCompressedSize(); !size) return size;
-    return readHeaderSize(local);
-}
-
-Result<void> MetaImageHeader::setDataFiles(const std::vector<std::string>& names, std::int64_t expected) {
-    if (static_cast<std::int64_t>(names.size()) != expected)
-        return wrong("ElementDataFile",
-                     fmt::format("names {} data files where the volume has {} parts", names.size(), expected));
-    auto files = dataFilesBeside({m_path, "ElementDataFile"}, names);
-    if (!files) return tl::unexpected(files.error());
-    m_stored.data = std::move(*files);
-    return {};
-}
-
-Result<void> MetaImageHeader::readFileList(const std::vector<std::string>& words) {
-    // "LIST 2" means that each file holds two dimensions. Without a number, it holds all but the last.
-    const auto held = words.size() < 2 ? std::optional(m_dimensions - 1) : wholeNumber(words[1]);
-    if (words.size() > 2 || !held || *held < 2 || *held > m_dimensions)
-        return wrong("ElementDataFile", fmt::format("must be LIST and the dimensions of each file, 2 to {}, not {}",
-                                                    m_dimensions, quotedText(*find("ElementDataFile"))));
-    std::optional<std::int64_t> files = 1;
-    if (*held < m_dimensions) files = slowestSize();
-    if (*held < m_dimensions - 1) files = checkedProduct(*files, m_stored.geometry.size[2]);
-    return setDataFiles(m_keys.listed, files.value_or(0));
-}
-
-Result<void> MetaImageHeader::readFilePattern(const std::vector<std::string>& words) {
-    // "name%03d.raw first last step". Without numbers, the files count from 1, one for each index of the last axis.
-    FileNumbers numbers{1, slowestSize(), 1};
-    const std::array<std::int64_t*, 3> places{&numbers.first, &numbers.last, &numbers.step};
-    if (words.size() > 4) return wrong("ElementDataFile", "must be a pattern and at most three whole numbers");
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        const auto number = wholeNumber(words[i]);
-        if (!number) return wrong("ElementDataFile", "must count with whole numbers, not " + quotedText(words[i]));
-        *places[i - 1] = *number;
-    }
-    // If the sum would overflow, namesOfPattern() refuses the first number.
-    if (words.size() == 2 && numbers.first <= std::numeric_limits<std::int64_t>::max() - slowestSize())
-        numbers.last = numbers.first + slowestSize() - 1;
-    const auto names = namesOfPattern({m_path, "ElementDataFile"}, words.front(), numbers);
-    if (!names) return tl::unexpected(names.error());
-    return setDataFiles(*names, slowestSize());
-}
-
-Result<void> MetaImageHeader::readCompressedSize() {
-    const auto* text = find("CompressedDataSize");
-    if (text == nullptr || m_stored.extent.encoding != VoxelEncoding::zlib) return {};
-    const auto size = wholeNumber(*text);
-    if (!size || *size < 0) return wrong("CompressedDataSize", "must be a whole number, not " + quotedText(*text));
-    m_stored.extent.length = static_cast<std::uint64_t>(*size);
-    return {};
-}
-
-Result<void> MetaImageHeader::readHeaderSize(bool local) {
-    const auto* text = find("HeaderSize");
-    if (text == nullptr) return {};
-    const auto bytes = wholeNumber(*text);
-    if (!bytes || *bytes < -1) return wrong("HeaderSize", "must be -1, 0 or above, not " + quotedText(*text));
-    if (*bytes == -1) {
-        if (m_stored.extent.encoding != VoxelEncoding::raw)
-            return wrong("HeaderSize", "is -1, which has no meaning for compressed data or text");
-        m_stored.dataAtEnd = true;
-    } else if (*bytes > 0) {
-        if (local && static_cast<std::uint64_t>(*bytes) < m_keys.headerBytes)
-            return wrong("HeaderSize",
-                         fmt::format("is {}, but the header is {} bytes long", *bytes, m_keys.headerBytes));
-        m_stored.extent.offset = static_cast<std::uint64_t>(*bytes);
-    }
-    return {};
-}
+Result<void> MetaImageHeader::readDataPlace() { return placeMetaImageData(m_file, m_keys, m_dimensions, m_stored); }
 
 }  // namespace
 
 bool looksLikeMetaImage(std::string_view beginning) {
+    beginning = withoutByteOrderMark(beginning);
     const auto line = nextLine(beginning);
     if (!line || line->find('=') == std::string_view::npos) return false;
-    const std::string key = trimmed(line->substr(0, line->find('=')));
-    constexpr std::array<std::string_view, 5> firstKeys{"ObjectType", "NDims", "Comment", "ObjectSubType", "DimSize"};
+    const std::string key = lowerCase(trimmed(line->substr(0, line->find('='))));
+    constexpr std::array<std::string_view, 5> firstKeys{"objecttype", "ndims", "comment", "objectsubtype", "dimsize"};
     return std::find(firstKeys.begin(), firstKeys.end(), key) != firstKeys.end();
 }
 

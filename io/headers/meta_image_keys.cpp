@@ -15,7 +15,7 @@ namespace {
 
 // Keys that decide how voxels are read. Other keys are allowed and play no part, but for those that tell of frames
 // (settleFrames()).
-constexpr std::array<std::string_view, 23> ourKeys{"ObjectType",
+constexpr std::array<std::string_view, 24> ourKeys{"ObjectType",
                                                    "NDims",
                                                    "BinaryData",
                                                    "DimSize",
@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, 23> ourKeys{"ObjectType",
                                                    "ElementNumberOfChannels",
                                                    "ElementSpacing",
                                                    "ElementSize",
+                                                   "DistanceUnits",
                                                    "Kinds",
                                                    "SpacingKnown",
                                                    "TransformMatrix",
@@ -38,6 +39,13 @@ constexpr std::array<std::string_view, 23> ourKeys{"ObjectType",
                                                    "HeaderSize",
                                                    "WhiteLevel",
                                                    "ElementDataFile"};
+
+/// A key as we spell it, whatever its case: programs disagree on capitals. Keys that are not ours stay as they are.
+std::string asWeSpellIt(std::string key) {
+    const auto ours = std::find_if(ourKeys.begin(), ourKeys.end(),
+                                   [&](std::string_view known) { return lowerCase(known) == lowerCase(key); });
+    return ours == ourKeys.end() ? std::move(key) : std::string(*ours);
+}
 
 /// Whether the values of two keys for the same thing agree.
 bool saySame(const std::string& one, const std::string& other) {
@@ -80,6 +88,20 @@ Result<std::string> MetaImageKeys::onlyOf(std::initializer_list<const char*> key
     return first;
 }
 
+Result<std::vector<double>> MetaImageKeys::numbers(const std::string& key, std::size_t least, std::size_t most,
+                                                   std::vector<std::string>& notes) const {
+    const std::string& text = *find(key);
+    auto numbers = realNumbers(text);
+    const auto fits = [&] { return numbers && numbers->size() >= least && numbers->size() <= most; };
+    if (const auto points = numbers ? std::nullopt : withDecimalPoints(text)) {
+        numbers = realNumbers(*points);
+        if (fits()) notes.push_back(decimalCommasNote(key, text));
+    }
+    if (!fits())
+        return wrong(key, fmt::format("must be {} numbers, not {}", most, quotedText(text)), remedyOfNumbers(text));
+    return *numbers;
+}
+
 Result<bool> MetaImageKeys::flag(const std::string& key) const {
     const std::string* value = find(key);
     if (value == nullptr) return false;
@@ -99,7 +121,7 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
     if (!beginning) return tl::unexpected(beginning.error());
     MetaImageKeys keys;
     keys.path = file.path();
-    std::string_view rest = *beginning;
+    std::string_view rest = withoutByteOrderMark(*beginning);
     for (int number = 1; const auto line = nextLine(rest); ++number) {
         if (trimmed(*line).empty()) continue;
         const bool isCut = rest.empty() && !beginning->ends_with('\n');
@@ -111,7 +133,7 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
             return keys.wrong(
                 "", fmt::format("has no \"Key = Value\" in line {} of its header ({})", number, quotedText(*line)),
                 "This is no MetaImage file, or its header is damaged.");
-        const std::string key = trimmed(line->substr(0, equals));
+        const std::string key = asWeSpellIt(trimmed(line->substr(0, equals)));
         const bool isNew = keys.values.emplace(key, trimmed(line->substr(equals + 1))).second;
         const bool ours = std::find(ourKeys.begin(), ourKeys.end(), key) != ourKeys.end();
         if (!isNew && ours) return keys.wrong(key, "appears twice in the header");

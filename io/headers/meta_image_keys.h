@@ -13,7 +13,8 @@
 
 namespace echolucent {
 
-/// The "Key = Value" lines of a header.
+/// The "Key = Value" lines of a header. Keys that decide how voxels are read stand here as MetaImage spells them,
+/// whatever their case in the file.
 struct MetaImageKeys {
     std::string path;  ///< of the file, for messages
     std::map<std::string, std::string> values;
@@ -26,6 +27,10 @@ struct MetaImageKeys {
     [[nodiscard]] std::string firstOf(std::initializer_list<const char*> keys) const;
     /// As firstOf(), but fails (unreadable) if another of `keys` in the header disagrees with it.
     [[nodiscard]] Result<std::string> onlyOf(std::initializer_list<const char*> keys) const;
+    /// The numbers of a key that the header holds. Decimal commas are read, and a note is added. Fails (unreadable) if
+    /// a word is no number, or if there are fewer than `least` or more than `most`.
+    [[nodiscard]] Result<std::vector<double>> numbers(const std::string& key, std::size_t least, std::size_t most,
+                                                      std::vector<std::string>& notes) const;
     /// "True" or "False", also "T", "1" or "yes" and so on, in any case; false if the key is missing. Fails
     /// (unreadable) for other values.
     [[nodiscard]] Result<bool> flag(const std::string& key) const;

@@ -10,8 +10,11 @@
 #include "io/files/header_text.h"
 #include "io/files/input_problems.h"
 #include "io/headers/frames_over_time.h"
+#include "io/headers/header_units.h"
 #include "io/headers/nrrd_axes.h"
+#include "io/headers/nrrd_data.h"
 #include "io/headers/nrrd_fields.h"
+#include "io/headers/nrrd_spacings.h"
 #include "io/study/study_assembly.h"
 
 namespace echolucent {
@@ -39,16 +42,16 @@ private:
     Result<void> readSpacing();
     Result<void> readDirections();
     Result<void> readOrigin();
+    void take(const LengthUnits& units);
+    [[nodiscard]] LengthUnits coordinateUnits() const;
+    Result<void> checkVectors(const char* field, const std::vector<NrrdVector>& vectors);
+    void compareSpacings();
+    void note(const std::string& sentence) { m_stored.warnings.push_back(sentence); }
     Result<void> readPhaseTime();
     Result<void> applySpace();
     Result<void> readWhiteLevel();
     Result<void> readEncoding();
     Result<void> readDataPlace();
-    Result<void> readFileList(const std::vector<std::string>& words);
-    Result<void> readFilePattern(const std::vector<std::string>& words);
-    Result<void> setDataFiles(const std::vector<std::string>& names, std::optional<std::int64_t> held);
-    Result<void> readSkips();
-    double mmOfAxis(std::size_t axis, const char* field);
 
     [[nodiscard]] const std::string* find(const std::string& field) const {
         const auto found = m_fields.fields.find(field);
@@ -58,7 +61,6 @@ private:
                                                 const std::string& remedy = correctHeader) const {
         return fail(FailureKind::unreadable, m_path, field, problem, remedy);
     }
-    Result<std::int64_t> skipOf(const char* field, std::int64_t least) const;
 
     const InputFile& m_file;
     std::string m_path;
@@ -67,7 +69,9 @@ private:
     NrrdAxes m_axes;
     std::array<std::size_t, 3> m_spaceAxes{};  // the file's axes that are x, y, z
     std::optional<std::size_t> m_timeAxis;
-    std::vector<double> m_spacings;  // the header's spacings beside space directions, which count instead; else empty
+    NrrdSpacings m_spacings;
+    std::size_t m_dimensions = 0;  // of space and time, in which vectors are given; 0 until known
+    Vec3 m_coordinateMm{1, 1, 1};  // units of the three coordinates of space
     StoredVolume m_stored;
 };
 
@@ -80,7 +84,7 @@ Result<StoredVolume> NrrdHeader::read() {
     for (const Step step :
          {&NrrdHeader::readType, &NrrdHeader::placeAxes, &NrrdHeader::readSpacing, &NrrdHeader::readDirections,
           &NrrdHeader::readOrigin, &NrrdHeader::applySpace, &NrrdHeader::readPhaseTime, &NrrdHeader::readFrames,
-          &NrrdHeader::readWhiteLevel, &NrrdHeader::readEncoding, &NrrdHeader::readDataPlace, &NrrdHeader::readSkips})
+          &NrrdHeader::readWhiteLevel, &NrrdHeader::readEncoding, &NrrdHeader::readDataPlace})
         if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
     m_stored.facts.insert(m_stored.facts.begin(), {"format", "NRRD", "its first line"});
     return m_stored;
@@ -118,55 +122,91 @@ Result<void> NrrdHeader::placeAxes() {
     return {};
 }
 
-double NrrdHeader::mmOfAxis(std::size_t axis, const char* field) {
-    const auto units = find(field) != nullptr ? nrrdQuotedWords(*find(field)) : std::vector<std::string>{};
-    if (axis >= units.size()) return 1.0;
-    if (const auto mm = mmOfUnit(units[axis])) return *mm;
-    m_stored.warnings.push_back(
-        fmt::format("{} names {}, which is not a known length; mm is assumed.", field, quotedText(units[axis])));
-    return 1.0;
+void NrrdHeader::take(const LengthUnits& units) {
+    if (!units.warning.empty()) note(units.warning);
+    if (!units.known) m_stored.geometry.spacingKnown = false;
 }
 
 Result<void> NrrdHeader::readSpacing() {
-    const auto* text = find("spacings");
-    if (text == nullptr) {
-        if (m_axes.directions.empty()) m_stored.geometry.spacingKnown = false;
+    auto spacings = nrrdSpacings(m_path, m_fields, m_axes);
+    if (!spacings) return tl::unexpected(spacings.error());
+    m_spacings = std::move(*spacings);
+    for (const std::string& warning : m_spacings.warnings) note(warning);
+    if (!m_axes.directions.empty()) return {};
+    if (m_spacings.values.empty()) {
+        m_stored.geometry.spacingKnown = false;
         return {};
     }
-    const auto spacings = realNumbers(*text);
-    if (!spacings || spacings->size() != m_axes.sizes.size())
-        return wrong("spacings", fmt::format("must be {} numbers, not {}", m_axes.sizes.size(), quotedText(*text)));
-    if (!m_axes.directions.empty()) {
-        m_spacings = *spacings;
-        return {};
-    }
-    m_stored.spacingSource = "spacings";
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::size_t fileAxis = m_spaceAxes[static_cast<std::size_t>(axis)];
-        double spacing = (*spacings)[fileAxis] * mmOfAxis(fileAxis, "units");
+    const LengthUnits units = unitsOfSpaceAxes(m_fields, m_axes);
+    take(units);
+    m_stored.spacingSource = m_spacings.source + (units.stated ? ", units" : "");
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double spacing = m_spacings.values[m_spaceAxes[axis]] * units.mm[axis];
         // A time axis has a spacing in seconds or none.
-        if (m_axes.mayBeNoSpace(fileAxis) && !(std::isfinite(spacing) && spacing > 0)) spacing = 1;
+        if (m_axes.mayBeNoSpace(m_spaceAxes[axis]) && !(std::isfinite(spacing) && spacing > 0)) spacing = 1;
         if (!std::isfinite(spacing) || spacing == 0.0)
-            return wrong("spacings", "must be finite and not 0 along the space axes, not " + quotedText(*text));
+            return wrong(m_spacings.source,
+                         "must be finite and not 0 along the space axes, not " +
+                             quotedText(*find(m_spacings.source == "spacings" ? "spacings" : "axis maxs")));
         if (spacing < 0) {
-            m_stored.warnings.push_back(fmt::format(
-                "spacings is negative along {}: taken as positive, with that axis turned round.", "xyz"[axis]));
-            m_stored.geometry.direction(axis, axis) = -1;
+            note(fmt::format("{} is negative along {}: taken as positive, with that axis turned round.",
+                             m_spacings.source, "xyz"[axis]));
+            m_stored.geometry.direction(static_cast<int>(axis), static_cast<int>(axis)) = -1;
         }
-        m_stored.geometry.spacing[axis] = std::abs(spacing);
+        m_stored.geometry.spacing[static_cast<int>(axis)] = std::abs(spacing);
+    }
+    return {};
+}
+
+/// The unit of the coordinates of space: that of "space units", else that of units, unless the spacings beside it show
+/// that the directions are in mm.
+LengthUnits NrrdHeader::coordinateUnits() const {
+    if (find("space units") != nullptr) return unitsOfCoordinates(m_fields);
+    LengthUnits units = unitsOfSpaceAxes(m_fields, m_axes);
+    if (!units.known || (units.areOne() && units.mm.front() == 1.0)) return units;
+    bool inMm = !m_spacings.values.empty();
+    for (std::size_t axis = 0; axis < 3 && inMm; ++axis) {
+        const NrrdVector& step = m_axes.directions[m_spaceAxes[axis]];
+        const double stated = std::abs(m_spacings.values[m_spaceAxes[axis]]) * units.mm[axis];
+        inMm = step && step->size() >= 3 &&
+               std::abs(stated - length(Vec3((*step)[0], (*step)[1], (*step)[2]))) <= 1e-4 * stated;
+    }
+    if (inMm) return unitsOfCoordinates(m_fields);
+    units.known = units.areOne();
+    units.warning = units.known ? "units counts for the coordinates of space too: there are no space units."
+                                : "units names several lengths, which cannot be those of the coordinates of space.";
+    if (!units.known) units.mm.assign(3, 1.0);
+    return units;
+}
+
+/// Refuses vectors of another length than the space has dimensions. Decimal commas make such vectors.
+Result<void> NrrdHeader::checkVectors(const char* field, const std::vector<NrrdVector>& vectors) {
+    for (const NrrdVector& vector : vectors) {
+        if (!vector) continue;
+        if (m_dimensions == 0) m_dimensions = vector->size();
+        if (vector->size() != m_dimensions)
+            return wrong(field,
+                         fmt::format("must hold vectors of {} numbers in this space, not {}", m_dimensions,
+                                     quotedText(*find(field))),
+                         "Correct the header. Numbers have points, never commas, before their fractions.");
     }
     return {};
 }
 
 Result<void> NrrdHeader::readDirections() {
+    m_dimensions = nrrdSpaceDimensions(m_fields);
     if (m_axes.directions.empty()) return {};
+    if (auto alike = checkVectors("space directions", m_axes.directions); !alike) return alike;
     const std::string& text = *find("space directions");
+    const LengthUnits units = coordinateUnits();
+    take(units);
+    m_coordinateMm = {units.mm[0], units.mm[1], units.mm[2]};
     Mat3& direction = m_stored.geometry.direction;
     std::optional<int> withoutDirection;
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t fileAxis = m_spaceAxes[static_cast<std::size_t>(axis)];
         const NrrdVector& vector = m_axes.directions[fileAxis];
-        if (!vector && m_axes.mayBeNoSpace(fileAxis)) {
+        if ((!vector || isTimeDirection(vector)) && m_axes.mayBeNoSpace(fileAxis)) {
             withoutDirection = axis;
             continue;
         }
@@ -174,25 +214,17 @@ Result<void> NrrdHeader::readDirections() {
             return wrong("space directions",
                          "must hold a vector of 3 numbers for each space axis, not " + quotedText(text));
         Vec3 step;
-        for (int row = 0; row < 3; ++row)
-            step[row] =
-                (*vector)[static_cast<std::size_t>(row)] * mmOfAxis(static_cast<std::size_t>(row), "space units");
+        for (int row = 0; row < 3; ++row) step[row] = (*vector)[static_cast<std::size_t>(row)] * m_coordinateMm[row];
         const double spacing = length(step);
         if (!std::isfinite(spacing) || spacing == 0.0)
             return wrong("space directions", "must be finite vectors that are not 0, not " + quotedText(text));
         m_stored.geometry.spacing[axis] = spacing;
         for (int row = 0; row < 3; ++row) direction(row, axis) = step[row];
+        if (vector->size() > 3 && (*vector)[3] != 0)
+            note(fmt::format("space directions moves through time along {}, which is left out.", "xyz"[axis]));
     }
     m_stored.spacingSource = "space directions";
-    for (std::size_t axis = 0; axis < 3 && !m_spacings.empty(); ++axis) {
-        const double stated = std::abs(m_spacings[m_spaceAxes[axis]]) * mmOfAxis(m_spaceAxes[axis], "units");
-        const double spacing = m_stored.geometry.spacing[static_cast<int>(axis)];
-        if (!std::isfinite(stated) || std::abs(stated - spacing) <= 1e-4 * spacing) continue;
-        m_stored.warnings.push_back(
-            fmt::format("spacings gives {:.6g} mm along {} where space directions gives {:.6g} mm; space directions "
-                        "counts.",
-                        stated, "xyz"[axis], spacing));
-    }
+    compareSpacings();
     if (withoutDirection) {
         const auto column = [&](int axis) { return Vec3(direction(0, axis), direction(1, axis), direction(2, axis)); };
         const Vec3 normal = column((*withoutDirection + 1) % 3).cross(column((*withoutDirection + 2) % 3));
@@ -200,8 +232,23 @@ Result<void> NrrdHeader::readDirections() {
     }
     if (!normalizeDirection(direction))
         return wrong("space directions", "does not hold three independent directions: " + quotedText(text));
-    if (auto warning = skewWarning(direction); !warning.empty()) m_stored.warnings.push_back(std::move(warning));
+    if (auto warning = skewWarning(direction); !warning.empty()) note(warning);
     return {};
+}
+
+/// Notes where spacings beside space directions, which do not count, say something else.
+void NrrdHeader::compareSpacings() {
+    const LengthUnits units = unitsOfSpaceAxes(m_fields, m_axes);
+    if (m_spacings.source != "spacings" || !units.known) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double stated = std::abs(m_spacings.values[m_spaceAxes[axis]]) * units.mm[axis];
+        const double spacing = m_stored.geometry.spacing[static_cast<int>(axis)];
+        if (!std::isfinite(stated) || std::abs(stated - spacing) <= 1e-4 * spacing) continue;
+        note(
+            fmt::format("spacings gives {:.6g} mm along {} where space directions gives {:.6g} mm; space directions "
+                        "counts.",
+                        stated, "xyz"[axis], spacing));
+    }
 }
 
 Result<void> NrrdHeader::readOrigin() {
@@ -212,9 +259,14 @@ Result<void> NrrdHeader::readOrigin() {
                        std::all_of(vectors->front()->begin(), vectors->front()->begin() + 3,
                                    [](double value) { return std::isfinite(value); });
     if (!whole) return wrong("space origin", "must be one vector of 3 finite numbers, not " + quotedText(*text));
+    if (auto alike = checkVectors("space origin", *vectors); !alike) return alike;
+    // Without directions, the unit of the coordinates was not read yet.
+    if (m_axes.directions.empty()) {
+        const LengthUnits units = unitsOfCoordinates(m_fields);
+        for (int row = 0; row < 3; ++row) m_coordinateMm[row] = units.mm[static_cast<std::size_t>(row)];
+    }
     for (int row = 0; row < 3; ++row)
-        m_stored.geometry.origin[row] =
-            (*vectors->front())[static_cast<std::size_t>(row)] * mmOfAxis(static_cast<std::size_t>(row), "space units");
+        m_stored.geometry.origin[row] = (*vectors->front())[static_cast<std::size_t>(row)] * m_coordinateMm[row];
     if (!isPosition(m_stored.geometry.origin))
         return wrong("space origin", "lies farther than 10 km from 0: " + quotedText(*text));
     return {};
@@ -225,6 +277,7 @@ Result<void> NrrdHeader::applySpace() {
     if (text == nullptr) return {};
     std::string space = lowerCase(*text);
     if (space.ends_with("-time")) space.resize(space.size() - 5);
+    if (space == "rast" || space == "last" || space == "lpst") space.resize(3);
     Vec3 sign(1, 1, 1);
     if (space == "right-anterior-superior" || space == "ras")
         sign = {-1, -1, 1};
@@ -245,13 +298,10 @@ Result<void> NrrdHeader::applySpace() {
 }
 
 Result<void> NrrdHeader::readPhaseTime() {
-    if (!m_timeAxis) return {};
-    const auto* text = find("spacings");
-    const auto spacings = text != nullptr ? realNumbers(*text) : std::nullopt;
-    if (!spacings || !std::isfinite((*spacings)[*m_timeAxis]) || (*spacings)[*m_timeAxis] <= 0) return {};
-    const double step = (*spacings)[*m_timeAxis];
-    const auto units = find("units") != nullptr ? nrrdQuotedWords(*find("units")) : std::vector<std::string>{};
-    const auto seconds = *m_timeAxis < units.size() ? secondsOfUnit(units[*m_timeAxis]) : std::nullopt;
+    if (!m_timeAxis || m_spacings.values.empty()) return {};
+    const double step = m_spacings.values[*m_timeAxis];
+    if (!std::isfinite(step) || step <= 0) return {};
+    const auto seconds = secondsOfUnit(unitOfAxis(m_fields, m_axes, *m_timeAxis));
     // Without a unit, programs that know no time write 1.
     if (!seconds && step == 1.0) return {};
     m_stored.phaseTimes = PhaseTimes::every(step * seconds.value_or(1.0));
@@ -301,91 +351,11 @@ Result<void> NrrdHeader::readEncoding() {
     return {};
 }
 
-Result<void> NrrdHeader::readDataPlace() {
-    const auto* name = find("data file");
-    if (name == nullptr) {
-        m_stored.data = {{m_path, m_file}};
-        m_stored.extent.offset = m_fields.headerBytes;
-        return {};
-    }
-    if (isNrrdList(*name)) return readFileList(wordsOf(*name));
-    if (name->find('%') != std::string::npos) return readFilePattern(wordsOf(*name));
-    const auto beside = dataFileBeside({m_path, "data file"}, *name);
-    if (!beside) return tl::unexpected(beside.error());
-    m_stored.data = {*beside};
-    return {};
-}
-
-Result<void> NrrdHeader::setDataFiles(const std::vector<std::string>& names, std::optional<std::int64_t> held) {
-    // Each file holds the first `held` axes whole; without `held`, all axes but the last. If `held` names all axes,
-    // each file holds a slab along the last one.
-    const auto count = static_cast<std::int64_t>(names.size());
-    const auto axes = static_cast<std::int64_t>(m_axes.sizes.size());
-    const std::int64_t whole = held.value_or(axes - 1);
-    if (whole < 2 || whole > axes)
-        return wrong("data file", fmt::format("gives each file {} dimensions; it must be 2 to {}", whole, axes));
-    std::optional<std::int64_t> expected = 1;
-    for (std::int64_t axis = whole; axis < axes && expected; ++axis)
-        expected = checkedProduct(*expected, m_axes.sizes[static_cast<std::size_t>(axis)]);
-    const bool fits = whole == axes ? count > 0 && m_axes.sizes.back() % count == 0 : count == expected.value_or(0);
-    if (!fits && whole == axes)
-        return wrong("data file",
-                     fmt::format("names {} data files, which cannot share {} slices", count, m_axes.sizes.back()));
-    if (!fits)
-        return wrong("data file",
-                     fmt::format("names {} data files where the volume has {} parts", count, expected.value_or(0)));
-    auto files = dataFilesBeside({m_path, "data file"}, names);
-    if (!files) return tl::unexpected(files.error());
-    m_stored.data = std::move(*files);
-    return {};
-}
-
-Result<void> NrrdHeader::readFileList(const std::vector<std::string>& words) {
-    const auto held = words.size() == 2 ? wholeNumber(words[1]) : std::nullopt;
-    if (words.size() > 2 || (words.size() == 2 && !held))
-        return wrong("data file",
-                     "must be LIST and the dimensions of each file, not " + quotedText(*find("data file")));
-    return setDataFiles(m_fields.dataFiles, held);
-}
-
-Result<void> NrrdHeader::readFilePattern(const std::vector<std::string>& words) {
-    // A stray % in a name is refused here, whatever follows the name.
-    if (const auto pattern = namesOfPattern({m_path, "data file"}, words.front(), {1, 1, 1}); !pattern)
-        return tl::unexpected(pattern.error());
-    std::vector<std::int64_t> numbers;
-    for (std::size_t i = 1; i < words.size(); ++i)
-        if (const auto number = wholeNumber(words[i])) numbers.push_back(*number);
-    if (numbers.size() + 1 != words.size() || numbers.size() < 3 || numbers.size() > 4)
-        return wrong("data file", "must be a pattern with the first number, the last and the step, not " +
-                                      quotedText(*find("data file")));
-    const auto names = namesOfPattern({m_path, "data file"}, words.front(), {numbers[0], numbers[1], numbers[2]});
-    if (!names) return tl::unexpected(names.error());
-    return setDataFiles(*names, numbers.size() == 4 ? std::optional(numbers[3]) : std::nullopt);
-}
-
-Result<std::int64_t> NrrdHeader::skipOf(const char* field, std::int64_t least) const {
-    const auto* text = find(field);
-    if (text == nullptr) return 0;
-    const auto skip = wholeNumber(*text);
-    if (!skip || *skip < least)
-        return wrong(field, fmt::format("must be {} or above, not {}", least, quotedText(*text)));
-    return *skip;
-}
-
-Result<void> NrrdHeader::readSkips() {
-    const auto lines = skipOf("line skip", 0);
-    if (!lines) return tl::unexpected(lines.error());
-    const auto bytes = skipOf("byte skip", m_stored.extent.encoding == VoxelEncoding::raw ? -1 : 0);
-    if (!bytes) return tl::unexpected(bytes.error());
-    m_stored.skipLines = *lines;
-    m_stored.dataAtEnd = *bytes == -1;
-    m_stored.extent.skipBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(*bytes, 0));
-    return {};
-}
+Result<void> NrrdHeader::readDataPlace() { return placeNrrdData(m_file, m_fields, m_axes.sizes, m_stored); }
 
 }  // namespace
 
-bool looksLikeNrrd(std::string_view beginning) { return beginning.starts_with(nrrdSignature); }
+bool looksLikeNrrd(std::string_view beginning) { return withoutByteOrderMark(beginning).starts_with(nrrdSignature); }
 
 Result<StoredVolume> readNrrdHeader(const InputFile& file, bool framesAsSlices) {
     return NrrdHeader(file, framesAsSlices).read();

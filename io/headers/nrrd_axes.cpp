@@ -88,11 +88,17 @@ Result<void> AxesReader::readRoles() {
         m_axes.directions = *vectors;
     }
     m_axes.roles.assign(m_axes.sizes.size(), NrrdAxisRole::space);
+    for (std::size_t axis = 0; axis < m_axes.directions.size(); ++axis) {
+        if (!isTimeDirection(m_axes.directions[axis]) || !saysSpace(m_axes.kindOf(axis))) continue;
+        m_axes.kinds.resize(m_axes.sizes.size());
+        m_axes.kinds[axis] = "time";
+    }
     return m_axes.sizes.size() == 4 ? readFourAxes() : readThreeAxes();
 }
 
 bool AxesReader::isPlainSpace(std::size_t axis) const {
-    return saysSpace(m_axes.kindOf(axis)) && (m_axes.directions.empty() || m_axes.directions[axis]);
+    if (!saysSpace(m_axes.kindOf(axis))) return false;
+    return m_axes.directions.empty() || (m_axes.directions[axis] && !isTimeDirection(m_axes.directions[axis]));
 }
 
 /// Refuses an axis that is neither space nor time nor a list. An axis of one value counts as a scalar, whatever its
@@ -148,6 +154,22 @@ Result<void> AxesReader::readFourAxes() {
 }
 
 }  // namespace
+
+std::size_t nrrdSpaceDimensions(const NrrdFields& fields) {
+    const auto space = fields.fields.find("space");
+    if (space != fields.fields.end()) {
+        const std::string name = lowerCase(space->second);
+        return name.ends_with("-time") || name == "rast" || name == "last" || name == "lpst" ? 4 : 3;
+    }
+    const auto dimension = fields.fields.find("space dimension");
+    const auto number = dimension == fields.fields.end() ? std::nullopt : wholeNumber(dimension->second);
+    return number == 3 || number == 4 ? static_cast<std::size_t>(*number) : 0;
+}
+
+bool isTimeDirection(const NrrdVector& direction) {
+    return direction && direction->size() == 4 && (*direction)[0] == 0 && (*direction)[1] == 0 &&
+           (*direction)[2] == 0 && (*direction)[3] != 0;
+}
 
 Result<NrrdAxes> readNrrdAxes(const std::string& path, const NrrdFields& fields, StoredType type) {
     return AxesReader(path, fields, type).read();

@@ -24,6 +24,12 @@ struct NrrdAxes {
     [[nodiscard]] bool mayBeNoSpace(std::size_t axis) const { return kindOf(axis) == "time" || kindOf(axis) == "list"; }
 };
 
+/// How many numbers the vectors of a header have, by its fields space ("…-time" has four) and "space dimension"; 0 if
+/// it says neither.
+[[nodiscard]] std::size_t nrrdSpaceDimensions(const NrrdFields& fields);
+/// Whether a direction leads through time alone: four numbers, of which the last is not 0 and the others are.
+[[nodiscard]] bool isTimeDirection(const NrrdVector& direction);
+
 /// The axes of the header at `path`; `type` is the type of its voxels. Fails (unreadable) if they are no axes of a
 /// volume, alone or over time: 2D pictures, several values for a voxel, time in the middle.
 [[nodiscard]] Result<NrrdAxes> readNrrdAxes(const std::string& path, const NrrdFields& fields, StoredType type);

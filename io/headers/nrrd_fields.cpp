@@ -56,11 +56,20 @@ constexpr std::array<TypeAlias, 38> typeAliases{{{"signed char", StoredType::int
                                                  {"float", StoredType::float32},
                                                  {"double", StoredType::float64}}};
 
+/// Fields that have two names.
+constexpr std::array<std::array<std::string_view, 2>, 6> otherNames{{{"datafile", "data file"},
+                                                                     {"lineskip", "line skip"},
+                                                                     {"byteskip", "byte skip"},
+                                                                     {"axismins", "axis mins"},
+                                                                     {"axismaxs", "axis maxs"},
+                                                                     {"centers", "centerings"}}};
+
 Result<void> readLine(const std::string& path, std::string_view line, int number, NrrdFields& result) {
     if (line.starts_with('#')) return {};
     const auto colon = line.find(':');
     const bool isKey = colon != std::string_view::npos && line.substr(colon).starts_with(":=");
-    const bool isField = colon != std::string_view::npos && line.substr(colon).starts_with(": ");
+    const bool isField = colon != std::string_view::npos &&
+                         (colon + 1 == line.size() || line[colon + 1] == ' ' || line[colon + 1] == '\t');
     if (isKey) {
         const std::string key = trimmed(line.substr(0, colon));
         const std::string value = trimmed(line.substr(colon + 2));
@@ -71,14 +80,13 @@ Result<void> readLine(const std::string& path, std::string_view line, int number
                         correctHeader);
         return {};
     }
-    if (!isField && !(colon != std::string_view::npos && colon + 1 == line.size()))
+    if (!isField)
         return fail(FailureKind::unreadable, path, "",
                     fmt::format("has no \"field: value\" in line {} of its header ({})", number, quotedText(line)),
                     "This is no NRRD file, or its header is damaged.");
     std::string field = lowerCase(trimmed(line.substr(0, colon)));
-    if (field == "datafile") field = "data file";
-    if (field == "lineskip") field = "line skip";
-    if (field == "byteskip") field = "byte skip";
+    for (const auto& [other, name] : otherNames)
+        if (field == other) field = name;
     if (!result.fields.emplace(field, trimmed(line.substr(colon + 1))).second)
         return fail(FailureKind::unreadable, path, quotedText(field), "appears twice in the header", correctHeader);
     return {};
@@ -90,8 +98,9 @@ Result<NrrdFields> readNrrdFields(const InputFile& file) {
     const std::string& path = file.path();
     const auto beginning = file.beginning(headerLimit);
     if (!beginning) return tl::unexpected(beginning.error());
-    std::string_view rest = *beginning;
-    const auto magic = nextLine(rest);
+    std::string_view rest = withoutByteOrderMark(*beginning);
+    auto magic = nextLine(rest);
+    if (magic) magic = magic->substr(0, magic->find_last_not_of(" \t") + 1);
     if (beginning->size() < 8 && std::string_view("NRRD000").starts_with(beginning->substr(0, 7)))
         return fail(FailureKind::unreadable, path, "",
                     fmt::format("ends after {} bytes, within the first line of its header", beginning->size()),
@@ -161,33 +170,18 @@ std::optional<std::vector<NrrdVector>> nrrdVectors(const std::string& text) {
     }
 }
 
-std::vector<std::string> nrrdQuotedWords(const std::string& text) {
+std::vector<std::string> nrrdWords(const std::string& text) {
     std::vector<std::string> words;
-    std::size_t position = 0;
-    while ((position = text.find('"', position)) != std::string::npos) {
-        const auto end = text.find('"', position + 1);
-        if (end == std::string::npos) break;
-        words.push_back(trimmed(std::string_view(text).substr(position + 1, end - position - 1)));
-        position = end + 1;
+    std::string_view rest = text;
+    while (true) {
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+        if (rest.empty()) return words;
+        const bool quoted = rest.front() == '"';
+        if (quoted) rest.remove_prefix(1);
+        const auto end = std::min(quoted ? rest.find('"') : rest.find_first_of(" \t"), rest.size());
+        words.push_back(trimmed(rest.substr(0, end)));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
     }
-    return words;
-}
-
-std::optional<double> mmOfUnit(const std::string& unit) {
-    const std::string name = lowerCase(unit);
-    if (name.empty() || name == "mm" || name == "millimeter" || name == "millimeters") return 1.0;
-    if (name == "cm" || name == "centimeter" || name == "centimeters") return 10.0;
-    if (name == "m" || name == "meter" || name == "meters") return 1000.0;
-    if (name == "um" || name == "\xc2\xb5m" || name == "\xce\xbcm" || name == "micron" || name == "microns")
-        return 0.001;
-    return std::nullopt;
-}
-
-std::optional<double> secondsOfUnit(const std::string& unit) {
-    const std::string name = lowerCase(unit);
-    if (name == "s" || name == "sec" || name == "second" || name == "seconds") return 1.0;
-    if (name == "ms" || name == "msec" || name == "millisecond" || name == "milliseconds") return 0.001;
-    return std::nullopt;
 }
 
 }  // namespace echolucent

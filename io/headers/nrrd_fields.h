@@ -13,7 +13,8 @@
 
 namespace echolucent {
 
-/// "field: value" and "key:=value" lines of a header; field names in lower case.
+/// "field: value" and "key:=value" lines of a header; field names in lower case, each by one of its names ("data file",
+/// not "datafile").
 struct NrrdFields {
     std::map<std::string, std::string> fields;
     std::map<std::string, std::string> keys;
@@ -39,12 +40,6 @@ using NrrdVector = std::optional<std::vector<double>>;
 /// The vectors in `text`, one for each axis; no value if the text breaks NRRD's grammar.
 [[nodiscard]] std::optional<std::vector<NrrdVector>> nrrdVectors(const std::string& text);
 
-/// The words in double quotes, as in NRRD's units: "mm" "mm" "mm" "s".
-[[nodiscard]] std::vector<std::string> nrrdQuotedWords(const std::string& text);
-
-/// How many mm one unit of this name is; no value for an unknown name. An empty name means mm.
-[[nodiscard]] std::optional<double> mmOfUnit(const std::string& unit);
-/// How many seconds one unit of this name is; no value for an unknown name.
-[[nodiscard]] std::optional<double> secondsOfUnit(const std::string& unit);
-
+/// The words of a value, in double quotes or between white space: "mm" "mm" "mm" "s", or mm mm mm s.
+[[nodiscard]] std::vector<std::string> nrrdWords(const std::string& text);
 }  // namespace echolucent

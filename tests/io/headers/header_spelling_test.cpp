@@ -1,0 +1,91 @@
+// Headers as other programs and editors spell them: decimal commas, marks of byte order, line ends, tabs, capitals.
+#include <gtest/gtest.h>
+
+#include "temporary_folder.h"
+
+namespace echolucent {
+namespace {
+
+Result<Study> readFile(const std::string& name, const std::string& bytes) {
+    const TemporaryFolder folder;
+    return readStudy(folder.write(name, bytes), withoutGuess());
+}
+
+void expectVolume(const Result<Study>& study, const Vec3& spacing, const std::string& what) {
+    ASSERT_TRUE(study) << what << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->geometry().spacing, spacing) << what;
+    EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{'a', 'b', 'c', 'd'})) << what;
+}
+
+std::string replaced(std::string text, const std::string& one, const std::string& other) {
+    for (std::size_t at = 0; (at = text.find(one, at)) != std::string::npos; at += other.size())
+        text.replace(at, one.size(), other);
+    return text;
+}
+
+const std::string plainMetaImage =
+    "ObjectType = Image\nNDims = 3\nDimSize = 2 1 2\nElementType = MET_UCHAR\nElementSpacing = 0.5 0.25 2\n"
+    "ElementDataFile = LOCAL\n";
+const std::string plainNrrd =
+    "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 1 2\nspacings: 0.5 0.25 2\nencoding: raw\n\n";
+
+TEST(HeaderSpelling, LineEndsTabsBlanksAndMarksOfByteOrderMeanNothing) {
+    const std::string mark = "\xef\xbb\xbf";
+    const Vec3 spacing(0.5, 0.25, 2);
+    for (const std::string& header :
+         {mark + plainMetaImage, replaced(plainMetaImage, "\n", "\r\n"), replaced(plainMetaImage, " = ", "\t=\t"),
+          replaced(plainMetaImage, "\n", "  \t\n"), replaced(plainMetaImage, " = ", "="),
+          replaced(plainMetaImage, "ElementSpacing", "ElementSize")})
+        expectVolume(readFile("v.mha", header + "abcd"), spacing, header);
+    for (const std::string& header :
+         {mark + plainNrrd, replaced(plainNrrd, "\n", "\r\n"), replaced(plainNrrd, ": ", ":\t"),
+          replaced(plainNrrd, "2\n", "2 \t\n"), replaced(plainNrrd, "NRRD0004", "NRRD0004 "),
+          replaced(plainNrrd, "sizes", "SIZES"),
+          replaced(plainNrrd, "encoding", "content: x\nold min: 0\nold max: 9\nnumber: 4\nencoding")})
+        expectVolume(readFile("v.nrrd", header + "abcd"), spacing, header);
+}
+
+TEST(HeaderSpelling, OfMetaImageKeysMayHaveOtherCapitals) {
+    for (const std::string& header :
+         {replaced(plainMetaImage, "DimSize", "DIMSIZE"), replaced(plainMetaImage, "ElementSpacing", "elementspacing"),
+          replaced(plainMetaImage, "ElementDataFile = LOCAL", "elementDataFile = Local"),
+          replaced(plainMetaImage, "MET_UCHAR", "met_uchar"), replaced(plainMetaImage, "ObjectType", "objecttype")})
+        expectVolume(readFile("v.mha", header + "abcd"), {0.5, 0.25, 2}, header);
+    const auto twice = readFile("v.mha", "ndims = 3\n" + plainMetaImage + "abcd");
+    ASSERT_FALSE(twice);
+    EXPECT_NE(twice.error().sentence().find("NDims appears twice"), std::string::npos) << twice.error().sentence();
+}
+
+TEST(HeaderSpelling, DecimalCommasAreReadWhereTheyLeaveNoDoubt) {
+    const auto image = readFile("v.mha", replaced(replaced(plainMetaImage, "0.5 0.25 2", "0,5 0,25 2,0"), "ElementType",
+                                                  "Offset = 1,5 -2,25 3\nElementType") +
+                                             "abcd");
+    expectVolume(image, {0.5, 0.25, 2}, "MetaImage");
+    EXPECT_EQ(image->phases[0]->geometry().origin, Vec3(1.5, -2.25, 3));
+    EXPECT_TRUE(warnsOf(*image, "ElementSpacing has decimal commas"));
+    const auto nrrd = readFile("v.nrrd", replaced(plainNrrd, "0.5 0.25 2", "0,5 0,25 2") + "abcd");
+    expectVolume(nrrd, {0.5, 0.25, 2}, "NRRD");
+    EXPECT_TRUE(warnsOf(*nrrd, "spacings has decimal commas"));
+}
+
+TEST(HeaderSpelling, CommasThatMayMeanEitherAreRefusedInWords) {
+    for (const std::string& header :
+         {replaced(plainMetaImage, "0.5 0.25 2", "0,5, 0,25, 2"), replaced(plainMetaImage, "0.5 0.25 2", "0.5,0.25,2"),
+          replaced(plainMetaImage, "0.5 0.25 2", "1.000,5 0,25 2")}) {
+        const auto refused = readFile("v.mha", header + "abcd");
+        ASSERT_FALSE(refused) << header;
+        EXPECT_NE(refused.error().sentence().find("a comma may be either"), std::string::npos);
+    }
+    const std::string space = "space: left-posterior-superior\nspace directions: ";
+    for (const std::string vectors : {"(0,5,0,0) (0,0,25,0) (0,0,2)", "(0,5,0,0) (0,0,5,0) (0,0,0,5)",
+                                      "(0.5,0,0) (0,0.5,0) (0,0,1)\nspace origin: (1,5,2,3)"}) {
+        const auto refused =
+            readFile("v.nrrd", replaced(plainNrrd, "spacings: 0.5 0.25 2\n", space + vectors + "\n") + "abcd");
+        ASSERT_FALSE(refused) << vectors;
+        EXPECT_NE(refused.error().sentence().find("must hold vectors of 3 numbers"), std::string::npos)
+            << refused.error().sentence();
+    }
+}
+
+}  // namespace
+}  // namespace echolucent
