@@ -30,13 +30,15 @@ std::string frameWords(std::int64_t code) {
     }
 }
 
+constexpr std::string_view sizesCount = "the sizes of pixdim count, and the patient's frame is unknown";
+
 class Placement {
 public:
     Placement(const NiftiHeader& header, StoredVolume& stored) : m_header(header), m_stored(stored) {}
     Result<void> place();
 
 private:
-    Result<void> readUnit();
+    void readUnit();
     [[nodiscard]] Result<Affine> fromSform() const;
     [[nodiscard]] Result<Affine> fromQform() const;
     Result<void> placeBySizesAlone();
@@ -48,6 +50,9 @@ private:
         return fail(FailureKind::unreadable, m_stored.path, key, problem, correctHeader);
     }
     void note(std::string_view sentence) { m_stored.warnings.emplace_back(sentence); }
+    void noteIgnored(std::string_view form, const Failure& why, std::string_view instead) {
+        note(fmt::format("{} is ignored: {} {}; {}.", form, why.element, why.problem, instead));
+    }
 
     const NiftiHeader& m_header;
     StoredVolume& m_stored;
@@ -55,19 +60,22 @@ private:
     std::string m_unit;
 };
 
-Result<void> Placement::readUnit() {
+void Placement::readUnit() {
     switch (m_header.xyztUnits & 7) {
-        case 0: m_unit = "mm assumed"; return {};
+        case 0: m_unit = "mm assumed"; return;
         case 1:
             m_mm = 1000.0;
             m_unit = "m by xyzt_units";
-            return {};
-        case 2: m_unit = "mm by xyzt_units"; return {};
+            return;
+        case 2: m_unit = "mm by xyzt_units"; return;
         case 3:
             m_mm = 0.001;
             m_unit = "um by xyzt_units";
-            return {};
-        default: return wrong("xyzt_units", fmt::format("is {}, which names no length", m_header.xyztUnits));
+            return;
+        default:
+            m_unit = "of an unknown unit";
+            m_stored.geometry.spacingKnown = false;
+            note(fmt::format("xyzt_units is {}, which names no length.", m_header.xyztUnits));
     }
 }
 
@@ -121,7 +129,7 @@ void Placement::compareForms(const Affine& sform) {
     if (m_header.qformCode <= 0) return;
     const auto qform = fromQform();
     if (!qform) {
-        note("qform is ignored: " + qform.error().element + " " + qform.error().problem + "; sform counts.");
+        noteIgnored("qform", qform.error(), "sform counts");
         return;
     }
     double farthest = 0.0;
@@ -180,18 +188,20 @@ Result<void> Placement::placeBySizesAlone() {
     if (!hasVoxelSizes())
         return wrong("pixdim", fmt::format("must be finite and not 0 along x, y and z, not {:.6g} {:.6g} {:.6g}",
                                            pixdim[1], pixdim[2], pixdim[3]));
-    if (std::any_of(pixdim.begin() + 1, pixdim.begin() + 4, [](double size) { return size < 0; }))
-        note("pixdim is negative, which NIfTI does not allow: taken as positive.");
     for (int axis = 0; axis < 3; ++axis)
         m_stored.geometry.spacing[axis] = m_mm * std::abs(pixdim[static_cast<std::size_t>(axis) + 1]);
     m_stored.spacingSource = "pixdim, " + m_unit;
-    m_stored.facts.push_back({"patient frame", "not stated", "sform_code 0, qform_code 0"});
+    const bool stated = m_header.sformCode > 0 || m_header.qformCode > 0;
+    m_stored.facts.push_back({"patient frame", stated ? "unknown" : "not stated",
+                              fmt::format("sform_code {}, qform_code {}", m_header.sformCode, m_header.qformCode)});
     return {};
 }
 
 Result<void> Placement::place() {
     for (std::size_t axis = 0; axis < 3; ++axis) m_stored.geometry.size[axis] = m_header.dim[axis + 1];
-    if (auto unit = readUnit(); !unit) return unit;
+    readUnit();
+    if (std::any_of(m_header.pixdim.begin() + 1, m_header.pixdim.begin() + 4, [](double size) { return size < 0; }))
+        note("pixdim is negative, which NIfTI does not allow: taken as positive.");
     if (m_header.sformCode > 0) {
         const auto sform = fromSform();
         if (sform) {
@@ -199,13 +209,13 @@ Result<void> Placement::place() {
             compareForms(*sform);
             return {};
         }
-        if (m_header.qformCode <= 0) return tl::unexpected(sform.error());
-        note("sform is ignored: " + sform.error().element + " " + sform.error().problem + "; qform counts.");
+        noteIgnored("sform", sform.error(), m_header.qformCode > 0 ? "qform counts" : sizesCount);
     }
     if (m_header.qformCode <= 0) return placeBySizesAlone();
     const auto qform = fromQform();
-    if (!qform) return tl::unexpected(qform.error());
-    return placeBy(*qform, "qform", m_header.qformCode);
+    if (qform) return placeBy(*qform, "qform", m_header.qformCode);
+    noteIgnored("qform", qform.error(), sizesCount);
+    return placeBySizesAlone();
 }
 
 }  // namespace

@@ -9,9 +9,10 @@
 namespace echolucent {
 
 /// Sets size, spacing, origin and direction of `stored`, and adds facts and notes. The first three dimensions of the
-/// header must be whole numbers above 0. sform counts if its code is above 0 and it is a geometry; else qform if its
-/// code is above 0; else the voxel sizes alone, without a patient frame. Fails (unreadable, naming the field) if the
-/// unit is no length, if qform is no geometry where it counts, or if sform is none and qform has no code.
+/// header must be whole numbers above 0. sform counts if its code is above 0 and it is a geometry; else qform, by the
+/// same rule; else the voxel sizes alone, without a patient frame. A form that has a code and is no geometry is noted.
+/// A unit that is no length makes the spacing unknown. Fails (unreadable, naming the field) if the voxel sizes are none
+/// where they are needed, or if the spacing cannot be told.
 [[nodiscard]] Result<void> placeNifti(const NiftiHeader& header, StoredVolume& stored);
 
 }  // namespace echolucent

@@ -12,6 +12,7 @@
 #include "io/files/input_problems.h"
 #include "io/headers/frames_over_time.h"
 #include "io/nifti/nifti_geometry.h"
+#include "io/nifti/nifti_voxel_place.h"
 #include "io/study/study_assembly.h"
 #include "io/voxels/gzip_file.h"
 
@@ -83,7 +84,6 @@ private:
     Result<void> readTime();
     Result<void> readScale();
     Result<void> readVoxelPlace(const Progress& progress);
-    Result<std::int64_t> offsetOfVoxels() const;
     [[nodiscard]] bool saysWhite() const;
     void readWindow();
     [[nodiscard]] tl::unexpected<Failure> wrong(const std::string& key, const std::string& problem,
@@ -117,8 +117,13 @@ Result<StoredVolume> NiftiReader::read(bool framesAsSlices, const Progress& prog
 Result<void> NiftiReader::readShape() {
     auto& dim = m_header.dim;
     if (dim[0] < 1 || dim[0] > 7) return wrong("dim[0]", fmt::format("must be 1 to 7, not {}", dim[0]));
-    // Sizes beyond dim[0] have no meaning.
+    // Sizes beyond dim[0] have no meaning. Some programs write 0 for a dimension that they do not use.
     for (std::size_t axis = static_cast<std::size_t>(dim[0]) + 1; axis < dim.size(); ++axis) dim[axis] = 1;
+    for (std::size_t axis = 4; axis < dim.size(); ++axis) {
+        if (dim[axis] != 0) continue;
+        note(fmt::format("dim[{}] is 0, which is taken as 1.", axis));
+        dim[axis] = 1;
+    }
     for (std::size_t axis = 1; axis < dim.size(); ++axis)
         if (dim[axis] < 1)
             return wrong(fmt::format("dim[{}]", axis), fmt::format("must be above 0, not {}", dim[axis]));
@@ -135,6 +140,12 @@ Result<void> NiftiReader::readShape() {
 
 Result<void> NiftiReader::readIntent() {
     const std::int64_t code = m_header.intentCode;
+    // readShape() has refused vectors of several values.
+    constexpr std::int64_t vectors = 1007, valuesOfVectors = 5;
+    if (code == vectors && m_header.dim[0] >= valuesOfVectors) {
+        note("intent_code says that the voxels are vectors; each has one value, which is shown.");
+        return {};
+    }
     if (const char* words = wordsFor(refusedIntents, code))
         return wrong("intent_code", fmt::format("is {}: the file holds {}, not a volume of echoes", code, words),
                      "Open a scalar volume.");
@@ -186,7 +197,10 @@ Result<void> NiftiReader::readTime() {
         case 48:
             return wrong("xyzt_units", "says that the fourth dimension is a frequency, not time",
                          "Save one volume, or one over time.");
-        default: return wrong("xyzt_units", fmt::format("is {}, which names no time", m_header.xyztUnits));
+        default:
+            note(fmt::format("xyzt_units is {}, which names no time: the time between phases is unknown.",
+                             m_header.xyztUnits));
+            return {};
     }
     const bool unitGiven = (m_header.xyztUnits & timeBits) != 0;
     if (unitGiven && std::isfinite(m_header.toffset) && m_header.toffset != 0)
@@ -245,15 +259,6 @@ void NiftiReader::readWindow() {
     m_stored.whiteLevelSource = "255 of 8 bits, by scl_slope and scl_inter";
 }
 
-Result<std::int64_t> NiftiReader::offsetOfVoxels() const {
-    const double offset = m_header.voxOffset;
-    const double least = m_header.voxelsApart ? 0.0 : m_header.version == 1 ? 352.0 : 544.0;
-    constexpr double largest = 4.5e15;  // up to here doubles hold every whole number
-    if (!(offset >= least && offset <= largest) || offset != std::floor(offset))
-        return wrong("vox_offset", fmt::format("must be a whole number of {} or more, not {:.9g}", least, offset));
-    return static_cast<std::int64_t>(offset);
-}
-
 /// The name of the voxels' file beside a header: "a.img" for "a.hdr", and "A.IMG" for "A.HDR".
 std::string imageBeside(const std::string& header) {
     const std::filesystem::path plain = withoutGzipEnding(header);
@@ -263,14 +268,12 @@ std::string imageBeside(const std::string& header) {
 }
 
 Result<void> NiftiReader::readVoxelPlace(const Progress& progress) {
-    const auto offset = offsetOfVoxels();
-    if (!offset) return tl::unexpected(offset.error());
-    m_stored.extent.offset = static_cast<std::uint64_t>(*offset);
-    if (!m_header.voxelsApart) {
-        m_stored.data = {{m_stored.path, m_file}};
-        return {};
-    }
     const std::string name = imageBeside(m_stored.path);
+    NiftiVoxelPlace place(m_file, m_header, m_stored);
+    // Headers of pairs whose magic is that of one file, as some programs write them.
+    const bool isHeaderAlone = !m_header.voxelsApart && lowerCase(name).ends_with(".img") && place.isHeaderAlone() &&
+                               lowerCase(withoutGzipEnding(m_stored.path)).ends_with(".hdr");
+    if (!m_header.voxelsApart && !isHeaderAlone) return place.inHeader();
     for (const std::string& candidate : {name, name + ".gz"}) {
         auto beside = dataFileBeside({m_stored.path, "the magic \"ni\""}, candidate);
         if (!beside) return tl::unexpected(beside.error());
@@ -285,8 +288,9 @@ Result<void> NiftiReader::readVoxelPlace(const Progress& progress) {
             m_stored.unpackedBytes = file->size();
         }
         m_stored.data = {{beside->path, *file}};
-        return {};
+        return place.apart(*file);
     }
+    if (place.goesOnForItsVoxels() || isHeaderAlone) return place.inHeader();
     return wrong("", "is a NIfTI header whose voxels are missing: there is no " + quotedText(name) + " beside it",
                  "Put both files into one folder.");
 }
