@@ -18,6 +18,7 @@
 #include "io/study/study.h"
 #include "io/study/study_assembly.h"
 #include "io/voxels/gzip_file.h"
+#include "io/wrapped_voxels.h"
 
 namespace echolucent {
 
@@ -91,6 +92,7 @@ Result<Study> readStored(Result<StoredVolume> stored, const Packing& packing, co
     if (!stored) return tl::unexpected(stored.error());
     stored->packedBytes += packing.packedBytes;
     stored->unpackedBytes += packing.unpackedBytes;
+    if (auto settled = settleBeginnings(*stored, progress); !settled) return tl::unexpected(settled.error());
     return readStoredVolume(*stored, options, progress);
 }
 

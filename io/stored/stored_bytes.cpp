@@ -35,6 +35,23 @@ std::uint64_t leastEncoded(const StoredVolume& stored, std::uint64_t bytes) {
 
 }  // namespace
 
+Result<std::uint64_t> offsetAfterLines(const StoredVolume& stored, const InputFile& file) {
+    if (stored.skipLines == 0) return stored.extent.offset;
+    const auto beginning = file.beginning(static_cast<std::size_t>(stored.extent.offset) + headerLimit);
+    if (!beginning) return tl::unexpected(beginning.error());
+    std::string_view rest = *beginning;
+    rest.remove_prefix(std::min(static_cast<std::size_t>(stored.extent.offset), rest.size()));
+    for (std::int64_t line = 0; line < stored.skipLines; ++line) {
+        const auto end = rest.find('\n');
+        if (end == std::string_view::npos)
+            return fail(FailureKind::unreadable, stored.path, "line skip",
+                        fmt::format("is {}, but the data begin with only {} lines", stored.skipLines, line),
+                        correctHeader);
+        rest.remove_prefix(end + 1);
+    }
+    return beginning->size() - rest.size();
+}
+
 StoredBytes::StoredBytes(const StoredVolume& stored, const ByteCounts& counts)
     : m_stored(stored), m_counts(counts), m_part(static_cast<std::uint64_t>(counts.all) / stored.data.size()) {}
 
@@ -48,26 +65,9 @@ tl::unexpected<Failure> StoredBytes::tooShort(const std::string& held) const {
                 m_stored.sizeRemedy);
 }
 
-Result<std::uint64_t> StoredBytes::skippedLines(const InputFile& file) const {
-    if (m_stored.skipLines == 0) return m_stored.extent.offset;
-    const auto beginning = file.beginning(static_cast<std::size_t>(m_stored.extent.offset) + headerLimit);
-    if (!beginning) return tl::unexpected(beginning.error());
-    std::string_view rest = *beginning;
-    rest.remove_prefix(std::min(static_cast<std::size_t>(m_stored.extent.offset), rest.size()));
-    for (std::int64_t line = 0; line < m_stored.skipLines; ++line) {
-        const auto end = rest.find('\n');
-        if (end == std::string_view::npos)
-            return fail(FailureKind::unreadable, m_stored.path, "line skip",
-                        fmt::format("is {}, but the data begin with only {} lines", m_stored.skipLines, line),
-                        correctHeader);
-        rest.remove_prefix(end + 1);
-    }
-    return beginning->size() - rest.size();
-}
-
 Result<VoxelExtent> StoredBytes::extentIn(const InputFile& file) const {
     VoxelExtent extent = m_stored.extent;
-    const auto offset = skippedLines(file);
+    const auto offset = offsetAfterLines(m_stored, file);
     if (!offset) return tl::unexpected(offset.error());
     extent.offset = *offset;
     // In compressed data, bytes are skipped after unpacking; in all others, here.

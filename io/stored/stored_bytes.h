@@ -11,6 +11,10 @@
 
 namespace echolucent {
 
+/// Where the extent of `stored` begins in a data file, behind the lines to skip. Fails (unreadable) if there are fewer
+/// lines.
+[[nodiscard]] Result<std::uint64_t> offsetAfterLines(const StoredVolume& stored, const InputFile& file);
+
 /// Gives the bytes of all data files in order. One file is open at a time.
 class StoredBytes {
 public:
@@ -36,7 +40,6 @@ private:
     [[nodiscard]] Result<VoxelExtent> extentIn(const InputFile& file) const;
     [[nodiscard]] Result<VoxelExtent> extentOfRaw(const InputFile& file, VoxelExtent extent) const;
     [[nodiscard]] Result<VoxelExtent> extentOfEncoded(const InputFile& file, VoxelExtent extent) const;
-    [[nodiscard]] Result<std::uint64_t> skippedLines(const InputFile& file) const;
     [[nodiscard]] Result<void> checkDecoded(const InputFile& file, const VoxelExtent& extent,
                                             const Progress& progress) const;
     /// Whether an extent ends in a number written as text. Digits of that number may be missing.
