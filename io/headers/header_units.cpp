@@ -15,30 +15,30 @@ struct Unit {
     std::string_view name;
     double value;
 };
-constexpr std::array<Unit, 12> lengths{{{"nm", 1e-6},
-                                        {"um", 1e-3},
-                                        {"micron", 1e-3},
-                                        {"microns", 1e-3},
-                                        {"mm", 1.0},
-                                        {"cm", 10.0},
-                                        {"dm", 100.0},
-                                        {"m", 1000.0},
-                                        {"in", 25.4},
-                                        {"inch", 25.4},
-                                        {"inches", 25.4},
-                                        {"mum", 1e-3}}};
-constexpr std::array<Unit, 12> times{{{"ns", 1e-9},
-                                      {"us", 1e-6},
-                                      {"usec", 1e-6},
-                                      {"ms", 1e-3},
-                                      {"msec", 1e-3},
-                                      {"s", 1.0},
-                                      {"sec", 1.0},
-                                      {"secs", 1.0},
-                                      {"min", 60.0},
-                                      {"minute", 60.0},
-                                      {"minutes", 60.0},
-                                      {"h", 3600.0}}};
+constexpr std::array<Unit, 12> namesOfLengths{{{"nm", 1e-6},
+                                               {"um", 1e-3},
+                                               {"micron", 1e-3},
+                                               {"microns", 1e-3},
+                                               {"mm", 1.0},
+                                               {"cm", 10.0},
+                                               {"dm", 100.0},
+                                               {"m", 1000.0},
+                                               {"in", 25.4},
+                                               {"inch", 25.4},
+                                               {"inches", 25.4},
+                                               {"mum", 1e-3}}};
+constexpr std::array<Unit, 12> namesOfTimes{{{"ns", 1e-9},
+                                             {"us", 1e-6},
+                                             {"usec", 1e-6},
+                                             {"ms", 1e-3},
+                                             {"msec", 1e-3},
+                                             {"s", 1.0},
+                                             {"sec", 1.0},
+                                             {"secs", 1.0},
+                                             {"min", 60.0},
+                                             {"minute", 60.0},
+                                             {"minutes", 60.0},
+                                             {"h", 3600.0}}};
 constexpr std::array<Unit, 6> prefixes{
     {{"nano", 1e-9}, {"micro", 1e-6}, {"milli", 1e-3}, {"centi", 1e-2}, {"deci", 1e-1}, {"", 1.0}}};
 
@@ -74,14 +74,14 @@ bool saysNoUnit(std::string_view unit) {
 
 std::optional<double> mmOfUnit(std::string_view unit) {
     const std::string name = plainName(unit);
-    if (const auto mm = valueOf(lengths, name)) return mm;
+    if (const auto mm = valueOf(namesOfLengths, name)) return mm;
     const auto metres = inFull(name, {"meter", "metre"});
     return metres ? std::optional(*metres * 1000.0) : std::nullopt;
 }
 
 std::optional<double> secondsOfUnit(std::string_view unit) {
     const std::string name = plainName(unit);
-    if (const auto seconds = valueOf(times, name)) return seconds;
+    if (const auto seconds = valueOf(namesOfTimes, name)) return seconds;
     return inFull(name, {"second"});
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "io/headers/header_units.h"
 #include "io/headers/meta_image_data.h"
 #include "io/headers/meta_image_keys.h"
+#include "io/headers/stated_times.h"
 #include "io/study/study_assembly.h"
 
 namespace echolucent {
@@ -61,7 +63,7 @@ private:
     Result<void> readFrames();
     Result<void> readDataPlace();
     void readUnit();
-    void readPhaseTime(const std::vector<double>& spacing);
+    Result<void> readPhaseTimes();
 
     [[nodiscard]] const std::string* find(const std::string& key) const { return m_keys.find(key); }
     [[nodiscard]] std::string firstOf(std::initializer_list<const char*> keys) const { return m_keys.firstOf(keys); }
@@ -79,15 +81,16 @@ private:
     bool m_framesAsSlices = false;
     MetaImageKeys m_keys;
     std::int64_t m_dimensions = 0;
-    double m_mm = 1.0;  // length of the header's unit
+    double m_fourthSpacing = 0;  // between phases; 0 if the header has none
+    double m_mm = 1.0;           // length of the header's unit
     StoredVolume m_stored;
 };
 
 Result<StoredVolume> MetaImageHeader::read() {
-    for (const Step step :
-         {&MetaImageHeader::readKind, &MetaImageHeader::readSize, &MetaImageHeader::readType,
-          &MetaImageHeader::readSpacing, &MetaImageHeader::readPosition, &MetaImageHeader::readFrames,
-          &MetaImageHeader::readByteOrder, &MetaImageHeader::readWhiteLevel, &MetaImageHeader::readDataPlace})
+    for (const Step step : {&MetaImageHeader::readKind, &MetaImageHeader::readSize, &MetaImageHeader::readType,
+                            &MetaImageHeader::readSpacing, &MetaImageHeader::readPosition, &MetaImageHeader::readFrames,
+                            &MetaImageHeader::readPhaseTimes, &MetaImageHeader::readByteOrder,
+                            &MetaImageHeader::readWhiteLevel, &MetaImageHeader::readDataPlace})
         if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
     m_stored.facts.insert(m_stored.facts.begin(), {"format", "MetaImage", "keys of the header"});
     return m_stored;
@@ -174,18 +177,20 @@ Result<void> MetaImageHeader::readSpacing() {
         m_stored.geometry.spacing[axis] = value * m_mm;
     }
     m_stored.spacingSource = key + (m_mm != 1.0 ? ", DistanceUnits" : "");
-    readPhaseTime(*spacing);
+    if (spacing->size() > 3) m_fourthSpacing = (*spacing)[3];
     const auto known = flag("SpacingKnown");
     if (!known) return tl::unexpected(known.error());
     if (find("SpacingKnown") != nullptr) m_stored.geometry.spacingKnown = m_stored.geometry.spacingKnown && *known;
     return {};
 }
 
-void MetaImageHeader::readPhaseTime(const std::vector<double>& spacing) {
-    // MetaImage has no unit for the fourth axis. Programs that know no time write 1.
-    if (spacing.size() < 4 || !std::isfinite(spacing[3]) || spacing[3] <= 0.0 || spacing[3] == 1.0) return;
-    m_stored.phaseTimes = PhaseTimes::every(spacing[3]);
-    m_stored.phaseSource = m_stored.spacingSource + ", assumed to be seconds";
+Result<void> MetaImageHeader::readPhaseTimes() {
+    if (m_stored.phases < 2) return {};
+    std::optional<StatedTimes> times = timesOfSequence(m_keys.values, m_stored.phases);
+    // MetaImage has no unit for the fourth axis.
+    if (!times) times = timesEvery(m_fourthSpacing, "", firstOf({"ElementSpacing", "ElementSize"}));
+    if (times) takeTimes(std::move(*times), m_stored);
+    return {};
 }
 
 Result<void> MetaImageHeader::readPosition() {

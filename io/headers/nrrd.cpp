@@ -15,6 +15,7 @@
 #include "io/headers/nrrd_data.h"
 #include "io/headers/nrrd_fields.h"
 #include "io/headers/nrrd_spacings.h"
+#include "io/headers/nrrd_times.h"
 #include "io/study/study_assembly.h"
 
 namespace echolucent {
@@ -83,7 +84,7 @@ Result<StoredVolume> NrrdHeader::read() {
         return wrong("", "has a header without the empty line that ends it", damagedFile);
     for (const Step step :
          {&NrrdHeader::readType, &NrrdHeader::placeAxes, &NrrdHeader::readSpacing, &NrrdHeader::readDirections,
-          &NrrdHeader::readOrigin, &NrrdHeader::applySpace, &NrrdHeader::readPhaseTime, &NrrdHeader::readFrames,
+          &NrrdHeader::readOrigin, &NrrdHeader::applySpace, &NrrdHeader::readFrames, &NrrdHeader::readPhaseTime,
           &NrrdHeader::readWhiteLevel, &NrrdHeader::readEncoding, &NrrdHeader::readDataPlace})
         if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
     m_stored.facts.insert(m_stored.facts.begin(), {"format", "NRRD", "its first line"});
@@ -298,14 +299,8 @@ Result<void> NrrdHeader::applySpace() {
 }
 
 Result<void> NrrdHeader::readPhaseTime() {
-    if (!m_timeAxis || m_spacings.values.empty()) return {};
-    const double step = m_spacings.values[*m_timeAxis];
-    if (!std::isfinite(step) || step <= 0) return {};
-    const auto seconds = secondsOfUnit(unitOfAxis(m_fields, m_axes, *m_timeAxis));
-    // Without a unit, programs that know no time write 1.
-    if (!seconds && step == 1.0) return {};
-    m_stored.phaseTimes = PhaseTimes::every(step * seconds.value_or(1.0));
-    m_stored.phaseSource = seconds ? "spacings, units" : "spacings, assumed to be seconds";
+    if (!m_timeAxis || m_stored.phases < 2) return {};
+    if (auto stated = nrrdTimes(m_fields, m_axes, m_spacings, *m_timeAxis)) takeTimes(std::move(*stated), m_stored);
     return {};
 }
 

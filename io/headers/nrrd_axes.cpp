@@ -31,6 +31,7 @@ private:
     Result<void> checkKind(std::size_t axis, const std::string& problem);
     Result<void> checkColourAxis(std::size_t axis) const;
     [[nodiscard]] bool isPlainSpace(std::size_t axis) const;
+    [[nodiscard]] bool isScalarFirst() const;
     [[nodiscard]] bool isColour(std::size_t axis) const {
         return m_axes.kindOf(axis) == "rgb-color" || m_axes.kindOf(axis) == "3-color";
     }
@@ -131,6 +132,12 @@ Result<void> AxesReader::checkColourAxis(std::size_t axis) const {
     return wrong("kinds", "has a colour axis that is not the first, of size 3, with 8 or 16 unsigned bits");
 }
 
+/// Whether the first of four axes that have no kinds holds one value, as programs write it that store vectors.
+bool AxesReader::isScalarFirst() const {
+    return m_axes.kinds.empty() && m_axes.directions.empty() && m_axes.sizes[0] == 1 &&
+           std::all_of(m_axes.sizes.begin() + 1, m_axes.sizes.end(), [](std::int64_t size) { return size > 1; });
+}
+
 Result<void> AxesReader::readFourAxes() {
     std::vector<std::size_t> others;
     for (std::size_t axis = 0; axis < 4; ++axis)
@@ -139,7 +146,7 @@ Result<void> AxesReader::readFourAxes() {
     const bool colourFrames = others.size() == 2 && isColour(others[0]) && m_axes.mayBeNoSpace(others[1]);
     if (others.size() > 1 && !colourFrames)
         return wrong("kinds", "names more than one axis that is not space", "Save one scalar volume over time.");
-    const std::size_t axis = others.empty() ? 3 : others[0];
+    const std::size_t axis = others.empty() ? (isScalarFirst() ? 0 : 3) : others[0];
     if (isColour(axis)) {
         if (auto colour = checkColourAxis(axis); !colour) return colour;
         m_axes.roles[axis] = NrrdAxisRole::colour;

@@ -45,6 +45,24 @@ TEST(HeaderSpelling, LineEndsTabsBlanksAndMarksOfByteOrderMeanNothing) {
         expectVolume(readFile("v.nrrd", header + "abcd"), spacing, header);
 }
 
+TEST(HeaderSpelling, AxesOfOneValueAreNoPhases) {
+    const std::string fields = "NRRD0004\ntype: uchar\ndimension: 4\nencoding: raw\n";
+    for (const std::string& more :
+         {std::string("sizes: 1 2 2 2\nspacings: 1 0.5 0.25 2\n"),
+          std::string("sizes: 2 2 2 1\nspacings: 0.5 0.25 2 1\n"),
+          std::string("sizes: 1 2 2 2\nkinds: scalar domain domain domain\nspacings: nan 0.5 0.25 2\n")}) {
+        const auto study = readFile("v.nrrd", fields + more + "\nabcdefgh");
+        ASSERT_TRUE(study) << study.error().sentence();
+        EXPECT_EQ(study->phases.size(), 1U) << more;
+        EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(0.5, 0.25, 2)) << more;
+    }
+    const auto image = readFile("v.mha",
+                                "NDims = 4\nDimSize = 2 2 2 1\nElementType = MET_UCHAR\n"
+                                "ElementSpacing = 0.5 0.25 2 1\nElementDataFile = LOCAL\nabcdefgh");
+    ASSERT_TRUE(image) << image.error().sentence();
+    EXPECT_EQ(image->phases.size(), 1U);
+}
+
 TEST(HeaderSpelling, OfMetaImageKeysMayHaveOtherCapitals) {
     for (const std::string& header :
          {replaced(plainMetaImage, "DimSize", "DIMSIZE"), replaced(plainMetaImage, "ElementSpacing", "elementspacing"),
