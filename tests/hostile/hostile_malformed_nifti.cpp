@@ -11,10 +11,11 @@ namespace echolucent {
 namespace {
 
 HostileFile malformedNifti(const std::string& name, const std::function<void(NiftiFields&)>& change,
-                           std::vector<std::string> words, const std::string& voxels = countedVoxels) {
+                           std::vector<std::string> words, const std::string& voxels = countedVoxels,
+                           HostileOutcome outcome = HostileOutcome::refused) {
     NiftiFields fields;
     change(fields);
-    return hostileFile("malformed-nifti/" + name, "v.nii", niftiHeader(fields) + voxels, std::move(words));
+    return hostileFile("malformed-nifti/" + name, "v.nii", niftiHeader(fields) + voxels, std::move(words), outcome);
 }
 
 /// Files that only their name calls NIfTI.
@@ -85,9 +86,12 @@ std::vector<HostileFile> hostileMalformedNifti() {
                        {"intent_code is 1008", "points of a surface"}),
         malformedNifti("colours-on-a-surface", [](auto& f) { f.intent = 2003; },
                        {"intent_code is 2003", "colours on a surface"}),
-        malformedNifti("an-offset-of-0", [](auto& f) { f.voxOffset = 0; },
-                       {"vox_offset must be a whole number of 352 or more, not 0"}),
-        malformedNifti("an-offset-within-the-header", [](auto& f) { f.voxOffset = 351; }, {"vox_offset must be"}),
+        malformedNifti(
+            "an-offset-of-0", [](auto& f) { f.voxOffset = 0; },
+            {"vox_offset is 0, within the header", "from byte 352 on"}, countedVoxels, HostileOutcome::opensWithNote),
+        malformedNifti(
+            "an-offset-within-the-header", [](auto& f) { f.voxOffset = 351; }, {"vox_offset is 351, within the header"},
+            countedVoxels, HostileOutcome::opensWithNote),
         malformedNifti("an-offset-that-is-no-whole-number", [](auto& f) { f.voxOffset = 352.5; },
                        {"vox_offset must be", "352.5"}),
         malformedNifti("an-offset-below-0", [](auto& f) { f.voxOffset = -400; }, {"vox_offset must be", "-400"}),
@@ -96,12 +100,13 @@ std::vector<HostileFile> hostileMalformedNifti() {
                        {"vox_offset must be", "e+30"}),
         malformedNifti("an-offset-beyond-the-file", [](auto& f) { f.voxOffset = 1e9; },
                        {"dim declares 24 bytes", "holds only 0"}),
-        malformedNifti("an-offset-within-the-header-of-version-2",
-                       [](auto& f) {
-                           f.version = 2;
-                           f.voxOffset = 540;
-                       },
-                       {"vox_offset must be a whole number of 544 or more"}),
+        malformedNifti(
+            "an-offset-within-the-header-of-version-2",
+            [](auto& f) {
+                f.version = 2;
+                f.voxOffset = 540;
+            },
+            {"vox_offset is 540, within the header", "from byte 544 on"}, countedVoxels, HostileOutcome::opensWithNote),
         malformedNifti("a-spacing-of-0",
                        [](auto& f) {
                            f.pixdim = {1, 1, 0, 1};
@@ -122,69 +127,95 @@ std::vector<HostileFile> hostileMalformedNifti() {
                            f.pixdim = {1, 1e-9, 1, 1};
                        },
                        {"pixdim", "no scanner makes"}),
-        malformedNifti("units-that-are-no-length", [](auto& f) { f.units = 5; }, {"xyzt_units is 5", "no length"}),
+        malformedNifti(
+            "units-that-are-no-length", [](auto& f) { f.units = 5; },
+            {"xyzt_units is 5, which names no length", "spacing of the voxels is unknown"}, countedVoxels,
+            HostileOutcome::opensWithNote),
         malformedNifti("units-of-frequency",
                        [](auto& f) {
                            f.dim = {4, 2, 3, 2, 2};
                            f.units = 2 + 32;
                        },
                        {"xyzt_units", "frequency"}),
-        malformedNifti("units-that-are-no-time",
-                       [](auto& f) {
-                           f.dim = {4, 2, 3, 2, 2};
-                           f.units = 2 + 56;
-                       },
-                       {"xyzt_units is 58", "no time"}),
+        malformedNifti(
+            "units-that-are-no-time",
+            [](auto& f) {
+                f.dim = {4, 2, 3, 2, 2};
+                f.units = 2 + 56;
+            },
+            {"xyzt_units is 58, which names no time"}, countedVoxels, HostileOutcome::opensWithNote),
         malformedNifti("an-intercept-of-nan",
                        [=](auto& f) {
                            f.slope = 2;
                            f.inter = noNumber;
                        },
                        {"scl_inter is no number"}),
-        malformedNifti("an-sform-of-zeros", [](auto& f) { f.sformCode = 1; },
-                       {"srow_x, srow_y, srow_z do not hold three independent directions"}),
-        malformedNifti("an-sform-of-nan",
-                       [=](auto& f) {
-                           f.sformCode = 1;
-                           f.srow = {{{noNumber, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-                       },
-                       {"srow_x, srow_y, srow_z"}),
-        malformedNifti("an-sform-far-away",
-                       [](auto& f) {
-                           f.sformCode = 1;
-                           f.srow = {{{1, 0, 0, 1e30}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-                       },
-                       {"srow_x, srow_y, srow_z"}),
-        malformedNifti("a-quaternion-that-is-no-rotation",
-                       [](auto& f) {
-                           f.qformCode = 1;
-                           f.quatern = {1, 1, 0};
-                       },
-                       {"quatern_b, quatern_c, quatern_d are no rotation"}),
-        malformedNifti("a-quaternion-of-nan",
-                       [=](auto& f) {
-                           f.qformCode = 1;
-                           f.quatern = {noNumber, 0, 0};
-                       },
-                       {"quatern_b", "no rotation"}),
-        malformedNifti("a-qfac-of-nan",
-                       [=](auto& f) {
-                           f.qformCode = 1;
-                           f.pixdim[0] = noNumber;
-                       },
-                       {"pixdim[0] must be 1 or -1"}),
-        malformedNifti("a-spacing-of-0-in-a-qform",
-                       [](auto& f) {
-                           f.qformCode = 1;
-                           f.pixdim = {1, 0, 0, 0};
-                       },
-                       {"pixdim must be finite", "qform_code"}),
-        malformedNifti("an-offset-of-infinity-in-a-qform",
-                       [=](auto& f) {
-                           f.qformCode = 1;
-                           f.qoffset = {0, infinite, 0};
-                       },
-                       {"qoffset_x"}),
+        malformedNifti(
+            "an-sform-of-zeros", [](auto& f) { f.sformCode = 1; },
+            {"sform is ignored: srow_x, srow_y, srow_z", "the sizes of pixdim count"}, countedVoxels,
+            HostileOutcome::opensWithNote),
+        malformedNifti(
+            "an-sform-of-nan",
+            [=](auto& f) {
+                f.sformCode = 1;
+                f.srow = {{{noNumber, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+            },
+            {"sform is ignored: srow_x, srow_y, srow_z", "the sizes of pixdim count"}, countedVoxels,
+            HostileOutcome::opensWithNote),
+        malformedNifti(
+            "an-sform-far-away",
+            [](auto& f) {
+                f.sformCode = 1;
+                f.srow = {{{1, 0, 0, 1e30}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+            },
+            {"sform is ignored: srow_x, srow_y, srow_z", "the sizes of pixdim count"}, countedVoxels,
+            HostileOutcome::opensWithNote),
+        malformedNifti(
+            "a-quaternion-that-is-no-rotation",
+            [](auto& f) {
+                f.qformCode = 1;
+                f.quatern = {1, 1, 0};
+            },
+            {"qform is ignored: quatern_b, quatern_c, quatern_d are no rotation"}, countedVoxels,
+            HostileOutcome::opensWithNote),
+        malformedNifti(
+            "a-quaternion-of-nan",
+            [=](auto& f) {
+                f.qformCode = 1;
+                f.quatern = {noNumber, 0, 0};
+            },
+            {"qform is ignored: quatern_b, quatern_c, quatern_d are no rotation"}, countedVoxels,
+            HostileOutcome::opensWithNote),
+        malformedNifti(
+            "a-qfac-of-nan",
+            [=](auto& f) {
+                f.qformCode = 1;
+                f.pixdim[0] = noNumber;
+            },
+            {"qform is ignored: pixdim[0] must be 1 or -1"}, countedVoxels, HostileOutcome::opensWithNote),
+        malformedNifti(
+            "a-spacing-of-0-in-a-qform",
+            [](auto& f) {
+                f.qformCode = 1;
+                f.pixdim = {1, 0, 0, 0};
+            },
+            {"qform is ignored: pixdim must be finite", "spacing of the voxels is unknown"}, countedVoxels,
+            HostileOutcome::opensWithNote),
+        malformedNifti(
+            "an-offset-of-infinity-in-a-qform",
+            [=](auto& f) {
+                f.qformCode = 1;
+                f.qoffset = {0, infinite, 0};
+            },
+            {"qform is ignored: qoffset_x"}, countedVoxels, HostileOutcome::opensWithNote),
+        malformedNifti(
+            "an-offset-of-0-in-a-longer-file", [](auto& f) { f.voxOffset = 0; },
+            {"vox_offset must be a whole number of 352 or more, not 0"}, countedVoxels + "more"),
+        malformedNifti("sizes-below-0-beyond-time", [](auto& f) { f.dim = {6, 2, 3, 4, 1, 1, -1}; },
+                       {"dim[6] must be above 0, not -1"}),
+        malformedNifti(
+            "sizes-of-0-beyond-space", [](auto& f) { f.dim = {7, 2, 3, 4, 0, 0, 0, 0}; },
+            {"dim[4] is 0, which is taken as 1", "dim[7] is 0"}, countedVoxels, HostileOutcome::opensWithNote),
         malformedNifti(
             "one-voxel-too-few", [](auto&) {}, {"dim declares 24 bytes", "holds only 23"}, countedVoxels.substr(1)),
         malformedNifti(

@@ -76,7 +76,11 @@ std::vector<HostileFile> niftiSizes() {
 
 std::vector<HostileFile> places() {
     std::vector<HostileFile> rows;
-    for (const double offset : {0.0, 348.0, 351.0, 352.5, -352.0, noNumber, infinite, 1e30})
+    for (const double offset : {0.0, 348.0, 351.0})
+        rows.push_back(nifti(
+            fmt::format("voxels-at-{}", offset), [&](NiftiFields& f) { f.voxOffset = offset; },
+            {"which the file's length proves"}, HostileOutcome::opensWithNote));
+    for (const double offset : {352.5, -352.0, noNumber, infinite, 1e30})
         rows.push_back(nifti(fmt::format("voxels-at-{}", offset), [&](NiftiFields& f) { f.voxOffset = offset; },
                              {"vox_offset must be a whole number of 352 or more"}));
     rows.push_back(nifti("voxels-behind-the-file", [](NiftiFields& f) { f.voxOffset = 4e9; }, {"holds only 0"}));
@@ -141,41 +145,43 @@ std::vector<HostileFile> niftiSpacings() {
             },
             words));
         if (value != 5000.0)
-            rows.push_back(nifti(fmt::format("sform-of-{}", value),
-                                 [&value = value](NiftiFields& f) {
-                                     f.version = 2;
-                                     f.sformCode = 1;
-                                     f.srow = {{{value, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-                                 },
-                                 {}));
+            rows.push_back(nifti(
+                fmt::format("sform-of-{}", value),
+                [&value = value](NiftiFields& f) {
+                    f.version = 2;
+                    f.sformCode = 1;
+                    f.srow = {{{value, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+                },
+                {"sform is ignored: srow_x, srow_y, srow_z"}, HostileOutcome::opensWithNote));
     }
-    for (HostileFile& row : rows)
-        if (row.words.empty()) row.words = {"srow_x, srow_y, srow_z"};
     rows.push_back(nifti(
         "negative-spacing",
         [](NiftiFields& f) {
             f.pixdim = {1, 0.5, -0.25, 2};
         },
         {"pixdim is negative"}, HostileOutcome::opensWithNote));
-    rows.push_back(nifti("quaternion-of-nan",
-                         [](NiftiFields& f) {
-                             f.qformCode = 1;
-                             f.quatern = {noNumber, 0, 0};
-                         },
-                         {"are no rotation"}));
-    rows.push_back(nifti("quaternion-of-1e300",
-                         [](NiftiFields& f) {
-                             f.version = 2;
-                             f.qformCode = 1;
-                             f.quatern = {1e300, 0, 0};
-                         },
-                         {"are no rotation"}));
-    rows.push_back(nifti("position-of-inf",
-                         [](NiftiFields& f) {
-                             f.qformCode = 1;
-                             f.qoffset = {infinite, 0, 0};
-                         },
-                         {"are no position"}));
+    rows.push_back(nifti(
+        "quaternion-of-nan",
+        [](NiftiFields& f) {
+            f.qformCode = 1;
+            f.quatern = {noNumber, 0, 0};
+        },
+        {"are no rotation"}, HostileOutcome::opensWithNote));
+    rows.push_back(nifti(
+        "quaternion-of-1e300",
+        [](NiftiFields& f) {
+            f.version = 2;
+            f.qformCode = 1;
+            f.quatern = {1e300, 0, 0};
+        },
+        {"are no rotation"}, HostileOutcome::opensWithNote));
+    rows.push_back(nifti(
+        "position-of-inf",
+        [](NiftiFields& f) {
+            f.qformCode = 1;
+            f.qoffset = {infinite, 0, 0};
+        },
+        {"are no position"}, HostileOutcome::opensWithNote));
     return rows;
 }
 
@@ -218,6 +224,10 @@ std::vector<HostileFile> pairs() {
         linked("a-header-over-a-link", "a.img", "a.img", countedVoxels, "a.hdr", header, {"link out of its folder"}),
         itself,
         hostileFile("nifti/a-header-named-as-voxels", "a.img", header, {"is the header itself"}),
+        hostileFile("nifti/one-file-with-the-magic-of-a-pair-and-more-bytes", "a.nii",
+                    header + std::string(4, '\0') + countedVoxels + "more", {"there is no \"a.img\" beside it"}),
+        pair("voxels-of-a-pair-behind-a-header", "a.hdr", header, niftiHeader({}) + countedVoxels + "more",
+             {"where a NIfTI header stands"}),
         hostileFile("nifti/voxels-are-missing", "a.hdr", header, {"there is no \"a.img\" beside it"}),
         pair("cut-voxels-of-a-pair", "a.hdr", header, countedVoxels.substr(0, 9), {"holds only 9", "incomplete"}),
         pair("no-voxels-of-a-pair", "a.hdr", header, "", {"holds only 0", "incomplete"}),

@@ -3,6 +3,7 @@
 
 #include "bzip2_bytes.h"
 #include "hostile_file.h"
+#include "nifti_files.h"
 #include "split_volume.h"
 #include "temporary_folder.h"
 #include "zlib_bytes.h"
@@ -83,11 +84,11 @@ std::vector<HostileFile> wrongPatterns() {
         header("a-pattern-of-metaimage-that-writes", splitMetaImage("ElementDataFile = s%n.raw 0 3 1\n"),
                {"no pattern"}),
         header("a-pattern-of-metaimage-of-step-x", splitMetaImage("ElementDataFile = s%d.raw 0 3 x\n"),
-               {"whole numbers, not \"x\""}),
+               {"neither that file nor the first of that pattern, \"s1.raw 0 3 x\""}),
         header("a-name-with-a-percent-sign", splitNrrd("encoding: raw\ndata file: 50%.raw\n"),
-               {"\"50%.raw\", which is no pattern", "rename that file"}),
+               {"\"50%.raw\", which is no pattern", "no file of that name lies beside"}),
         header("a-name-of-metaimage-with-a-percent-sign", splitMetaImage("ElementDataFile = 50%.raw\n"),
-               {"\"50%.raw\", which is no pattern", "rename that file"}),
+               {"\"50%.raw\", which is no pattern", "no file of that name lies beside"}),
     };
     const std::vector<std::pair<std::string, std::string>> patterns{
         {"that-writes", "s%n.raw"},        {"of-a-text", "s%s.raw"},           {"of-two-numbers", "s%d%d.raw"},
@@ -104,10 +105,55 @@ HostileFile linkOut(const std::string& name, const std::string& data) {
         writeBytes(folder / "elsewhere" / "secret.raw", splitVoxels());
         writeBytes(folder / "study" / "v.nhdr", splitNrrd("encoding: raw\ndata file: " + data + "\n"));
         std::filesystem::create_symlink("../elsewhere/secret.raw", folder / "study" / "link.raw");
+        std::filesystem::create_symlink("../elsewhere/secret.raw", folder / "study" / "100%.raw");
         std::filesystem::create_directory_symlink("../elsewhere", folder / "study" / "out");
     };
     row.words = {"does not lie in or below the header's own folder"};
     return row;
+}
+
+/// A header over a data file that begins with another header.
+HostileFile over(const std::string& name, const std::string& fields, const std::string& bytes,
+                 std::vector<std::string> words, HostileOutcome outcome = HostileOutcome::refused) {
+    HostileFile row = header("over-" + name, splitNrrd(fields + "data file: s2.raw\n"), std::move(words), bytes);
+    row.outcome = outcome;
+    return row;
+}
+
+std::vector<HostileFile> wrappedHeaders() {
+    const std::string raw = "encoding: raw\n", gzip = "encoding: gzip\n";
+    const auto nifti = [](double offset) {
+        NiftiFields fields;
+        fields.voxOffset = offset;
+        return niftiHeader(fields) + splitVoxels();
+    };
+    const auto packed = [](const std::string& bytes) { return deflated(bytes, 31); };
+    const std::vector<std::string> stands{"takes \"s2.raw\" for voxels, where a NIfTI header stands"};
+    std::vector<HostileFile> rows{
+        over("a-nifti", raw, nifti(352), {"A NIfTI header stands where the voxels of s2.raw should begin"},
+             HostileOutcome::opensWithNote),
+        over("a-packed-nifti", gzip, packed(nifti(352)), {"A NIfTI header stands"}, HostileOutcome::opensWithNote),
+        over("a-nifti-packed-in-secret", raw, packed(nifti(352)), {"holds gzip", "A NIfTI header stands"},
+             HostileOutcome::opensWithNote),
+        over("a-nifti-and-more", raw, nifti(352) + "more", stands),
+        over("a-packed-nifti-and-more", gzip, packed(nifti(352) + "more"), stands),
+        over("a-cut-nifti", raw, nifti(352).substr(0, 380), stands),
+        over("text-without-end", raw, "NRRD0004\n" + std::string(std::size_t{2} << 20, 'x'),
+             {"where an NRRD file stands"}),
+        over("packed-text-without-end", gzip, packed("NDims = 3\n" + std::string(std::size_t{2} << 20, 'x')),
+             {"where a MetaImage stands"}),
+        over("gzip-at-the-end-of-which-voxels-are-missing", "byte skip: -1\n" + gzip, packed("few"), {"only 3"}),
+        header("over-gzip-with-3-gb-declared-at-its-end",
+               "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1500 1500 1400\nbyte skip: -1\nencoding: gzip\n"
+               "data file: s2.raw\n",
+               {"sizes"}, packed(std::string(std::size_t{4} << 20, '\0'))),
+        over("gzip-of-which-half-is-missing", "byte skip: -1\n" + gzip,
+             packed(splitVoxels() + splitVoxels()).substr(0, 20), {"s2.raw"}),
+        over("gzip-that-begins-like-it", raw, "\x1f\x8b\x08" + std::string(60, 'v'), {"holds gzip"},
+             HostileOutcome::opens)};
+    for (const double offset : {-5.0, 1e30, 100.0})
+        rows.push_back(over(fmt::format("a-nifti-of-offset-{}", offset), raw, nifti(offset), stands));
+    return rows;
 }
 
 HostileFile attached(const std::string& name, const std::string& encoding, const std::string& bytes,
@@ -191,8 +237,9 @@ std::vector<HostileFile> wrongCompression() {
 
 std::vector<HostileFile> hostileDataFiles() {
     std::vector<HostileFile> all{listOf20000(), linkOut("a-link-out-of-the-folder", "link.raw"),
+                                 linkOut("a-link-with-a-percent-sign-out-of-the-folder", "100%.raw"),
                                  linkOut("a-linked-folder-out-of-the-folder", "out/secret.raw")};
-    for (const auto rows : {wrongLists, wrongPatterns, wrongText, wrongCompression})
+    for (const auto rows : {wrongLists, wrongPatterns, wrappedHeaders, wrongText, wrongCompression})
         for (HostileFile& row : rows()) all.push_back(std::move(row));
     return all;
 }

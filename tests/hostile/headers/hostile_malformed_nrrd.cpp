@@ -5,6 +5,17 @@
 
 namespace echolucent {
 
+namespace {
+
+/// "0 1 2" and so on.
+std::string manyNumbers(int count) {
+    std::string numbers = "0";
+    for (int number = 1; number < count; ++number) numbers += " " + std::to_string(number);
+    return numbers;
+}
+
+}  // namespace
+
 std::vector<HostileFile> hostileMalformedNrrd() {
     const std::string encoding = "encoding: raw";
     const auto four = [](const std::string& more) {
@@ -88,7 +99,35 @@ std::vector<HostileFile> hostileMalformedNrrd() {
         hostileFile("malformed-nrrd/a-line-skip-beyond-the-file", "a.nrrd",
                     nrrdWith(encoding, "line skip: 2\n" + encoding), {"line skip is 2", "only 0 lines"}),
         hostileFile("malformed-nrrd/a-byte-skip-from-the-end-of-gzip", "a.nrrd",
-                    nrrdWith(encoding, "byte skip: -1\nencoding: gzip"), {"byte skip must be 0 or above"}),
+                    nrrdWith(encoding, "byte skip: -1\nencoding: gzip"), {"damaged compressed data"}),
+        hostileFile("malformed-nrrd/a-byte-skip-from-the-end-of-text", "a.nrrd",
+                    nrrdWith(encoding, "byte skip: -1\nencoding: ascii"), {"byte skip must be 0 or above"}),
+        hostileFile("malformed-nrrd/units-that-nobody-knows", "a.nrrd",
+                    nrrdWith(encoding, "units: furlong furlong \xff\xfe\n" + encoding),
+                    {"units names \"furlong\"", "spacing of the voxels is unknown"}, HostileOutcome::opensWithNote),
+        hostileFile("malformed-nrrd/a-unit-of-20000-letters", "a.nrrd",
+                    nrrdWith(encoding, "units: \"" + std::string(20000, 'u') + "\" mm mm\n" + encoding),
+                    {"which is not a known length"}, HostileOutcome::opensWithNote),
+        hostileFile("malformed-nrrd/directions-with-decimal-commas", "a.nrrd",
+                    nrrdWith(encoding, "space: LPS\nspace directions: (0,5,0,0) (0,0,5,0) (0,0,0,5)\n" + encoding),
+                    {"must hold vectors of 3 numbers", "never commas"}),
+        hostileFile(
+            "malformed-nrrd/ends-of-axes-of-infinity", "a.nrrd",
+            nrrdWith("spacings: 1 1 1\n", "axis mins: 0 0 -inf\naxis maxs: 1 1 nan\ncenterings: cell node cell\n"),
+            {"axis mins and axis maxs give no spacing"}, HostileOutcome::opensWithNote),
+        hostileFile("malformed-nrrd/3000-index-values-for-two-phases", "a.nrrd",
+                    four("labels: x y z time\naxis 3 index values:=" + manyNumbers(3000) + "\n"),
+                    {"gives 3000 times for 2 phases"}, HostileOutcome::opensWithNote),
+        hostileFile("malformed-nrrd/time-stamps-of-infinity", "a.nrrd",
+                    four("Seq_Frame0000_Timestamp:=-inf\nSeq_Frame0001_Timestamp:=inf\n"), {"do not rise"},
+                    HostileOutcome::opensWithNote),
+        hostileFile("malformed-nrrd/time-stamps-far-apart", "a.nrrd",
+                    four("Seq_Frame0000_Timestamp:=-1e308\nSeq_Frame0001_Timestamp:=1e308\n"), {"do not rise"},
+                    HostileOutcome::opensWithNote),
+        hostileFile("malformed-nrrd/a-direction-through-time-of-1e308", "a.nrrd",
+                    four("space: LPST\nspace directions: (1,0,0,0) (0,1,0,0) (0,0,1,0) (0,0,0,1e308)\n"
+                         "space units: mm mm mm h\n"),
+                    {"time between phases"}, HostileOutcome::opens),
         hostileFile("malformed-nrrd/a-white-level-below-0", "a.nrrd", nrrdWith(encoding, "WhiteLevel:=-1\n" + encoding),
                     {"WhiteLevel must be a number above 0"}),
         hostileFile("malformed-nrrd/a-field-twice", "a.nrrd", nrrdWith(encoding, "sizes: 2 3 4\n" + encoding),

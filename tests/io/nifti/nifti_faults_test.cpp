@@ -3,8 +3,10 @@
 
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "nifti_files.h"
+#include "python_script.h"
 
 namespace echolucent {
 namespace {
@@ -196,6 +198,28 @@ TEST(NiftiFaults, TheMagicMayBeThatOfTheOtherKind) {
             expectVoxels(study, "n+1 in a pair");
             EXPECT_TRUE(warnsOf(*study, "read from the .img beside it"));
         }
+    }
+}
+
+TEST(NiftiFaults, LeaveTheVoxelsThatNibabelReads) {
+    NiftiFields sform, qform, negative;
+    sform.sformCode = 1;
+    qform.qformCode = 1;
+    qform.quatern = {0, noNumber, 0};
+    negative.pixdim = {1, 0.5, -0.25, 2};
+    const TemporaryFolder folder;
+    std::string files;
+    for (const NiftiFields* fields : {&sform, &qform, &negative})
+        files += " " + folder.write(std::to_string(files.size()) + ".nii", niftiHeader(*fields) + countedVoxels);
+    const ToolOutcome read = runScript("nibabel_files.py", "read" + files + " 2>/dev/null");
+    if (read.missing) GTEST_SKIP() << "python3 cannot import nibabel";
+    ASSERT_EQ(read.status, 0);
+    const auto all = nlohmann::json::parse(read.output);
+    ASSERT_EQ(all.size(), 3U);
+    const std::vector<double> counted = twentyFour<double>();
+    for (const auto& facts : all) {
+        EXPECT_EQ(facts.at("shape"), nlohmann::json({2, 3, 4}));
+        EXPECT_EQ(facts.at("values"), nlohmann::json(counted));
     }
 }
 
