@@ -20,7 +20,7 @@ struct HeaderKind {
     std::span<const std::string_view> values;  ///< words that stand behind a separator
 };
 
-constexpr std::array<std::string_view, 34> metaImageLines{"ObjectType = Image",
+constexpr std::array<std::string_view, 40> metaImageLines{"ObjectType = Image",
                                                           "NDims = 4",
                                                           "NDims = 2",
                                                           "DimSize = 4 3 2",
@@ -53,13 +53,19 @@ constexpr std::array<std::string_view, 34> metaImageLines{"ObjectType = Image",
                                                           "ElementDataFile = LOCAL",
                                                           "ElementDataFile = voxels.raw",
                                                           "ElementDataFile = LIST",
-                                                          "ElementDataFile = v%03d.raw 1 3 1"};
+                                                          "ElementDataFile = v%03d.raw 1 3 1",
+                                                          "ElementDataFile = v%2d 50%.raw",
+                                                          "DistanceUnits = um",
+                                                          "DistanceUnits = ells",
+                                                          "ElementSpacing = 0,5 0,5 0,5",
+                                                          "Seq_Frame0000_Timestamp = 0.5",
+                                                          "Seq_Frame0001_Timestamp = 0.75"};
 constexpr std::array<std::string_view, 18> metaImageValues{
     "MET_UCHAR",     "MET_CHAR",  "MET_SHORT",  "MET_USHORT", "MET_INT",    "MET_UINT",
     "MET_LONG_LONG", "MET_FLOAT", "MET_DOUBLE", "MET_STRING", "True",       "False",
     "Image",         "LOCAL",     "LIST",       "scan",       "voxels.raw", "../scan"};
 
-constexpr std::array<std::string_view, 30> nrrdLines{"type: uchar",
+constexpr std::array<std::string_view, 46> nrrdLines{"type: uchar",
                                                      "type: short",
                                                      "type: double",
                                                      "dimension: 4",
@@ -88,7 +94,23 @@ constexpr std::array<std::string_view, 30> nrrdLines{"type: uchar",
                                                      "line skip: 1",
                                                      "byte skip: -1",
                                                      "data file: voxels.raw",
-                                                     "data file: v%d.raw 1 3 1"};
+                                                     "data file: v%d.raw 1 3 1",
+                                                     "data file: a 50% of it.raw",
+                                                     "units: um um furlong",
+                                                     "units: ms mm mm mm",
+                                                     "labels: \"\" \"\" \"\" \"time\"",
+                                                     "space directions: (1,0,0,0) (0,1,0,0) (0,0,1,0) (0,0,0,0.04)",
+                                                     "space dimension: 4",
+                                                     "axis mins: 0 0 0",
+                                                     "axis maxs: 1 2 3",
+                                                     "centerings: cell node cell",
+                                                     "spacings: 0,5 0,5 1",
+                                                     "axis 0 index type:=numeric",
+                                                     "axis 0 index values:=0 0.04",
+                                                     "axis 3 index values:=0 0.04 0.1",
+                                                     "MultiVolume.FrameLabels:=0,40",
+                                                     "MultiVolume.FrameIdentifyingDICOMTagName:=TriggerTime",
+                                                     "Seq_Frame0000_Timestamp:=0.5"};
 constexpr std::array<std::string_view, 20> nrrdValues{
     "uchar", "int8",  "short", "ushort", "uint", "long long", "float",  "double",    "block", "raw",
     "gzip",  "bzip2", "hex",   "ascii",  "none", "space",     "vector", "RGB-color", "LIST",  "time"};

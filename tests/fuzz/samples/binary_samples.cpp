@@ -50,9 +50,23 @@ std::vector<FuzzSample> niftiSamples() {
     colour.dim = {3, 2, 2, 2};
     NiftiFields apart;
     apart.apart = true;
-    return {{"first", niftiOf({})},      {"second", niftiOf(second)},   {"big", niftiOf(big)},
-            {"turned", niftiOf(turned)}, {"moving", niftiOf(moving)},   {"scaled", niftiOf(scaled)},
-            {"colour", niftiOf(colour)}, {"apart", niftiHeader(apart)}, {"written", writtenNifti(8, 2, "v.nii")}};
+    NiftiFields formless;
+    formless.dim = {7, 2, 3, 4, 0, 0, 0, 0};
+    formless.sformCode = formless.qformCode = 1;
+    formless.quatern = {1, 1, 1};
+    formless.pixdim = {1, -0.5, 0.25, 2};
+    formless.voxOffset = 0;
+    return {{"first", niftiOf({})},
+            {"second", niftiOf(second)},
+            {"big", niftiOf(big)},
+            {"turned", niftiOf(turned)},
+            {"moving", niftiOf(moving)},
+            {"scaled", niftiOf(scaled)},
+            {"colour", niftiOf(colour)},
+            {"apart", niftiHeader(apart)},
+            {"formless", niftiOf(formless)},
+            {"one-file", niftiHeader(apart) + std::string(4, '\0') + countedVoxels},
+            {"written", writtenNifti(8, 2, "v.nii")}};
 }
 
 std::vector<FuzzSample> kretzSamples() {

@@ -5,6 +5,7 @@
 #include "bzip2_bytes.h"
 #include "enhanced_us_files.h"
 #include "io/writers/meta_image_writer.h"
+#include "nifti_files.h"
 #include "tests/fuzz/samples/written_file.h"
 #include "zlib_bytes.h"
 
@@ -51,6 +52,11 @@ std::vector<FuzzSample> metaImageSamples() {
          "NDims = 4\nDimSize = 2 3 2 2\nElementType = MET_UCHAR\nElementSpacing = 1 1 1 0.04\nElementDataFile = "
          "LOCAL\n" +
              countedLetters},
+        {"time-stamps",
+         "NDims = 4\nDimSize = 2 3 2 2\nElementType = MET_UCHAR\nElementSpacing = 0,5 0,5 1 1\nDistanceUnits = cm\n"
+         "Seq_Frame0000_Timestamp = 0.5\nSeq_Frame0001_Timestamp = 0.54\nElementDataFile = LOCAL\n" +
+             countedLetters},
+        {"over-nifti", metaImageOf("", niftiHeader({}) + countedLetters)},
         {"frames",
          "NDims = 3\nDimSize = 4 3 2\nElementType = MET_UCHAR\nKinds = domain domain list\n"
          "Seq_Frame0000_ProbeToTrackerTransform = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n"
@@ -90,6 +96,26 @@ std::vector<FuzzSample> nrrdSamples() {
          "NRRD0005\ntype: uchar\ndimension: 4\nsizes: 2 2 3 2\nkinds: list domain domain domain\n"
          "space dimension: 3\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\n\n" +
              countedLetters},
+        {"sequence",
+         "NRRD0005\ntype: uchar\ndimension: 4\nsizes: 2 2 3 2\nkinds: list domain domain domain\n"
+         "labels: \"time\" \"\" \"\" \"\"\nunits: \"ms\" \"\" \"\" \"\"\nspace: LPS\n"
+         "space directions: none (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\naxis 0 index type:=numeric\n"
+         "axis 0 index values:=10 50\n\n" +
+             countedLetters},
+        {"multi-volume",
+         "NRRD0005\ntype: uchar\ndimension: 4\nsizes: 2 2 3 2\nkinds: list domain domain domain\nencoding: raw\n"
+         "MultiVolume.FrameLabels:=0,40\nMultiVolume.FrameIdentifyingDICOMTagName:=TriggerTime\n"
+         "MultiVolume.FrameIdentifyingDICOMTagUnits:=ms\n\n" +
+             countedLetters},
+        {"through-time",
+         "NRRD0005\ntype: uchar\ndimension: 4\nsizes: 2 2 3 2\nspace: right-anterior-superior-time\n"
+         "space directions: (1,0,0,0) (0,1,0,0) (0,0,1,0) (0,0,0,40)\nspace units: mm mm mm ms\nencoding: raw\n\n" +
+             countedLetters},
+        {"ends-of-axes",
+         nrrdOf("axis mins: 0 0 0\naxis maxs: 2 2 2\ncenterings: cell node cell\nunits: um um um\nencoding: raw\n",
+                countedLetters)},
+        {"over-nifti", nrrdOf("encoding: gzip\n", deflated(niftiHeader({}) + countedLetters, 31))},
+        {"gzip-from-its-end", nrrdOf("encoding: gzip\nbyte skip: -1\n", deflated("before" + countedLetters, 31))},
         {"frames",
          "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 3 2\nkinds: domain domain time\n"
          "units: \"mm\" \"mm\" \"s\"\nspacings: 1 1 0.04\nencoding: raw\n\n" +

@@ -12,7 +12,8 @@ namespace {
 /// A folder with the files that headers may name.
 struct FolderOfVoxels : FuzzedFolder {
     FolderOfVoxels() {
-        (void)write("voxels.raw", std::string(64, 'v'));
+        for (const char* name : {"voxels.raw", "a 50% of it.raw", "v%2d 50%.raw"})
+            (void)write(name, std::string(64, 'v'));
         for (const char* name : {"v1.raw", "v2.raw", "v3.raw"}) (void)write(name, std::string(12, 'v'));
     }
 };
