@@ -162,7 +162,7 @@ Result<void> NrrdHeader::readSpacing() {
 /// The unit of the coordinates of space: that of "space units", else that of units, unless the spacings beside it show
 /// that the directions are in mm.
 LengthUnits NrrdHeader::coordinateUnits() const {
-    if (find("space units") != nullptr) return unitsOfCoordinates(m_fields);
+    if (const LengthUnits stated = unitsOfCoordinates(m_fields); stated.stated) return stated;
     LengthUnits units = unitsOfSpaceAxes(m_fields, m_axes);
     if (!units.known || (units.areOne() && units.mm.front() == 1.0)) return units;
     bool inMm = !m_spacings.values.empty();
@@ -242,7 +242,9 @@ void NrrdHeader::compareSpacings() {
     const LengthUnits units = unitsOfSpaceAxes(m_fields, m_axes);
     if (m_spacings.source != "spacings" || !units.known) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double stated = std::abs(m_spacings.values[m_spaceAxes[axis]]) * units.mm[axis];
+        // Without units of their own, spacings are in those of space.
+        const double mm = units.stated ? units.mm[axis] : m_coordinateMm[static_cast<int>(axis)];
+        const double stated = std::abs(m_spacings.values[m_spaceAxes[axis]]) * mm;
         const double spacing = m_stored.geometry.spacing[static_cast<int>(axis)];
         if (!std::isfinite(stated) || std::abs(stated - spacing) <= 1e-4 * spacing) continue;
         note(

@@ -53,7 +53,10 @@ std::optional<std::vector<double>> numbersIn(std::string text) {
 
 /// Slicer's sequences: "axis 3 index values:=0 0.04 0.08", with the name of the index among the labels.
 std::optional<StatedTimes> NrrdTimes::ofSequence() const {
-    const std::string axis = fmt::format("axis {} index ", m_timeAxis);
+    std::string axis = fmt::format("axis {} index ", m_timeAxis);
+    // Programs that move the axis of time to another place keep the keys.
+    for (std::size_t other = 0; other < m_axes.sizes.size() && keyOf(axis + "values").empty(); ++other)
+        axis = fmt::format("axis {} index ", other);
     const std::string source = axis + "values", text = keyOf(source);
     if (text.empty()) return std::nullopt;
     const std::string type = lowerCase(keyOf(axis + "type"));

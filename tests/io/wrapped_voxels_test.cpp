@@ -3,7 +3,6 @@
 
 #include "bzip2_bytes.h"
 #include "nifti_files.h"
-#include "python_script.h"
 #include "split_volume.h"
 #include "temporary_folder.h"
 #include "zlib_bytes.h"
@@ -149,19 +148,6 @@ TEST_F(WrappedVoxels, RawOnesThatArePackedAreUnpacked) {
         ASSERT_TRUE(study) << study.error().sentence();
         EXPECT_EQ(study->phases[0]->storedValue(0), 0x1f);
     }
-}
-
-TEST_F(WrappedVoxels, AreThoseThatNibabelReads) {
-    const std::string packed = m_folder.write("las.nii.gz", deflated(niftiHeader({}) + countedVoxels, 31));
-    const ToolOutcome read = runScript("nibabel_files.py", "read " + packed);
-    if (read.missing) GTEST_SKIP() << "python3 cannot import nibabel";
-    ASSERT_EQ(read.status, 0);
-    const auto study = nrrd("encoding: gzip\ndata file: las.nii.gz\n");
-    ASSERT_TRUE(study) << study.error().sentence();
-    std::string values;
-    for (const double value : storedValues(*study->phases[0]))
-        values += (values.empty() ? "" : ", ") + std::to_string(static_cast<int>(value)) + ".0";
-    EXPECT_NE(read.output.find("\"values\": [" + values + "]"), std::string::npos) << read.output;
 }
 
 }  // namespace

@@ -95,8 +95,11 @@ TEST(HeaderUnits, OfNrrdDirectionsCountForStepsAndOrigin) {
         "space: left-posterior-superior\nspace directions: (0.05,0,0) (0,0.06,0) (0,0,0.07)\n"
         "space origin: (1,2,3)\n";
     for (const char* units : {"space units: \"cm\" \"cm\" \"cm\"\n", "space units: cm cm cm\n", "units: cm cm cm\n",
-                              "space units: centimeters centimetres cm\nunits: mm mm mm\n"}) {
+                              "space units: \"\" \"\" \"\"\nunits: cm cm cm\n",
+                              "space units: centimeters centimetres cm\nunits: mm mm mm\n",
+                              "space units: cm cm cm\nspacings: 0.05 0.06 0.07\n"}) {
         expectSpacing(space + units, {0.5, 0.6, 0.7});
+        EXPECT_FALSE(warnsOf(*nrrd(space + units), "space directions counts")) << units;
         EXPECT_EQ(nrrd(space + units)->phases[0]->geometry().origin, Vec3(10, 20, 30)) << units;
     }
     // Spacings beside them show that the directions are in mm.

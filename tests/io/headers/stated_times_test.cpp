@@ -61,6 +61,8 @@ TEST(StatedTimes, OfASequenceAreItsIndexValues) {
     expectEvery(movingNrrd(listAxis + time + "units: \"\" \"\" \"\" \"ms\"\n" + values), 0.000142, "ms");
     expectEvery(movingNrrd(listAxis + time + "units: mm mm mm min\n" + values), 0.142 * 60, "min");
     expectEvery(movingNrrd(listAxis + time + values), 0.142, "named time");
+    expectEvery(movingNrrd(listAxis + time + "axis 0 index type:=numeric\naxis 0 index values:=1 2 3 4\n"), 1,
+                "an axis that was moved");
     expectEvery(movingNrrd(listAxis + "axis 3 index values:=0,5 1,0 1,5 2,0\n"), 0.5, "decimal commas");
     expectEvery(fastestNrrd("kinds: list domain domain domain\nlabels: \"time\" \"\" \"\" \"\"\nunits: \"s\" \"\" \"\" "
                             "\"\"\naxis 0 index type:=numeric\naxis 0 index values:=2.000 2.040 2.080 2.120\n"),
