@@ -3,10 +3,11 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QIcon>
-#include <QTextStream>
+#include <QUrl>
 
 #include "app/study/open_study.h"
 #include "app/window/main_window.h"
+#include "app/window/start_of_program.h"
 #include "app/window/start_timer.h"
 #include "io/output/interruption.h"
 #include "io/restricted/restricted_reader.h"
@@ -21,23 +22,14 @@ void giveBackLargeArrays() {
     mallopt(M_TRIM_THRESHOLD, 8 << 20);
 }
 
-}  // namespace
+void nameProgram() {
+    QCoreApplication::setApplicationName(QStringLiteral("Echolucent"));
+    QCoreApplication::setOrganizationName(QStringLiteral("Echolucent"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(ECHOLUCENT_VERSION));
+}
 
-int main(int count, char** arguments) {
-    using namespace echolucent;
-    giveBackLargeArrays();
-    // Call this before any other thread starts. It keeps a signal from leaving half a movie.
-    removeUnfinishedOnSignals();
-    restricted::prepareReader(restricted::Readiness::always);
-    VolumeViewWidget::prepareApplication();
-    QApplication application(count, arguments);
-    QApplication::setApplicationName(QStringLiteral("Echolucent"));
-    QApplication::setOrganizationName(QStringLiteral("Echolucent"));
-    QApplication::setDesktopFileName(QStringLiteral("echolucent"));
-    QApplication::setWindowIcon(QIcon(QStringLiteral(":/desktop/echolucent.png")));
-    QApplication::setApplicationVersion(QStringLiteral(ECHOLUCENT_VERSION));
-
-    QCommandLineParser parser;
+/// Returns the hidden option --first-picture.
+QCommandLineOption addOptions(QCommandLineParser& parser) {
     parser.setApplicationDescription(QStringLiteral("3D ultrasound workstation. Not a medical device."));
     parser.addHelpOption();
     parser.addVersionOption();
@@ -50,10 +42,46 @@ int main(int count, char** arguments) {
         QStringLiteral("Print the milliseconds to each picture up to the converged one, then quit."));
     firstPicture.setFlags(QCommandLineOption::HiddenFromHelp);
     parser.addOption(firstPicture);
-    parser.process(application);
+    return firstPicture;
+}
+
+/// The path of FILE. Desktops may give the address of a file instead.
+QString pathNamed(const QString& file) {
+    return file.startsWith(QLatin1String("file://")) ? QUrl(file).path(QUrl::FullyDecoded) : file;
+}
+
+/// Prints the help or the version, without a display.
+int printWords(int count, char** arguments) {
+    const QCoreApplication application(count, arguments);
+    nameProgram();
+    QCommandLineParser parser;
+    addOptions(parser);
+    parser.process(application);  // ends the program
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    using namespace echolucent;
+    if (asksForWordsOnly(count, arguments)) return printWords(count, arguments);
+    giveBackLargeArrays();
+    // Call this before any other thread starts. It keeps a signal from leaving half a movie.
+    removeUnfinishedOnSignals();
+    restricted::prepareReader(restricted::Readiness::always);
+    VolumeViewWidget::prepareApplication();
+    const auto application = applicationOnDisplay(count, arguments);
+    writeNumbersAlike();
+    nameProgram();
+    QApplication::setDesktopFileName(QStringLiteral("echolucent"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/desktop/echolucent.png")));
+
+    QCommandLineParser parser;
+    const QCommandLineOption firstPicture = addOptions(parser);
+    parser.process(*application);
 
     // The study is read while the window is made: neither waits for the other.
-    MainWindow window({}, [file = parser.positionalArguments().value(0)](OpenStudy& openStudy) {
+    MainWindow window({}, [file = pathNamed(parser.positionalArguments().value(0))](OpenStudy& openStudy) {
         file.isEmpty() ? openStudy.openSimulatedScan() : openStudy.open(QFileInfo(file).absoluteFilePath());
     });
     if (parser.isSet(firstPicture)) printStartTimes(window);

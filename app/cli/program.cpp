@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/cli/options/option_text.h"
+#include "app/cli/options/typed_numbers.h"
 #include "io/output/interruption.h"
 
 namespace echolucent::cli {
@@ -107,6 +108,7 @@ int runProgram(CLI::App& program, const std::string& version, const AddCommands&
 
     Action action;
     addCommands(program, action);
+    understandCommas(program);
     try {
         program.parse(joinedArguments(count, arguments));
     } catch (const CLI::ParseError& error) {

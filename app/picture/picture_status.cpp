@@ -14,13 +14,13 @@ QString qualityText(const PictureReport& report) {
         .arg(QCoreApplication::translate("qualities", report.quality.toLatin1().constData()))
         .arg(report.rays.width())
         .arg(report.rays.height())
-        .arg(QLocale().toString(report.step, 'g', 3));
+        .arg(QLocale::c().toString(report.step, 'g', 3));
 }
 
 }  // namespace
 
 QString pictureToolTip(const PictureReport& newest, const std::optional<PictureReport>& movement) {
-    const QLocale locale;
+    const QLocale locale = QLocale::c();
     QStringList lines{qualityText(newest), statusText("casting %1 ms, drawing %2 ms")
                                                .arg(locale.toString(newest.castMilliseconds, 'f', 1))
                                                .arg(locale.toString(newest.drawMilliseconds, 'f', 1))};

@@ -3,12 +3,12 @@
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 
+#include "io/files/header_text.h"
 #include "io/movie_encoder/movie_encoder.h"
 #include "io/output/output_place.h"
 #include "io/output/unfinished_file.h"
@@ -66,10 +66,7 @@ EcholucentMovieCodec codecOf(const MovieContainer& container) {
 }
 
 std::string lowerCaseEnding(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return ending;
+    return lowerCase(std::filesystem::path(path).extension().string());
 }
 
 /// ".avi, .mp4 or .mkv".

@@ -1,8 +1,10 @@
 #include "processing/picture/annotation_layout.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <string>
 
 namespace echolucent {
 
@@ -44,8 +46,9 @@ RoundLength roundLengthUpTo(double mm) {
         if (times * decade <= mm * (1 + 1e-12)) rounded.mm = times * decade;
     }
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.10g mm", rounded.mm);
-    rounded.text = text.data();
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), rounded.mm, std::chars_format::general, 10).ptr;
+    rounded.text = std::string(text.data(), end) + " mm";
     return rounded;
 }
 

@@ -1,13 +1,21 @@
 #include "processing/picture/empty_picture.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
+#include <charconv>
+#include <string>
 #include <utility>
 #include <variant>
 
 namespace echolucent {
 
 namespace {
+
+std::string intensityText(double intensity) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), intensity, std::chars_format::fixed, 3).ptr;
+    return {text.data(), end};
+}
 
 /// The lowest and highest intensity that the occupied bins hold.
 std::pair<double, double> rangeOf(const IntensityHistogram& data) {
@@ -44,12 +52,8 @@ std::string whyNothingShows(const OpacityCurve& curve, const IntensityHistogram&
     if (!showsNothing(curve, data)) return {};
     if (data.total == 0) return "Nothing is shown: no voxel of the volume is data.";
     const auto [low, high] = rangeOf(data);
-    char text[256];
-    std::snprintf(text, sizeof text,
-                  "Nothing is shown: the curve is 0 over all intensities of the data (%.3f to %.3f). Let it rise below "
-                  "%.3f, or choose another curve.",
-                  low, high, high);
-    return text;
+    return "Nothing is shown: the curve is 0 over all intensities of the data (" + intensityText(low) + " to " +
+           intensityText(high) + "). Let it rise below " + intensityText(high) + ", or choose another curve.";
 }
 
 }  // namespace echolucent

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <variant>
 
+#include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
@@ -111,8 +112,8 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
 QGroupBox* ComparePanel::createPanes() {
     auto* group = new QGroupBox(tr("Panes under one camera"));
     QGridLayout* grid = gridIn(group);
-    m_count =
-        named(new QSpinBox, "compare.count", tr("Number of panes"), tr("Two to four; the first is the 3D view's"));
+    m_count = named(new WholeNumberBox, "compare.count", tr("Number of panes"),
+                    tr("Two to four; the first is the 3D view's"));
     m_count->setRange(static_cast<int>(fewestPanes), static_cast<int>(mostPanes));
     wheelNeedsFocus(m_count);
     connect(m_count, &QSpinBox::valueChanged, this, &ComparePanel::countChosen);
@@ -128,12 +129,12 @@ QGroupBox* ComparePanel::createPanes() {
         pane.otf->addItem(tr("Adaptive without tube core …"));
         pane.otf->insertSeparator(designerEntries);  // later entries count one more
         pane.tube =
-            named(new QSpinBox, "compare.tube" + number, tr("Tube core left out of pane %1").arg(number),
+            named(new WholeNumberBox, "compare.tube" + number, tr("Tube core left out of pane %1").arg(number),
                   tr("Number of the tube core, row by row from the upper left; it is never placed, so that ranks and "
                      "weights of the others follow"));
         pane.tube->setKeyboardTracking(false);
         wheelNeedsFocus(pane.tube);
-        pane.phase = named(new QSpinBox, "compare.phase" + number, tr("Phase of pane %1").arg(number),
+        pane.phase = named(new WholeNumberBox, "compare.phase" + number, tr("Phase of pane %1").arg(number),
                            tr("The phase of the 4D study that this pane shows"));
         pane.phase->setSpecialValueText(tr("as pane 1"));
         pane.phase->setKeyboardTracking(false);
@@ -167,7 +168,7 @@ QGroupBox* ComparePanel::createLayout() {
                           tr("Left of the wipe's line; in a difference, the second is subtracted from it"));
     m_second = narrowCombo("compare.second", tr("Second of the two"),
                            tr("Right of the wipe's line; in a difference, it is subtracted from the first"));
-    m_amplification = named(new QDoubleSpinBox, "compare.amplification", tr("Amplification of the difference"),
+    m_amplification = named(new NumberBox, "compare.amplification", tr("Amplification of the difference"),
                             tr("Grey is equal; brighter is where the first is brighter"));
     m_amplification->setRange(leastAmplification, largestAmplification);
     m_amplification->setDecimals(1);

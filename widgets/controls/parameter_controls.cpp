@@ -4,9 +4,9 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <utility>
 
+#include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/short_spin_box.h"
 #include "widgets/controls/value_slider.h"
@@ -98,9 +98,9 @@ ParameterControl spinBoxControl(SpinBox* box, const AnyParameter& row, const QSt
 ParameterControl spinBoxControl(const ParameterDefault& each, const QString& name, const Listener& listener) {
     const AnyParameter& row = *each.row;
     if (std::holds_alternative<std::int64_t>(each.standard))
-        return spinBoxControl<QSpinBox, std::int64_t>(new QSpinBox, row, name, listener);
+        return spinBoxControl<QSpinBox, std::int64_t>(new WholeNumberBox, row, name, listener);
     constexpr int decimalsOfShort = 3;
-    QDoubleSpinBox* box = row.steps ? new QDoubleSpinBox : new ShortSpinBox;
+    NumberBox* box = row.steps ? new NumberBox : new ShortSpinBox;
     box->setDecimals(row.steps ? row.steps->decimals : decimalsOfShort);
     box->setSingleStep(stepOfSpinBox(row));
     return spinBoxControl<QDoubleSpinBox, double>(box, row, name, listener);

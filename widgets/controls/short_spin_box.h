@@ -1,17 +1,18 @@
 // A number field that shows no needless zeros.
 #pragma once
 
-#include <QDoubleSpinBox>
 #include <QLocale>
+
+#include "widgets/controls/number_box.h"
 
 namespace echolucent {
 
 /// Shows 0.3 as "0.3", whatever its number of decimals.
-class ShortSpinBox : public QDoubleSpinBox {
+class ShortSpinBox : public NumberBox {
 public:
-    using QDoubleSpinBox::QDoubleSpinBox;
+    using NumberBox::NumberBox;
     [[nodiscard]] QString textFromValue(double value) const override {
-        return locale().toString(value, 'g', QLocale::FloatingPointShortest);
+        return QLocale::c().toString(value, 'g', QLocale::FloatingPointShortest);
     }
 };
 

@@ -1,4 +1,5 @@
 #include "widgets/controls/value_slider.h"
+#include "widgets/controls/number_box.h"
 
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -15,7 +16,7 @@ ValueSlider::ValueSlider(const QString& name, const QString& accessibleName, dou
     : QWidget(parent),
       m_step(step),
       m_slider(named(new QSlider(Qt::Horizontal), name, accessibleName)),
-      m_spinBox(named(new QDoubleSpinBox, name + ".value", accessibleName)) {
+      m_spinBox(named(new NumberBox, name + ".value", accessibleName)) {
     m_spinBox->setDecimals(decimals);
     m_spinBox->setSingleStep(step);
     m_spinBox->setKeyboardTracking(false);  // "25" is one value, not first 2

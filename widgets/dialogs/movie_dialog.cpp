@@ -14,6 +14,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 
+#include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/short_spin_box.h"
 
@@ -49,7 +50,7 @@ void MovieDialog::createControls() {
     m_preset->addItem(tr("other"), QSize());
     connect(m_preset, &QComboBox::activated, this, &MovieDialog::takePreset);
     const auto edge = [this](const QString& name, const QString& words) {
-        auto* box = named(new QSpinBox, name, words);
+        auto* box = named(new WholeNumberBox, name, words);
         box->setRange(leastEdge, largestEdge);
         box->setSuffix(tr(" px"));
         if (m_output == FrameOutput::movie) {
@@ -181,7 +182,7 @@ void MovieDialog::look() {
     const QString length = m_output == FrameOutput::movie
                                ? tr("%1 frames, %2 s")
                                      .arg(m_facts.frames)
-                                     .arg(QLocale().toString(m_facts.frames / chosen.framesPerSecond, 'f', 1))
+                                     .arg(QLocale::c().toString(m_facts.frames / chosen.framesPerSecond, 'f', 1))
                                : tr("%1 pictures").arg(m_facts.frames);
     m_sentence->setText(hindrance.sentence.isEmpty() ? length : hindrance.sentence);
     m_replace->setVisible(hindrance.replaces);

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/short_spin_box.h"
 #include "widgets/dialogs/polar_controls.h"
@@ -48,7 +49,8 @@ RawLayoutDialog::RawLayoutDialog(const QString& fileName, std::int64_t fileBytes
 void RawLayoutDialog::createControls() {
     for (std::size_t i = 0; i < 3; ++i) {
         const QString letter = QString(QChar(axisLetters[i]));
-        m_size[i] = createSpinBox(new QSpinBox, "size" + letter, tr("Voxels along %1").arg(letter.toLower()));
+        m_size[i] =
+            createSpinBox<QSpinBox>(new WholeNumberBox, "size" + letter, tr("Voxels along %1").arg(letter.toLower()));
         m_size[i]->setRange(0, std::numeric_limits<int>::max());
         m_spacing[i] = createSpinBox<QDoubleSpinBox>(new ShortSpinBox, "spacing" + letter,
                                                      tr("Spacing along %1").arg(letter.toLower()));
@@ -65,7 +67,7 @@ void RawLayoutDialog::createControls() {
     m_byteOrder = named(new QComboBox, "rawLayout.byteOrder", tr("Byte order"));
     m_byteOrder->addItem(tr("Little endian"), 0);
     m_byteOrder->addItem(tr("Big endian"), 1);
-    m_headerBytes = createSpinBox(new QDoubleSpinBox, "headerBytes", tr("Header bytes to skip"));
+    m_headerBytes = createSpinBox<QDoubleSpinBox>(new NumberBox, "headerBytes", tr("Header bytes to skip"));
     m_headerBytes->setDecimals(0);
     m_headerBytes->setRange(0, largestHeader);
     m_headerBytes->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // not as wide as its largest value

@@ -117,7 +117,7 @@ void OtfCoursePanel::showEvent(QShowEvent* event) {
 
 void OtfCoursePanel::showFlicker() {
     if (!isVisible()) return;  // else each frame of the motion would compute the flicker of all modes
-    const QLocale locale;
+    const QLocale locale = QLocale::c();
     const auto ofEachView = m_course.flicker(MotionOtf::eachView);
     for (const MotionOtf mode : allMotionOtfs) {
         const FlickerRow& row = m_flicker[static_cast<std::size_t>(mode)];

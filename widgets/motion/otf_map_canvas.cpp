@@ -148,8 +148,8 @@ void OtfMapCanvas::mouseMoveEvent(QMouseEvent* event) {
         const double intensity = m_axes.valueAt(event->position()).intensity;
         if (const SampledCurve* curve = m_course.curve(row, m_mode))
             reading = tr("%1, intensity %2, opacity %3")
-                          .arg(rowName(m_course, row), locale().toString(intensity, 'f', 2),
-                               locale().toString(opacityAt(*curve, intensity), 'f', 2));
+                          .arg(rowName(m_course, row), QLocale::c().toString(intensity, 'f', 2),
+                               QLocale::c().toString(opacityAt(*curve, intensity), 'f', 2));
     }
     emit pointed(reading);
 }

@@ -1,6 +1,11 @@
 #include "widgets/otf_editor/node_table_model.h"
 
 #include <QLocale>
+#include <optional>
+#include <string>
+
+#include "processing/parameters/typed_number.h"
+#include "widgets/controls/number_box.h"
 
 namespace echolucent {
 
@@ -82,18 +87,21 @@ bool NodeTableModel::setData(const QModelIndex& index, const QVariant& value, in
     if (role != Qt::EditRole || !index.isValid()) return false;
     const QString text = value.toString().trimmed();
     if (text == exactText(valueAt(index))) return false;  // the person looked at it and changed nothing
-    bool isNumber = false;
-    const double number = QString(text).replace(',', '.').toDouble(&isNumber);
+    const std::string typed = plainNumberText(text);
     const Range range = rangeAt(index);
-    if (!isNumber || !(number >= range.lower && number <= range.upper)) {
-        emit refused(rangeText(index));
+    const ParameterRange allowed{range.lower, range.upper};
+    const std::optional<double> number = numberTyped(typed, allowed);
+    if (!number) {
+        emit refused(isDoubtful(typed, allowed)
+                         ? tr("\"%1\" has two meanings. %2").arg(text, QString::fromStdString(remedyOfDoubt(typed)))
+                         : rangeText(index));
         return false;
     }
     CurveNode node = m_nodes[static_cast<std::size_t>(index.row())];
     switch (index.column()) {
-        case intensityColumn: node.intensity = number; break;
-        case opacityColumn: node.opacity = number; break;
-        default: node.intensity = number / m_whiteLevel;
+        case intensityColumn: node.intensity = *number; break;
+        case opacityColumn: node.opacity = *number; break;
+        default: node.intensity = *number / m_whiteLevel;
     }
     m_model.moveNode(index.row(), node);
     return true;

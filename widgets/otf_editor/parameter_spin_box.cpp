@@ -11,12 +11,11 @@ namespace {
 constexpr int wheelBurstMilliseconds = 400;  // a turn of the wheel within this time continues the burst
 }
 
-ParameterSpinBox::ParameterSpinBox(OtfEditorModel& model, QWidget* parent) : QDoubleSpinBox(parent), m_model(model) {
+ParameterSpinBox::ParameterSpinBox(OtfEditorModel& model, QWidget* parent) : NumberBox(parent), m_model(model) {
     setKeyboardTracking(false);  // takes a number when it is complete
     setDecimals(6);
     setSingleStep(0.01);
     setAlignment(Qt::AlignRight);
-    setLocale(QLocale::c());
     setFocusPolicy(Qt::StrongFocus);
     m_wheelBurst.setSingleShot(true);
     m_wheelBurst.setInterval(wheelBurstMilliseconds);
@@ -42,15 +41,6 @@ QString ParameterSpinBox::textFromValue(double value) const {
     QString text = QString::number(value, 'f', decimals());
     while (text.endsWith('0') && text.size() - text.indexOf('.') > fewestDecimals + 1) text.chop(1);
     return text;
-}
-
-double ParameterSpinBox::valueFromText(const QString& text) const {
-    return QDoubleSpinBox::valueFromText(QString(text).replace(',', '.'));
-}
-
-QValidator::State ParameterSpinBox::validate(QString& text, int& position) const {
-    QString pointed = QString(text).replace(',', '.');
-    return QDoubleSpinBox::validate(pointed, position);
 }
 
 void ParameterSpinBox::keyPressEvent(QKeyEvent* event) {

@@ -1,17 +1,17 @@
 // A number field that tells held keys and buttons from single steps.
 #pragma once
 
-#include <QDoubleSpinBox>
 #include <QTimer>
 #include <optional>
 
+#include "widgets/controls/number_box.h"
 #include "widgets/otf_editor/otf_editor_model.h"
 
 namespace echolucent {
 
 /// Emits `edited` for changes by a person or a script. All steps of one held key or button, or of one burst of the
 /// wheel, share a gesture.
-class ParameterSpinBox : public QDoubleSpinBox {
+class ParameterSpinBox : public NumberBox {
     Q_OBJECT
 
 public:
@@ -21,8 +21,6 @@ public:
     void show(double value, double minimum, double maximum);
 
     [[nodiscard]] QString textFromValue(double value) const override;
-    [[nodiscard]] double valueFromText(const QString& text) const override;
-    [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
 
 signals:
     void edited(double value, echolucent::OtfEditorModel::Gesture gesture);

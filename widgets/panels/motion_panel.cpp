@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/panels/phase_controls.h"
 
@@ -70,11 +71,11 @@ protected:
 QString speedText(double speed) {
     if (speed == 0.25) return QStringLiteral("¼×");
     if (speed == 0.5) return QStringLiteral("½×");
-    return QStringLiteral("%1×").arg(QLocale().toString(speed, 'g', 3));
+    return QStringLiteral("%1×").arg(QLocale::c().toString(speed, 'g', 3));
 }
 
 QString bytesText(std::size_t bytes) {
-    return QLocale().formattedDataSize(static_cast<qint64>(bytes), 0, QLocale::DataSizeTraditionalFormat);
+    return QLocale::c().formattedDataSize(static_cast<qint64>(bytes), 0, QLocale::DataSizeTraditionalFormat);
 }
 
 }  // namespace
@@ -149,7 +150,7 @@ void MotionPanel::createChoices() {
     mode(MotionOtf::leastFlicker, tr("Least flicker"), "leastFlicker", tr("Least flicker"),
          tr("Weights on the newest OTFs that flicker least for their delay: the smoothing to take where nothing speaks "
             "for another"));
-    m_otfPhase = named(new QSpinBox, "motion.otfPhase", tr("Phase of the one OTF"),
+    m_otfPhase = named(new WholeNumberBox, "motion.otfPhase", tr("Phase of the one OTF"),
                        tr("The phase whose OTF every frame shows (A takes the phase that is shown)"));
     m_otfPhase->setKeyboardTracking(false);
     m_otfPhase->setAlignment(Qt::AlignRight);
@@ -319,7 +320,7 @@ void MotionPanel::showSpeed() {
     while (m_speed->count() > usual) m_speed->removeItem(usual);
     if (m_speed->findData(m_choice.speed) < 0) m_speed->addItem(speedText(m_choice.speed), m_choice.speed);
     m_speed->setCurrentIndex(m_speed->findData(m_choice.speed));
-    const QString rate = QLocale().toString(1.0 / frameSeconds(m_choice, m_times), 'g', 3);
+    const QString rate = QLocale::c().toString(1.0 / frameSeconds(m_choice, m_times), 'g', 3);
     QString why;
     if (!movesObject(m_choice.scenario))
         why = tr("at 1× the probe turns by %1° a second").arg(motionDegreesPerSecond);
@@ -356,7 +357,7 @@ void MotionPanel::showWhatMoves() {
 void MotionPanel::setFrameRate(std::optional<double> framesPerSecond, const KeptMotion& kept) {
     m_frameRate->setToolTip({});
     if (!framesPerSecond) return m_frameRate->clear();
-    const QString rate = tr("%1 frames/s").arg(QLocale().toString(*framesPerSecond, 'f', 0));
+    const QString rate = tr("%1 frames/s").arg(QLocale::c().toString(*framesPerSecond, 'f', 0));
     m_frameRate->setText(kept.frames > 0
                              ? tr("%1, %2 frames kept, %3").arg(rate).arg(kept.frames).arg(bytesText(kept.frameBytes))
                              : rate);

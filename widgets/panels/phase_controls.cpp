@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/picture_labels/picture_labels.h"
 
@@ -95,7 +96,7 @@ void PhaseSlider::showPhase() { m_readOut->setText(textOf(phase())); }
 
 PhaseOrder::PhaseOrder(QWidget* parent) : QWidget(parent) {
     const auto number = [](const char* name, const QString& accessibleName, const QString& toolTip) {
-        auto* box = named(new QSpinBox, name, accessibleName, toolTip);
+        auto* box = named(new WholeNumberBox, name, accessibleName, toolTip);
         box->setKeyboardTracking(false);
         box->setAlignment(Qt::AlignRight);
         wheelNeedsFocus(box);

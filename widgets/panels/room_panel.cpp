@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/value_slider.h"
 
@@ -19,7 +20,7 @@ namespace echolucent {
 namespace {
 
 QDoubleSpinBox* createLength(const QString& name, const QString& accessibleName, const QString& toolTip, double least) {
-    auto* box = named(new QDoubleSpinBox, name, accessibleName, toolTip);
+    auto* box = named(new NumberBox, name, accessibleName, toolTip);
     box->setRange(least, 1000.0);
     box->setDecimals(1);
     box->setSuffix(QStringLiteral(" mm"));

@@ -10,6 +10,7 @@
 #include "app/cli/options/parameter_options.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/designers/choice/designer.h"
+#include "processing/parameters/typed_number.h"
 
 namespace echolucent::cli {
 
@@ -29,7 +30,10 @@ std::optional<ParameterValue> valueFrom(const std::string& text, const Parameter
         if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
         return value;
     };
-    return std::holds_alternative<std::int64_t>(like) ? number(std::int64_t{}) : number(double{});
+    if (std::holds_alternative<std::int64_t>(like)) return number(std::int64_t{});
+    if (text.find(',') == std::string::npos) return number(double{});
+    const auto typed = typedNumber(text);
+    return typed && !typed->otherwise ? std::optional<ParameterValue>(typed->value) : std::nullopt;
 }
 
 /// The remedy for a name that is no row of a designer's table.

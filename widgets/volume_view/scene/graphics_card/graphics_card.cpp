@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 namespace echolucent {
@@ -49,8 +48,10 @@ GraphicsCard graphicsCardOf(vtkOpenGLRenderWindow& window) {
 
 bool isSoftwareOpenGl(std::string_view renderer) {
     std::string lower(renderer);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    std::transform(
+        lower.begin(), lower.end(), lower.begin(),
+        // Not by the C library: it leaves the I of a Turkish desktop as it is.
+        [](char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; });
     constexpr std::array names{"llvmpipe",    "softpipe",    "swr",      "software rasterizer",
                                "swiftshader", "gdi generic", "mesa x11", "microsoft basic render"};
     return std::any_of(names.begin(), names.end(),
