@@ -135,7 +135,8 @@ void Autosave::carryOut(File& file) {
     if (!lock) return file.due.reset();
     if (file.due->session && !own(lock))  // the folder may be there next time
         return ended(file, file.due,
-                     tr("%1 cannot be written, so that nothing is kept of an unsaved session.").arg(m_folder));
+                     tr("%1 cannot be written, so that nothing is kept of an unsaved session. Save it to keep it.")
+                         .arg(m_folder));
     file.thread->submit(
         [this, &file, name = file.name, order = file.due,
          write = m_write](const Progress&) -> NewestWinsThread::Deliver {

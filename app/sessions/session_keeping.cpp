@@ -187,6 +187,7 @@ bool SessionKeeping::mayReplace() {
                         .arg(m_parts.names.nameOf(m_file)),
                     QMessageBox::NoButton, &m_parts.window);
     box.setObjectName("newerSession");
+    box.setTextFormat(Qt::PlainText);  // file names may hold anything
     QPushButton* replace = box.addButton(tr("Replace it"), QMessageBox::AcceptRole);
     QPushButton* elsewhere = box.addButton(tr("Save session as…"), QMessageBox::AcceptRole);
     box.addButton(QMessageBox::Cancel);
@@ -332,6 +333,7 @@ bool SessionKeeping::mayClose() {
                     tr("%1 was changed and is not saved.").arg(m_parts.names.nameOf(m_file)), QMessageBox::NoButton,
                     &m_parts.window);
     box.setObjectName("unsavedSession");
+    box.setTextFormat(Qt::PlainText);  // file names may hold anything
     QPushButton* save = box.addButton(tr("Save session"), QMessageBox::AcceptRole);
     QPushButton* discard = box.addButton(tr("Discard the changes"), QMessageBox::DestructiveRole);
     box.addButton(QMessageBox::Cancel);

@@ -57,7 +57,10 @@ void ShownStudy::nameStudy() {
     const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
     const QString name = m_parts.openStudy.isSimulatedScan() ? QString::fromStdString(study->name)
                                                              : names.nameOf(m_parts.openStudy.path());
-    QStringList title{tr("Echolucent"), name,
+    // Qt takes these letters for the place of the mark of a change; twice they stand for themselves.
+    QString inTitle = name;
+    inTitle.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));
+    QStringList title{tr("Echolucent"), inTitle,
                       QStringLiteral("%1×%2×%3").arg(geometry.size[0]).arg(geometry.size[1]).arg(geometry.size[2])};
     title << (geometry.spacingKnown ? tr("%1 mm").arg(geometry.unit(), 0, 'g', 3) : tr("spacing unknown"));
     m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")) + QStringLiteral("[*]"));

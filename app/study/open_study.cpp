@@ -1,6 +1,7 @@
 #include "app/study/open_study.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -14,6 +15,15 @@ namespace echolucent {
 namespace {
 
 double millisecondsOf(const QElapsedTimer& clock) { return static_cast<double>(clock.nsecsElapsed()) * 1e-6; }
+
+/// Qt puts U+FFFD for what is no UTF-8 in the name of a file, and nobody can find the file any more.
+Result<void> requireReadableName(const std::string& path) {
+    std::error_code error;
+    if (path.find("\xef\xbf\xbd") == std::string::npos || std::filesystem::exists(path, error)) return {};
+    return fail(FailureKind::unreadable, path, {},
+                "is named in another coding than UTF-8, which the window cannot open",
+                "Rename it, or use echolucent-cli.");
+}
 
 }  // namespace
 
@@ -45,9 +55,11 @@ OpenStudy::OpenStudy(Works& works, QObject* parent)
 
 void OpenStudy::open(const QString& path, const ReadOptions& options) {
     const StudyFile file{.path = path.toStdString(), .options = options, .checksum = {}};
-    load(file, [file, study = readerOf(file), saved = readerOfSaved(path, {})](const Progress& progress) {
-        return looksLikeDocument(file.path) ? saved(progress) : study(progress);
-    });
+    load(file,
+         [file, study = readerOf(file), saved = readerOfSaved(path, {})](const Progress& progress) -> Result<Opening> {
+             if (auto readable = requireReadableName(file.path); !readable) return tl::unexpected(readable.error());
+             return looksLikeDocument(file.path) ? saved(progress) : study(progress);
+         });
 }
 
 StudyReader OpenStudy::readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const {

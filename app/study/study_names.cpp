@@ -7,12 +7,15 @@
 
 #include "app/settings/settings.h"
 #include "io/document/session_file.h"
+#include "processing/one_line.h"
 
 namespace echolucent {
 
 namespace {
 
 const QString leftOut = QStringLiteral("…");
+
+QString oneLineOf(const QString& name) { return QString::fromStdString(oneLine(name.toStdString())); }
 
 /// The replacement for the name of a file that is not a study.
 QString endingOf(const QString& path) {
@@ -120,16 +123,22 @@ QString StudyNames::given(const QString& name, const QString& instead) {
 }
 
 QString StudyNames::nameOf(const QString& path) {
-    return given(QFileInfo(QDir::cleanPath(path)).fileName(), numberOf(path));
+    return given(oneLineOf(QFileInfo(QDir::cleanPath(path)).fileName()), numberOf(path));
 }
 
 QString StudyNames::beginningFor(const QString& path) const {
     if (path.isEmpty()) return tr("simulated-scan");
-    return m_numbers ? tr("study-%1").arg(m_settings.studyNumber(path))
-                     : QString::fromStdString(stemOfStudy(path.toStdString()));
+    if (m_numbers) return tr("study-%1").arg(m_settings.studyNumber(path));
+    // Names have at most 255 bytes, and "-picture series-0001.png" or ".session.json" follows.
+    constexpr qsizetype mostBytes = 200;
+    QString name = QString::fromStdString(stemOfStudy(path.toStdString()));
+    while (name.toUtf8().size() > mostBytes) name.chop(name.back().isLowSurrogate() ? 2 : 1);
+    return name;
 }
 
-QString StudyNames::nameOfOther(const QString& path) { return given(QFileInfo(path).fileName(), endingOf(path)); }
+QString StudyNames::nameOfOther(const QString& path) {
+    return given(oneLineOf(QFileInfo(path).fileName()), endingOf(path));
+}
 
 QString StudyNames::numbered(QString text) const {
     for (const Known& known : this->known()) {

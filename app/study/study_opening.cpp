@@ -7,18 +7,21 @@
 #include <QMenu>
 #include <QPixmap>
 
+#include "app/study/dropped_files.h"
 #include "app/study/recent_pictures.h"
 #include "app/study/study_names.h"
 #include "io/file_formats.h"
 #include "io/voxels/gzip_file.h"
+#include "processing/one_line.h"
 #include "widgets/controls/message_bar.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/dialogs/raw_layout_dialog.h"
 
 namespace echolucent {
 
 namespace {
 
-constexpr int widestFolder = 320;  // logical pixels, in the list of recent files
+constexpr int widestName = 480, widestFolder = 320;  // logical pixels, in the list of recent files
 
 /// "heart.mha". If its folder or a header beside it was opened: "slices/17.dcm".
 QString shownName(const QString& opened, const QString& concerned) {
@@ -106,6 +109,16 @@ void StudyOpening::open(const QString& path, const ReadOptions& options) {
     m_parts.openStudy.open(QFileInfo(path).absoluteFilePath(), options);
 }
 
+void StudyOpening::openDropped(const QList<QUrl>& urls) {
+    const DroppedFiles dropped = droppedFiles(urls);
+    if (!dropped.whyNot.isEmpty())
+        m_parts.messages.showMessage(MessageKind::warning, dropped.whyNot);
+    else if (!dropped.study.isEmpty())
+        m_parts.openStudy.openSaved(dropped.path, {dropped.study.toStdString(), false});
+    else
+        open(dropped.path);
+}
+
 void StudyOpening::chooseFile() {
     open(QFileDialog::getOpenFileName(&m_parts.window, tr("Open volume"), m_parts.settings.lastFolder(),
                                       tr("3D ultrasound volumes and sessions (%1 *.session.json);;All files (*)")
@@ -180,12 +193,14 @@ void StudyOpening::tellFailure(const QString& path, const Failure& failure, cons
 
 /// "1 heart.mha" with the folder beside it, or "1 Study 3" alone; the digit is its key.
 QAction* StudyOpening::recentFile(QMenu& menu, const QString& path, int place) const {
-    const auto literally = [](QString words) { return words.replace('&', QLatin1String("&&")); };
-    QString text = QStringLiteral("&%1  %2").arg(place % 10).arg(literally(m_parts.names.nameOf(path)));
+    const auto elided = [&menu](const QString& words, int widest) {
+        return literalMenuText(menu.fontMetrics().elidedText(words, Qt::ElideMiddle, widest));
+    };
+    QString text = QStringLiteral("&%1  %2").arg(place % 10).arg(elided(m_parts.names.nameOf(path), widestName));
     if (!m_parts.names.showsNumbers()) {
         const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
         // Text after a tab stands in the column of keys.
-        text += QLatin1Char('\t') + menu.fontMetrics().elidedText(folder, Qt::ElideMiddle, widestFolder);
+        text += QLatin1Char('\t') + elided(QString::fromStdString(oneLine(folder.toStdString())), widestFolder);
     }
     QPixmap square(RecentPictures::edge, RecentPictures::edge);
     square.fill(Qt::black);

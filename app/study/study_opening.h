@@ -1,7 +1,9 @@
 // Lets a person choose studies to open, and offers ways out if one cannot be opened.
 #pragma once
 
+#include <QList>
 #include <QObject>
+#include <QUrl>
 
 #include "app/settings/settings.h"
 #include "app/study/open_study.h"
@@ -37,6 +39,8 @@ public:
     /// Opens a file, a DICOM folder or a session. If the file has no header and no layout is remembered, the message of
     /// the failure offers to state the layout.
     void open(const QString& path, const ReadOptions& options = {});
+    /// Opens what was dropped on the window (droppedFiles()), or says why not.
+    void openDropped(const QList<QUrl>& urls);
     void chooseFile();
     void chooseFolder();
     void chooseRawFile();

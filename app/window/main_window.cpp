@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QTimer>
+#include <QUrl>
 
 #include "app/compare/compare_room.h"
 #include "app/motion/movie_files.h"
@@ -142,7 +143,7 @@ void MainWindow::connectUnits() {
         m_widgets.messages->showMessage(MessageKind::error, tr("The picture needs more memory than this machine has."));
     });
     connect(m_widgets.picture, &VolumeViewWidget::filesDropped, this,
-            [this](const QStringList& files) { open(files.first()); });
+            [this](const QList<QUrl>& files) { m_opening->openDropped(files); });
     connect(m_widgets.controls, &ViewPanel::nearCutSuggestionRequested, this, [this] {
         m_motionPlayer.pause();
         m_nearCutFinder->find();
@@ -339,10 +340,13 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    const auto urls = event->mimeData()->urls();
-    if (!urls.isEmpty() && urls.first().isLocalFile()) event->acceptProposedAction();
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
-void MainWindow::dropEvent(QDropEvent* event) { open(event->mimeData()->urls().first().toLocalFile()); }
+void MainWindow::dropEvent(QDropEvent* event) {
+    if (!event->mimeData()->hasUrls()) return;
+    event->acceptProposedAction();
+    m_opening->openDropped(event->mimeData()->urls());
+}
 
 }  // namespace echolucent

@@ -257,9 +257,9 @@ private slots:
     void filesAreTaken() {
         ShownView s;
         QVERIFY(s.ready);
-        QList<QStringList> dropped;
+        QList<QList<QUrl>> dropped;
         connect(&s.view, &VolumeViewWidget::filesDropped, this,
-                [&](const QStringList& files) { dropped.append(files); });
+                [&](const QList<QUrl>& dragged) { dropped.append(dragged); });
         QMimeData files;
         files.setUrls({QUrl::fromLocalFile("/tmp/a.mha"), QUrl("http://elsewhere.example/b.mha")});
         QMimeData text;
@@ -274,7 +274,7 @@ private slots:
             QVERIFY(enter.isAccepted());
             QDropEvent drop(QPointF(5, 5), Qt::CopyAction, &files, Qt::LeftButton, {});
             QCoreApplication::sendEvent(target, &drop);
-            QCOMPARE(dropped, QList<QStringList>{{"/tmp/a.mha"}});
+            QCOMPARE(dropped, QList<QList<QUrl>>{files.urls()});
         }
         disconnect(&s.view, &VolumeViewWidget::filesDropped, this, nullptr);
     }

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QSignalBlocker>
+#include <QTextDocument>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,12 @@ QLabel* labelFor(QWidget* control, const QString& text) {
     label->setBuddy(control);
     return label;
 }
+
+QString literalToolTip(const QString& text) {
+    return Qt::mightBeRichText(text) ? QStringLiteral("<span>%1</span>").arg(text.toHtmlEscaped()) : text;
+}
+
+QString literalMenuText(QString text) { return text.replace('&', QLatin1String("&&")); }
 
 QToolButton* resetButton(const QString& objectName, const QString& what) {
     auto* button = named(new QToolButton, objectName, what, what);

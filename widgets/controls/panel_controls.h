@@ -24,6 +24,11 @@ Widget* named(Widget* widget, const QString& objectName, const QString& accessib
     return widget;
 }
 
+/// A tool tip that shows any text as it is, also one that looks like HTML.
+[[nodiscard]] QString literalToolTip(const QString& text);
+/// A text of a menu or button that shows any text as it is: no "&" in it marks a key.
+[[nodiscard]] QString literalMenuText(QString text);
+
 /// Lets the wheel change a control only while the control has the focus. So scrolling a dock changes no value by
 /// accident.
 void wheelNeedsFocus(QWidget* control);

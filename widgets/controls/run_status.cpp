@@ -13,7 +13,7 @@ namespace {
 
 /// "1.6 ms", "24 ms": two figures are enough.
 QString millisecondsText(double milliseconds) {
-    return QObject::tr("%1 ms").arg(QLocale().toString(milliseconds, 'f', milliseconds < 10.0 ? 1 : 0));
+    return QObject::tr("%1 ms").arg(QLocale::c().toString(milliseconds, 'f', milliseconds < 10.0 ? 1 : 0));
 }
 
 QLabel* createLabel(const QString& name, const QString& accessibleName) {
@@ -91,11 +91,11 @@ void RunStatus::clearOtf() { showText(m_otf, {}); }
 void RunStatus::setNotes(const QStringList& notes) {
     const QString text = notes.join(QStringLiteral(" · "));
     showText(m_notes, text);
-    m_notes->setToolTip(text.toHtmlEscaped());
+    m_notes->setToolTip(literalToolTip(text));
 }
 
 void RunStatus::setPointed(std::optional<double> intensity, std::optional<double> opacity) {
-    const QLocale locale;
+    const QLocale locale = QLocale::c();
     QStringList parts;
     if (intensity) parts << tr("intensity %1").arg(locale.toString(*intensity, 'f', 2));
     if (opacity) parts << tr("opacity %1").arg(locale.toString(*opacity, 'f', 2));

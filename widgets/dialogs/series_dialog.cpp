@@ -50,7 +50,7 @@ SeriesDialog::SeriesDialog(const QString& source, const QList<SeriesRow>& rows, 
     m_list->setSpacing(2);
     for (const SeriesRow& row : rows) {
         auto* item = new QListWidgetItem(onSquare({}), row.title + '\n' + row.facts, m_list);
-        item->setToolTip((row.hindrance.isEmpty() ? row.title : row.hindrance).toHtmlEscaped());
+        item->setToolTip(literalToolTip(row.hindrance.isEmpty() ? row.title : row.hindrance));
         item->setData(secondaryRole, !row.openable);
     }
     m_why->setTextFormat(Qt::PlainText);

@@ -238,10 +238,13 @@ void OtfEditor::connectModel() {
     const auto showSteps = [this] {
         m_undo->setEnabled(steps().canUndo());
         m_redo->setEnabled(steps().canRedo());
-        m_undo->setText(steps().canUndo() ? tr("Undo %1").arg(steps().undoText()) : tr("Undo"));
-        m_redo->setText(steps().canRedo() ? tr("Redo %1").arg(steps().redoText()) : tr("Redo"));
-        m_undo->setToolTip(tr("%1 (Ctrl+Z)").arg(m_undo->text()));
-        m_redo->setToolTip(tr("%1 (Ctrl+Shift+Z)").arg(m_redo->text()));
+        const QString undo = steps().canUndo() ? tr("Undo %1").arg(steps().undoText()) : tr("Undo");
+        const QString redo = steps().canRedo() ? tr("Redo %1").arg(steps().redoText()) : tr("Redo");
+        // Names that people gave to presets and snapshots stand in them.
+        m_undo->setText(literalMenuText(undo));
+        m_redo->setText(literalMenuText(redo));
+        m_undo->setToolTip(literalToolTip(tr("%1 (Ctrl+Z)").arg(undo)));
+        m_redo->setToolTip(literalToolTip(tr("%1 (Ctrl+Shift+Z)").arg(redo)));
     };
     connect(&steps(), &DocumentSteps::changed, this, showSteps);
     showSteps();

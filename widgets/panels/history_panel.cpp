@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/controls/panel_controls.h"
 #include "widgets/document/document_steps.h"
 
 namespace echolucent {
@@ -102,7 +103,7 @@ void HistoryPanel::setSnapshots(const QStringList& names) {
     for (int i = 0; i < m_snapshots->count(); ++i) {
         QListWidgetItem* item = m_snapshots->item(i);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(item->text());
+        item->setToolTip(literalToolTip(item->text()));
     }
     m_snapshots->setCurrentRow(std::min(current, m_snapshots->count() - 1));
     m_none->setVisible(names.isEmpty());

@@ -51,7 +51,7 @@ void StudyPanel::setStudy(const QList<StudyFactRow>& facts, const QStringList& w
     m_facts->setRowCount(0);
     const auto put = [this](int row, int column, const QString& text) {
         auto* item = new QTableWidgetItem(text);
-        item->setToolTip(text.toHtmlEscaped());
+        item->setToolTip(literalToolTip(text));
         m_facts->setItem(row, column, item);
         return item;
     };

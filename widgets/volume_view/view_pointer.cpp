@@ -11,14 +11,7 @@
 
 namespace echolucent {
 
-QStringList localFiles(const QMimeData* data) {
-    QStringList files;
-    if (!data) return files;
-    for (const QUrl& url : data->urls()) {
-        if (url.isLocalFile()) files.append(url.toLocalFile());
-    }
-    return files;
-}
+QList<QUrl> filesIn(const QMimeData* data) { return data != nullptr ? data->urls() : QList<QUrl>(); }
 
 ViewPointer::ViewPointer(QWindow* window, QObject* parent) : QObject(parent), m_window(window) {
     window->installEventFilter(this);
@@ -42,7 +35,7 @@ bool ViewPointer::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::DragMove:
         case QEvent::Drop: {
             auto* drop = static_cast<QDropEvent*>(event);
-            const QStringList files = localFiles(drop->mimeData());
+            const QList<QUrl> files = filesIn(drop->mimeData());
             drop->setAccepted(!files.isEmpty());
             if (files.isEmpty()) return true;
             drop->acceptProposedAction();

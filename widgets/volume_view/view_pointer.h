@@ -1,9 +1,10 @@
 // Mouse, wheel and dropped files over the 3D view's OpenGL window, in the picture's measures.
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <QPointF>
-#include <QStringList>
+#include <QUrl>
 
 #include "widgets/camera_gestures.h"
 
@@ -15,8 +16,8 @@ class QWindow;
 
 namespace echolucent {
 
-/// The local files among the dragged data; empty if there are none.
-[[nodiscard]] QStringList localFiles(const QMimeData* data);
+/// The addresses of dragged files; empty if there are none.
+[[nodiscard]] QList<QUrl> filesIn(const QMimeData* data);
 
 /// Left drag orbits, middle or Shift + left drag pans, right drag and the wheel zoom, Ctrl + left drag moves the light.
 /// Drags are signalled as they go, to the right and down, in shares of the window's height. Whoever gets Escape calls
@@ -46,7 +47,7 @@ signals:
     void left();
     void doubleClicked();               ///< with the left button
     void keyPressed(QKeyEvent* event);  ///< also releases and shortcut overrides; for the widget with the focus
-    void filesDropped(const QStringList& files);
+    void filesDropped(const QList<QUrl>& files);
 
 private:
     void press(const QMouseEvent& event);

@@ -311,11 +311,11 @@ std::optional<CameraPose> VolumeViewWidget::poseAfter(const QKeyEvent& event) co
 }
 
 void VolumeViewWidget::dragEnterEvent(QDragEnterEvent* event) {
-    if (!localFiles(event->mimeData()).isEmpty()) event->acceptProposedAction();
+    if (!filesIn(event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void VolumeViewWidget::dropEvent(QDropEvent* event) {
-    const QStringList files = localFiles(event->mimeData());
+    const QList<QUrl> files = filesIn(event->mimeData());
     if (files.isEmpty()) return;
     event->acceptProposedAction();
     emit filesDropped(files);

@@ -183,7 +183,7 @@ signals:
     /// Intensity and opacity of what the cursor points at. No intensity if it points at nothing, no opacity in modes
     /// without a curve.
     void pointed(std::optional<double> intensity, std::optional<double> opacity);
-    void filesDropped(const QStringList& files);
+    void filesDropped(const QList<QUrl>& files);
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -63,6 +63,16 @@ private slots:
         QCOMPARE(names.shownOfFile("note: 12 slices"), QString("note: 12 slices"));
     }
 
+    void aLongNameLeavesRoomForWhatFollowsIt() {
+        const QTemporaryDir folder;
+        Settings settings(folder.filePath("settings.ini"));
+        StudyNames names(settings);
+        QCOMPARE(names.beginningFor("/data/" + QString(200, 'n') + ".mha"), QString(200, 'n'));
+        QCOMPARE(names.beginningFor("/data/" + QString(251, 'n') + ".mha"), QString(200, 'n'));
+        QCOMPARE(names.beginningFor("/data/" + QString(83, QChar(0x8d85)) + ".mha"), QString(66, QChar(0x8d85)));
+        QCOMPARE(names.nameOf("/data/two\nlines.mha"), QString("two lines.mha"));
+    }
+
     void aSessionIsCalledByItsStudyAtEveryStart() {
         const QTemporaryDir folder;
         const QString file = folder.filePath("settings.ini"), session = "/data/Doe.session.json";
