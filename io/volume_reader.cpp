@@ -8,6 +8,7 @@
 #include "io/document/curve_file.h"
 #include "io/document/preset_file.h"
 #include "io/file_formats.h"
+#include "io/files/archives.h"
 #include "io/files/data_files.h"
 #include "io/files/file_access.h"
 #include "io/files/input_problems.h"
@@ -42,10 +43,11 @@ std::optional<Failure> cutWithinItsBeginning(const std::string& path, std::strin
 
 /// A sentence for files of formats that are known but not read; no value for all others.
 std::optional<Failure> knownButNotRead(const std::string& path, std::string_view beginning) {
-    const auto refuse = [&](const char* problem, const char* remedy) {
-        return fail(FailureKind::unreadable, path, "", problem, remedy).value();
+    const auto refuse = [&](std::string_view problem, const char* remedy) {
+        return fail(FailureKind::unreadable, path, "", std::string(problem), remedy).value();
     };
-    if (beginning.starts_with("PK\x03\x04")) return refuse("is a ZIP archive", "Unpack it and open what comes out.");
+    if (const std::string_view archive = archiveInWords(beginning); !archive.empty())
+        return refuse(archive, "Unpack it and open what comes out.");
     if (looksLikeAnalyze(beginning))
         return refuse("is an Analyze 7.5 header, which does not say where left and right are", "Convert it to NIfTI.");
     const auto text = beginning.find_first_not_of(" \t\r\n");
@@ -221,6 +223,9 @@ Result<Study> readStudy(const std::string& path, const ReadOptions& options, con
         if (kind == FileKind::forbidden)
             return fail(FailureKind::unreadable, path, "", "lies in a folder that you may not look into",
                         "Ask for permission to read it, or copy it to a folder of your own.");
+        if (kind == FileKind::unreachable)
+            return fail(FailureKind::unreadable, path, "", "could not be read: its disc or the connection to it failed",
+                        "Connect it again, and then open it.");
         if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
         return kind == FileKind::folder ? readDicomFolder(path, options, progress) : readFile(path, options, progress);
     } catch (const std::bad_alloc&) {

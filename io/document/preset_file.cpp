@@ -67,7 +67,11 @@ Result<std::vector<Preset>> readPresets(const std::string& path) {
 }
 
 Result<void> writePresets(const std::string& path, const std::vector<Preset>& presets) {
-    return writeFileAtomically(path, jsonOf(presets), OutputKind::presets);
+    const std::string text = jsonOf(presets);
+    if (text.size() > largestFile)
+        return fail(FailureKind::unwritable, path, "", "would be too large to be opened again",
+                    "Remove presets that nobody needs, and save again.");
+    return writeFileAtomically(path, text, OutputKind::presets);
 }
 
 }  // namespace echolucent

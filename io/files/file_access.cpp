@@ -25,7 +25,10 @@ public:
 
     FileKind kindOf(const std::string& path) override {
         struct stat status {};
-        if (stat(path.c_str(), &status) != 0) return errno == EACCES ? FileKind::forbidden : FileKind::missing;
+        if (stat(path.c_str(), &status) != 0)
+            return errno == EACCES        ? FileKind::forbidden
+                   : isDiscFailure(errno) ? FileKind::unreachable
+                                          : FileKind::missing;
         if (S_ISREG(status.st_mode)) return FileKind::file;
         return S_ISDIR(status.st_mode) ? FileKind::folder : FileKind::other;
     }

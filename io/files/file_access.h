@@ -13,8 +13,9 @@ namespace echolucent {
 /// What a path leads to.
 enum class FileKind {
     missing,
-    forbidden,  ///< something may be there, but permissions hide it
-    file,       ///< a regular file
+    forbidden,    ///< something may be there, but permissions hide it
+    unreachable,  ///< its disc, or the connection to it, failed
+    file,         ///< a regular file
     folder,
     other,  ///< a device, a named pipe, a socket
 };

@@ -1,5 +1,6 @@
 #include "io/files/input_problems.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 
@@ -12,7 +13,7 @@ std::string inputProblem(int errorNumber) {
         int errorNumber;
         const char* words;
     };
-    static constexpr std::array<Words, 13> table{
+    static constexpr std::array<Words, 11> table{
         {{ENOENT, "it does not exist"},
          {EACCES, "the permission to read it, or to enter a folder above it, is missing"},
          {EPERM, "the permission to read it, or to enter a folder above it, is missing"},
@@ -23,12 +24,18 @@ std::string inputProblem(int errorNumber) {
          {EMFILE, "too many files are open"},
          {ENFILE, "too many files are open"},
          {ENOMEM, "there is not enough memory"},
-         {ENXIO, "it is no file that can be read"},
-         {EIO, "its disc or the connection to it failed"},
-         {ESTALE, "its disc or the connection to it failed"}}};
+         {ENXIO, "it is no file that can be read"}}};
     for (const Words& row : table)
         if (row.errorNumber == errorNumber) return row.words;
+    if (isDiscFailure(errorNumber)) return "its disc or the connection to it failed";
     return fmt::format("the system refuses it (error {})", errorNumber);
+}
+
+bool isDiscFailure(int errorNumber) {
+    static constexpr std::array failures{EIO,         ESTALE,     ENOTCONN,  ENODEV,       ENOMEDIUM,
+                                         EREMOTEIO,   ETIMEDOUT,  EHOSTDOWN, EHOSTUNREACH, ENETDOWN,
+                                         ENETUNREACH, ECONNRESET, ESHUTDOWN, ECONNABORTED, ENOLINK};
+    return std::ranges::find(failures, errorNumber) != failures.end();
 }
 
 }  // namespace echolucent

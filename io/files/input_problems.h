@@ -9,6 +9,9 @@ namespace echolucent {
 /// permission to read it, or to enter a folder above it, is missing".
 [[nodiscard]] std::string inputProblem(int errorNumber);
 
+/// Whether an error number says that a disc, or the way to it, has failed: it was pulled out, or its server is gone.
+[[nodiscard]] bool isDiscFailure(int errorNumber);
+
 /// As Failure::remedy, for a file that no honest program writes.
 constexpr const char* doNotOpen = "The file is damaged or made to do harm: do not open it.";
 

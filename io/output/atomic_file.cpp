@@ -32,7 +32,8 @@ int putInPlace(const std::string& nameless, const OutputPlace& place) {
     if (const int problem = linkTo(place.target); problem != EEXIST) return problem;
     constexpr int mostTries = 1000;
     for (int attempt = 0; attempt < mostTries; ++attempt) {
-        const std::string name = place.target + '.' + std::to_string(getpid()) + '-' + std::to_string(attempt);
+        const std::string name =
+            pathBeside(place.target, '.' + std::to_string(getpid()) + '-' + std::to_string(attempt));
         const int problem = linkTo(name);
         if (problem == EEXIST) continue;
         if (problem != 0) return problem;

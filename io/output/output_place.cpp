@@ -4,8 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -90,6 +92,13 @@ Result<OutputPlace> placeOfOutput(const std::string& path, OutputKind kind) {
     place.mode = exists ? present.st_mode & 07777 : modeOfNewFiles;
     if (auto writable = checkFolder(path, place.folder()); !writable) return tl::unexpected<Failure>(writable.error());
     return place;
+}
+
+std::string pathBeside(const std::string& path, const std::string& suffix) {
+    const auto slash = path.rfind('/');
+    const std::size_t name = path.size() - (slash == std::string::npos ? 0 : slash + 1);
+    const std::size_t longest = NAME_MAX - std::min<std::size_t>(suffix.size(), NAME_MAX);
+    return path.substr(0, path.size() - (name > longest ? name - longest : 0)) + suffix;
 }
 
 tl::unexpected<Failure> cannotWrite(const std::string& path, int problem) {

@@ -26,6 +26,10 @@ struct OutputPlace {
 /// a kept one (KeptFiles). It never blocks.
 [[nodiscard]] Result<OutputPlace> placeOfOutput(const std::string& path, OutputKind kind = OutputKind::other);
 
+/// A path for a file that lies beside `path` for a moment: `path` with `suffix` behind it. If that name would be longer
+/// than file systems allow, the end of the path's own name is left out.
+[[nodiscard]] std::string pathBeside(const std::string& path, const std::string& suffix);
+
 /// "x.png: could not be written: No space left on device. …" for an errno.
 [[nodiscard]] tl::unexpected<Failure> cannotWrite(const std::string& path, int problem);
 

@@ -61,14 +61,13 @@ Result<UnfinishedFile> UnfinishedFile::beside(const std::string& path, std::stri
     UnfinishedFile file;
     file.m_path = path;
     file.m_kind = kind;
-    std::string name = place->target + ".XXXXXX";
+    std::string name = pathBeside(place->target, ".XXXXXX" + std::string(ending));
     if (place->descriptor >= 0) {
         std::error_code error;
         auto folder = std::filesystem::temp_directory_path(error);
         if (error) folder = ".";
-        name = (folder / "echolucent-XXXXXX").string();
+        name = (folder / "echolucent-XXXXXX").string() + std::string(ending);
     }
-    name += ending;
     UninterruptedStep step;
     const int descriptor = mkstemps(name.data(), static_cast<int>(ending.size()));
     if (descriptor < 0) return cannotWrite(path, errno);

@@ -47,6 +47,8 @@ TEST(ReadingMemory, CountsWhatIsHeldAtOneTime) {
 TEST(InputProblems, AreSaidInWordsOfOurOwn) {
     EXPECT_EQ(inputProblem(ENOENT), "it does not exist");
     EXPECT_THAT(inputProblem(EACCES), HasSubstr("permission"));
+    for (const int gone : {EIO, ESTALE, ENOTCONN, ENODEV, EHOSTDOWN, ETIMEDOUT})
+        EXPECT_EQ(inputProblem(gone), "its disc or the connection to it failed") << gone;
     for (int number = 1; number < 134; ++number) {
         EXPECT_NE(inputProblem(number), std::strerror(number)) << number;
         EXPECT_NE(inputProblem(number), "") << number;

@@ -47,6 +47,18 @@ TEST(PresetFile, GoesToAFileAndBack) {
     EXPECT_FALSE(writePresets(folder.file("no folder/mine.json"), unusualPresets()));
 }
 
+TEST(PresetFile, NoFileIsWrittenThatIsTooLargeToBeReadAgain) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writePresets(folder.file("mine.json"), unusualPresets()));
+    Preset large{.name = "large", .curve = CurveKind::manual};
+    large.curves.manual.nodes.clear();
+    for (int i = 0; i < 60000; ++i) large.curves.manual.nodes.push_back({i / 60000.0, 1.0 / 3.0});
+    const auto written = writePresets(folder.file("mine.json"), {large});
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().sentence().find("too large to be opened again"), std::string::npos);
+    EXPECT_EQ(readPresets(folder.file("mine.json")).value(), unusualPresets()) << "those before are still there";
+}
+
 TEST(PresetFile, WhatIsWrongIsRefusedByItsKey) {
     struct Wrong {
         const char* place;

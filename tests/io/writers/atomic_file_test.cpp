@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <climits>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -52,6 +53,22 @@ TEST(AtomicFile, AFileKeepsItsPermissionsAndALinkStaysALink) {
     EXPECT_TRUE(std::filesystem::is_symlink(link));
     EXPECT_EQ(readWholeFile(target, 100).value(), "new");
     EXPECT_EQ(modeOf(target) & 07777, 0600u);
+}
+
+TEST(AtomicFile, AFileWithTheLongestNameIsReplaced) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file(std::string(NAME_MAX, 'n'));
+    for (const std::string bytes : {"old", "new"}) {
+        const auto written = writeFileAtomically(path, bytes);
+        ASSERT_TRUE(written) << written.error().sentence();
+        EXPECT_EQ(readWholeFile(path, 100).value(), bytes);
+    }
+    auto unfinished = UnfinishedFile::beside(path, ".mp4");
+    ASSERT_TRUE(unfinished) << unfinished.error().sentence();
+    EXPECT_TRUE(unfinished->name().ends_with(".mp4"));
+    ASSERT_TRUE(unfinished->putInPlace());
+    EXPECT_EQ(readWholeFile(path, 100).value(), "");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 /// Whose umask is set for a moment makes files that everybody may write.
