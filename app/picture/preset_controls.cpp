@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/files/save_dialog.h"
+#include "app/otf/editor_otfs.h"
 #include "app/study/study_names.h"
 #include "io/document/preset_file.h"
 #include "io/output/overwriting.h"
@@ -136,7 +137,16 @@ void PresetControls::save() {
         own.push_back(
             presetOf(m_parts.model.document(), firstPane, freePresetName(tr("My preset").toStdString(), names())));
     });
-    if (saved) m_parts.panel.editName(static_cast<int>(all().size()) - 1);
+    if (!saved) return;
+    const Document& document = m_parts.model.document();
+    const DesignerConfig* designer = designerConfigOf(document, firstPane);
+    if (designer != nullptr && document.scene.look.mode == RenderMode::direct)
+        m_parts.messages.showMessage(MessageKind::info,
+                                     tr("The preset holds the %1 curve, which the OTF of %2 hides now: presets keep "
+                                        "curves, sessions keep designers "
+                                        "too.")
+                                         .arg(curveName(document.panes.at(firstPane).curve), labelOf(*designer)));
+    m_parts.panel.editName(static_cast<int>(all().size()) - 1);
 }
 
 void PresetControls::rename(int preset, const QString& name) {

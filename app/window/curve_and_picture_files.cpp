@@ -20,6 +20,7 @@
 #include "io/writers/picture_file.h"
 #include "widgets/casting/picture_image.h"
 #include "widgets/controls/message_bar.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/otf_editor/curve_style.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -90,7 +91,8 @@ CurveAndPictureFiles::SavedCurve CurveAndPictureFiles::curveOfKind(CurveKind kin
 CurveAndPictureFiles::SavedCurve CurveAndPictureFiles::rendered() const {
     const OtfEditorState& state = m_parts.editor.state();
     if (!state.designed) return curveOfKind(state.active);
-    return {state.design.value_or(SampledCurve{}), QString::fromStdString(state.designer), QStringLiteral("design")};
+    return {state.design.value_or(SampledCurve{}), QString::fromStdString(state.designer), QStringLiteral("design"),
+            false, true};
 }
 
 bool CurveAndPictureFiles::chooseAndSaveCurve(const SavedCurve& saved) {
@@ -105,6 +107,14 @@ bool CurveAndPictureFiles::chooseAndSaveCurve(const SavedCurve& saved) {
 bool CurveAndPictureFiles::saveCurve(const QString& path) { return saveCurve(path, rendered()); }
 
 bool CurveAndPictureFiles::saveCurve(const QString& path, const SavedCurve& saved) {
+    const auto* sampled = std::get_if<SampledCurve>(&saved.curve);
+    if (sampled != nullptr && sampled->opacities.empty()) {
+        m_parts.messages.showMessage(
+            MessageKind::warning,
+            tr("The %1 curve is not computed yet, so there is nothing to save. Save it once it is rendered.")
+                .arg(saved.name));
+        return false;
+    }
     const ManualCurve nodes = nodesOf(saved.curve);
     if (!report(mayOverwrite(path))) return false;
     if (!report(writeCurve(path.toStdString(), nodes))) return false;
@@ -112,8 +122,23 @@ bool CurveAndPictureFiles::saveCurve(const QString& path, const SavedCurve& save
     m_told = tr("The %1 curve was saved as %2 (%3).")
                  .arg(saved.name, m_parts.names.nameOfOther(path),
                       nodes.nodes.size() == 1 ? tr("1 node") : tr("%1 nodes").arg(nodes.nodes.size()));
+    if (const QString left = leftOut(saved); !left.isEmpty()) m_told += ' ' + left;
     m_parts.messages.showMessage(MessageKind::info, m_told);
     return true;
+}
+
+QString CurveAndPictureFiles::leftOut(const SavedCurve& saved) const {
+    QStringList sentences;
+    if (saved.ofDesigner) sentences << tr("It is the largest opacity of each intensity in the OTF.");
+    const CurveAdjustment& adjustment = m_parts.editor.state().adjustment;
+    QStringList sliders;
+    for (const Parameter<CurveAdjustment>& row : adjustmentParameters())
+        if (const double value = numberOf(*row.get(adjustment)).value(); value != 0.0)
+            sliders << textOf(row.label).toLower() + ' ' + QString::fromStdString(textOf(value));
+    if (!sliders.isEmpty())
+        sentences << tr("It leaves out what the sliders change in the picture: %1. A session or a preset keeps that.")
+                         .arg(sliders.join(QStringLiteral(", ")));
+    return sentences.join(' ');
 }
 
 void CurveAndPictureFiles::chooseAndSavePicture() {

@@ -67,10 +67,13 @@ private:
         OpacityCurve curve;
         QString name, key;
         bool manual = false;
+        bool ofDesigner = false;
     };
     [[nodiscard]] SavedCurve curveOfKind(CurveKind kind) const;
     /// The rendered curve; for the OTF of a designer, that OTF's upper curve.
     [[nodiscard]] SavedCurve rendered() const;
+    /// What a picture with this curve shows and the file of the curve does not hold, in sentences; empty for nothing.
+    [[nodiscard]] QString leftOut(const SavedCurve& saved) const;
     bool chooseAndSaveCurve(const SavedCurve& saved);
     bool saveCurve(const QString& path, const SavedCurve& saved);
     /// Fails if `path` is a file of the open study.

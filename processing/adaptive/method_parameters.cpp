@@ -48,7 +48,7 @@ bool setTubeCount(AdaptiveOtfConfig& config, const ParameterValue& value) {
 
 template <auto member>
 Row tubeCount(const Words& words) {
-    Row row = number<grid, member>(words, {1, 4096}, {.offered = ParameterRange{1, 400}, .steps = byOne});
+    Row row = number<grid, member>(words, {1, 4096}, {.steps = byOne});
     row.set = setTubeCount<member>;
     return row;
 }
@@ -354,9 +354,8 @@ std::string problemWithLeftOut(const TubeGrid& grid) {
 
 /// What is wrong although each parameter is in its range; empty if nothing is.
 std::string problemBetweenRows(const AdaptiveOtfConfig& config) {
-    constexpr int mostTubes = 1 << 18;
-    if (config.grid.columns * config.grid.rows > mostTubes)
-        return "the tube grid must have at most " + std::to_string(mostTubes) + " tube cores";
+    if (config.grid.columns * config.grid.rows > mostTubeCores)
+        return "the tube grid must have at most " + std::to_string(mostTubeCores) + " tube cores";
     if (std::string problem = problemWithLeftOut(config.grid); !problem.empty()) return problem;
     if (const auto* variance = std::get_if<VarianceRule>(&config.detection))
         if (variance->finestScale > variance->coarsestScale)

@@ -8,6 +8,9 @@
 
 namespace echolucent {
 
+/// The most tube cores of a grid: columns times rows.
+inline constexpr int mostTubeCores = 1 << 18;
+
 /// All parameters of an AdaptiveOtfConfig, except the kind and shape of its initial function and the tube cores that
 /// are never placed. To add one, add a field to a rule (processing/tube_core/rules/) and a row to
 /// method_parameters.cpp. Changing the number of columns or rows empties TubeGrid::withoutTubes.

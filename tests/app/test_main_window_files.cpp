@@ -68,6 +68,16 @@ private slots:
         QVERIFY(window().saveCurve(path));
         QVERIFY(!editor.isManualModified());
         QVERIFY(readCurve(path.toStdString()).value() == editor.state().manual);
+        // The file leaves out what moves the rendered curve, and the message says so.
+        Document next = window().document().document();
+        next.curves.adjustment = {.threshold = 0.125, .transparency = -0.5};
+        window().document().edit(next, "sliders");
+        QVERIFY(window().saveCurve(path));
+        QVERIFY(readCurve(path.toStdString()).value() == editor.state().manual);
+        QCOMPARE(message()->text(),
+                 QString("The manual curve was saved as curve.json (3 nodes). It leaves out what the "
+                         "sliders change in the picture: threshold 0.125, transparency -0.5. A session "
+                         "or a preset keeps that."));
     }
 
     void whatIsOpenIsNotOverwritten() {

@@ -12,6 +12,7 @@
 
 #include "app/window/theme.h"
 #include "io/document/preset_file.h"
+#include "processing/designers/choice/designer_config.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/controls/message_bar.h"
@@ -92,6 +93,14 @@ private slots:
         QTest::keyClick(list(), Qt::Key_Return);
         QVERIFY(withPreset(document(), firstPane, standardPresets()[1]) == document());
         waitForPictures();
+    }
+
+    void ofAPaneWithADesignerItSaysWhichCurveItKeeps() {
+        window().document().edit(withDesigner(document(), firstPane, defaultConfigOf(allDesigners.back())), "designer");
+        click("presets.save");
+        const QString said = child<MessageBar>("message")->text();
+        QVERIFY2(said.startsWith("The preset holds the adaptive curve, which the OTF of "), qPrintable(said));
+        waitUntilIdle();
     }
 
     void savedRenamedAndKeptForTheNextStart() {

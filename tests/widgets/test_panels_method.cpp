@@ -295,6 +295,44 @@ private slots:
         }
     }
 
+    void aGreyedNumberIsTheOneThatCountsOnceItsRuleIsChosen() {
+        MethodPanel panel;
+        auto* significance = child<QDoubleSpinBox>(panel, "adaptive.significance");
+        auto* reading = child<QComboBox>(panel, "adaptive.reading");
+        auto* function = child<QComboBox>(panel, "adaptive.interfaceFunction");
+        const double standard = VarianceRule{}.significance;
+        QCOMPARE(significance->value(), standard);
+        reading->setCurrentIndex(0);  // as published
+        QCOMPARE(significance->value(), 0.0);
+        QVERIFY(significance->isEnabled());
+        reading->setCurrentIndex(2);  // the default, which has no significance
+        QVERIFY(!significance->isEnabled());
+        QCOMPARE(significance->value(), standard);
+        QTest::keyClick(function, Qt::Key_End);
+        QVERIFY(significance->isEnabled());
+        QCOMPARE(significance->value(), standard);
+        QCOMPARE(std::get<VarianceRule>(panel.config().detection).significance, standard);
+        // A rule that the person left is remembered, and its number shown.
+        significance->setValue(0.25);
+        QTest::keyClick(function, Qt::Key_Home);
+        QVERIFY(!significance->isEnabled());
+        QCOMPARE(significance->value(), 0.25);
+    }
+
+    void asManyTubeCoresAsTheCommandLineTakes() {
+        MethodPanel panel;
+        auto* columns = child<QSpinBox>(panel, "adaptive.tubeColumns");
+        auto* rows = child<QSpinBox>(panel, "adaptive.tubeRows");
+        QCOMPARE(columns->maximum(), 4096);
+        columns->setValue(4096);
+        QCOMPARE(panel.config().grid.columns, 4096);
+        QCOMPARE(panel.config().grid.rows, 15);
+        rows->setValue(4096);  // together too many: the columns follow
+        QCOMPARE(panel.config().grid.rows, 4096);
+        QCOMPARE(columns->value(), 64);
+        QCOMPARE(problemOf(panel.config()), std::string());
+    }
+
     void rangesDefaultsAndWordsAreThoseOfTheTable() {
         MethodPanel panel;
         for (const auto& [parameter, control] : {std::pair{"cell_size", "adaptive.cellSize"},

@@ -190,6 +190,12 @@ bool MethodPanel::applies(const Row& row) const {
 
 void MethodPanel::take(const Row& row, const ParameterValue& value) {
     row.set(m_config, value);
+    // If there would be too many tube cores, the count that the person did not set follows.
+    TubeGrid& grid = m_config.grid;
+    if (row.name == "tube_columns")
+        grid.rows = std::min(grid.rows, mostTubeCores / grid.columns);
+    else if (row.name == "tube_rows")
+        grid.columns = std::min(grid.columns, mostTubeCores / grid.rows);
     if (!row.choices.empty()) {
         m_config.detection = m_detections[m_config.detection.index()];
         m_config.curve = m_curves[m_config.curve.index()];
@@ -243,10 +249,22 @@ void MethodPanel::showConfig() {
     showInitial();
     for (const Row& row : methodParameters()) {
         if (!row.inPanels) continue;
-        if (applies(row)) of(row.name).show(*row.get(m_config));
+        if (applies(row))
+            of(row.name).show(*row.get(m_config));
+        else if (const auto value = valueIfChosen(row))
+            of(row.name).show(*value);
         of(row.name).widget->setEnabled(applies(row));
     }
     showReading();
+}
+
+/// The value that a row of a rule not chosen will have once its rule is.
+std::optional<ParameterValue> MethodPanel::valueIfChosen(const Row& row) const {
+    if (row.scope.parameter.empty()) return std::nullopt;
+    AdaptiveOtfConfig other = m_config;
+    other.detection = m_detections[1 - m_config.detection.index()];
+    other.curve = m_curves[1 - m_config.curve.index()];
+    return row.get(other);
 }
 
 void MethodPanel::showInitial() {
@@ -290,7 +308,7 @@ void MethodPanel::resetToDefaults() {
 void MethodPanel::showResult(const AdaptiveOtf& result) {
     QString summary = tr("%1 of %2 tube cores").arg(result.tubesWithWeight).arg(result.tubesMeetingVolume);
     if (result.tubesWithWeight > 0) {
-        const QLocale locale;
+        const QLocale locale = QLocale::c();
         const MeanInterface mean = meanInterfaceOf(result);
         summary += QStringLiteral(" · I_L %1 · I_H %2")
                        .arg(locale.toString(mean.low, 'f', 2), locale.toString(mean.high, 'f', 2));

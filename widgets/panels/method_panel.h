@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <array>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "processing/adaptive/adaptive_otf_result.h"
@@ -66,6 +67,7 @@ private:
     [[nodiscard]] bool applies(const Row& row) const;
     void showConfig();
     void showReading();
+    [[nodiscard]] std::optional<ParameterValue> valueIfChosen(const Row& row) const;
     void showInitial();
     void take(const Row& row, const ParameterValue& value);
     void takeReading();

@@ -7,12 +7,14 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 #include <variant>
 
 #include "app/cli/options/option_text.h"
 #include "io/document/session_file.h"
+#include "io/files/header_text.h"
 #include "io/output/overwriting.h"
 #include "io/restricted/restricted_reader.h"
 #include "io/study/simulated_study.h"
@@ -111,8 +113,20 @@ Result<void> DocumentOptions::check(const CLI::App& command, const std::vector<s
     return {};
 }
 
+Result<void> requireDocument(const std::string& path, const std::string& remedy) {
+    std::error_code error;
+    const bool calledSo = lowerCase(std::filesystem::path(path).extension().string()) == ".json";
+    const bool folder = std::filesystem::is_directory(path, error);
+    const bool file = std::filesystem::is_regular_file(path, error);
+    if ((!folder && !file) || (file && calledSo) || looksLikeDocument(path)) return {};
+    return fail(FailureKind::wrongUsage, path, "", "is no document of the workstation", remedy);
+}
+
 Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOptions& volume,
                                         const std::vector<std::string>& outputs, std::optional<int> number) {
+    if (auto possible = requireDocument(path, "Name a session that the window saved, or give the volume without it.");
+        !possible)
+        return tl::unexpected<Failure>(possible.error());
     keepFromOverwriting({path});
     if (auto possible = checkOutputs(outputs); !possible) return tl::unexpected<Failure>(possible.error());
     auto read = readDocumentPane(path, number);

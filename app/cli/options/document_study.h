@@ -38,6 +38,10 @@ struct DocumentStudy {
     double findingMilliseconds = 0.0;     ///< wall time of the search for `finds`
 };
 
+/// Fails (wrong usage, with that remedy) if there is something at `path` that is clearly no document: a folder, or a
+/// file that neither calls itself one nor is named so.
+[[nodiscard]] Result<void> requireDocument(const std::string& path, const std::string& remedy);
+
 /// Reads a document and its study. `number` is that of --view. If `volume` has a path, that is the study. Else the
 /// document names it: a relative path is looked for from the document's folder, then from the working folder; then a
 /// file with the study's bytes is looked for in the document's folder. The document that is returned names the study
