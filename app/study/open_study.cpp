@@ -135,6 +135,7 @@ void OpenStudy::load(const StudyReference& reference, StudyReader reader) {
             emit aboutToReplace();
             m_loadingMilliseconds = millisecondsOf(m_loadingClock);
             m_reference = saved ? saved->session.document.study : reference;
+            if (auto* named = std::get_if<StudyFile>(&m_reference)) named->turnedAxis = shared->turnedAxis;
             m_saved = saved;
             m_study = shared;
             m_filesRead = filesRead(*m_study, m_saved);

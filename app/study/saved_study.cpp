@@ -11,6 +11,7 @@
 #include "io/headers/raw_volume.h"
 #include "io/restricted/restricted_reader.h"
 #include "io/study/simulated_study.h"
+#include "processing/document/turned_document.h"
 
 namespace echolucent {
 
@@ -45,6 +46,14 @@ void keepToPhases(SavedSession& session, std::size_t phases) {
     if (phases > 1) return;
     session.document.motion.scenario = MotionScenario::probe;
     for (Snapshot& snapshot : session.snapshots) snapshot.document.motion.scenario = MotionScenario::probe;
+}
+
+/// Sets the positions of the session in the grid of the study as it was read.
+void setInGrid(SavedSession& session, const Study& study) {
+    const VolumeGeometry& geometry = study.phases.front()->geometry();
+    session.document = inGridOfStudy(std::move(session.document), study.turnedAxis, geometry);
+    for (Snapshot& snapshot : session.snapshots)
+        snapshot.document = inGridOfStudy(std::move(snapshot.document), study.turnedAxis, geometry);
 }
 
 /// Turns fronts with the view, as the window does. A plane across another view becomes a part of the surface.
@@ -116,6 +125,7 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
     const fs::path absolute = fs::absolute(*place, error).lexically_normal();
     found.path = error ? *place : absolute.string();
     nameStudy(*session, found);
+    setInGrid(*session, study);
     keepToPhases(*session, study.phases.size());
     turnFronts(*session, study.phases.front()->geometry());
     read->opened = {file, std::move(*session)};

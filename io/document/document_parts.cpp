@@ -62,6 +62,7 @@ StudyReference studyIn(JsonFields root) {
     // Documents without a checksum may have neither.
     if (fields.has("bytes")) file.bytes = fields.whole("bytes", 1, std::numeric_limits<std::int64_t>::max());
     if (fields.has("files")) file.files = fields.whole("files", 1, std::numeric_limits<std::int64_t>::max());
+    if (fields.has("turned_axis")) file.turnedAxis = fields.choice("turned_axis", &gridAxisFromName);
     return file;
 }
 

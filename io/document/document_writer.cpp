@@ -30,6 +30,7 @@ ordered_json studyJson(const StudyReference& study) {
                             {"checksum", file->checksum}};
         if (file->bytes > 0) object["bytes"] = file->bytes;
         if (file->files > 0) object["files"] = file->files;
+        if (file->turnedAxis) object["turned_axis"] = nameOf(*file->turnedAxis);
         if (file->options.conversionMebibytes != ReadOptions{}.conversionMebibytes)
             object["conversion_mebibytes"] = file->options.conversionMebibytes;
         if (file->options.studyMebibytes) object["study_mebibytes"] = *file->options.studyMebibytes;

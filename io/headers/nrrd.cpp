@@ -14,6 +14,7 @@
 #include "io/headers/nrrd_axes.h"
 #include "io/headers/nrrd_data.h"
 #include "io/headers/nrrd_fields.h"
+#include "io/headers/nrrd_space.h"
 #include "io/headers/nrrd_spacings.h"
 #include "io/headers/nrrd_times.h"
 #include "io/study/study_assembly.h"
@@ -229,7 +230,10 @@ Result<void> NrrdHeader::readDirections() {
     if (withoutDirection) {
         const auto column = [&](int axis) { return Vec3(direction(0, axis), direction(1, axis), direction(2, axis)); };
         const Vec3 normal = column((*withoutDirection + 1) % 3).cross(column((*withoutDirection + 2) % 3));
-        for (int row = 0; row < 3; ++row) direction(row, *withoutDirection) = normal[row];
+        // Frames over time have no hands: a left-handed frame must not give them any.
+        const auto space = find("space") != nullptr ? nrrdSpace(*find("space")) : std::nullopt;
+        const double way = space && space->isLeftHanded() ? -1.0 : 1.0;
+        for (int row = 0; row < 3; ++row) direction(row, *withoutDirection) = way * normal[row];
     }
     if (!normalizeDirection(direction))
         return wrong("space directions", "does not hold three independent directions: " + quotedText(text));
@@ -278,25 +282,16 @@ Result<void> NrrdHeader::readOrigin() {
 Result<void> NrrdHeader::applySpace() {
     const auto* text = find("space");
     if (text == nullptr) return {};
-    std::string space = lowerCase(*text);
-    if (space.ends_with("-time")) space.resize(space.size() - 5);
-    if (space == "rast" || space == "last" || space == "lpst") space.resize(3);
-    Vec3 sign(1, 1, 1);
-    if (space == "right-anterior-superior" || space == "ras")
-        sign = {-1, -1, 1};
-    else if (space == "left-anterior-superior" || space == "las")
-        sign = {1, -1, 1};
-    else if (space != "left-posterior-superior" && space != "lps" && space != "scanner-xyz" &&
-             space != "3d-right-handed" && space != "3d-left-handed")
+    const auto space = nrrdSpace(*text);
+    if (!space)
         return wrong("space", "is " + quotedText(*text) + ", which is not a known frame",
                      "Use left-posterior-superior, right-anterior-superior or left-anterior-superior.");
-    for (int row = 0; row < 3; ++row) {
-        m_stored.geometry.origin[row] *= sign[row];
-        for (int axis = 0; axis < 3; ++axis) m_stored.geometry.direction(row, axis) *= sign[row];
-    }
-    const bool frameOfPatient = space != "scanner-xyz" && !space.starts_with("3d-");
-    m_stored.geometry.patientFrameKnown = frameOfPatient && saysMoreThanItsAxes(m_stored.geometry.direction);
-    m_stored.facts.push_back({"patient frame", space, "space"});
+    VolumeGeometry& geometry = m_stored.geometry;
+    geometry.origin = geometry.origin.mul(space->inLps);
+    geometry.direction = Mat3::diag(space->inLps) * geometry.direction;
+    geometry.patientFrameKnown = space->ofPatient && saysMoreThanItsAxes(geometry.direction);
+    m_stored.ownAxes = space->ownAxes;
+    m_stored.facts.push_back({"patient frame", space->name, "space"});
     return {};
 }
 

@@ -171,6 +171,7 @@ Result<void> Placement::placeBy(const Affine& affine, const std::string& key, st
     const Mat3 lpsFromRas = Mat3::diag({-1, -1, 1});
     geometry.direction = lpsFromRas * affine.steps;
     geometry.origin = lpsFromRas * affine.origin;
+    m_stored.ownAxes = {-1, -1, 1};
     if (!normalizeDirection(geometry.direction)) return wrong(key, "does not hold three independent directions");
     if (auto warning = skewWarning(geometry.direction); !warning.empty()) note(warning);
     geometry.patientFrameKnown = saysMoreThanItsAxes(geometry.direction);

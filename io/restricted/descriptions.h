@@ -64,6 +64,11 @@ void describe(Archive& archive, Value& box) {
     archive(box.lowMm, box.highMm);
 }
 
+template <typename Archive, Described<GridAxis> Value>
+void describe(Archive& archive, Value& axis) {
+    archive.choice(axis, GridAxis::z);
+}
+
 template <typename Archive, Described<ImportFact> Value>
 void describe(Archive& archive, Value& fact) {
     archive(fact.name, fact.value, fact.source);
@@ -77,7 +82,7 @@ void describe(Archive& archive, Value& times) {
 /// Everything but the volumes, which travel in shared memory.
 template <typename Archive, Described<Study> Value>
 void describe(Archive& archive, Value& study) {
-    archive(study.name, study.files, study.phaseTimes);
+    archive(study.name, study.files, study.turnedAxis, study.phaseTimes);
     archive.choice(study.lossyCompression, LossyCompression::yes);
     archive.choice(study.burnedInText, BurnedInText::yes);
     archive(study.facts, study.warnings);

@@ -161,8 +161,8 @@ bool isFinite(const Vec3& vector) {
     return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
 }
 
-/// Whether the numbers of a volume are ones that a reader gives: size, spacing, origin, directions, reduction, probe,
-/// white level and box.
+/// Whether the numbers of a volume are ones that a reader gives: size, spacing, origin, directions (right-handed),
+/// reduction, probe, white level and box.
 bool isSensible(const SharedVolume& volume) {
     const VolumeGeometry& geometry = volume.geometry;
     std::optional<std::int64_t> voxels = 1;
@@ -172,6 +172,7 @@ bool isSensible(const SharedVolume& volume) {
     if (!std::all_of(std::begin(geometry.direction.val), std::end(geometry.direction.val),
                      [](double value) { return std::abs(value) <= 1.0 + 1e-6; }))
         return false;
+    if (!(cv::determinant(geometry.direction) > 0.0)) return false;
     if (geometry.reduction && !canHaveMade(*geometry.reduction, geometry.size)) return false;
     if (const auto& probe = geometry.probe) {
         const auto isUnit = [](const Vec3& vector) { return std::abs(length(vector) - 1.0) < 1e-3; };

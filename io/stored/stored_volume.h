@@ -34,7 +34,9 @@ struct StoredVolume {
     std::string byteOrderKey;   ///< the key that gave the byte order; empty if it is assumed
     std::string encodingKey;    ///< the key or rule that says how the voxels are encoded
     std::int64_t channels = 1;  ///< 3 if every voxel is red, green, blue; these are reduced to luma
-    VolumeGeometry geometry;
+    VolumeGeometry geometry;    ///< as stored: the grid may be left-handed (axisToTurn())
+    /// 1 or -1 for L, P and S: which way the axes of the file's own frame run. RAS: (-1, -1, 1).
+    Vec3 ownAxes{1, 1, 1};
     std::int64_t phases = 1;
     bool phasesFastest = false;        ///< the phase is the fastest axis instead of the slowest
     std::string spacingSource;         ///< the key that gave the spacing; empty if it is assumed

@@ -8,6 +8,7 @@
 
 #include "io/stored/coarse_bytes.h"
 #include "io/stored/reduced_phases.h"
+#include "io/stored/right_handed.h"
 #include "io/stored/stored_bytes.h"
 #include "io/study/study_assembly.h"
 #include "processing/volume/block_mean.h"
@@ -99,12 +100,20 @@ Result<Study> studyOf(const StoredVolume& stored, std::vector<VoxelBytes> phases
 
     StudyParts parts;
     parts.path = stored.path;
+    parts.facts = stored.facts;
     parts.files = {stored.path};
     for (const DataFile& file : stored.data)
         if (file.path != stored.path) parts.files.push_back(file.path);
     if (!stored.layoutPath.empty()) parts.files.push_back(stored.layoutPath);
     parts.geometry = chosen ? reducedGeometry(stored.geometry, chosen->reduction) : stored.geometry;
     parts.reduction = chosen;
+    if (const auto axis = axisToTurn(stored)) {
+        turnRound(phases, parts.geometry.size, static_cast<std::size_t>(bytesOf(stored.type)), *axis);
+        parts.geometry = turnedRound(parts.geometry, *axis);
+        if (parts.reduction) parts.reduction->reduction = turnedRound(parts.reduction->reduction, *axis);
+        parts.turnedAxis = axis;
+        parts.facts.push_back({"handedness", handednessInWords(*axis), "determinant of the axes' directions"});
+    }
     parts.spacingSource = stored.spacingSource;
     parts.inPlaneSpacingKnown = stored.inPlaneSpacingKnown;
     parts.sliceAxis = stored.sliceAxis;
@@ -117,7 +126,6 @@ Result<Study> studyOf(const StoredVolume& stored, std::vector<VoxelBytes> phases
     parts.window = stored.window;
     parts.phaseTimes = stored.phaseTimes;
     parts.phaseSource = stored.phaseSource;
-    parts.facts = stored.facts;
     parts.warnings = stored.warnings;
     parts.warnings.insert(parts.warnings.end(), warnings.begin(), warnings.end());
     addStorageFacts(stored, parts);
@@ -131,12 +139,15 @@ Result<Study> studyOf(const StoredVolume& stored, std::vector<VoxelBytes> phases
 void offerCoarse(const StoredVolume& stored, StoredBytes& source, const std::optional<ChosenReduction>& chosen,
                  const ReadOptions& options, const Progress& progress) {
     if (!progress.coarse) return;
-    const auto grid = coarseGridOf(stored);
-    if (!grid) return;
-    auto bytes = readCoarseBytes(stored, source, *grid, progress);
-    if (!bytes) return;
+    const auto axis = axisToTurn(stored);
     StoredVolume coarse = stored;
-    coarse.geometry = grid->geometry;
+    if (axis) coarse.geometry = turnedRound(stored.geometry, *axis);
+    const auto grid = coarseGridOf(coarse);
+    if (!grid) return;
+    const CoarseGrid inFile = axis ? asStored(*grid, stored.geometry, *axis) : *grid;
+    auto bytes = readCoarseBytes(stored, source, inFile, progress);
+    if (!bytes) return;
+    coarse.geometry = inFile.geometry;
     coarse.phases = 1;
     std::vector<VoxelBytes> phases;
     phases.push_back(std::move(*bytes));
@@ -158,8 +169,11 @@ Result<Study> readStoredVolume(const StoredVolume& stored, const ReadOptions& op
     if (!counts) return tl::unexpected(counts.error());
     StoredBytes source(stored, *counts);
     if (auto checked = source.check(progress); !checked) return tl::unexpected(checked.error());
-    const auto chosen = reductionOf(stored, *counts, options);
+    auto chosen = reductionOf(stored, *counts, options);
     if (!chosen) return tl::unexpected(chosen.error());
+    // The blocks of a grid that is turned round afterwards are those of the turned grid.
+    if (const auto axis = axisToTurn(stored); axis && *chosen)
+        (*chosen)->reduction = turnedRound((*chosen)->reduction, *axis);
     offerCoarse(stored, source, *chosen, options, progress);
     auto phases = *chosen ? readReducedPhases(stored, source, (*chosen)->reduction, progress)
                           : readPhases(stored, source, *counts, progress);

@@ -12,6 +12,7 @@
 #include "processing/motion/phase_times.h"
 #include "processing/progress.h"
 #include "processing/result.h"
+#include "processing/volume/grid_axis.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
@@ -43,6 +44,9 @@ struct Study {
     std::vector<std::string> files;
     std::vector<std::shared_ptr<const Volume>> phases;
     PhaseTimes phaseTimes{};
+    /// The axis of the file's grid that was turned round, because the grid was left-handed. No value if the grid is the
+    /// file's own.
+    std::optional<GridAxis> turnedAxis{};
     LossyCompression lossyCompression = LossyCompression::unknown;
     BurnedInText burnedInText = BurnedInText::no;
     std::vector<ImportFact> facts;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -321,12 +322,15 @@ double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
 Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
     if (auto sensible = checkGeometry(parts); !sensible) return tl::unexpected(sensible.error());
     if (auto sensible = checkWhite(parts); !sensible) return tl::unexpected(sensible.error());
+    if (!(cv::determinant(parts.geometry.direction) > 0.0))
+        throw std::invalid_argument("assembleStudy: the grid must be right-handed");
     Study study;
     study.name = nameFromPath(parts.path);
     study.files = std::move(parts.files);
     // Times far apart overflow. No time is better than one that no clock can wait for.
     if (!areTimesOf(parts.phaseTimes, parts.voxels.phases.size())) parts.phaseTimes = {};
     study.phaseTimes = parts.phaseTimes;
+    study.turnedAxis = parts.turnedAxis;
     study.lossyCompression = parts.lossyCompression;
     study.burnedInText = parts.burnedInText;
     study.facts = std::move(parts.facts);

@@ -34,7 +34,9 @@ struct StudyParts {
     std::string sizeSource;    ///< of the size: "DimSize"
     std::string typeSource;    ///< of the stored type: "ElementType"
     std::string phasesSource;  ///< of the number of phases; it may be empty if sizeSource covers it
-    VolumeGeometry geometry;
+    VolumeGeometry geometry;   ///< of a right-handed grid
+    /// The axis of the file's grid that the reader turned round, in voxels and geometry, to make it right-handed.
+    std::optional<GridAxis> turnedAxis;
     std::string spacingSource;  ///< key or tag of the spacing; empty if the spacing is assumed
     /// Whether spacingSource gives the spacing within slices, and their distance is a guess
     /// (VolumeGeometry::spacingKnown is false).
@@ -67,7 +69,8 @@ struct StudyParts {
 /// Builds the volumes (one white level for all phases), guesses where there is no data, and completes the report.
 /// Values of the reader's facts are cut to 300 bytes. Fails (unreadable) if spacing, origin or white level is one that
 /// no scanner makes, such as NaN, if there are too many phases, or if the volume is longer than 100,000 times its
-/// smallest spacing; (cancelled) if the person ended it.
+/// smallest spacing; (cancelled) if the person ended it. Throws std::invalid_argument for a left-handed
+/// grid.
 [[nodiscard]] Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress);
 
 /// The share of no data among the voxels of all phases, [0,1].

@@ -2,6 +2,11 @@
 
 namespace echolucent {
 
+std::optional<GridAxis> turnedAxisOf(const StudyReference& study) {
+    const auto* file = std::get_if<StudyFile>(&study);
+    return file != nullptr ? file->turnedAxis : std::nullopt;
+}
+
 bool nameTheSame(const StudyReference& one, const StudyReference& other) {
     const auto* file = std::get_if<StudyFile>(&one);
     const auto* otherFile = std::get_if<StudyFile>(&other);

@@ -21,7 +21,8 @@ std::int64_t roundedMean(std::int64_t sum, std::int64_t count) {
 }  // namespace
 
 template <typename T>
-BlockMean<T>::BlockMean(const Reduction& reduction, std::span<T> reduced) : m_reduction(reduction), m_reduced(reduced) {
+BlockMean<T>::BlockMean(const Reduction& reduction, std::span<T> reduced)
+    : m_reduction(reduction), m_lacking(lackingInFirst(reduction)), m_reduced(reduced) {
     const auto size = reducedSize(reduction);
     if (static_cast<std::uint64_t>(size[0] * size[1] * size[2]) != reduced.size())
         throw std::invalid_argument("BlockMean: the means do not fit the reduction");
@@ -37,11 +38,13 @@ void BlockMean<T>::add(std::span<const T> slice) {
     if (slice.size() != width * rows || m_slice >= m_reduction.storedSize[2])
         throw std::invalid_argument("BlockMean: a slice of another volume");
     const auto rowsOfBlock = static_cast<std::size_t>(m_reduction.by[1]);
+    const auto lackingRows = static_cast<std::size_t>(m_lacking[1]);
     for (std::size_t y = 0; y < rows; ++y) {
         const T* row = slice.data() + y * width;
-        Sum* sums = m_sums.data() + y / rowsOfBlock * width;
+        const std::size_t columns = (y + lackingRows) / rowsOfBlock * width;
+        Sum* sums = m_sums.data() + columns;
         if constexpr (std::is_floating_point_v<T>) {
-            std::uint32_t* counts = m_counts.data() + y / rowsOfBlock * width;
+            std::uint32_t* counts = m_counts.data() + columns;
             for (std::size_t x = 0; x < width; ++x) {
                 const bool isFinite = std::isfinite(row[x]);
                 sums[x] += isFinite ? static_cast<Sum>(row[x]) : Sum{0};
@@ -62,9 +65,14 @@ void BlockMean<T>::skip() {
 }
 
 template <typename T>
+std::array<std::int64_t, 2> BlockMean<T>::voxelsOf(std::size_t axis, std::int64_t block) const {
+    const std::int64_t begin = block * m_reduction.by[axis] - m_lacking[axis];
+    return {std::max(begin, std::int64_t{0}), std::min(begin + m_reduction.by[axis], m_reduction.storedSize[axis])};
+}
+
+template <typename T>
 T BlockMean<T>::meanOf(std::size_t firstColumn, std::int64_t x, std::int64_t valuesAlongYz) const {
-    const std::int64_t begin = x * m_reduction.by[0];
-    const std::int64_t end = std::min(begin + m_reduction.by[0], m_reduction.storedSize[0]);
+    const auto [begin, end] = voxelsOf(0, x);
     Sum sum = 0;
     std::int64_t count = (end - begin) * valuesAlongYz;
     for (std::int64_t column = begin; column < end; ++column)
@@ -87,13 +95,13 @@ T BlockMean<T>::meanOf(std::size_t firstColumn, std::int64_t x, std::int64_t val
 template <typename T>
 void BlockMean<T>::endSlice() {
     ++m_slice;
-    if (m_slice % m_reduction.by[2] != 0 && m_slice != m_reduction.storedSize[2]) return;
+    if ((m_slice + m_lacking[2]) % m_reduction.by[2] != 0 && m_slice != m_reduction.storedSize[2]) return;
     const auto size = reducedSize(m_reduction);
     for (std::int64_t y = 0; y < size[1]; ++y) {
-        const std::int64_t rows = std::min(m_reduction.by[1], m_reduction.storedSize[1] - y * m_reduction.by[1]);
+        const auto [firstRow, endOfRows] = voxelsOf(1, y);
         const auto firstColumn = static_cast<std::size_t>(y * m_reduction.storedSize[0]);
         for (std::int64_t x = 0; x < size[0]; ++x)
-            m_reduced[m_written++] = m_counted > 0 ? meanOf(firstColumn, x, rows * m_counted) : T{0};
+            m_reduced[m_written++] = m_counted > 0 ? meanOf(firstColumn, x, (endOfRows - firstRow) * m_counted) : T{0};
     }
     std::ranges::fill(m_sums, Sum{0});
     std::ranges::fill(m_counts, 0U);
@@ -114,11 +122,12 @@ template class BlockMean<double>;
 VolumeGeometry reducedGeometry(const VolumeGeometry& stored, const Reduction& reduction) {
     VolumeGeometry geometry = stored;
     geometry.size = reducedSize(reduction);
+    const auto lacking = lackingInFirst(reduction);
     Vec3 firstCentre;  // in stored voxels
     for (int axis = 0; axis < 3; ++axis) {
         const auto factor = static_cast<double>(reduction.by[static_cast<std::size_t>(axis)]);
         geometry.spacing[axis] *= factor;
-        firstCentre[axis] = (factor - 1) / 2;
+        firstCentre[axis] = (factor - 1) / 2 - static_cast<double>(lacking[static_cast<std::size_t>(axis)]);
     }
     geometry.origin = stored.patientFromVoxel(firstCentre);
     if (geometry.probe && geometry.probe->apexMm) *geometry.probe->apexMm -= stored.gridMmFromVoxel(firstCentre);

@@ -1,6 +1,7 @@
 // Means of blocks of voxels, gathered slice by slice, so that memory never holds all the voxels.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <type_traits>
@@ -40,9 +41,12 @@ private:
     using Sum = typename BlockSum<T>::Type;
 
     void endSlice();
+    /// The first stored voxel of a block along an axis, and the one behind its last.
+    [[nodiscard]] std::array<std::int64_t, 2> voxelsOf(std::size_t axis, std::int64_t block) const;
     [[nodiscard]] T meanOf(std::size_t firstColumn, std::int64_t x, std::int64_t valuesAlongYz) const;
 
     Reduction m_reduction;
+    std::array<std::int64_t, 3> m_lacking;  // lackingInFirst()
     std::span<T> m_reduced;
     // The present layer of blocks: sums along y and z, one for each column of x, and for floating-point types the
     // numbers of finite values.
@@ -54,9 +58,9 @@ private:
 };
 
 /// The geometry of the means: the size of the blocks' grid, the spacing times the factors, and the origin at the centre
-/// of the first block. So every whole block stands where its voxels stood. The last block along an axis stands like a
-/// whole one, even if it holds fewer voxels. The probe keeps its place. `stored` describes the file's voxels; its size
-/// is the reduction's storedSize.
+/// of the first block. So every whole block stands where its voxels stood. A block that holds fewer voxels stands like
+/// a whole one. The probe keeps its place. `stored` describes the file's voxels; its size is the reduction's
+/// storedSize.
 [[nodiscard]] VolumeGeometry reducedGeometry(const VolumeGeometry& stored, const Reduction& reduction);
 
 }  // namespace echolucent

@@ -19,6 +19,14 @@ std::array<std::int64_t, 3> reducedSize(const Reduction& reduction) {
     return size;
 }
 
+std::array<std::int64_t, 3> lackingInFirst(const Reduction& reduction) {
+    const auto size = reducedSize(reduction);
+    std::array<std::int64_t, 3> lacking{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (reduction.smallerFirst[axis]) lacking[axis] = size[axis] * reduction.by[axis] - reduction.storedSize[axis];
+    return lacking;
+}
+
 std::optional<Reduction> reductionTo(const std::array<std::int64_t, 3>& size, std::int64_t mostVoxels) {
     for (std::int64_t factor = 2; factor <= largestReduction; ++factor) {
         Reduction reduction{{1, 1, 1}, size};

@@ -12,11 +12,17 @@ namespace echolucent {
 struct Reduction {
     std::array<std::int64_t, 3> by{1, 1, 1};          ///< stored voxels of a block along x, y and z; each at least 1
     std::array<std::int64_t, 3> storedSize{1, 1, 1};  ///< voxels along x, y and z in the file
+    /// Along x, y and z: whether the first block is the one that may be smaller, in place of the last. True only while
+    /// a file is read whose grid is turned round along that axis afterwards.
+    std::array<bool, 3> smallerFirst{};
     friend bool operator==(const Reduction&, const Reduction&) = default;
 };
 
-/// How many blocks there are along x, y and z. If the factor does not divide the size, the last block is smaller.
+/// How many blocks there are along x, y and z. If the factor does not divide the size, the last block is smaller, or
+/// the first one (Reduction::smallerFirst).
 [[nodiscard]] std::array<std::int64_t, 3> reducedSize(const Reduction& reduction);
+/// How many voxels the first block along each axis has less than a whole one.
+[[nodiscard]] std::array<std::int64_t, 3> lackingInFirst(const Reduction& reduction);
 
 constexpr std::int64_t largestReduction = 64;
 

@@ -26,7 +26,9 @@ struct VolumeGeometry {
     std::array<std::int64_t, 3> size{1, 1, 1};  ///< voxels along x, y, z; each at least 1
     Vec3 spacing{1, 1, 1};                      ///< mm between voxel centres; each finite and above 0
     Vec3 origin{0, 0, 0};                       ///< patient position (mm, LPS) of the centre of voxel (0,0,0)
-    Mat3 direction = Mat3::eye();               ///< columns: unit patient directions of the grid axes
+    /// Columns: unit patient directions of the grid axes. Every reader gives a right-handed grid (determinant above 0);
+    /// on any other, pictures and planes would show the mirror image of the body.
+    Mat3 direction = Mat3::eye();
     bool spacingKnown = true;  ///< if false, the spacing is a guess: the picture must say so, and no length in mm may
                                ///< be shown as a fact
     bool patientFrameKnown = false;  ///< whether `direction` was stated for a patient; else it is the grid's own frame

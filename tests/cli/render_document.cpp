@@ -7,7 +7,9 @@
 #include "io/document/session_file.h"
 #include "io/study/study.h"
 #include "io/study/study_checksum.h"
+#include "io/writers/meta_image_writer.h"
 #include "processing/document/panes.h"
+#include "processing/document/turned_document.h"
 #include "processing/pane_picture/pane_frames.h"
 #include "processing/pane_picture/pane_measures.h"
 #include "processing/pane_picture/pane_picture.h"
@@ -102,6 +104,37 @@ TEST(RenderDocument, AFrontThatIsFixedInTheVolumeStaysThere) {
     document.scene =
         withFrontAcrossPose(document.scene, document.beam.axis, readStudy(shapesFile())->phases.front()->geometry());
     EXPECT_EQ(apart(picture, document, firstPane), 0);
+}
+
+TEST(RenderDocument, OfALeftHandedGridStaysOnTheAnatomyAlsoIfItWasMadeOnTheFilesOwnGrid) {
+    const Folder folder;
+    const auto shapes = readStudy(shapesFile());
+    ASSERT_TRUE(shapes);
+    const Volume& scan = *shapes->phases.front();
+    VolumeGeometry mirrored = scan.geometry();
+    for (int row = 0; row < 3; ++row) mirrored.direction(row, 2) *= -1;
+    const auto& voxels = std::get<VoxelArray<std::uint8_t>>(scan.voxels());
+    std::vector<std::uint8_t> slices;
+    const std::int64_t slice = mirrored.size[0] * mirrored.size[1];
+    for (std::int64_t z = mirrored.size[2] - 1; z >= 0; --z)
+        slices.insert(slices.end(), voxels.begin() + z * slice, voxels.begin() + (z + 1) * slice);
+    ASSERT_TRUE(
+        writeMetaImage(folder / "left.mha", {std::make_shared<const Volume>(mirrored, slices, scan.whiteLevel())}));
+
+    const Document document = everything(shapesFile());
+    // Of the file's own grid, as it was shown before left-handed grids were turned round.
+    Document old = turnedRound(document, GridAxis::z, scan.geometry());
+    old.study = StudyFile{.path = folder / "left.mha", .options = {}, .checksum = {}};
+    Document now = document;
+    now.study = StudyFile{.path = folder / "left.mha", .options = {}, .checksum = {}, .turnedAxis = GridAxis::z};
+    const auto rendered = [&](const Document& saved, const std::string& volume = {}) {
+        EXPECT_TRUE(writeDocument(folder / "saved.json", saved));
+        return pictureOf(volume + " --document \"" + folder / "saved.json" + "\"", folder);
+    };
+    const cv::Mat expected = rendered(document);
+    EXPECT_LE(cv::norm(rendered(old), expected, cv::NORM_INF), 1.0);
+    // The mark of the document holds for the volume on the command line too.
+    EXPECT_LE(cv::norm(rendered(now, "\"" + folder / "left.mha" + "\""), expected, cv::NORM_INF), 1.0);
 }
 
 TEST(RenderDocument, FindsTheStudyBesideTheDocumentOrOnTheCommandLine) {

@@ -34,6 +34,7 @@ void requireSoundGeometry(const VolumeGeometry& geometry) {
         const Vec3 direction(geometry.direction(0, axis), geometry.direction(1, axis), geometry.direction(2, axis));
         require(isFinite(direction) && std::abs(length(direction) - 1) < 1e-6, "a direction is a unit vector");
     }
+    require(cv::determinant(geometry.direction) > 0, "a grid is right-handed");
     require(isFinite(geometry.origin), "an origin is finite");
 }
 

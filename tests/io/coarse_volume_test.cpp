@@ -77,7 +77,8 @@ void expectVoxelsOfTheFile(const ReadWithCoarse& read) {
     ASSERT_TRUE(grid);
     EXPECT_EQ(coarse.geometry().size, grid->geometry.size);
     EXPECT_EQ(coarse.geometry().spacing, grid->geometry.spacing);
-    EXPECT_EQ(coarse.geometry().origin, grid->geometry.origin);
+    EXPECT_LT(length(coarse.geometry().origin - grid->geometry.origin), 1e-9);
+    EXPECT_EQ(coarse.geometry().direction, grid->geometry.direction);
     EXPECT_EQ(coarse.dataBox(), grid->boxOfVolume());
     EXPECT_EQ(coarse.whiteLevel(), full.whiteLevel());
     EXPECT_EQ(read.coarse.front().units, grid->geometry.unit() / full.geometry().unit());
@@ -135,6 +136,15 @@ TEST(CoarseReading, IsThatOfNrrdAndOfARawLayoutToo) {
     options.raw->headerBytes = 17;
     options.raw->spacing = Vec3(0.2, 0.3, 0.3);
     expectVoxelsOfTheFile(readWithCoarse(folder.write("a.raw", std::string(17, '\0') + bytes), options));
+}
+
+TEST(CoarseReading, OfALeftHandedGridIsThatOfTheGridThatWasTurnedRound) {
+    const TemporaryFolder folder;
+    const auto read = readWithCoarse(folder.write(
+        "a.mha", metaImageHeader("MET_UCHAR", "LOCAL", "TransformMatrix = 1 0 0 0 -1 0 0 0 1\nOffset = 1 2 3\n") +
+                     voxelBytes<std::uint8_t>()));
+    expectVoxelsOfTheFile(read);
+    EXPECT_EQ(read.study->turnedAxis, GridAxis::y);
 }
 
 TEST(CoarseReading, ShowsTheFirstPhase) {

@@ -1,4 +1,5 @@
-// One volume with marked corners, stored in every orientation and container: the markers lie at the same places.
+// One volume with marked corners, stored in every orientation and container: the markers lie at the same places, and
+// the grid that is read is right-handed, so that no picture of it is a mirror image.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "io/writers/enhanced_us_writer.h"
 #include "io/writers/meta_image_writer.h"
 #include "io/writers/nifti_writer.h"
 #include "temporary_folder.h"
@@ -27,20 +29,36 @@ std::vector<std::uint8_t> markedCorners() {
     return voxels;
 }
 
-/// Where the markers lie in the patient (LPS, mm).
-std::map<int, Vec3> markersIn(const Volume& volume) {
+/// Where the markers lie in voxels.
+std::map<int, Vec3> markedVoxels(const Volume& volume) {
     std::map<int, Vec3> markers;
     const VolumeGeometry& geometry = volume.geometry();
     for (std::int64_t z = 0; z < geometry.size[2]; ++z)
         for (std::int64_t y = 0; y < geometry.size[1]; ++y)
             for (std::int64_t x = 0; x < geometry.size[0]; ++x)
                 if (const double value = volume.storedValue(geometry.offset(x, y, z)); value > 0)
-                    markers[static_cast<int>(value)] = geometry.patientFromVoxel(
-                        {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+                    markers[static_cast<int>(value)] = {static_cast<double>(x), static_cast<double>(y),
+                                                        static_cast<double>(z)};
     return markers;
 }
 
-void expectSameMarkers(const std::string& file, const Volume& truth, const std::string& what, double mm = 1e-5) {
+/// Where the markers lie in the patient (LPS, mm).
+std::map<int, Vec3> markersIn(const Volume& volume) {
+    std::map<int, Vec3> markers = markedVoxels(volume);
+    for (auto& [marker, place] : markers) place = volume.geometry().patientFromVoxel(place);
+    return markers;
+}
+
+/// Above 0 if the three ways from marker 1 to its neighbours lie like the thumb and the next two fingers of the right
+/// hand.
+double handOf(const std::map<int, Vec3>& markers) {
+    const Vec3& from = markers.at(1);
+    return (markers.at(2) - from).cross(markers.at(3) - from).dot(markers.at(5) - from);
+}
+
+/// `statesHands`: whether the format can hold a left-handed grid.
+void expectSameMarkers(const std::string& file, const Volume& truth, const std::string& what, double mm = 1e-5,
+                       bool statesHands = true) {
     const auto study = readStudy(file, withoutGuess());
     ASSERT_TRUE(study) << what << ": " << study.error().sentence();
     const auto expected = markersIn(truth), found = markersIn(*study->phases[0]);
@@ -48,6 +66,10 @@ void expectSameMarkers(const std::string& file, const Volume& truth, const std::
     for (const auto& [marker, place] : expected)
         EXPECT_LT(length(found.at(marker) - place), mm) << what << ", marker " << marker;
     EXPECT_LT(length(study->phases[0]->geometry().spacing - truth.geometry().spacing), 1e-6) << what;
+    // Pictures show grid mm as they show a patient: right-handed.
+    EXPECT_GT(handOf(markedVoxels(*study->phases[0])) * handOf(expected), 0.0) << what << ": a mirror image";
+    const bool isLeftHanded = statesHands && cv::determinant(truth.geometry().direction) < 0;
+    EXPECT_EQ(study->turnedAxis.has_value(), isLeftHanded) << what;
 }
 
 /// The three axes in every order and sign, and some that are oblique; half of them are mirrored.
@@ -114,6 +136,9 @@ TEST(Orientation, IsTheSameInEveryContainer) {
         bytes[252] = 0;  // qform_code
         expectSameMarkers(folder.write("sform.nii", bytes), *truth, "sform");
         EXPECT_TRUE(readStudy(folder.file("both.nii"))->warnings.empty());
+
+        ASSERT_TRUE(writeEnhancedUs(folder.file("us.dcm"), {truth}, {}));
+        expectSameMarkers(folder.file("us.dcm"), *truth, "Enhanced US Volume", 1e-5, false);
     }
 }
 

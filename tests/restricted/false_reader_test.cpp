@@ -73,7 +73,8 @@ TEST_F(FalseReader, TellsTheTruthAsWell) {
 }
 
 TEST_F(FalseReader, IsNotBelieved) {
-    for (const char* mode : {"rubbish", "short-memory", "no-memory", "a-file-for-memory", "names-another-file"})
+    for (const char* mode :
+         {"rubbish", "short-memory", "no-memory", "a-file-for-memory", "names-another-file", "left-handed"})
         EXPECT_THAT(sentenceBy(mode),
                     HasSubstr("a.mha: was not read: the process that reads files answered what makes no "
                               "sense"))

@@ -19,6 +19,7 @@
 #include "io/restricted/restricted_reader.h"
 #include "io/study/simulated_study.h"
 #include "io/study/study_checksum.h"
+#include "processing/document/turned_document.h"
 #include "processing/near_cut/near_cut.h"
 
 namespace echolucent::cli {
@@ -65,6 +66,9 @@ Result<Study> studyOf(Document& document, const std::string& path, const VolumeO
     if (!volume.path.empty()) {
         auto named = volume.readNamed(outputs);
         if (!named) return tl::unexpected<Failure>(named.error());
+        // The document keeps its own mark: its positions lie where they lay. A simulated scan has no other grid.
+        if (!std::holds_alternative<SimulatedScan>(document.study))
+            named->reference.turnedAxis = turnedAxisOf(document.study);
         document.study = std::move(named->reference);
         return std::move(named->study);
     }
@@ -134,8 +138,9 @@ Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOpt
     Document& document = read->document;
     auto study = studyOf(document, path, volume, outputs);
     if (!study) return tl::unexpected<Failure>(study.error());
-    document.scene =
-        withFrontAcrossPose(std::move(document.scene), document.beam.axis, study->phases.front()->geometry());
+    const VolumeGeometry& geometry = study->phases.front()->geometry();
+    document = inGridOfStudy(std::move(document), study->turnedAxis, geometry);
+    document.scene = withFrontAcrossPose(std::move(document.scene), document.beam.axis, geometry);
     const int phase = phaseOf(document, read->pane);
     if (phase < 0 || phase >= static_cast<int>(study->phases.size()))
         return fail(FailureKind::wrongUsage, path, "phases",

@@ -161,6 +161,7 @@ Result<VolumeOptions::Named> VolumeOptions::readNamed(const std::vector<std::str
     auto study = readListed(*list, outputs);
     if (!study) return tl::unexpected(study.error());
     StudyFile reference{.path = path, .options = read, .checksum = {}};
+    reference.turnedAxis = study->turnedAxis;
     if (*list) reference.options.series = (*chosenSeries(**list))->uid;
     return Named{std::move(*study), std::move(reference)};
 }

@@ -3,7 +3,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
+
 #include "app/study/open_study.h"
+#include "io/document/session_file.h"
 #include "io/writers/meta_image_writer.h"
 #include "tests/qt_program/test_classes.h"
 
@@ -87,6 +90,42 @@ private slots:
         QCOMPARE(openStudy.path(), m_bright);
         QCOMPARE(openStudy.volume()->storedValue(0), 200.0);
         QVERIFY(opened.count() >= 1 && opened.count() <= 2);
+    }
+
+    void aSessionOfTheFilesOwnLeftHandedGridStaysOnTheAnatomy() {
+        VolumeGeometry left;
+        left.size = {8, 9, 10};
+        left.direction = Mat3::diag({1, 1, -1});
+        std::vector<std::uint8_t> values(8 * 9 * 10, 10);
+        values[static_cast<std::size_t>(left.offset(2, 3, 4))] = 90;
+        const std::string file = m_folder.filePath("left.mha").toStdString();
+        QVERIFY(writeMetaImage(file, {std::make_shared<const Volume>(left, Voxels(values))}));
+        SavedSession session;
+        session.document.study = StudyFile{.path = file, .options = {}, .checksum = {}};
+        session.document.measurements = {{.id = 1, .placesMm = {{2, 3, 4}, {1, 1, 1}}}};
+        session.snapshots = {{"first", session.document}};
+        const QString saved = m_folder.filePath("left.session.json");
+        QVERIFY(writeSession(saved.toStdString(), session));
+
+        OpenStudy openStudy(m_works);
+        open(openStudy, QString::fromStdString(file));
+        QCOMPARE(turnedAxisOf(openStudy.reference()), std::optional(GridAxis::z));
+        open(openStudy, saved);
+        QCOMPARE(turnedAxisOf(openStudy.reference()), std::optional(GridAxis::z));
+        const SavedSession& opened = openStudy.saved()->session;
+        const VolumeGeometry& grid = openStudy.volume()->geometry();
+        for (const Document* document : {&opened.document, &opened.snapshots.front().document}) {
+            QCOMPARE(document->study, openStudy.reference());
+            const Vec3 place = grid.voxelFromGridMm(document->measurements[0].placesMm[0]);
+            QCOMPARE(openStudy.volume()->storedValue(
+                         grid.offset(std::lround(place[0]), std::lround(place[1]), std::lround(place[2]))),
+                     90.0);
+        }
+        // Saved again, it is of the turned grid, and stays as it is.
+        const std::vector<Measurement> measured = opened.document.measurements;
+        QVERIFY(writeSession(saved.toStdString(), opened));
+        open(openStudy, saved);
+        QVERIFY(openStudy.saved()->session.document.measurements.values() == measured);
     }
 
     void cancelledLoadingOpensNothing() {

@@ -44,6 +44,18 @@ TEST(DocumentFile, SaysWhichTubeCoresAreNeverPlacedOnlyWhereThereAreAny) {
     EXPECT_TRUE(read->method.config.grid.withoutTubes.empty());
 }
 
+TEST(DocumentFile, SaysWhichAxisOfTheFilesGridWasTurnedRoundOnlyWhereOneWas) {
+    const nlohmann::ordered_json::json_pointer place("/study/file/turned_axis");
+    EXPECT_FALSE(nlohmann::ordered_json::parse(jsonOf(unusualDocument())).contains(place));
+    Document turned = unusualDocument();
+    std::get<StudyFile>(turned.study).turnedAxis = GridAxis::y;
+    const std::string text = jsonOf(turned);
+    EXPECT_EQ(nlohmann::ordered_json::parse(text).at(place), "y");
+    EXPECT_EQ(documentFromJson(changed(text, "/study/file/turned_axis", "w")).error().element,
+              "study.file.turned_axis");
+    EXPECT_EQ(documentFromJson(text).value(), turned);
+}
+
 TEST(DocumentFile, GoesToAFileAndBack) {
     const TemporaryFolder folder;
     const std::string path = folder.file("session.json");

@@ -161,7 +161,9 @@ TEST(MetaImage, NegativeSpacingTurnsTheAxisRound) {
     const auto study = readStudy(folder.write("v.mha", text));
     ASSERT_TRUE(study);
     EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(1, 1, 2));
-    EXPECT_EQ(study->phases[0]->geometry().patientFromVoxel({0, 0, 1}), Vec3(0, 0, 7));
+    // The axis runs from 9 to 7. Its grid is left-handed, so it is counted from 7 on.
+    EXPECT_EQ(study->phases[0]->geometry().patientFromVoxel({0, 0, 0}), Vec3(0, 0, 7));
+    EXPECT_EQ(study->phases[0]->storedValue(0), 'b');
     EXPECT_TRUE(warnsOf(*study, "negative along z"));
 }
 

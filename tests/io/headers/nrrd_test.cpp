@@ -94,7 +94,8 @@ TEST(Nrrd, OtherFramesAreTurnedIntoLps) {
     const Vec3 corner(1, 1, 1);
     EXPECT_EQ(geometryOf("space: right-anterior-superior\n" + place).patientFromVoxel(corner), Vec3(-11, -22, 33));
     EXPECT_EQ(geometryOf("space: RAS\n" + place).patientFromVoxel(corner), Vec3(-11, -22, 33));
-    EXPECT_EQ(geometryOf("space: left-anterior-superior\n" + place).patientFromVoxel(corner), Vec3(11, -22, 33));
+    // Of LAS the second axis is counted from its other end.
+    EXPECT_EQ(geometryOf("space: left-anterior-superior\n" + place).patientFromVoxel({1, 0, 1}), Vec3(11, -20, 33));
     EXPECT_EQ(geometryOf("space: LPS\n" + place).patientFromVoxel(corner), Vec3(11, 22, 33));
     EXPECT_EQ(geometryOf("space: scanner-xyz\n" + place).patientFromVoxel(corner), Vec3(11, 22, 33));
 }
@@ -126,8 +127,9 @@ TEST(Nrrd, ObliqueVectorsWithSpacesAndNegativeSpacing) {
     const auto oblique = geometryOf("space: LPS\nspace directions: ( 3, 4, 0 ) (-4 , 3, 0) (0,0,-2)\n");
     EXPECT_EQ(oblique.spacing, Vec3(5, 5, 2));
     EXPECT_NEAR(oblique.direction(0, 0), 0.6, 1e-15);
-    EXPECT_NEAR(oblique.direction(2, 2), -1, 1e-15);
-    EXPECT_EQ(geometryOf("spacings: 1 1 -2\n").patientFromVoxel({0, 0, 1}), Vec3(0, 0, -2));
+    EXPECT_NEAR(oblique.direction(2, 2), 1, 1e-15);
+    EXPECT_EQ(oblique.origin[2], -2.0) << "the third axis is counted from its other end";
+    EXPECT_EQ(geometryOf("spacings: 1 1 -2\n").patientFromVoxel({0, 0, 0}), Vec3(0, 0, -2));
 }
 
 TEST(Nrrd, WithoutSpacingItIsMarkedUnknown) { EXPECT_FALSE(geometryOf("").spacingKnown); }

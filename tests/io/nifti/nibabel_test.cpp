@@ -1,6 +1,7 @@
 // Agreement with nibabel, another reader and writer of NIfTI, where python3 has it.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +17,16 @@ using nlohmann::json;
 
 ToolOutcome nibabel(const std::string& arguments) { return runScript("nibabel_files.py", arguments); }
 
+/// The voxel of the grid that was read at a voxel of the file: an axis of a left-handed grid is turned round.
+Vec3 readFrom(const Study& study, Vec3 voxel) {
+    if (study.turnedAxis) {
+        const int axis = placeOf(*study.turnedAxis);
+        const std::int64_t size = study.phases[0]->geometry().size[static_cast<std::size_t>(axis)];
+        voxel[axis] = static_cast<double>(size - 1) - voxel[axis];
+    }
+    return voxel;
+}
+
 void expectAgreement(const std::string& name, const Study& study, const json& facts) {
     const VolumeGeometry& geometry = study.phases[0]->geometry();
     const std::size_t phases = facts.at("shape").size() == 4 ? facts.at("shape")[3].get<std::size_t>() : 1;
@@ -30,13 +41,21 @@ void expectAgreement(const std::string& name, const Study& study, const json& fa
             for (std::size_t axis = 0; axis < 3; ++axis)
                 ras[static_cast<int>(row)] += affine[row][axis].get<double>() * voxel[static_cast<int>(axis)];
         }
-        EXPECT_LT(length(geometry.patientFromVoxel(voxel) - Vec3(-ras[0], -ras[1], ras[2])), 1e-4) << name;
+        EXPECT_LT(length(geometry.patientFromVoxel(readFrom(study, voxel)) - Vec3(-ras[0], -ras[1], ras[2])), 1e-4)
+            << name;
     }
     const auto values = facts.at("values").get<std::vector<double>>();
     const std::int64_t count = geometry.voxelCount();
+    const auto offsetOf = [&](std::int64_t i) {
+        const auto& size = geometry.size;
+        const Vec3 voxel(static_cast<double>(i % size[0]), static_cast<double>(i / size[0] % size[1]),
+                         static_cast<double>(i / (size[0] * size[1])));
+        const Vec3 read = readFrom(study, voxel);
+        return geometry.offset(std::lround(read[0]), std::lround(read[1]), std::lround(read[2]));
+    };
     for (std::size_t phase = 0; phase < phases; ++phase)
         for (std::int64_t i = 0; i < count; ++i)
-            ASSERT_EQ(study.phases[phase]->storedValue(i),
+            ASSERT_EQ(study.phases[phase]->storedValue(offsetOf(i)),
                       static_cast<float>(values[phase * static_cast<std::size_t>(count) + static_cast<std::size_t>(i)]))
                 << name << ", voxel " << i;
 }

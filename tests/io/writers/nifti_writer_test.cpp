@@ -29,7 +29,7 @@ Phases scan(int bits, int count) {
         config.phase = static_cast<double>(phase) / count;
         const Volume made = *makePhantom(config);
         VolumeGeometry geometry = made.geometry();
-        geometry.direction = rotationX(25) * rotationZ(-40) * Mat3::diag({1, -1, 1});
+        geometry.direction = rotationX(25) * rotationZ(-40);
         geometry.origin = {-31.5, 12.25, 100.125};
         Voxels voxels = made.voxels();
         if (bits == 32) {

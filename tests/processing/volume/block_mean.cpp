@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -95,6 +96,23 @@ TYPED_TEST(BlockMeanOf, RandomVolumesAgreeWithTheDefinitionAtTheEdgesToo) {
     }
 }
 
+TYPED_TEST(BlockMeanOf, BlocksCountedFromTheOtherEndAreThoseOfTheTurnedVolume) {
+    std::mt19937 random(5);
+    for (const Reduction& reduction : {Reduction{{2, 2, 2}, {7, 5, 3}}, Reduction{{3, 4, 5}, {8, 9, 11}}}) {
+        std::vector<TypeParam> values(countOf(reduction.storedSize));
+        for (TypeParam& value : values) value = static_cast<TypeParam>(random() % 120);
+        // Turned round along all axes at once, the values stand in the reverse order.
+        Reduction fromTheOtherEnd = reduction;
+        fromTheOtherEnd.smallerFirst = {true, true, true};
+        auto means = meansOf(values, fromTheOtherEnd);
+        std::ranges::reverse(means);
+        std::ranges::reverse(values);
+        EXPECT_EQ(means, meansOf(values, reduction));
+        EXPECT_EQ(lackingInFirst(reduction), (Size{0, 0, 0}));
+    }
+    EXPECT_EQ(lackingInFirst(Reduction{{3, 4, 5}, {8, 9, 10}, {true, true, true}}), (Size{1, 3, 0}));
+}
+
 TEST(BlockMean, HalvesOfWholeNumbersGoUp) {
     const Reduction reduction{{2, 1, 1}, {4, 1, 1}};
     EXPECT_EQ(meansOf(std::vector<std::uint8_t>{0, 1, 2, 3}, reduction), (std::vector<std::uint8_t>{1, 3}));
@@ -153,6 +171,9 @@ TEST(ReducedGeometry, WholeBlocksStandWhereTheirVoxelsStood) {
         return geometry.origin + geometry.direction * *geometry.probe->apexMm;
     };
     EXPECT_LT(length(apexInPatient(reduced) - apexInPatient(stored)), 1e-12);
+    // The first block along x lacks a voxel: its centre lies where that of a whole block would.
+    const VolumeGeometry smallerFirst = reducedGeometry(stored, {reduction.by, stored.size, {true, false, false}});
+    EXPECT_LT(length(smallerFirst.origin - stored.patientFromVoxel({-0.5, 1, 0})), 1e-12);
 }
 
 TEST(Reduction, TheSmallestFactorIsChosenThatKeepsNoMoreThanAsked) {

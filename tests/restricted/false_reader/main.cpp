@@ -155,6 +155,14 @@ void lie(Channel& channel, const std::string& mode, unsigned seed) {
         study.warnings.assign(5000, badWords() + std::string(3000, 'x'));
         const auto spoken = shareStudy(study, memory);
         sendStudy(spoken->bytes, spoken->voxels.number());
+    } else if (mode == "left-handed") {
+        VolumeGeometry mirrored = smallStudy().phases.front()->geometry();
+        mirrored.direction = Mat3::diag({1, 1, -1});
+        Study study;
+        study.name = "false";
+        study.phases = {std::make_shared<const Volume>(mirrored, std::vector<std::uint8_t>(64, 7))};
+        const auto shown = shareStudy(study, memory);
+        sendStudy(shown->bytes, shown->voxels.number());
     } else if (mode == "refuses-with-bad-words") {
         MessageWriter report;
         report(std::optional(
