@@ -92,6 +92,9 @@ Result<void> checkPolar(const std::string& path, const PolarGeometry& polar, con
         return fail(FailureKind::unreadable, path, element, problem,
                     "The geometry of the beams is wrong: export the volume again, or correct what describes it.");
     };
+    if (polar.size()[0] != size[0])
+        return refuse("the range of " + sources.range,
+                      fmt::format("has {} samples where {} says {}", polar.size()[0], sources.size, size[0]));
     if (polar.size()[1] != size[1])
         return refuse("the lines of " + sources.lines,
                       fmt::format("are {} where {} says {}", polar.size()[1], sources.size, size[1]));

@@ -17,8 +17,8 @@ struct PolarSources {
     std::string assumed{};  ///< assumption on distances: "the first sample lies on the probe's face"; may be empty
 };
 
-/// Fails (unreadable) if the geometry makes no sense, or has other numbers of lines or planes than `size`, which counts
-/// samples, lines and planes. The number of samples is not compared. The sentence names `path` and `sources`.
+/// Fails (unreadable) if the geometry makes no sense, or has other numbers of samples, lines or planes than `size`. The
+/// sentence names `path` and `sources`.
 [[nodiscard]] Result<void> checkPolar(const std::string& path, const PolarGeometry& polar,
                                       const std::array<std::int64_t, 3>& size, const PolarSources& sources);
 

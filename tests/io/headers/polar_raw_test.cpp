@@ -122,6 +122,8 @@ TEST(PolarRaw, WrongGeometriesAreRefusedInWords) {
                     l.size = {12, 5, 7};
                 }),
                 HasSubstr("the lines of --raw-lines are 7 where --raw-size says 5"));
+    EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->samples = 13; }),
+                HasSubstr("the range of --raw-range has 13 samples where --raw-size says 12"));
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->planes.values.pop_back(); }),
                 HasSubstr("the planes of --raw-planes are 4 where --raw-size says 5"));
     EXPECT_THAT(sentenceWith([](RawLayout& l) { l.polar->lines.values[3] = nan; }), HasSubstr("hold nan radians"));
