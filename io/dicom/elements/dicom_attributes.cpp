@@ -199,9 +199,16 @@ std::size_t dicomSequenceLength(DcmItem& item, DicomTag sequence) {
 std::vector<std::uint16_t> dicomWords(DcmItem& item, DicomTag tag) {
     const Uint16* words = nullptr;
     unsigned long count = 0;
-    if (item.findAndGetUint16Array(DcmTagKey(tag.group, tag.element), words, &count).bad() || words == nullptr)
-        return {};
-    return {words, words + count};
+    if (item.findAndGetUint16Array(DcmTagKey(tag.group, tag.element), words, &count).good() && words != nullptr)
+        return {words, words + count};
+    DcmElement* const element = valueOf(item, tag);
+    const bool bytes = element != nullptr && (element->getVR() == EVR_OB || element->getVR() == EVR_UN);
+    const std::string held = bytes ? bytesOfElement(*element) : std::string();
+    std::vector<std::uint16_t> read(held.size() / 2);
+    for (std::size_t i = 0; i < read.size(); ++i)
+        read[i] = static_cast<std::uint16_t>(static_cast<std::uint8_t>(held[2 * i]) |
+                                             static_cast<std::uint8_t>(held[2 * i + 1]) << 8);
+    return read;
 }
 
 std::vector<std::uint32_t> dicomLongWords(DcmItem& item, DicomTag tag) {

@@ -44,7 +44,8 @@ void dicomVisitItems(DcmItem& item, DicomTag sequence, const std::function<bool(
 /// The number of items in a sequence; 0 if it is missing.
 [[nodiscard]] std::size_t dicomSequenceLength(DcmItem& item, DicomTag sequence);
 
-/// Unsigned 16-bit words of a binary attribute (palettes); empty if the attribute is missing or of another type.
+/// Unsigned 16-bit words of a binary attribute (palettes), which may be stored as bytes, the lower one first; empty if
+/// the attribute is missing or of another type.
 [[nodiscard]] std::vector<std::uint16_t> dicomWords(DcmItem& item, DicomTag tag);
 
 /// Unsigned 32-bit words of a binary attribute (indices); empty if the attribute is missing or of another type.

@@ -40,8 +40,9 @@ public:
     /// Decodes frame `index` (from 0). A JPEG, JPEG-LS or JPEG 2000 frame is wrong if more than a hundredth of its
     /// values do not fit into the declared bits. Fewer are limited and noted.
     [[nodiscard]] std::string decode(std::size_t index, DecodedFrame& frame);
-    /// Sentences on errors that were accepted, each once.
-    [[nodiscard]] const std::vector<std::string>& notes() const;
+    /// Sentences on errors that were accepted, each once, with the number of decoded frames that it is true of if these
+    /// are not all.
+    [[nodiscard]] std::vector<std::string> notes() const;
 
 private:
     struct State;

@@ -8,7 +8,6 @@
 
 #include "io/dicom/elements/dicom_attributes.h"
 #include "io/files/header_text.h"
-#include "io/files/input_file.h"
 
 namespace echolucent {
 
@@ -116,7 +115,8 @@ FormatProblem readBits(DcmItem& item, DicomPixelFormat& format) {
 }
 
 FormatProblem readColours(DcmItem& item, DicomPixelFormat& format) {
-    std::string problem = readPalette(item, format.palette);
+    std::string problem = readPalette(item, format.isSigned, format.palette);
+    format.notes.insert(format.notes.end(), format.palette.notes.begin(), format.palette.notes.end());
     if (problem.empty()) return std::nullopt;
     return formatProblemAt({0x0028, 0x1101}, "Palette Color Lookup Table", std::move(problem));
 }
@@ -141,8 +141,24 @@ FormatProblem readColour(DcmItem& item, DicomPixelFormat& format) {
     if (!name.empty() && format.samples != samples)
         return formatProblemAt(samplesTag, "Samples per Pixel",
                                fmt::format("is {} where {} needs {}", format.samples, name, samples));
-    format.halved = name == "YBR_FULL_422" || name == "YBR_PARTIAL_422";
-    return format.model == ColourModel::palette ? readColours(item, format) : std::nullopt;
+    if (name == "YBR_FULL_422" || name == "YBR_PARTIAL_422") format.layout = NativeLayout::halved;
+    format.narrowRange = name.starts_with("YBR_PARTIAL");
+    if (format.model == ColourModel::palette) return readColours(item, format);
+    if (auto note = supplementalPalette(item); format.samples == 1 && !note.empty()) format.notes.push_back(note);
+    return std::nullopt;
+}
+
+/// The place of the luma of pixel `index` among the samples of a frame.
+std::size_t lumaIndex(const DicomPixelFormat& format, const DecodedFrame& frame, std::size_t index) {
+    const auto columns = static_cast<std::size_t>(format.columns);
+    switch (frame.layout) {
+        case NativeLayout::halved: return index / 2 * 4 + index % 2;
+        case NativeLayout::halvedRows: {
+            const std::size_t column = index % columns;
+            return index / columns * ((columns + 1) / 2 * 4) + column / 2 * 4 + column % 2;
+        }
+        default: return frame.planar ? index : index * static_cast<std::size_t>(format.samples);
+    }
 }
 
 /// Reads sample `index` of the frame, using the bits that the data set names.
@@ -178,6 +194,14 @@ private:
 
 }  // namespace
 
+std::int64_t DicomPixelFormat::storedFrameBytes() const {
+    switch (layout) {
+        case NativeLayout::halved: return pixels() * 2 * bytesPerSample();
+        case NativeLayout::halvedRows: return rows * ((columns + 1) / 2) * 4 * bytesPerSample();
+        default: return pixels() * samples * bytesPerSample();
+    }
+}
+
 StoredType DicomPixelFormat::greyType() const {
     if (model == ColourModel::palette) return StoredType::uint8;
     if (bitsAllocated == 8) return isSigned ? StoredType::int8 : StoredType::uint8;
@@ -203,27 +227,6 @@ std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelForma
     return std::nullopt;
 }
 
-std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std::uint64_t held) {
-    constexpr const char* pixelData = "(7fe0,0010) Pixel Data";
-    if (held == 0) return PixelFormatProblem{pixelData, "is there but empty"};
-    const auto needed = checkedProduct(format.storedFrameBytes(), format.frames);
-    const auto holds = [&] {
-        return fmt::format("holds {} bytes where {} x {} pixels in {} frame(s) need {}", held, format.columns,
-                           format.rows, format.frames, needed ? std::to_string(*needed) : "more than can be counted");
-    };
-    // DICOM counts in 32 bits, so no file holds more.
-    if (!needed || static_cast<std::uint64_t>(*needed) > held || *needed > 0xfffffffeLL)
-        return PixelFormatProblem{pixelData, holds()};
-    const std::uint64_t left = held - static_cast<std::uint64_t>(*needed);
-    // Some writers pad the end. More bytes mean that the number of rows, columns or frames is false.
-    if (left > static_cast<std::uint64_t>(std::max<std::int64_t>(1, format.storedFrameBytes() / 32)))
-        return PixelFormatProblem{pixelData, holds() + ", so that it cannot be told what the picture's size is"};
-    if (left > 1)
-        format.notes.push_back(
-            fmt::format("The last {} bytes of (7fe0,0010) Pixel Data belong to no pixel; they were left out.", left));
-    return std::nullopt;
-}
-
 void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span<std::uint8_t> out) {
     const SampleReader sample(format, frame);
     const auto pixels = static_cast<std::size_t>(format.pixels());
@@ -233,7 +236,8 @@ void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span
     const int high =
         static_cast<int>(format.isSigned ? (1 << (format.bitsStored - 1)) - 1 : (1 << format.bitsStored) - 1);
     const bool wide = bytesOf(format.greyType()) == 2;
-    const ColourModel model = frame.lumaFirst && format.samples == 3 ? ColourModel::lumaFirst : format.model;
+    const ColourModel model = frame.model.value_or(format.model);
+    const bool stretched = frame.narrowRange && format.bitsStored == 8 && !format.isSigned;
     for (std::size_t i = 0; i < pixels; ++i) {
         int value = 0;
         switch (model) {
@@ -249,7 +253,10 @@ void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span
                 value = static_cast<int>(std::lround(0.299 * sample.at(i * step) + 0.587 * sample.at(i * step + plane) +
                                                      0.114 * sample.at(i * step + 2 * plane)));
                 break;
-            case ColourModel::lumaFirst: value = sample.at(frame.halved ? i / 2 * 4 + i % 2 : i * step); break;
+            case ColourModel::lumaFirst:
+                value = sample.at(lumaIndex(format, frame, i));
+                if (stretched) value = std::clamp(((value - 16) * 255 + 109) / 219, 0, 255);
+                break;
         }
         if (wide) {
             const auto word = static_cast<std::uint16_t>(value);

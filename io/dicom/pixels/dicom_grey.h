@@ -16,6 +16,13 @@ namespace echolucent {
 
 enum class ColourModel { monochrome1, monochrome2, palette, rgb, lumaFirst };
 
+/// How uncompressed samples of a frame follow each other.
+enum class NativeLayout {
+    full,        ///< all samples of each pixel, or planes
+    halved,      ///< 4:2:2: Y Y Cb Cr stand for two pixels, and the next two follow, also across the end of a row
+    halvedRows,  ///< 4:2:2, where each row of an odd number of pixels ends with a pair of which one is not shown
+};
+
 /// The description of a data set's pixels.
 struct DicomPixelFormat {
     std::int64_t rows = 0;
@@ -26,8 +33,9 @@ struct DicomPixelFormat {
     int bitsStored = 8;
     int highBit = 7;
     bool isSigned = false;
-    bool planar = false;  ///< samples plane by plane instead of pixel by pixel
-    bool halved = false;  ///< uncompressed 4:2:2, where Y Y Cb Cr stand for two pixels
+    bool planar = false;                       ///< samples plane by plane instead of pixel by pixel
+    NativeLayout layout = NativeLayout::full;  ///< of uncompressed pixels
+    bool narrowRange = false;                  ///< whether uncompressed luma runs from 16 to 235 (YBR_PARTIAL_...)
     ColourModel model = ColourModel::monochrome2;
     std::string photometric;
     DicomPalette palette;            ///< of PALETTE COLOR
@@ -35,8 +43,8 @@ struct DicomPixelFormat {
 
     [[nodiscard]] std::int64_t pixels() const { return rows * columns; }
     [[nodiscard]] int bytesPerSample() const { return bitsAllocated / 8; }
-    /// Bytes of one frame as DCMTK or the file holds it uncompressed; in 4:2:2 there are two samples a pixel.
-    [[nodiscard]] std::int64_t storedFrameBytes() const { return pixels() * bytesPerSample() * (halved ? 2 : samples); }
+    /// Bytes of one frame as the file holds it uncompressed in `layout`; in 4:2:2 there are two samples a pixel.
+    [[nodiscard]] std::int64_t storedFrameBytes() const;
     [[nodiscard]] StoredType greyType() const;
     /// The smallest and the largest grey value that the stored bits can hold; 0 and 255 with a palette.
     [[nodiscard]] double smallestValue() const;
@@ -50,16 +58,13 @@ struct PixelFormatProblem {
 /// Reads the description of the pixels in a data set into `format`. Gives what is wrong, or no value.
 [[nodiscard]] std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelFormat& format);
 
-/// What is wrong if `held` bytes of uncompressed pixels are too few for `format`, or too many; else no value. Left over
-/// may be up to a 32nd of a frame, at least one byte. If more than one byte is left over, a note is added to `format`.
-[[nodiscard]] std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std::uint64_t held);
-
 struct DecodedFrame {
     std::vector<std::uint8_t> bytes;  ///< samples in this machine's byte order
     bool planar = false;
-    bool halved = false;
-    bool rightAligned = false;  ///< the decoder removed unused low bits
-    bool lumaFirst = false;     ///< the first sample is luma, whatever the data set says
+    NativeLayout layout = NativeLayout::full;
+    bool rightAligned = false;           ///< the decoder removed unused low bits
+    bool narrowRange = false;            ///< as in DicomPixelFormat
+    std::optional<ColourModel> model{};  ///< as the codestream says; else that of the data set
 };
 
 /// Writes the grey values of `frame`, of type format.greyType(), into `out`, which holds format.pixels() of them.

@@ -108,33 +108,56 @@ constexpr std::array<Colour, 3> colours{Colour{{0x0028, 0x1101}, {0x0028, 0x1201
                                         Colour{{0x0028, 0x1102}, {0x0028, 0x1202}, {0x0028, 0x1222}},
                                         Colour{{0x0028, 0x1103}, {0x0028, 0x1203}, {0x0028, 0x1223}}};
 
-/// One colour's entries as 8-bit values; empty if `problem` says why there are none.
-std::vector<std::uint8_t> entriesOf(DcmItem& item, const Colour& colour, std::string& problem) {
-    const auto descriptor = dicomNumbers(item, colour.descriptor, 3);
+/// The entries of one colour.
+struct Entries {
+    std::vector<std::uint16_t> values;
+    bool packed = false;  ///< whether a word held two of them, so that each has 8 bits
+};
+
+/// The three numbers of a descriptor; empty if they are not there. The number of entries has 16 bits without a sign,
+/// although DICOM lets it be stored with one beside signed pixels.
+std::vector<double> descriptorOf(DcmItem& item, const Colour& colour) {
+    auto descriptor = dicomNumbers(item, colour.descriptor, 3);
+    if (!descriptor.empty() && descriptor[0] < 0) descriptor[0] += 65536;
+    return descriptor;
+}
+
+/// One colour's entries; none if `problem` says why.
+Entries entriesOf(DcmItem& item, const Colour& colour, std::string& problem) {
+    const auto descriptor = descriptorOf(item, colour);
     const bool segmented = !dicomHas(item, colour.plain) && dicomHas(item, colour.segmented);
-    auto words = dicomWords(item, segmented ? colour.segmented : colour.plain);
+    Entries entries{dicomWords(item, segmented ? colour.segmented : colour.plain)};
     problem = "is missing or too short";
-    if (descriptor.empty() || words.empty() || descriptor[0] < 0) return {};
+    if (descriptor.empty() || entries.values.empty() || descriptor[0] < 0) return {};
     const std::size_t count =
         descriptor[0] == 0 ? mostEntries : static_cast<std::size_t>(std::min<double>(descriptor[0], mostEntries));
     if (segmented) {
-        const bool bytes = descriptor[2] == 8;
-        auto expanded = expandSegments(bytes ? splitWords(words) : words, bytes, count);
+        entries.packed = descriptor[2] == 8;
+        auto expanded =
+            expandSegments(entries.packed ? splitWords(entries.values) : entries.values, entries.packed, count);
         problem = "is stored in segments that do not give its " + std::to_string(count) + " entries";
         if (!expanded) return {};
-        words = std::move(*expanded);
-    } else if (words.size() < count) {
-        words = splitWords(words);
+        entries.values = std::move(*expanded);
+    } else if (entries.values.size() < count) {
+        entries = {splitWords(entries.values), true};
     }
-    if (words.size() < count) return {};
+    if (entries.values.size() < count) return {};
     problem.clear();
-    // Some programs declare 16 bits and store 8.
-    const bool high = std::any_of(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count),
-                                  [](std::uint16_t word) { return word > 255; });
-    std::vector<std::uint8_t> entries(count);
-    std::transform(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count), entries.begin(),
-                   [high](std::uint16_t word) { return static_cast<std::uint8_t>(high ? word >> 8 : word); });
+    entries.values.resize(count);
     return entries;
+}
+
+/// By how many bits words are shifted to have 8 bits. Some programs declare 16 bits and store 8, in the lower or in the
+/// upper byte, others store what they declare. A single dark colour must not be taken for one of 8 bits, so all three
+/// are asked.
+int shiftOf(const std::array<Entries, 3>& entries, double declaredBits) {
+    std::uint16_t largest = 0;
+    for (const Entries& one : entries)
+        if (!one.packed) largest = std::max(largest, *std::max_element(one.values.begin(), one.values.end()));
+    if (largest <= 255) return 0;
+    for (int bits = 9; bits < 16; ++bits)
+        if (declaredBits == bits && largest < 1 << bits) return bits - 8;
+    return 8;
 }
 
 std::uint8_t lumaOf(double red, double green, double blue) {
@@ -150,21 +173,41 @@ std::optional<std::vector<std::uint16_t>> expandSegments(std::span<const std::ui
     return segments.takeEntries();
 }
 
-std::string readPalette(DcmItem& item, DicomPalette& palette) {
-    std::array<std::vector<std::uint8_t>, 3> entries;
+std::string readPalette(DcmItem& item, bool isSigned, DicomPalette& palette) {
+    std::array<Entries, 3> entries;
     std::string problem;
     for (std::size_t i = 0; i < colours.size(); ++i) {
         entries[i] = entriesOf(item, colours[i], problem);
         if (!problem.empty()) return problem;
     }
     const auto& [red, green, blue] = entries;
-    if (green.size() != red.size() || blue.size() != red.size()) return "has colours of different lengths";
+    const std::size_t count = red.values.size();
+    if (green.values.size() != count || blue.values.size() != count) return "has colours of different lengths";
     palette.segmented = !dicomHas(item, colours[0].plain);
-    palette.first =
-        static_cast<std::int64_t>(std::clamp(dicomNumbers(item, colours[0].descriptor, 3)[1], -65536.0, 65536.0));
-    palette.luma.resize(red.size());
-    for (std::size_t i = 0; i < red.size(); ++i) palette.luma[i] = lumaOf(red[i], green[i], blue[i]);
+    const auto descriptor = descriptorOf(item, colours[0]);
+    const bool wraps = isSigned ? descriptor[1] > 32767 : descriptor[1] < 0;
+    const double first = descriptor[1] + (wraps ? (isSigned ? -65536 : 65536) : 0);
+    palette.first = static_cast<std::int64_t>(std::clamp(first, -65536.0, 65536.0));
+    const int shift = shiftOf(entries, descriptor[2]);
+    const bool allPacked = red.packed && green.packed && blue.packed;
+    if (shift == 0 && !allPacked && descriptor[2] > 8)
+        palette.notes.push_back("The palette declares " + std::to_string(static_cast<int>(descriptor[2])) +
+                                " bits, but none of its colours exceeds 255: they were taken as 8 bits.");
+    const auto valueOf = [&](const Entries& one, std::size_t i) {
+        return static_cast<double>(one.packed ? one.values[i] : one.values[i] >> shift);
+    };
+    palette.luma.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        palette.luma[i] = lumaOf(valueOf(red, i), valueOf(green, i), valueOf(blue, i));
     return {};
+}
+
+std::string supplementalPalette(DcmItem& item) {
+    if (!dicomHas(item, colours[0].plain) && !dicomHas(item, colours[0].segmented)) return {};
+    const auto descriptor = dicomNumbers(item, colours[0].descriptor, 3);
+    if (descriptor.empty()) return {};
+    return "A supplemental palette gives colours to the pixels from " +
+           std::to_string(static_cast<std::int64_t>(descriptor[1])) + " on; they are shown as grey values.";
 }
 
 }  // namespace echolucent

@@ -17,10 +17,16 @@ struct DicomPalette {
     std::vector<std::uint8_t> luma;  ///< luma of each entry (ITU-R BT.601)
     std::int64_t first = 0;          ///< the pixel value of the first entry
     bool segmented = false;          ///< whether it was stored as segments
+    std::vector<std::string> notes;  ///< sentences on what was assumed
 };
 
-/// Reads the palette of a data set into `palette`. Gives an empty text, or says what is wrong, as in Failure::problem.
-[[nodiscard]] std::string readPalette(DcmItem& item, DicomPalette& palette);
+/// Reads the palette of a data set into `palette`. Whether its entries hold 8, 16 or some bits between is decided once
+/// for all three colours. `isSigned` tells whether pixels are signed, as the pixel value of the first entry then is.
+/// Gives an empty text, or says what is wrong, as in Failure::problem.
+[[nodiscard]] std::string readPalette(DcmItem& item, bool isSigned, DicomPalette& palette);
+
+/// A note if pixels that are grey by name have the palette of some colours beside it; else an empty text.
+[[nodiscard]] std::string supplementalPalette(DcmItem& item);
 
 /// The `count` entries of a segmented palette (PS3.3 C.7.9.2): discrete segments, straight lines and copies of earlier
 /// segments. Each element of `data` is one number of the palette: a word of 16 bits, or a byte if entries have 8 bits

@@ -16,6 +16,7 @@
 #include "io/dicom/pixels/dicom_grey.h"
 #include "io/dicom/pixels/dicom_rescale.h"
 #include "io/dicom/pixels/dicom_window.h"
+#include "io/dicom/pixels/native_pixels.h"
 #include "io/dicom/pixels/pixel_statements.h"
 #include "io/files/input_file.h"
 #include "io/files/input_problems.h"
@@ -202,7 +203,8 @@ Result<void> DicomFrames::State::checkFrame(std::int64_t index) const {
 }
 
 Result<void> DicomFrames::State::decodeNative(std::int64_t index, DecodedFrame& frame) {
-    frame.halved = format.halved;
+    frame.layout = format.layout;
+    frame.narrowRange = format.narrowRange;
     frame.planar = format.planar;
     const std::int64_t bytes = format.storedFrameBytes();
     frame.bytes.resize(static_cast<std::size_t>(bytes));

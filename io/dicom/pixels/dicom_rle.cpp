@@ -35,6 +35,14 @@ std::string rleTooShort(std::size_t bytes, std::size_t pixels, int samples, int 
     return fmt::format("has an RLE frame of {} bytes for {} pixels, which cannot be", bytes, pixels);
 }
 
+int rleBytesPerSample(std::span<const std::uint8_t> data, int samples, int bytesPerSample) {
+    if (data.size() < 64) return bytesPerSample;
+    const std::uint32_t segments = littleEndian32(data);
+    for (const int bytes : {1, 2})
+        if (segments == static_cast<std::uint32_t>(samples * bytes)) return bytes;
+    return bytesPerSample;
+}
+
 std::string decodeRle(std::span<const std::uint8_t> data, std::size_t pixels, int samples, int bytesPerSample,
                       std::span<std::uint8_t> out) {
     if (data.size() < 64) return fmt::format("has an RLE frame of {} bytes, shorter than its header", data.size());

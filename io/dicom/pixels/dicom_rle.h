@@ -12,6 +12,10 @@ namespace echolucent {
 /// empty text, or says what is wrong.
 [[nodiscard]] std::string rleTooShort(std::size_t bytes, std::size_t pixels, int samples, int bytesPerSample);
 
+/// The bytes of each sample that the header of an RLE frame declares by its number of segments: `bytesPerSample`, or 1
+/// or 2 if that many belong to it. `data` may be shorter than a header.
+[[nodiscard]] int rleBytesPerSample(std::span<const std::uint8_t> data, int samples, int bytesPerSample);
+
 /// Decodes one frame into planes, sample after sample, each value in little-endian order. Gives an empty text, or says
 /// what is wrong with the data. out.size() must be pixels * samples * bytesPerSample.
 [[nodiscard]] std::string decodeRle(std::span<const std::uint8_t> data, std::size_t pixels, int samples,

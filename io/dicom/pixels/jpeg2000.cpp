@@ -75,6 +75,7 @@ std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Fra
     const auto sealed = sealCodestream(data, expected);
     if (!sealed) return sealed.error();
     samples.isSigned = sealed->isSigned;
+    samples.bits = sealed->bits;
     // The sealed codestream shows missing packets; only its smallest image is decoded. The codestream as it is shows
     // data missing within a packet.
     const bool allPackets = decoded(sealed->bytes, sealed->isJp2, sealed->levels) != nullptr;
@@ -83,10 +84,13 @@ std::string decodeJpeg2000(std::span<const std::uint8_t> data, const Jpeg2000Fra
         return "has a JPEG 2000 frame of which a part is missing or damaged";
 
     const std::size_t pixels = std::size_t{expected.columns} * expected.rows;
-    samples.lumaFirst = image->color_space == OPJ_CLRSPC_SYCC;
-    const std::uint32_t planes = samples.lumaFirst ? 1 : expected.samples;
+    samples.colours = {};
+    if (sealed->transformsColours)
+        samples.colours = {StreamColours::Kind::rgb, "its component transform"};
+    else if (expected.samples == 3 && image->color_space == OPJ_CLRSPC_SYCC)
+        samples.colours = {StreamColours::Kind::lumaFirst, "the colour space of its .jp2"};
     samples.values.clear();
-    for (std::uint32_t plane = 0; plane < planes; ++plane) {
+    for (std::uint32_t plane = 0; plane < expected.samples; ++plane) {
         const opj_image_comp_t& component = image->comps[plane];
         if (component.data == nullptr || component.w != expected.columns || component.h != expected.rows)
             return "has a JPEG 2000 frame with subsampled or missing planes";

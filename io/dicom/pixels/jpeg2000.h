@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "io/dicom/pixels/jpeg2000_codestream.h"
+#include "io/dicom/pixels/stream_colours.h"
 
 namespace echolucent {
 
 /// The decoded samples of one frame.
 struct Jpeg2000Samples {
     std::vector<std::int32_t> values;  ///< in planes, sample after sample
-    bool lumaFirst = false;            ///< whether the first plane is luma; `values` then holds only this one
     bool isSigned = false;             ///< whether the codestream declares signed values of any sample
+    int bits = 0;                      ///< that the codestream declares of the sample that has most
+    StreamColours colours{};           ///< of three samples: as decoded
 };
 
 /// Decodes a codestream or .jp2. Gives an empty text, or says what is wrong: what sealCodestream() finds, or that

@@ -88,6 +88,8 @@ public:
         return out;
     }
     [[nodiscard]] bool isSigned() const { return m_signed; }
+    [[nodiscard]] int bits() const { return m_bits; }
+    [[nodiscard]] bool transformsColours() const { return m_transformsColours; }
     [[nodiscard]] unsigned levels() const { return m_levels; }
 
 private:
@@ -152,6 +154,7 @@ private:
                                    m_expected.bitsAllocated);
             if (component[1] != 1 || component[2] != 1)
                 return "has a JPEG 2000 frame with subsampled or missing planes";
+            m_bits = std::max(m_bits, bits);
             m_signed = m_signed || (component[0] & 0x80) != 0;
         }
         m_tilesAcross = (std::uint64_t{right} - tileLeft + tileWidth - 1) / tileWidth;
@@ -166,6 +169,7 @@ private:
     Problem readCoding(Bytes segment) {
         if (segment.size() < 10) return damagedHeader;
         m_layers = std::max<std::uint64_t>(number(segment, 2, 2), 1);
+        m_transformsColours = segment[4] != 0 && m_expected.samples == 3;
         return readBlocks(segment, 5, (segment[0] & 1) != 0);
     }
 
@@ -237,6 +241,8 @@ private:
     Bytes m_data;
     const Jpeg2000Frame& m_expected;
     bool m_signed = false;
+    bool m_transformsColours = false;
+    int m_bits = 0;
     unsigned m_levels = 32;
     std::uint64_t m_tilesAcross = 0, m_tilesDown = 0, m_layers = 1;
     std::size_t m_tiles = 0;
@@ -281,6 +287,8 @@ tl::expected<SealedCodestream, std::string> sealCodestream(Bytes data, const Jpe
     CodestreamWalk walk(codestream, expected);
     if (auto problem = walk.walk()) return tl::unexpected(*std::move(problem));
     sealed.isSigned = walk.isSigned();
+    sealed.bits = walk.bits();
+    sealed.transformsColours = walk.transformsColours();
     sealed.levels = walk.levels();
     if (sealed.isJp2) {
         append(sealed.bytes, data.first(box));

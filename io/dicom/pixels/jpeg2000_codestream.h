@@ -25,6 +25,9 @@ struct SealedCodestream {
     unsigned levels = 0;    ///< how often all samples of all tiles can be halved in size
     bool isJp2 = false;     ///< whether the codestream stands in the boxes of a .jp2
     bool isSigned = false;  ///< whether any sample is signed
+    int bits = 0;           ///< of the sample that has most
+    /// Whether the decoder turns three samples of another colour space into red, green and blue.
+    bool transformsColours = false;
 };
 
 /// Walks the markers of one frame, a codestream or .jp2, compares them with `expected`, bounds the cost of decoding,

@@ -8,18 +8,21 @@ namespace echolucent {
 namespace {
 
 template <typename T>
-std::size_t limit(const DicomPixelFormat& format, std::span<std::uint8_t> samples) {
+std::size_t limit(const DicomPixelFormat& format, std::span<std::uint8_t> samples, int codedBits) {
     const int bits = format.bitsStored;
     const unsigned largest = (1U << bits) - 1;
     const unsigned sign = format.isSigned ? 1U << (bits - 1) : 0;
     const unsigned above = (1U << format.bitsAllocated) - 1 - largest;
+    const unsigned codedSign = 1U << (std::clamp(codedBits, bits, format.bitsAllocated) - 1);
+    const unsigned codedAbove = above & (2 * codedSign - 1);
     std::size_t limited = 0;
     for (std::size_t at = 0; at + sizeof(T) <= samples.size(); at += sizeof(T)) {
         T sample{};
         std::memcpy(&sample, samples.data() + at, sizeof(T));
-        const bool repeatsSign = (sample & sign) != 0 && (sample & above) == above;
+        const bool repeatsSign = (sample & sign) != 0 && (sample & codedAbove) == codedAbove;
         if ((sample & above) == 0 || repeatsSign) continue;
-        sample = static_cast<T>(largest);
+        const bool negative = (sample & codedSign) != 0;
+        sample = static_cast<T>(sign == 0 ? largest : negative ? sign : sign - 1);
         std::memcpy(samples.data() + at, &sample, sizeof(T));
         ++limited;
     }
@@ -41,9 +44,10 @@ std::size_t store(const Jpeg2000Samples& samples, std::int32_t low, std::int32_t
 
 }  // namespace
 
-std::size_t limitToStoredBits(const DicomPixelFormat& format, std::span<std::uint8_t> samples) {
+std::size_t limitToStoredBits(const DicomPixelFormat& format, std::span<std::uint8_t> samples, int codedBits) {
     if (format.bitsStored == format.bitsAllocated) return 0;
-    return format.bytesPerSample() == 2 ? limit<std::uint16_t>(format, samples) : limit<std::uint8_t>(format, samples);
+    return format.bytesPerSample() == 2 ? limit<std::uint16_t>(format, samples, codedBits)
+                                        : limit<std::uint8_t>(format, samples, codedBits);
 }
 
 std::size_t storeLimited(const DicomPixelFormat& format, const Jpeg2000Samples& samples,

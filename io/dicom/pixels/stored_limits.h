@@ -11,10 +11,10 @@
 
 namespace echolucent {
 
-/// Limits right-aligned samples of format.bytesPerSample() bytes each, in this machine's byte order. In a sample beyond
-/// the stored bits of `format`, all stored bits become 1: the largest value of unsigned pixels, but -1 of signed ones.
-/// Samples whose upper bits repeat the sign fit. Returns how many did not fit.
-std::size_t limitToStoredBits(const DicomPixelFormat& format, std::span<std::uint8_t> samples);
+/// Limits right-aligned samples of format.bytesPerSample() bytes each, in this machine's byte order. `codedBits` is
+/// what the codestream declares of a sample; more bits above that repeat the sign or are 0. A sample beyond the stored
+/// bits of `format` becomes the nearest value that they can hold. Returns how many did not fit.
+std::size_t limitToStoredBits(const DicomPixelFormat& format, std::span<std::uint8_t> samples, int codedBits);
 
 /// Writes decoded JPEG 2000 values into `out`, in the form that limitToStoredBits() takes. A value beyond the stored
 /// bits becomes the nearest that they can hold; so does a negative value of unsigned pixels. The bits of an unsigned

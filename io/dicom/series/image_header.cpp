@@ -13,6 +13,7 @@
 #include "io/dicom/frames/picture_scale.h"
 #include "io/dicom/pixels/dicom_grey.h"
 #include "io/dicom/pixels/dicom_rescale.h"
+#include "io/dicom/pixels/native_pixels.h"
 #include "io/dicom/series/series_description.h"
 #include "io/dicom/volumes/philips_volume.h"
 #include "io/files/header_text.h"

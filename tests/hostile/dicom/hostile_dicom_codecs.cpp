@@ -62,9 +62,11 @@ void addJpeg(std::vector<HostileFile>& rows, const std::string& name, const std:
         {"two frame headers", "(frame 1)"});
     CineShape wide;
     wide.bitsAllocated = wide.bitsStored = 16;
-    add("of-8-bits-in-16", {good, good}, {"JPEG frame of 8 bits where 16 are allocated"}, wide);
+    add("of-8-bits-in-16", {good, good}, {"frames hold 8 bits where (0028,0101) Bits Stored says"}, wide,
+        HostileOutcome::opensWithNote);
     wide.bitsStored = 12;
-    add("of-8-bits-in-12-of-16", {good, good}, {"JPEG frame of 8 bits where 16 are allocated"}, wide);
+    add("of-8-bits-in-12-of-16", {good, good}, {"frames hold 8 bits where (0028,0101) Bits Stored says"}, wide,
+        HostileOutcome::opensWithNote);
     CineShape large;
     large.columns = large.rows = 65535;
     const std::string edges = big(65535, 2) + big(65535, 2);

@@ -38,12 +38,16 @@ void addRle(std::vector<HostileFile>& rows) {
         {.columns = 4000, .rows = 4000, .frames = 500});
     add("cut-to-half", {good, good.substr(0, good.size() / 4 * 2)}, {"RLE frame that ends after", "(frame 2)"});
     add("of-10-bytes", {good, std::string(10, 'a')}, {"RLE frame of 10 bytes, shorter than its header (frame 2)"});
-    add("of-two-segments", {good, "\2" + good.substr(1)}, {"RLE frame of 2 segments where 1"});
+    add("of-two-segments-but-one", {good, "\2" + good.substr(1)}, {"RLE frame with wrong segment offsets"});
+    add("of-three-segments", {good, "\3" + good.substr(1)}, {"RLE frame of 3 segments where 1"});
     add("segment-beyond-its-end", {good, good.substr(0, 4) + "\xff\xff\xff\x7f" + good.substr(8)},
         {"wrong segment offsets"});
     add("segment-in-its-header", {good, good.substr(0, 4) + std::string("\1\0\0\0", 4) + good.substr(8)},
         {"wrong segment offsets"});
-    add("of-8-bits-in-16", {good, good}, {"RLE frame of"}, {.bitsAllocated = 16, .bitsStored = 16});
+    add("of-8-bits-in-16", {good, good}, {"RLE frames hold 8 bits"}, {.bitsAllocated = 16, .bitsStored = 16},
+        HostileOutcome::opensWithNote);
+    add("of-8-bits-in-16-cut", {good, good.substr(0, good.size() / 4 * 2)}, {"RLE frame that ends after", "(frame 2)"},
+        {.bitsAllocated = 16, .bitsStored = 16});
     add("a-frame-missing", {good}, {"holds 1 fragments where 2 frames need"});
     add("more-frames-than-declared", {good, good, good}, {"3 fragments for 2 frames"});
     add("no-fragment-at-all", {}, {"holds 0 fragments where 2"});
@@ -133,6 +137,16 @@ void addColours(std::vector<HostileFile>& rows) {
     add("planar-9", colour(3, "RGB", 9), {"(0028,0006) Planar Configuration is 9"});
     add("samples-2", colour(2, "RGB", 0), {"(0028,0002) Samples per Pixel is 2"});
     add("samples-65535", colour(65535, "RGB", 0), {"(0028,0002) Samples per Pixel is 65535"});
+    // 4:4:4 of two frames has 24 bytes, 4:2:2 has 16.
+    add("ybr-422-of-444", colour(3, "YBR_FULL_422", 0), {"has the length of 4:4:4"}, HostileOutcome::opensWithNote);
+    add("ybr-422-of-planes", colour(3, "YBR_FULL_422", 1), {"has the length of 4:4:4"}, HostileOutcome::opensWithNote);
+    DicomBytes wide = DicomBytes().word(0x0028, 0x0002, 3).text(0x0028, 0x0004, "CS", "YBR_FULL_422");
+    wide.word(0x0028, 0x0006, 0)
+        .text(0x0028, 0x0008, "IS", "2")
+        .word(0x0028, 0x0010, 65535)
+        .word(0x0028, 0x0011, 65535);
+    wide.word(0x0028, 0x0100, 16).word(0x0028, 0x0101, 16).word(0x0028, 0x0102, 15).word(0x0028, 0x0103, 0);
+    add("ybr-422-of-65535-odd-rows", wide, {"need 343586"});
     add("grey-of-3-samples", colour(3, "MONOCHROME2", 0), {"Samples per Pixel is 3 where MONOCHROME2 needs 1"});
     add("unknown-colours", colour(3, "CMYK", 0), {"(0028,0004) Photometric Interpretation is \"CMYK\""});
     const auto palette = [](const std::vector<std::uint16_t>& descriptor, std::size_t bytes) {
@@ -148,6 +162,8 @@ void addColours(std::vector<HostileFile>& rows) {
     add("palette-without-entries", palette({256, 0, 16}, 0), tooShort);
     add("palette-of-two-numbers", palette({256, 0}, 512), tooShort);
     add("palette-without-a-descriptor", palette({}, 512), tooShort);
+    add("palette-of-minus-1-entries", palette({65535, 0, 16}, 512), tooShort);
+    add("palette-of-999-bits", palette({4, 0, 999}, 8), {"damaged"}, HostileOutcome::opens);
     add("palette-longer-than-it-says", palette({4, 0, 16}, 512), {"damaged"}, HostileOutcome::opens);
     add("palette-that-begins-at-65535", palette({4, 65535, 16}, 8), {"damaged"}, HostileOutcome::opens);
 }
@@ -168,6 +184,29 @@ void addRescales(std::vector<HostileFile>& rows) {
     }
 }
 
+/// Frames of one pixel with vectors of nuclear medicine of these numbers.
+void addVectors(std::vector<HostileFile>& rows) {
+    const auto add = [&](const std::string& name, std::uint16_t frames, const std::vector<std::uint16_t>& slots,
+                         const std::vector<std::uint16_t>& slices, const std::vector<std::string>& words,
+                         HostileOutcome outcome = HostileOutcome::refused) {
+        DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").picture(1, 1, frames);
+        file.text(0x0028, 0x0030, "DS", "1\\1").put(0x0054, 0x0070, "US", bytesFrom(slots));
+        file.put(0x0054, 0x0080, "US", bytesFrom(slices)).put(0x7fe0, 0x0010, "OB", std::string(frames, 'a'));
+        rows.push_back(hostileFile("dicom-pixels/vectors-" + name, "a.dcm", file.file(cineClass), words, outcome));
+    };
+    add("of-two-times", 4, {1, 65535, 1, 65535}, {7, 7, 8, 8}, {"damaged"}, HostileOutcome::opens);
+    add("of-too-few-numbers", 4, {1, 2, 1}, {1, 1, 2, 2}, {"Time Slot Vector is not one number for each of 4 frames"});
+    add("of-no-numbers", 4, {}, {}, {"is not one number for each of 4 frames"});
+    add("with-a-slice-twice", 4, {1, 2, 1, 2}, {1, 1, 1, 2}, {"puts frames 1 and 3 at one place and time"});
+    add("far-apart", 4, {1, 2, 1, 2}, {0, 0, 65535, 65535}, {"counts 2 slices from 0 to 65535"});
+    std::vector<std::uint16_t> slots, slices;
+    for (std::uint16_t i = 0; i < 10000; ++i) {
+        slots.push_back(i / 2);
+        slices.push_back(i % 2);
+    }
+    add("of-5000-phases", 10000, slots, slices, {"makes 5000 phases, and no more than 4096"});
+}
+
 }  // namespace
 
 std::vector<HostileFile> hostileDicomPixels() {
@@ -177,6 +216,7 @@ std::vector<HostileFile> hostileDicomPixels() {
     addNative(rows);
     addColours(rows);
     addRescales(rows);
+    addVectors(rows);
     return rows;
 }
 

@@ -1,12 +1,5 @@
 #include "written_codestreams.h"
 
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcpixel.h>
-#include <dcmtk/dcmdata/dcpixseq.h>
-#include <dcmtk/dcmdata/dcpxitem.h>
-#include <dcmtk/dcmdata/dctk.h>
-
-#include <stdexcept>
 #include <utility>
 
 #include "temporary_folder.h"
@@ -14,44 +7,28 @@
 namespace echolucent {
 
 std::string writtenCodestream(const std::string& syntax, int bits) {
-    const TemporaryFolder folder;
-    const std::string path = folder.file("a");
     std::vector<std::uint8_t> pixels;
     std::uint32_t noise = 1;
     for (int i = 0; i < pictureEdge * pictureEdge; ++i) {
         noise = noise * 1664525U + 1013904223U;
         pixels.push_back(static_cast<std::uint8_t>(i < 256 ? i : noise >> 25U));
     }
-    if (syntax == jpeg2000Syntax) {
-        writeJpeg2000Dicom(path, pictureEdge, pictureEdge, pixels);
-    } else {
-        TestImage image;
-        image.columns = image.rows = pictureEdge;
-        image.bitsAllocated = bits > 8 ? 16 : 8;
-        image.bitsStored = bits;
-        if (bits > 8)
-            for (const std::uint8_t pixel : pixels)
-                image.pixels16.push_back(static_cast<std::uint16_t>(pixel << (bits - 8)));
-        else
-            image.pixels8 = pixels;
-        writeDicom(path, image,
-                   syntax == jpegLsSyntax ? TestSyntax::jpegLs
-                   : syntax == rleSyntax  ? TestSyntax::rle
-                   : syntax == jpegSyntax ? TestSyntax::jpegBaseline
-                                          : TestSyntax::jpegLossless);
-    }
-    DcmFileFormat file;
-    DcmElement* element = nullptr;
-    DcmPixelSequence* sequence = nullptr;
-    DcmPixelItem* item = nullptr;
-    Uint8* bytes = nullptr;
-    if (file.loadFile(path.c_str()).bad() || file.getDataset()->findAndGetElement(DCM_PixelData, element).bad() ||
-        static_cast<DcmPixelData*>(element)
-            ->getEncapsulatedRepresentation(file.getDataset()->getOriginalXfer(), nullptr, sequence)
-            .bad() ||
-        sequence->getItem(item, 1).bad() || item->getUint8Array(bytes).bad())
-        throw std::runtime_error("a codestream could not be written");
-    return {reinterpret_cast<const char*>(bytes), item->getLength()};
+    if (syntax == jpeg2000Syntax)
+        return codedJpeg2000(
+            {.columns = pictureEdge, .rows = pictureEdge, .planes = {std::vector<int>(pixels.begin(), pixels.end())}});
+    TestImage image;
+    image.columns = image.rows = pictureEdge;
+    image.bitsAllocated = bits > 8 ? 16 : 8;
+    image.bitsStored = bits;
+    if (bits > 8)
+        for (const std::uint8_t pixel : pixels)
+            image.pixels16.push_back(static_cast<std::uint16_t>(pixel << (bits - 8)));
+    else
+        image.pixels8 = pixels;
+    return codedFrame(image, syntax == jpegLsSyntax ? TestSyntax::jpegLs
+                             : syntax == rleSyntax  ? TestSyntax::rle
+                             : syntax == jpegSyntax ? TestSyntax::jpegBaseline
+                                                    : TestSyntax::jpegLossless);
 }
 
 DicomBytes describedCine(const CineShape& shape) {

@@ -8,6 +8,8 @@
 #include <dcmtk/dcmdata/dcrlerp.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmimage/diregist.h>  // lets the JPEG encoder see colour
+#include <dcmtk/dcmjpeg/djcparam.h>
+#include <dcmtk/dcmjpeg/djeijg8.h>
 #include <dcmtk/dcmjpeg/djencode.h>
 #include <dcmtk/dcmjpeg/djrplol.h>
 #include <dcmtk/dcmjpeg/djrploss.h>
@@ -17,6 +19,7 @@
 #include <fmt/ranges.h>
 #include <openjpeg.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +27,7 @@
 #include <stdexcept>
 
 #include "dcmtk_conditions.h"
+#include "temporary_folder.h"
 
 namespace echolucent {
 
@@ -225,23 +229,26 @@ std::string nestedDicom(int depth, bool implicitVr) {
     return bytes;
 }
 
-namespace {
-
-std::vector<Uint8> jpeg2000Of(int columns, int rows, const std::vector<std::uint8_t>& pixels) {
+std::string codedJpeg2000(const TestPlanes& frame) {
     opj_cparameters_t parameters;
     opj_set_default_encoder_parameters(&parameters);
     parameters.tcp_numlayers = 1;
     parameters.cp_disto_alloc = 1;
     parameters.numresolution = 1;
+    parameters.tcp_mct = frame.transform ? 1 : 0;
     opj_image_cmptparm_t component{};
     component.dx = component.dy = 1;
-    component.w = static_cast<OPJ_UINT32>(columns);
-    component.h = static_cast<OPJ_UINT32>(rows);
-    component.prec = 8;
-    opj_image_t* image = opj_image_create(1, &component, OPJ_CLRSPC_GRAY);
+    component.w = static_cast<OPJ_UINT32>(frame.columns);
+    component.h = static_cast<OPJ_UINT32>(frame.rows);
+    component.prec = static_cast<OPJ_UINT32>(frame.bits);
+    component.sgnd = frame.isSigned ? 1 : 0;
+    std::vector<opj_image_cmptparm_t> components(frame.planes.size(), component);
+    opj_image_t* image = opj_image_create(static_cast<OPJ_UINT32>(components.size()), components.data(),
+                                          components.size() == 3 ? OPJ_CLRSPC_SRGB : OPJ_CLRSPC_GRAY);
     image->x1 = component.w;
     image->y1 = component.h;
-    for (std::size_t i = 0; i < pixels.size(); ++i) image->comps[0].data[i] = pixels[i];
+    for (std::size_t plane = 0; plane < components.size(); ++plane)
+        std::copy(frame.planes[plane].begin(), frame.planes[plane].end(), image->comps[plane].data);
     const std::string path =
         (std::filesystem::temp_directory_path() / fmt::format("echolucent-{}.j2k", getpid())).string();
     opj_codec_t* codec = opj_create_compress(OPJ_CODEC_J2K);
@@ -254,12 +261,42 @@ std::vector<Uint8> jpeg2000Of(int columns, int rows, const std::vector<std::uint
     opj_image_destroy(image);
     if (!done) throw std::runtime_error("JPEG 2000 encoding");
     std::ifstream file(path, std::ios::binary);
-    std::vector<Uint8> bytes((std::istreambuf_iterator<char>(file)), {});
+    std::string bytes((std::istreambuf_iterator<char>(file)), {});
     std::remove(path.c_str());
     return bytes;
 }
 
-}  // namespace
+std::string codedFullChroma(const TestImage& image) {
+    const DJCodecParameter parameters(ECC_lossyYCbCr, EDC_never, EUC_default, EPC_colorByPixel);
+    DJCompressIJG8Bit encoder(parameters, EJM_baseline, 95);
+    std::vector<Uint8> pixels = image.pixels8;
+    Uint8* coded = nullptr;
+    Uint32 length = 0;
+    require(encoder.encode(static_cast<Uint16>(image.columns), static_cast<Uint16>(image.rows), EPI_RGB, 3,
+                           pixels.data(), coded, length),
+            "JPEG encoding");
+    const std::string bytes(reinterpret_cast<const char*>(coded), length);
+    delete[] coded;
+    return bytes;
+}
+
+std::string codedFrame(const TestImage& image, TestSyntax syntax) {
+    const TemporaryFolder folder;
+    writeDicom(folder.file("a"), image, syntax);
+    DcmFileFormat file;
+    DcmElement* element = nullptr;
+    DcmPixelSequence* sequence = nullptr;
+    DcmPixelItem* item = nullptr;
+    Uint8* bytes = nullptr;
+    require(file.loadFile(folder.file("a").c_str()), "loading");
+    require(file.getDataset()->findAndGetElement(DCM_PixelData, element), "pixel data");
+    require(static_cast<DcmPixelData*>(element)->getEncapsulatedRepresentation(file.getDataset()->getOriginalXfer(),
+                                                                               nullptr, sequence),
+            "fragments");
+    require(sequence->getItem(item, 1), "fragment");
+    require(item->getUint8Array(bytes), "bytes");
+    return {reinterpret_cast<const char*>(bytes), item->getLength()};
+}
 
 void writeJpeg2000Dicom(const std::string& path, int columns, int rows, const std::vector<std::uint8_t>& pixels) {
     TestImage image;
@@ -269,13 +306,14 @@ void writeJpeg2000Dicom(const std::string& path, int columns, int rows, const st
     DcmFileFormat file;
     DcmDataset& dataset = *file.getDataset();
     putImageModule(dataset, image);
-    const auto codestream = jpeg2000Of(columns, rows, pixels);
+    const std::string coded =
+        codedJpeg2000({.columns = columns, .rows = rows, .planes = {std::vector<int>(pixels.begin(), pixels.end())}});
+    std::vector<Uint8> codestream(coded.begin(), coded.end());
     auto* sequence = new DcmPixelSequence(DcmTag(DCM_PixelData, EVR_OB));
     sequence->insert(new DcmPixelItem(DcmTag(DCM_Item, EVR_OB)));
     DcmOffsetList offsets;
     for (int frame = 0; frame < 2; ++frame)
-        require(sequence->storeCompressedFrame(offsets, const_cast<Uint8*>(codestream.data()),
-                                               static_cast<Uint32>(codestream.size()), 0),
+        require(sequence->storeCompressedFrame(offsets, codestream.data(), static_cast<Uint32>(codestream.size()), 0),
                 "frame");
     auto* pixelData = new DcmPixelData(DCM_PixelData);
     pixelData->putOriginalRepresentation(EXS_JPEG2000LosslessOnly, nullptr, sequence);

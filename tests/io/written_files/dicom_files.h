@@ -71,6 +71,23 @@ struct TestImage {
 /// Throws std::runtime_error if DCMTK cannot write it.
 void writeDicom(const std::string& path, const TestImage& image, TestSyntax syntax = TestSyntax::explicitLittle);
 
+/// The first frame of the image as it stands in a file of this encapsulated syntax. Throws as writeDicom() does.
+[[nodiscard]] std::string codedFrame(const TestImage& image, TestSyntax syntax);
+
+/// Baseline JPEG of a frame of red, green and blue, as luma and colour differences of as many samples.
+[[nodiscard]] std::string codedFullChroma(const TestImage& image);
+
+/// One frame for codedJpeg2000().
+struct TestPlanes {
+    int columns = 8, rows = 8;
+    int bits = 8;
+    bool isSigned = false;
+    bool transform = false;  ///< whether the encoder turns red, green and blue into luma and colour differences first
+    std::vector<std::vector<int>> planes;  ///< one for each sample
+};
+/// The lossless JPEG 2000 codestream of a frame. Throws std::runtime_error if it cannot be written.
+[[nodiscard]] std::string codedJpeg2000(const TestPlanes& frame);
+
 /// An explicit little-endian file with sequences nested `depth` deep, written by hand. Defined lengths, if asked for,
 /// are false (too short), but a parser enters them.
 [[nodiscard]] std::string nestedDicom(int depth, bool implicitVr);
