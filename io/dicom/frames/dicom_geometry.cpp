@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "io/dicom/frames/frame_times.h"
 #include "io/study/study_assembly.h"
 
 namespace echolucent {
@@ -11,11 +12,6 @@ namespace {
 
 constexpr DicomTag positionPatient{0x0020, 0x0032};
 constexpr DicomTag orientationPatient{0x0020, 0x0037};
-
-bool framesFollowInTime(DcmItem& dataset) {
-    const std::string pointer = dicomText(dataset, {0x0028, 0x0009});
-    return pointer.find("0018,1063") != std::string::npos || pointer.find("0018,1065") != std::string::npos;
-}
 
 }  // namespace
 
@@ -39,12 +35,6 @@ std::optional<std::array<Vec3, 2>> dicomOrientation(DcmItem& item, DicomTag tag)
     return std::array<Vec3, 2>{row, normalized(column - row * row.dot(column))};
 }
 
-std::optional<std::array<double, 2>> dicomPixelSpacing(DcmItem& item) {
-    const auto values = dicomNumbers(item, pixelSpacingTag, 2);
-    if (values.empty() || !(values[0] > 0) || !(values[1] > 0)) return std::nullopt;
-    return std::array<double, 2>{values[1], values[0]};  // the tag holds the distance between rows first
-}
-
 std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset) {
     FramePlacement placement;
     placement.position = dicomPoint(dataset, positionPatient);
@@ -64,9 +54,12 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
         refused.value().framesCouldBeSlices = true;
         return refused;
     };
-    const auto isStated = [&](DicomTag tag) { return !dicomText(dataset, tag).empty(); };
+    const auto isStatedIn = [](DcmItem& item, DicomTag tag) { return !dicomText(item, tag).empty(); };
+    const auto isStated = [&](DicomTag tag) { return isStatedIn(dataset, tag); };
     const bool byOffsets = isStated(offsetsTag);
-    if (framesFollowInTime(dataset) || !(byOffsets || isStated(betweenTag)) || !isStated(pixelSpacingTag))
+    auto scale = pictureScaleOf(dataset);
+    const bool isScaled = scale && scale->kind != PictureScale::Kind::shapeOnly;
+    if (framesFollowInTime(dataset) || !(byOffsets || isStated(betweenTag)) || !(isScaled || isStated(pixelSpacingTag)))
         return std::optional<ClassicPlaces>();
     ClassicPlaces places;
     if (byOffsets) {
@@ -81,21 +74,26 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
         if (between[0] == 0.0) return std::optional<ClassicPlaces>();
         places.between = between[0];
     }
-    const auto spacing = dicomPixelSpacing(dataset);
-    if (!spacing) return refuse(tagText(pixelSpacingTag) + " Pixel Spacing", "is not two numbers above 0");
-    const auto orientation = dicomOrientation(dataset, orientationPatient);
-    if (!orientation && isStated(orientationPatient))
+    if (isStated(pixelSpacingTag) && !dicomPixelSpacing(dataset))
+        return refuse(tagText(pixelSpacingTag) + " Pixel Spacing", "is not two numbers above 0");
+    // Nuclear medicine states the place of a volume in the description of its detector.
+    constexpr DicomTag detectorSequence{0x0054, 0x0022};
+    DcmItem* const detector =
+        isStated(positionPatient) || isStated(orientationPatient) ? nullptr : dicomFirstItem(dataset, detectorSequence);
+    DcmItem& holder = detector != nullptr ? *detector : dataset;
+    const auto orientation = dicomOrientation(holder, orientationPatient);
+    if (!orientation && isStatedIn(holder, orientationPatient))
         return refuse(tagText(orientationPatient) + " Image Orientation (Patient)",
                       "is no pair of perpendicular directions");
-    const auto position = dicomPoint(dataset, positionPatient);
-    if (!position && isStated(positionPatient))
+    const auto position = dicomPoint(holder, positionPatient);
+    if (!position && isStatedIn(holder, positionPatient))
         return refuse(tagText(positionPatient) + " Image Position (Patient)",
                       "is no position: three numbers that are finite");
     const auto directions = orientation.value_or(std::array{Vec3(1, 0, 0), Vec3(0, 1, 0)});
     places.start = {position.value_or(Vec3(0, 0, 0)), directions[0], directions[1]};
     if (!isPosition(places.start.position)) places.name = tagText(positionPatient) + " Image Position";
     places.orientationInPatient = orientation.has_value();
-    places.pixelSpacing = *spacing;
+    places.scale = *std::move(scale);
     return std::optional(std::move(places));
 }
 

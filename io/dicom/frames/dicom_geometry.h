@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/dicom/elements/dicom_attributes.h"
+#include "io/dicom/frames/picture_scale.h"
 #include "io/study/slice_stack.h"
 #include "processing/result.h"
 
@@ -14,15 +15,11 @@ class DcmItem;
 
 namespace echolucent {
 
-inline constexpr DicomTag pixelSpacingTag{0x0028, 0x0030};
-
 /// Three finite numbers of an attribute as a point; else no value.
 [[nodiscard]] std::optional<Vec3> dicomPoint(DcmItem& item, DicomTag tag);
 /// The two directions of an image orientation (along a row, along a column), made perpendicular unit vectors. No value
 /// unless the attribute holds two vectors that are nearly of length 1 and nearly perpendicular.
 [[nodiscard]] std::optional<std::array<Vec3, 2>> dicomOrientation(DcmItem& item, DicomTag tag);
-/// Pixel Spacing (0028,0030) of an item: mm along x (between columns) and y (between rows), both above 0.
-[[nodiscard]] std::optional<std::array<double, 2>> dicomPixelSpacing(DcmItem& item);
 
 /// What one frame says of its place; missing parts are empty.
 struct FramePlacement {
@@ -38,19 +35,20 @@ struct FramePlacement {
 
 /// The places of frames by the old attributes at top level.
 struct ClassicPlaces {
-    SlicePlane start;                          ///< distances count from here along the normal of this plane
-    bool orientationInPatient = false;         ///< whether the file states the orientation; else it is assumed
-    std::array<double, 2> pixelSpacing{1, 1};  ///< mm along x (between columns) and y (between rows)
-    std::string name;                 ///< of the attribute that stackSlices() blames if the places make no sense
-    std::optional<double> between{};  ///< mm from frame to frame; the first lies at the start
-    std::vector<double> offsets{};    ///< else the distance of each frame from the start, mm
+    SlicePlane start;                   ///< distances count from here along the normal of this plane
+    bool orientationInPatient = false;  ///< whether the file states the orientation; else it is assumed
+    PictureScale scale;                 ///< of the pixels: stated, or of one of several regions
+    std::string name;                   ///< of the attribute that stackSlices() blames if the places make no sense
+    std::optional<double> between{};    ///< mm from frame to frame; the first lies at the start
+    std::vector<double> offsets{};      ///< else the distance of each frame from the start, mm
 };
 
-/// The places of all frames by the old attributes at top level: pixel spacing with grid frame offsets (3004,000C), or
-/// with spacing between slices (0018,0088). No value if the data set has no such geometry, if the spacing between
-/// slices is 0, or if the data set says that its frames follow each other in time. Fails (unreadable, about the file at
-/// `path`, with Failure::framesCouldBeSlices) if the geometry makes no sense: offsets for more or fewer frames, or a
-/// bad spacing, position or orientation. `frames` may be any number; the result is no larger than the file.
+/// The places of all frames by the old attributes at top level: pixel spacing or the scale of ultrasound regions with
+/// grid frame offsets (3004,000C), or with spacing between slices (0018,0088). Position and orientation may stand in
+/// the first item of Detector Information (0054,0022). No value if the data set has no such geometry, if the spacing
+/// between slices is 0, or if the data set says that its frames follow each other in time. Fails (unreadable, about the
+/// file at `path`, with Failure::framesCouldBeSlices) if the geometry makes no sense: offsets for more or fewer frames,
+/// or a bad spacing, position or orientation. `frames` may be any number; the result is no larger than the file.
 [[nodiscard]] Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::string& path,
                                                                  std::size_t frames);
 

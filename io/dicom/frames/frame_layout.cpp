@@ -20,6 +20,12 @@ namespace {
 const std::string positionVolumeName = "(0020,9301) Image Position (Volume)";
 const std::string positionPatientName = "(0020,0032) Image Position (Patient)";
 
+/// Takes the times of phases, and says where they stand.
+void takeTimes(const StatedTimes& times, FrameLayout& layout) {
+    if (times.source != layout.phaseSource) layout.phaseSource = times.source + "; phases by " + layout.phaseSource;
+    layout.phaseTimes = phaseTimesAt(times.seconds);
+}
+
 class GroupLayout {
 public:
     GroupLayout(DcmItem& dataset, const std::string& path, const std::vector<FrameGroups>& groups)
@@ -66,9 +72,9 @@ Result<void> GroupLayout::takePhases() {
     auto split = splitIntoPhases(m_path, m_dimensions, m_groups, m_tissue);
     if (!split) return tl::unexpected(split.error());
     m_layout.phases = std::move(split->phases);
-    m_layout.phaseTimes = split->phaseTimes;
     m_layout.phaseSource = split->source;
     m_layout.warnings.insert(m_layout.warnings.end(), split->warnings.begin(), split->warnings.end());
+    if (split->times) takeTimes(*split->times, m_layout);
     constexpr DicomTag organizationTag{0x0020, 0x9311};
     if (m_layout.phases.size() > 1 && dicomText(m_dataset, organizationTag) == "3D")
         m_layout.warnings.push_back(
@@ -146,18 +152,15 @@ Result<void> GroupLayout::setSpacing() {
     for (const std::size_t frame : m_tissue)
         if (m_groups[frame].pixelSpacing != spacing)
             return refuse("(0028,0030) Pixel Spacing", "changes from frame to frame");
-    const auto scale = spacing ? std::nullopt : pictureScaleOf(m_dataset);
-    if (spacing)
+    if (spacing) {
         m_layout.geometry.spacing = {(*spacing)[0], (*spacing)[1], m_betweenSlices};
-    else if (scale)
-        m_layout.geometry.spacing = {scale->spacing[0], scale->spacing[1], m_betweenSlices};
-    else
-        m_layout.geometry.spacing = Vec3::all(m_betweenSlices);
-    m_layout.spacingSource = (scale ? scale->source : "(0028,9110) Pixel Measures") + ", slice positions";
-    if (!spacing && !scale) {
-        m_layout.geometry.spacingKnown = false;
-        m_layout.spacingSource.clear();
-        m_layout.warnings.push_back(pixelSizeUnknown(m_betweenSlices));
+        m_layout.spacingSource = "(0028,9110) Pixel Measures, slice positions";
+    } else {
+        SliceScale scale = sliceScaleOf(m_dataset, m_betweenSlices, "slice positions");
+        m_layout.geometry.spacing = scale.spacing;
+        m_layout.geometry.spacingKnown = scale.spacingKnown;
+        m_layout.spacingSource = scale.source;
+        for (auto&& warning : scale.warnings) m_layout.warnings.push_back(std::move(warning));
     }
     if (first.betweenSlices && std::abs(*first.betweenSlices - m_betweenSlices) > 0.01 * m_betweenSlices)
         m_layout.warnings.push_back(fmt::format(
@@ -227,34 +230,60 @@ Result<FrameLayout> GroupLayout::layOut(std::int64_t columns, std::int64_t rows)
     return m_layout;
 }
 
-/// Lays frames out by the old attributes at top level.
-Result<FrameLayout> layOutStack(const ClassicPlaces& places, const std::string& path, const FrameExtent& extent) {
+/// Lays frames out by the old attributes at top level, in the phases of `vectors` if there are any.
+Result<FrameLayout> layOutStack(const ClassicPlaces& places, const std::string& path, const FrameExtent& extent,
+                                const std::optional<FrameVectors>& vectors) {
+    FrameLayout layout;
+    if (vectors) {
+        layout.phases = vectors->phases;
+    } else {
+        layout.phases.emplace_back(extent.frames);
+        std::iota(layout.phases[0].begin(), layout.phases[0].end(), std::size_t{0});
+    }
+    const std::size_t slices = layout.phases.front().size();
     const Vec3 normal = places.start.alongRow.cross(places.start.alongColumn);
     const auto planeAt = [&](double offset) {
         return SlicePlane{places.start.position + normal * offset, places.start.alongRow, places.start.alongColumn};
     };
     std::vector<SlicePlane> planes;
-    for (const double offset : places.offsets) planes.push_back(planeAt(offset));
-    const auto gaps = static_cast<double>(extent.frames - 1);
+    if (!places.offsets.empty())
+        for (const std::size_t frame : layout.phases.front()) planes.push_back(planeAt(places.offsets[frame]));
+    const auto gaps = static_cast<double>(slices - 1);
     if (places.between) planes = {planeAt(0), planeAt(*places.between * gaps)};
     auto stack = stackSlices(path, places.name, planes);
     if (!stack) return tl::unexpected(stack.error());
     if (places.between) {
         const bool backwards = stack->order.front() > 0;
         stack->spacing /= gaps;
-        stack->order.resize(extent.frames);
+        stack->order.resize(slices);
         std::iota(stack->order.begin(), stack->order.end(), std::size_t{0});
         if (backwards) std::ranges::reverse(stack->order);
     }
-    FrameLayout layout;
-    layout.phases.push_back(std::move(stack->order));
+    const std::vector<std::size_t> first = layout.phases.front();
+    for (auto& frames : layout.phases) {
+        std::vector<std::size_t> ordered;
+        for (const std::size_t slice : stack->order) {
+            const std::size_t frame = frames[slice];
+            if (!places.offsets.empty() &&
+                std::abs(places.offsets[frame] - places.offsets[first[slice]]) > 0.1 * stack->spacing)
+                return fail(FailureKind::unreadable, path, places.name, "changes from phase to phase",
+                            "Export one phase, or all on one grid.");
+            ordered.push_back(frame);
+        }
+        frames = std::move(ordered);
+    }
     layout.warnings = std::move(stack->warnings);
-    layout.geometry.size = {extent.columns, extent.rows, static_cast<std::int64_t>(extent.frames)};
+    layout.geometry.size = {extent.columns, extent.rows, static_cast<std::int64_t>(slices)};
     layout.geometry.origin = stack->origin;
     layout.geometry.direction = stack->direction;
     layout.geometry.patientFrameKnown = places.orientationInPatient;
-    layout.geometry.spacing = {places.pixelSpacing[0], places.pixelSpacing[1], stack->spacing};
-    layout.spacingSource = "(0028,0030) Pixel Spacing, " + places.name;
+    layout.geometry.spacing = {places.scale.spacing[0], places.scale.spacing[1], stack->spacing};
+    layout.geometry.spacingKnown = places.scale.kind == PictureScale::Kind::stated;
+    if (!places.scale.warning.empty()) layout.warnings.push_back(places.scale.warning);
+    const bool byPixelSpacing = places.scale.source == tagText(pixelSpacingTag);
+    if (layout.geometry.spacingKnown)
+        layout.spacingSource = places.scale.source + (byPixelSpacing ? " Pixel Spacing, " : ", ") + places.name;
+    if (vectors) takeVectorTimes(*vectors, layout);
     return layout;
 }
 
@@ -274,11 +303,9 @@ bool lieInOnePlane(const std::vector<FrameGroups>& groups) {
 
 }  // namespace
 
-std::string pixelSizeUnknown(double betweenSlices) {
-    return fmt::format(
-        "The size of the pixels is not stated: they are taken to be as long and wide as the slices are apart, {:.4g} "
-        "mm, which is a guess.",
-        betweenSlices);
+void takeVectorTimes(const FrameVectors& vectors, FrameLayout& layout) {
+    layout.phaseSource = vectors.source;
+    if (vectors.times) takeTimes(*vectors.times, layout);
 }
 
 Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, const FrameExtent& extent,
@@ -295,9 +322,11 @@ Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, cons
                                      fmt::format("is a 2D cine: its {} frames show {} over time", layout->phases.size(),
                                                  lieInOnePlane(*groups) ? "one plane" : "several planes"));
     }
+    const auto vectors = readFrameVectors(dataset, path, extent.frames);
+    if (!vectors) return tl::unexpected(vectors.error());
     const auto places = classicPlaces(dataset, path, extent.frames);
     if (!places) return tl::unexpected(places.error());
-    if (*places) return layOutStack(**places, path, extent);
+    if (*places) return layOutStack(**places, path, extent, *vectors);
     return framesWithoutGeometry(path, fmt::format("is a 2D cine of {} frames without volume geometry", extent.frames));
 }
 

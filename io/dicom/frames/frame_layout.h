@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/dicom/frames/frame_vectors.h"
 #include "io/dicom/frames/functional_groups.h"
 #include "io/dicom/frames/ultrasound_frame.h"
 #include "io/study/study.h"
@@ -33,12 +34,15 @@ struct FrameExtent {
     std::int64_t columns = 0, rows = 0;
 };
 
+/// Puts the times of phases by vectors, and the vectors' names, into `layout`.
+void takeVectorTimes(const FrameVectors& vectors, FrameLayout& layout);
+
 /// Lays frames out as a volume, or as the phases of one: by their functional groups, else by the old attributes at top
-/// level (classicPlaces()). If all frames of tissue have planes in the patient, these give the geometry; else the
-/// planes in the volume's frame of reference do. Fails (unreadable, about the file at `path`) if some frames have no
-/// place, or if places, dimensions and times contradict each other. If the frames are a cine, or if the old attributes
-/// make no sense, it fails with Failure::framesCouldBeSlices. A single plane of tissue fails without it. `progress` is
-/// polled for cancel.
+/// level (classicPlaces()) and the vectors of nuclear medicine (readFrameVectors()). If all frames of tissue have
+/// planes in the patient, these give the geometry; else the planes in the volume's frame of reference do. Fails
+/// (unreadable, about the file at `path`) if some frames have no place, or if places, dimensions and times contradict
+/// each other. If the frames are a cine, or if the old attributes make no sense, it fails with
+/// Failure::framesCouldBeSlices. A single plane of tissue fails without it. `progress` is polled for cancel.
 [[nodiscard]] Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, const FrameExtent& extent,
                                                const Progress& progress);
 

@@ -50,6 +50,16 @@ std::string typeInWords(const std::string& term) {
     return fmt::format("{} ({})", words.substr(0, 64), term.substr(0, 64));
 }
 
+/// A time of frames beside their time offset.
+struct FrameTime {
+    std::optional<double> FrameGroups::*member;
+    const char* name;
+};
+constexpr std::array otherTimes{
+    FrameTime{&FrameGroups::triggerDelay, "(0020,9153) Nominal Cardiac Trigger Delay Time, or the like"},
+    FrameTime{&FrameGroups::referenceTime, "(0018,9151) Frame Reference Date Time"},
+    FrameTime{&FrameGroups::acquisitionTime, "(0018,9074) Frame Acquisition Date Time"}};
+
 /// Splits the frames of one object. Each function looks for one kind of contradiction.
 class PhaseSplitter {
 public:
@@ -61,6 +71,7 @@ public:
 
 private:
     using Key = std::vector<double>;
+    using Groups = std::map<Key, std::vector<std::size_t>>;  ///< the frames of each phase
     Result<void> checkDimensions() const;
     Result<void> checkIndexValues() const;
     Result<void> checkDataTypes() const;
@@ -69,6 +80,10 @@ private:
     Result<void> setTimes(FramePhases& result) const;
     [[nodiscard]] bool counts(DimensionMeaning meaning) const;
     [[nodiscard]] bool allLieApart() const;
+    [[nodiscard]] std::optional<std::array<double, 3>> placeOf(std::size_t frame) const;
+    [[nodiscard]] std::optional<StatedTimes> risingTimes(const FramePhases& result, const FrameTime& time) const;
+    [[nodiscard]] std::optional<Groups> keyedBy(const FrameTime& time) const;
+    [[nodiscard]] std::optional<Groups> rankedBy(const FrameTime& time) const;
     [[nodiscard]] Key indexKey(std::size_t frame) const;
     [[nodiscard]] tl::unexpected<Failure> refuse(const std::string& element, const std::string& problem) const {
         return fail(FailureKind::unreadable, m_path, element, problem, exportAgain);
@@ -88,12 +103,18 @@ bool PhaseSplitter::counts(DimensionMeaning meaning) const {
     return std::ranges::any_of(m_dimensions, [&](const FrameDimension& one) { return one.meaning == meaning; });
 }
 
+std::optional<std::array<double, 3>> PhaseSplitter::placeOf(std::size_t frame) const {
+    const FrameGroups& groups = m_groups[frame];
+    const auto& position = groups.inPatient.position ? groups.inPatient.position : groups.inVolume.position;
+    if (!position) return std::nullopt;
+    return std::array{(*position)[0], (*position)[1], (*position)[2]};
+}
+
 bool PhaseSplitter::allLieApart() const {
     std::set<std::array<double, 3>> places;
     for (const std::size_t frame : m_tissue) {
-        const auto& position =
-            m_groups[frame].inPatient.position ? m_groups[frame].inPatient.position : m_groups[frame].inVolume.position;
-        if (!position || !places.insert({(*position)[0], (*position)[1], (*position)[2]}).second) return false;
+        const auto place = placeOf(frame);
+        if (!place || !places.insert(*place).second) return false;
     }
     return true;
 }
@@ -170,33 +191,79 @@ Result<void> PhaseSplitter::checkDimensions() const {
     return checkUnknownDimensions();
 }
 
-/// Sets the time between phases, if all frames state their time. Fails if a phase does not begin after the one before
-/// has ended.
+/// Sets the times of phases, if all frames state their time offset. Fails if a phase does not begin after the one
+/// before has ended. Without offsets, the first other time that all frames state and that rises from phase to phase is
+/// taken.
 Result<void> PhaseSplitter::setTimes(FramePhases& result) const {
-    if (result.phases.size() < 2 || !allHave([](const FrameGroups& frame) { return frame.timeOffset.has_value(); }))
+    if (result.phases.size() < 2) return {};
+    if (!allHave([](const FrameGroups& frame) { return frame.timeOffset.has_value(); })) {
+        for (const FrameTime& time : otherTimes)
+            if (result.times = risingTimes(result, time); result.times) break;
         return {};
-    std::vector<double> starts;
+    }
+    StatedTimes times{{}, timeOffsetName};
     double latest = 0.0;
     for (const auto& frames : result.phases) {
         const auto [first, last] =
             std::ranges::minmax(frames, {}, [&](std::size_t frame) { return *m_groups[frame].timeOffset; });
         const double start = *m_groups[first].timeOffset;
-        if (!starts.empty() && !(start > latest))
+        if (!times.seconds.empty() && !(start > latest))
             return refuse(timeOffsetName,
-                          fmt::format("puts phase {} at {:.6g} s, not after phase {}, against the order of {}",
-                                      starts.size() + 1, start, starts.size(), result.source));
-        starts.push_back(start);
+                          fmt::format("puts phase {} at {:.6g} s, not after phase {}, against the order "
+                                      "of {}",
+                                      times.seconds.size() + 1, start, times.seconds.size(), result.source));
+        times.seconds.push_back(start);
         latest = *m_groups[last].timeOffset;
     }
-    if (result.source != timeOffsetName) result.source = timeOffsetName + "; phases by " + result.source;
-    result.phaseTimes = phaseTimesAt(starts);
+    result.times = std::move(times);
     return {};
+}
+
+/// The first time of each phase; no value unless all frames state it and it rises from phase to phase.
+std::optional<StatedTimes> PhaseSplitter::risingTimes(const FramePhases& result, const FrameTime& time) const {
+    if (!allHave([&](const FrameGroups& frame) { return (frame.*time.member).has_value(); })) return std::nullopt;
+    StatedTimes times{{}, time.name};
+    for (const auto& frames : result.phases) {
+        const std::size_t first =
+            *std::ranges::min_element(frames, {}, [&](std::size_t frame) { return *(m_groups[frame].*time.member); });
+        const double start = *(m_groups[first].*time.member);
+        if (!times.seconds.empty() && !(start > times.seconds.back())) return std::nullopt;
+        times.seconds.push_back(start);
+    }
+    return times;
+}
+
+/// Splits frames by a time that all frames of a phase share; no value unless all state it and it differs.
+std::optional<PhaseSplitter::Groups> PhaseSplitter::keyedBy(const FrameTime& time) const {
+    if (!allHave([&](const FrameGroups& frame) { return (frame.*time.member).has_value(); })) return std::nullopt;
+    Groups phases;
+    for (const std::size_t frame : m_tissue) phases[{*(m_groups[frame].*time.member)}].push_back(frame);
+    if (phases.size() < 2) return std::nullopt;
+    return phases;
+}
+
+/// Splits frames whose places repeat by times that are no times of phases: the earliest frame of each place belongs to
+/// the first phase. No value unless all frames state the time, and no two frames of one place the same.
+std::optional<PhaseSplitter::Groups> PhaseSplitter::rankedBy(const FrameTime& time) const {
+    if (!allHave([&](const FrameGroups& frame) { return (frame.*time.member).has_value(); })) return std::nullopt;
+    std::map<std::array<double, 3>, std::map<double, std::size_t>> places;
+    for (const std::size_t frame : m_tissue) {
+        const auto place = placeOf(frame);
+        if (!place || !places[*place].emplace(*(m_groups[frame].*time.member), frame).second) return std::nullopt;
+    }
+    Groups phases;
+    for (const auto& [place, frames] : places) {
+        double rank = 0;
+        for (const auto& [at, frame] : frames) phases[{rank++}].push_back(frame);
+    }
+    for (auto& [rank, frames] : phases) std::ranges::sort(frames);
+    return phases;
 }
 
 Result<FramePhases> PhaseSplitter::split() {
     if (const auto checked = checkDimensions(); !checked) return tl::unexpected(checked.error());
     FramePhases result;
-    std::map<Key, std::vector<std::size_t>> phases;
+    Groups phases;
     if (counts(DimensionMeaning::time)) {
         result.source = indexValuesName;
         for (const std::size_t frame : m_tissue) phases[indexKey(frame)].push_back(frame);
@@ -207,9 +274,16 @@ Result<FramePhases> PhaseSplitter::split() {
         result.source = tagText(temporalIndexTag) + " Temporal Position Index";
         for (const std::size_t frame : m_tissue)
             phases[{static_cast<double>(*m_groups[frame].temporalIndex)}].push_back(frame);
-    } else {
-        phases[{}] = m_tissue;
+    } else if (!allLieApart()) {
+        for (const FrameTime& time : otherTimes) {
+            auto found = time.member == &FrameGroups::triggerDelay ? keyedBy(time) : rankedBy(time);
+            if (!found) continue;
+            phases = *std::move(found);
+            result.source = time.name;
+            break;
+        }
     }
+    if (phases.empty()) phases[{}] = m_tissue;
     if (phases.size() > 1 && phases.size() == m_tissue.size() && allLieApart()) {
         phases = {{Key{}, m_tissue}};
         result.warnings.push_back(

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/dicom/frames/frame_times.h"
 #include "io/dicom/frames/functional_groups.h"
 #include "processing/result.h"
 
@@ -37,17 +38,18 @@ struct TissueFrames {
 struct FramePhases {
     std::vector<std::vector<std::size_t>>
         phases;  ///< in the order of time; the frames of each in the order of the file
-    /// Mean seconds between phases; no value for one phase, or if a frame states no time offset.
-    PhaseTimes phaseTimes{};
+    /// The first time of each phase; no value for one phase, or if no attribute states a time of every frame.
+    std::optional<StatedTimes> times;
     std::string source;  ///< the attribute that told the phases apart; empty if none was taken
     std::vector<std::string> warnings;
 };
 /// Splits frames into phases: by the index values of the dimensions that count time, else by Temporal Position Time
-/// Offset, else by Temporal Position Index. Each of the latter two counts only if all frames state it. If none of the
-/// three does, all frames are one phase. They are one phase too if every frame has its own time and its own place, as
-/// in a slow sweep. `tissue` names the frames to split, at least one.
-/// Fails (unreadable, about the file at `path`) if index values, dimensions and times contradict each other. It also
-/// fails if the frames differ along a dimension of unknown meaning, or if phases have different numbers of frames.
+/// Offset, else by Temporal Position Index. If places repeat, trigger delays come next, then the order in which Frame
+/// Reference or Acquisition Date Time put the frames of each place. Each of these counts only if all frames state it.
+/// If none does, all frames are one phase. They are one phase too if every frame has its own time and its own place, as
+/// in a slow sweep. `tissue` names the frames to split, at least one. Fails (unreadable, about the file at `path`) if
+/// index values, dimensions and times contradict each other. It also fails if the frames differ along a dimension of
+/// unknown meaning, or if phases have different numbers of frames.
 [[nodiscard]] Result<FramePhases> splitIntoPhases(const std::string& path,
                                                   const std::vector<FrameDimension>& dimensions,
                                                   const std::vector<FrameGroups>& groups,

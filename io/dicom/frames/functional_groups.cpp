@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "io/dicom/frames/dicom_geometry.h"
+#include "io/dicom/frames/frame_times.h"
+#include "io/dicom/frames/picture_scale.h"
 #include "io/files/input_problems.h"
 
 namespace echolucent {
@@ -47,6 +49,24 @@ std::optional<double> oneNumber(DcmItem& item, DicomTag tag) {
     return values.empty() ? std::nullopt : std::optional(values[0]);
 }
 
+/// Takes the times of a frame that no reader needs: one that makes no sense is left out.
+void takeTimesOf(DcmItem& item, FrameGroups& groups) {
+    constexpr DicomTag contentGroup{0x0020, 0x9111}, cardiacGroup{0x0018, 0x9118}, respiratoryGroup{0x0020, 0x9253};
+    if (DcmItem* content = dicomFirstItem(item, contentGroup)) {
+        if (const auto time = dicomDateTime(*content, {0x0018, 0x9151})) groups.referenceTime = time;
+        if (const auto time = dicomDateTime(*content, {0x0018, 0x9074})) groups.acquisitionTime = time;
+    }
+    const auto takeDelay = [&](DicomTag group, DicomTag nominal, DicomTag actual) {
+        DcmItem* const synchronized = dicomFirstItem(item, group);
+        if (synchronized == nullptr) return;
+        auto delay = oneNumber(*synchronized, nominal);
+        if (!delay) delay = oneNumber(*synchronized, actual);
+        if (delay) groups.triggerDelay = *delay / 1000;
+    };
+    takeDelay(respiratoryGroup, {0x0020, 0x9255}, {0x0020, 0x9257});
+    takeDelay(cardiacGroup, {0x0020, 0x9153}, {0x0020, 0x9252});
+}
+
 Result<void> GroupsReader::read(DcmItem& item) {
     constexpr DicomTag positionVolumeGroup{0x0020, 0x930e}, orientationVolumeGroup{0x0020, 0x930f};
     constexpr DicomTag positionPatientGroup{0x0020, 0x9113}, orientationPatientGroup{0x0020, 0x9116};
@@ -71,6 +91,7 @@ Result<void> GroupsReader::read(DcmItem& item) {
     take(item, contentGroup, temporalIndexTag, "Temporal Position Index", "is no whole number", m_groups.temporalIndex,
          dicomWholeNumber);
     if (m_failure) return tl::unexpected(*m_failure);
+    takeTimesOf(item, m_groups);
     if (DcmItem* holder = dicomFirstItem(item, contentGroup); holder != nullptr && dicomHas(*holder, indexValuesTag))
         m_groups.indexValues = dicomLongWords(*holder, indexValuesTag);
     if (DcmItem* holder = dicomFirstItem(item, dataTypeGroup)) m_groups.dataType = dicomText(*holder, dataTypeTag);

@@ -272,23 +272,14 @@ private:
     }
 
     void takeSpacing(DcmItem& dataset) {
-        if (!m_order.geometry.spacingKnown) {
-            const auto scale = pictureScaleOf(dataset);
-            if (!scale) return;
-            m_order.geometry.spacing = scale->spacing;
-            m_order.spacingSource = scale->source;
-            m_order.inPlaneSpacingKnown = true;
-            return;
-        }
-        Vec3& spacing = m_order.geometry.spacing;
-        if (const auto scale = pictureScaleOf(dataset)) {
-            spacing = {scale->spacing[0], scale->spacing[1], spacing[2]};
-            m_order.spacingSource = scale->source + ", slice positions " + imagePositionName;
-        } else {
-            spacing = Vec3::all(spacing[2]);
-            m_order.geometry.spacingKnown = false;
-            m_order.warnings.push_back(pixelSizeUnknown(spacing[2]));
-        }
+        VolumeGeometry& geometry = m_order.geometry;
+        const auto distance = geometry.spacingKnown ? std::optional(geometry.spacing[2]) : std::nullopt;
+        SliceScale scale = sliceScaleOf(dataset, distance, std::string("slice positions ") + imagePositionName);
+        geometry.spacing = scale.spacing;
+        geometry.spacingKnown = scale.spacingKnown;
+        m_order.spacingSource = scale.source;
+        m_order.inPlaneSpacingKnown = scale.inPlaneKnown && !scale.spacingKnown;
+        for (auto&& warning : scale.warnings) m_order.warnings.push_back(std::move(warning));
     }
 
     struct SliceNote {

@@ -60,7 +60,11 @@ Result<FrameLayout> MultiframeReader::layOutAsSlices() {
     const auto count = static_cast<std::size_t>(m_frames.frames());
     const auto groups = readFunctionalGroups(m_file.dataset(), m_file.path(), count, m_progress);
     auto tissue = groups && !groups->empty() ? tissueFramesOf(m_file.path(), *groups) : Result<TissueFrames>({});
-    if (tissue && tissue->frames.size() > 1) {
+    const auto vectors = readFrameVectors(m_file.dataset(), m_file.path(), count);
+    if (vectors && *vectors) {
+        layout.phases = (*vectors)->phases;
+        takeVectorTimes(**vectors, layout);
+    } else if (tissue && tissue->frames.size() > 1) {
         layout.phases.push_back(std::move(tissue->frames));
         layout.warnings = std::move(tissue->warnings);
     } else {
@@ -68,12 +72,12 @@ Result<FrameLayout> MultiframeReader::layOutAsSlices() {
         std::iota(layout.phases[0].begin(), layout.phases[0].end(), std::size_t{0});
     }
     layout.geometry.size = {m_frames.columns(), m_frames.rows(), static_cast<std::int64_t>(layout.phases[0].size())};
-    layout.geometry.spacingKnown = false;
-    if (const auto scale = pictureScaleOf(m_file.dataset())) {
-        layout.geometry.spacing = scale->spacing;
-        layout.spacingSource = scale->source;
-        layout.inPlaneSpacingKnown = true;
-    }
+    SliceScale scale = sliceScaleOf(m_file.dataset(), std::nullopt, "");
+    layout.geometry.spacing = scale.spacing;
+    layout.geometry.spacingKnown = scale.spacingKnown;
+    layout.spacingSource = scale.source;
+    layout.inPlaneSpacingKnown = scale.inPlaneKnown && !scale.spacingKnown;
+    for (auto&& warning : scale.warnings) layout.warnings.push_back(std::move(warning));
     layout.warnings.emplace_back("The frames of a 2D cine are taken as slices: this is no true volume.");
     return layout;
 }
@@ -121,6 +125,9 @@ Result<std::vector<VoxelBytes>> MultiframeReader::readPhases(const FrameLayout& 
 Result<Study> MultiframeReader::read() {
     auto layout = layOut();
     if (!layout) return tl::unexpected(layout.error());
+    if (auto few = requirePhases(m_file.path(), layout->phaseSource, static_cast<std::int64_t>(layout->phases.size()));
+        !few)
+        return tl::unexpected(few.error());
     std::vector<std::size_t> shown;
     for (const auto& order : layout->phases) shown.insert(shown.end(), order.begin(), order.end());
     m_frames.keep(std::move(shown));

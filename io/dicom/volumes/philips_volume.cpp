@@ -50,11 +50,11 @@ double longestEdge(const Vec3& spacing, const Volume3& size) {
     return longest;
 }
 
-/// Seconds from Frame Time (ms).
-std::optional<double> frameSeconds(DcmItem& dataset) {
-    const auto milliseconds = dicomNumbers(dataset, {0x0018, 0x1063}, 1);
-    if (milliseconds.empty() || !(milliseconds[0] > 0)) return std::nullopt;
-    return milliseconds[0] / 1000;
+/// The times of the volumes of a QLAB file. A frame of it is a volume.
+std::optional<StatedTimes> timesOfVolumes(DcmItem& dataset, std::int64_t volumes) {
+    if (volumes < 2 || volumes > mostPhases) return std::nullopt;
+    auto times = statedFrameTimes(dataset, static_cast<std::size_t>(volumes));
+    return times ? times : statedFrameRate(dataset, static_cast<std::size_t>(volumes));
 }
 
 bool isOrAbsent(DcmItem& dataset, DicomTag tag, std::int64_t value) {
@@ -115,7 +115,7 @@ Result<std::optional<PhilipsVolume>> qlabVolume(const DicomFile& file) {
                                 one ? std::to_string(*one) : "more than can be counted"),
                     incompleteFile);
     takeQlabSpacing(dataset, volume);
-    volume.phaseSeconds = frameSeconds(dataset);
+    volume.times = timesOfVolumes(dataset, volume.phases);
     return std::optional(volume);
 }
 
@@ -347,7 +347,11 @@ Result<GreySlice> readPhilipsSlice(const InputFile& input, const DicomFile& file
     const std::uint64_t start = static_cast<std::uint64_t>(index) * pixels;
     slice.bytes.resize(static_cast<std::size_t>(pixels));
     if (volume.kind == PhilipsVolume::Kind::qlab) {
-        const auto read = readBytes(input, file.scan().pixelStart + start, slice.bytes, progress);
+        // The end of the last row may be missing; it stays 0.
+        const std::uint64_t offset = file.scan().pixelStart + start;
+        const std::uint64_t held = input.size() - std::min(input.size(), offset);
+        const auto there = std::span(slice.bytes).first(static_cast<std::size_t>(std::min(held, pixels)));
+        const auto read = readBytes(input, offset, there, progress);
         return read ? Result<GreySlice>(std::move(slice)) : tl::unexpected(read.error());
     }
     DcmElement* element = nullptr;
@@ -382,8 +386,12 @@ Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file, c
     parts.typeSource = volume.kind == PhilipsVolume::Kind::privateElement
                            ? "the length of " + tagText(volume.voxels) + " Philips private: one byte a voxel"
                            : "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
-    parts.phaseTimes = PhaseTimes::every(volume.phaseSeconds.value_or(0));
-    if (volume.phaseSeconds) parts.phaseSource = "(0018,1063) Frame Time";
+    if (volume.times) {
+        std::vector<double> seconds = volume.times->seconds;
+        seconds.resize(std::min(seconds.size(), voxels->phases.size()));  // the file may hold fewer than it declares
+        parts.phaseTimes = phaseTimesAt(seconds);
+        parts.phaseSource = volume.times->source;
+    }
     sayLoss(file.dataset(), parts);
     sayBurnedInText(file.dataset(), true, parts);
     markMissing(*voxels, options, parts);

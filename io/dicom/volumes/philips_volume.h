@@ -8,6 +8,7 @@
 
 #include "io/dicom/elements/dicom_attributes.h"
 #include "io/dicom/elements/dicom_file.h"
+#include "io/dicom/frames/frame_times.h"
 #include "io/study/study.h"
 #include "io/voxels/voxel_types.h"
 
@@ -23,12 +24,12 @@ struct PhilipsVolume {
     Kind kind = Kind::qlab;
     std::array<std::int64_t, 3> size{0, 0, 0};  ///< columns, rows, slices; above 0
     std::string sizeSource;
-    std::int64_t phases = 1;               ///< as declared; a QLAB file may hold fewer
-    std::optional<Vec3> spacing;           ///< mm; no value if it is missing or makes no sense
-    std::string spacingSource;             ///< the tags of the spacing; empty if it is missing or a guess
-    std::optional<double> phaseSeconds{};  ///< from Frame Time, of a QLAB file
-    DicomTag voxels{};                     ///< the element of Kind::privateElement
-    std::string warning{};                 ///< a sentence if numbers contradict each other; else empty
+    std::int64_t phases = 1;             ///< as declared; a QLAB file may hold fewer
+    std::optional<Vec3> spacing;         ///< mm; no value if it is missing or makes no sense
+    std::string spacingSource;           ///< the tags of the spacing; empty if it is missing or a guess
+    std::optional<StatedTimes> times{};  ///< of the declared volumes of a QLAB file
+    DicomTag voxels{};                   ///< the element of Kind::privateElement
+    std::string warning{};               ///< a sentence if numbers contradict each other; else empty
 };
 
 /// The volume in a loaded file; no value if the file holds no volume of Philips's. Fails (unreadable) if a QLAB file

@@ -97,6 +97,38 @@ std::string palette() {
     return written(one);
 }
 
+/// Frames in the order of time slots and slices, as nuclear medicine has them.
+std::string nuclear() {
+    DicomBytes file = DicomBytes().text(0x0008, 0x0060, "CS", "NM").text(0x0018, 0x0088, "DS", "1");
+    file.text(0x0018, 0x1063, "DS", "50").picture(4, 2, 4).text(0x0028, 0x0030, "DS", "1\\1");
+    file.put(0x0028, 0x0009, "AT", bytesFrom<std::uint16_t>({0x0054, 0x0070, 0x0054, 0x0080}));
+    DicomBytes phase = DicomBytes().text(0x0018, 0x1242, "IS", "40").text(0x0054, 0x0036, "IS", "5");
+    file.sequence(0x0054, 0x0032, {phase}).put(0x0054, 0x0070, "US", bytesFrom<std::uint16_t>({1, 1, 2, 2}));
+    file.put(0x0054, 0x0080, "US", bytesFrom<std::uint16_t>({1, 2, 1, 2}));
+    return file.put(0x7fe0, 0x0010, "OW", counted(32)).file("1.2.840.10008.5.1.4.1.1.20");
+}
+
+/// Ultrasound regions of two scales beside Spacing Between Slices.
+std::string regions() {
+    std::vector<DicomBytes> items;
+    for (const double delta : {0.05, 0.07}) {
+        DicomBytes item = DicomBytes().word(0x0018, 0x6012, 1).put(0x0018, 0x6018, "UL", std::string(4, '\0'));
+        item.put(0x0018, 0x601c, "UL", bytesFrom<std::uint32_t>({3})).word(0x0018, 0x6024, 3).word(0x0018, 0x6026, 3);
+        items.push_back(item.real(0x0018, 0x602c, delta).real(0x0018, 0x602e, delta));
+    }
+    DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").sequence(0x0018, 0x6011, items).picture(4, 2, 2);
+    return file.text(0x0028, 0x0034, "IS", "2\\1").put(0x7fe0, 0x0010, "OW", counted(16)).file(cineClass);
+}
+
+/// Uncompressed 4:2:2 of rows of three pixels.
+std::string halved() {
+    DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").word(0x0028, 0x0002, 3);
+    file.text(0x0028, 0x0004, "CS", "YBR_FULL_422").word(0x0028, 0x0006, 0).text(0x0028, 0x0008, "IS", "2");
+    file.word(0x0028, 0x0010, 2).word(0x0028, 0x0011, 3).text(0x0028, 0x0030, "DS", "1\\1");
+    file.word(0x0028, 0x0100, 8).word(0x0028, 0x0101, 8).word(0x0028, 0x0102, 7).word(0x0028, 0x0103, 0);
+    return file.put(0x7fe0, 0x0010, "OW", counted(32)).file(cineClass);
+}
+
 /// The first frame's fragment of a file.
 std::string fragmentOf(const std::string& bytes) {
     const DicomFileBytes parts = dicomParts(bytes);
@@ -139,6 +171,9 @@ std::vector<FuzzSample> dicomSamples() {
         {"jpeg-lossless", written(image(1, 16), TestSyntax::jpegLossless)},
         {"jpeg-ls", written(image(), TestSyntax::jpegLs)},
         {"slice", dicomSlice(1)},
+        {"nuclear", nuclear()},
+        {"regions", regions()},
+        {"halved", halved()},
     };
     samples.push_back({"jpeg-2000", dicomOfFragment(jpeg2000Form, jpeg2000Fragment())});
     return samples;
@@ -164,7 +199,8 @@ const std::vector<FragmentForm>& fragmentForms() {
         {"1.2.840.10008.1.2.4.57", 4, 3, 1, 8},  {"1.2.840.10008.1.2.4.80", 4, 3, 1, 8},
         {"1.2.840.10008.1.2.4.81", 4, 3, 1, 16}, {"1.2.840.10008.1.2.4.80", 4, 3, 3, 8},
         {"1.2.840.10008.1.2.4.90", 8, 8, 1, 8},  {"1.2.840.10008.1.2.4.91", 8, 8, 3, 8},
-        {"1.2.840.10008.1.2.4.90", 8, 8, 1, 16}};
+        {"1.2.840.10008.1.2.4.90", 8, 8, 1, 16}, {"1.2.840.10008.1.2.4.50", 4, 3, 1, 16},
+        {"1.2.840.10008.1.2.4.80", 4, 3, 1, 16}, {"1.2.840.10008.1.2.4.70", 4, 3, 3, 8}};
     return forms;
 }
 
@@ -198,6 +234,13 @@ std::vector<FuzzSample> fragmentSamples() {
         {"jpeg-ls-words", behind(10, written(image(1, 16), TestSyntax::jpegLs))},
     };
     samples.push_back({"jpeg-2000", static_cast<char>(jpeg2000Form) + jpeg2000Fragment()});
+    const std::vector<int> plane(64, 90);
+    samples.push_back({"jpeg-2000-colour", static_cast<char>(jpeg2000Form + 1) +
+                                               codedJpeg2000({.transform = true, .planes = {plane, plane, plane}})});
+    samples.push_back({"jpeg-in-words", behind(15, written(image(), TestSyntax::jpegBaseline))});
+    samples.push_back({"jpeg-ls-in-words", behind(16, written(image(), TestSyntax::jpegLs))});
+    samples.push_back({"jpeg-lossless-colour", behind(17, written(image(3), TestSyntax::jpegLossless))});
+    samples.push_back({"rle-in-words", behind(1, written(image(), TestSyntax::rle))});
     return samples;
 }
 

@@ -229,10 +229,10 @@ TEST(DicomScale, OfACineTakenAsSlicesIsKeptInItsPlane) {
         pixels.put(0x7fe0, 0x0010, "OW", std::string(256, 'a'));
         return readBytes(DicomBytes().file(cineClass) + bytes + pixels.bytes());
     };
-    // A small 2D region, a larger one, a spectrum, one whose unit is no length.
+    // A small 2D region, a larger one of the same scale, a spectrum, one whose unit is no length.
     DicomBytes regions;
     regions.sequence(0x0018, 0x6011,
-                     {region(1, 3, 0.5, 3), region(1, 9, 0.01, 3), region(3, 15, 0.7, 3), region(1, 15, 0.9, 4)});
+                     {region(1, 3, 0.01, 3), region(1, 9, 0.01, 3), region(3, 15, 0.7, 3), region(1, 15, 0.9, 4)});
     const auto study = cine(regions);
     ASSERT_TRUE(study) << study.error().sentence();
     const VolumeGeometry& geometry = study->phases[0]->geometry();

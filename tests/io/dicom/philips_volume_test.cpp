@@ -24,14 +24,20 @@ struct Qlab {
     std::uint32_t slices = 4;
     double sliceSpacing = 0.05;
     double pixelSpacing = 0.02;
-    std::int64_t declared = -1;  ///< length of Pixel Data; the true one where it is below 0
-    std::size_t held = 2 * 24;   ///< bytes of Pixel Data
+    std::int64_t declared = -1;    ///< length of Pixel Data; the true one where it is below 0
+    std::size_t held = 2 * 24;     ///< bytes of Pixel Data
+    std::string frameTime = "40";  ///< ms; none if empty
+    std::string frameTimes{};      ///< Frame Time Vector
+    std::string cineRate{};        ///< a second
 };
 
 /// Volumes of 3 x 2 x 4 voxels that count up from 1.
 std::string qlabFile(const Qlab& said) {
     DicomBytes file;
-    file.text(0x0018, 0x1063, "DS", "40").word(0x0018, 0x6024, 3).word(0x0018, 0x6026, 3);
+    if (!said.cineRate.empty()) file.text(0x0018, 0x0040, "IS", said.cineRate);
+    if (!said.frameTime.empty()) file.text(0x0018, 0x1063, "DS", said.frameTime);
+    if (!said.frameTimes.empty()) file.text(0x0018, 0x1065, "DS", said.frameTimes);
+    file.word(0x0018, 0x6024, 3).word(0x0018, 0x6026, 3);
     file.real(0x0018, 0x602c, said.pixelSpacing).real(0x0018, 0x602e, 2 * said.pixelSpacing);
     file.picture(3, 2, said.frames).put(0x3001, 0x1001, "UL", bytesFrom<std::uint32_t>({said.slices}));
     file.real(0x3001, 0x1003, said.sliceSpacing);
@@ -92,6 +98,19 @@ TEST(QlabCartesian, TheEndOfTheLastRowMayBeMissingAndIsNoData) {
     EXPECT_TRUE(warnsOf(*study, "ends 2 bytes early"));
 }
 
+TEST(QlabCartesian, TheTimesOfVolumesAreThoseOfFrames) {
+    const auto study = readQlab({.frames = 4, .held = 3 * 24, .frameTimes = "0\\20\\60\\20"});
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phaseTimes.starts, (std::vector<double>{0, 0.02, 0.08})) << "of the three that are there";
+    EXPECT_TRUE(warnsOf(*study, "uneven"));
+    const auto secondsOf = [](const Qlab& said) { return readQlab(said)->phaseTimes.meanSeconds.value_or(0); };
+    EXPECT_DOUBLE_EQ(secondsOf({.frameTimes = "0\\20\\60"}), 0.04) << "a vector of other frames";
+    EXPECT_DOUBLE_EQ(secondsOf({.frameTimes = "0\\-20"}), 0.04);
+    EXPECT_DOUBLE_EQ(secondsOf({.frameTime = "", .frameTimes = "0\\25"}), 0.025);
+    EXPECT_DOUBLE_EQ(secondsOf({.frameTime = "0", .cineRate = "20"}), 0.05);
+    EXPECT_DOUBLE_EQ(secondsOf({.frameTime = ""}), 0);
+}
+
 TEST(QlabCartesian, ASpacingThatUltrasoundCannotHaveIsAGuessInMm) {
     const auto study = readQlab({.sliceSpacing = 30, .pixelSpacing = 0.5});
     ASSERT_TRUE(study) << study.error().sentence();
@@ -134,6 +153,11 @@ TEST(QlabCartesian, TheMiddlePictureOfALargeOneIsItsMiddleSlice) {
     const auto picture = middlePicture(list->series[0], 100);
     ASSERT_TRUE(picture) << picture.error().sentence();
     EXPECT_EQ(picture->grey.front(), std::lround(255 * 13.0 / 18)) << "slice 3 of the first phase: 13 to 18";
+    // A slice whose last row is cut.
+    folder.write("q.dcm", qlabFile({.frames = 1, .slices = 1, .held = 5}));
+    const auto cut = middlePicture(listSeries(folder.path())->series[0], 100);
+    ASSERT_TRUE(cut) << cut.error().sentence();
+    EXPECT_EQ(cut->grey.front(), 51);
 }
 
 TEST(QlabCartesian, IsListedAsAVolume) {

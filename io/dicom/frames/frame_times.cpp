@@ -1,0 +1,93 @@
+#include "io/dicom/frames/frame_times.h"
+
+#include <chrono>
+#include <cmath>
+#include <string_view>
+
+#include "io/files/header_text.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr DicomTag frameTimeTag{0x0018, 0x1063};
+constexpr DicomTag frameTimeVectorTag{0x0018, 0x1065};
+constexpr DicomTag cineRateTag{0x0018, 0x0040};
+constexpr DicomTag displayRateTag{0x0008, 0x2144};
+constexpr DicomTag incrementPointerTag{0x0028, 0x0009};
+
+StatedTimes evenTimes(double step, std::size_t count, std::string source) {
+    StatedTimes times{{}, std::move(source)};
+    for (std::size_t i = 0; i < count; ++i) times.seconds.push_back(step * static_cast<double>(i));
+    return times;
+}
+
+/// The only number of an attribute if it is above 0.
+std::optional<double> aboveZero(DcmItem& item, DicomTag tag) {
+    const auto values = dicomNumbers(item, tag, 1);
+    return !values.empty() && values[0] > 0 ? std::optional(values[0]) : std::nullopt;
+}
+
+/// The vector holds the milliseconds from each frame to the next; its first number is 0, as there is no frame before.
+std::optional<StatedTimes> timesOfVector(DcmItem& item, std::size_t count) {
+    const auto steps = dicomNumbers(item, frameTimeVectorTag, count);
+    if (steps.empty()) return std::nullopt;
+    StatedTimes times{{0.0}, tagText(frameTimeVectorTag) + " Frame Time Vector"};
+    for (std::size_t i = 1; i < count; ++i) {
+        if (!(steps[i] > 0)) return std::nullopt;
+        times.seconds.push_back(times.seconds.back() + steps[i] / 1000);
+    }
+    return times;
+}
+
+/// Two or four digits of a text as a number; no value if they are none.
+std::optional<int> digits(std::string_view text, std::size_t at, std::size_t count) {
+    int number = 0;
+    for (std::size_t i = at; i < at + count; ++i) {
+        if (i >= text.size() || text[i] < '0' || text[i] > '9') return std::nullopt;
+        number = 10 * number + (text[i] - '0');
+    }
+    return number;
+}
+
+}  // namespace
+
+bool framesFollowInTime(DcmItem& dataset) {
+    const std::string pointer = dicomText(dataset, incrementPointerTag);
+    return pointer.find("0018,1063") != std::string::npos || pointer.find("0018,1065") != std::string::npos;
+}
+
+std::optional<StatedTimes> statedFrameTimes(DcmItem& item, std::size_t count) {
+    const auto step = aboveZero(item, frameTimeTag);
+    const bool stepIsNamed = dicomText(item, incrementPointerTag).find("0018,1063") != std::string::npos;
+    if (!step || !stepIsNamed)
+        if (auto times = timesOfVector(item, count)) return times;
+    if (!step) return std::nullopt;
+    return evenTimes(*step / 1000, count, tagText(frameTimeTag) + " Frame Time");
+}
+
+std::optional<StatedTimes> statedFrameRate(DcmItem& item, std::size_t count) {
+    if (const auto rate = aboveZero(item, cineRateTag))
+        return evenTimes(1 / *rate, count, tagText(cineRateTag) + " Cine Rate");
+    if (const auto rate = aboveZero(item, displayRateTag))
+        return evenTimes(1 / *rate, count, tagText(displayRateTag) + " Recommended Display Frame Rate");
+    return std::nullopt;
+}
+
+std::optional<double> dicomDateTime(DcmItem& item, DicomTag tag) {
+    const std::string text = dicomText(item, tag);
+    const auto year = digits(text, 0, 4), month = digits(text, 4, 2), day = digits(text, 6, 2);
+    const auto hour = digits(text, 8, 2), minute = digits(text, 10, 2), second = digits(text, 12, 2);
+    if (!year || !month || !day || !hour || !minute || !second) return std::nullopt;
+    const std::chrono::year_month_day date{std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
+                                           std::chrono::day(static_cast<unsigned>(*day))};
+    if (!date.ok()) return std::nullopt;
+    const auto days = static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
+    // Zones are left out: all frames of a file have the same.
+    const std::string rest = text.substr(14, text.find_first_of("+-&", 14) - 14);
+    const double fraction = rest.empty() ? 0.0 : realNumber("0" + rest).value_or(NAN);
+    if (!(fraction >= 0 && fraction < 1)) return std::nullopt;
+    return ((days * 24 + *hour) * 60 + *minute) * 60 + *second + fraction;
+}
+
+}  // namespace echolucent
