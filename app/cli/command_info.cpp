@@ -33,7 +33,7 @@ struct InfoOptions {
     std::string json;  ///< where the JSON goes; "-" is standard output
 };
 
-/// Smallest and largest stored value of the data voxels; they mean nothing if dataVoxels is 0.
+/// Smallest and largest value of the data voxels, the file's own; they mean nothing if dataVoxels is 0.
 struct StoredRange {
     double low = 0.0;
     double high = 0.0;
@@ -54,7 +54,7 @@ StoredRange rangeOfData(std::span<const Value> values, IsData isData) {
 }
 
 StoredRange storedRangeOf(const Volume& volume) {
-    return std::visit(
+    StoredRange range = std::visit(
         [&](const auto& values) {
             const std::span all(values.data(), values.size());
             const std::uint8_t* const mask = volume.dataMaskOrNull();
@@ -62,11 +62,14 @@ StoredRange storedRangeOf(const Volume& volume) {
             const auto marked = [](std::uint8_t mark) { return mark != 0; };
             const auto count = std::count_if(mask, mask + values.size(), marked);
             if (count == 0) return StoredRange{};
-            StoredRange range = rangeOfData(all, [&](std::size_t offset) { return marked(mask[offset]); });
-            range.dataVoxels = count;
-            return range;
+            StoredRange ofData = rangeOfData(all, [&](std::size_t offset) { return marked(mask[offset]); });
+            ofData.dataVoxels = count;
+            return ofData;
         },
         volume.voxels());
+    range.low = volume.valueScale().fileValue(range.low);
+    range.high = volume.valueScale().fileValue(range.high);
+    return range;
 }
 
 Json infoJson(const Study& study, const Volume& volume, int phase) {
@@ -89,7 +92,8 @@ Json infoJson(const Study& study, const Volume& volume, int phase) {
             {geometry.direction(0, axis), geometry.direction(1, axis), geometry.direction(2, axis)});
     entry["patient_frame_known"] = geometry.patientFrameKnown;
     entry["type"] = volume.typeName();
-    entry["white_level"] = volume.whiteLevel();
+    entry["black_level"] = volume.blackValue();
+    entry["white_level"] = volume.whiteValue();
     entry["phases"] = study.phases.size();
     entry["phase"] = phase;
     entry["phase_seconds"] = study.phaseTimes.meanSeconds ? Json(*study.phaseTimes.meanSeconds) : Json();

@@ -11,7 +11,10 @@
 #include "processing/viewpoint/box_section.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/run_status.h"
+#include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/curve_sliders.h"
+#include "widgets/panels/designer_panel.h"
 #include "widgets/panels/method_panel.h"
 #include "widgets/panels/study_panel.h"
 #include "widgets/panels/view_panel.h"
@@ -109,7 +112,12 @@ void ShownStudy::tellFacts() {
 void ShownStudy::takeVolume() {
     OpenStudy& openStudy = m_parts.openStudy;
     m_parts.editor.setHistogram(openStudy.histogram());
-    m_parts.editor.setWhiteLevel(openStudy.volume()->whiteLevel());
+    const ValueWindow values = openStudy.volume()->valueWindow();
+    m_parts.editor.setValueWindow(values);
+    m_parts.status.setValueWindow(values);
+    m_parts.designers.setValueWindow(values);
+    m_parts.sliders.setValueWindow(values);
+    m_parts.course.setValueWindow(values);
     // While a motion plays, clearing the numbers would make them flicker. Numbers of an OTF that is the newest stay
     // too.
     if (m_parts.player.isPlaying() || m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return;

@@ -10,8 +10,11 @@ class QMainWindow;
 
 namespace echolucent {
 
+class CurveSliders;
+class DesignerPanel;
 class MessageBar;
 class MethodPanel;
+class OtfCoursePanel;
 class OtfEditor;
 class RunStatus;
 class StudyNames;
@@ -37,6 +40,9 @@ public:
         ViewPanel& controls;
         StudyPanel& facts;
         RunStatus& status;
+        DesignerPanel& designers;
+        CurveSliders& sliders;
+        OtfCoursePanel& course;
         MessageBar& messages;
         StudyNames& names;
     };

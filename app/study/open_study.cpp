@@ -8,6 +8,7 @@
 #include "app/study/freed_elsewhere.h"
 #include "io/document/session_file.h"
 #include "io/restricted/restricted_reader.h"
+#include "io/study/named_study.h"
 #include "io/study/simulated_study.h"
 
 namespace echolucent {
@@ -135,7 +136,7 @@ void OpenStudy::load(const StudyReference& reference, StudyReader reader) {
             emit aboutToReplace();
             m_loadingMilliseconds = millisecondsOf(m_loadingClock);
             m_reference = saved ? saved->session.document.study : reference;
-            if (auto* named = std::get_if<StudyFile>(&m_reference)) named->turnedAxis = shared->turnedAxis;
+            if (auto* named = std::get_if<StudyFile>(&m_reference)) *named = asOpened(std::move(*named), *shared);
             m_saved = saved;
             m_study = shared;
             m_filesRead = filesRead(*m_study, m_saved);

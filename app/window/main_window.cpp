@@ -98,10 +98,10 @@ void MainWindow::createUnits() {
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, m_openStudy, m_works, *m_otfs, *m_panes,
                                                                   *m_view, *m_widgets.picture, m_motionPlayer,
                                                                   *m_widgets.motion, *m_widgets.course});
-    m_shownStudy = std::make_unique<ShownStudy>(
-        ShownStudy::Parts{*this, m_document, m_openStudy, *m_otfs, *m_panes, *m_widgets.picture, *m_motion,
-                          m_motionPlayer, *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts,
-                          *m_widgets.status, *m_widgets.messages, m_names});
+    m_shownStudy = std::make_unique<ShownStudy>(ShownStudy::Parts{
+        *this, m_document, m_openStudy, *m_otfs, *m_panes, *m_widgets.picture, *m_motion, m_motionPlayer,
+        *m_widgets.editor, *m_widgets.method, *m_widgets.controls, *m_widgets.facts, *m_widgets.status,
+        *m_widgets.designers, *m_widgets.sliders, *m_widgets.course, *m_widgets.messages, m_names});
     m_loadingPicture = std::make_unique<LoadingPicture>(
         LoadingPicture::Parts{m_document, m_openStudy, m_works, *m_view, *m_widgets.picture});
     m_nearCutFinder =

@@ -127,7 +127,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     layout.designers = new DesignerPanel(document, &window);
     layout.controls = new ViewPanel(&window);
     layout.presets = new PresetsPanel(&window);
-    auto* sliders = new CurveSliders(document, &window);
+    auto* sliders = layout.sliders = new CurveSliders(document, &window);
     QObject::connect(sliders, &CurveSliders::resetRequested, layout.editor->resetAction(), &QAction::trigger);
     layout.room = new RoomPanel(document, &window);
     layout.measurements = new MeasurementsPanel(&window);

@@ -12,6 +12,7 @@ namespace echolucent {
 
 class CompareGrid;
 class ComparePanel;
+class CurveSliders;
 class DesignerPanel;
 class DocumentModel;
 class ExplainPanel;
@@ -45,6 +46,7 @@ struct WindowLayout {
     OtfEditor* editor = nullptr;
     MethodPanel* method = nullptr;
     DesignerPanel* designers = nullptr;
+    CurveSliders* sliders = nullptr;
     ViewPanel* controls = nullptr;
     PresetsPanel* presets = nullptr;
     RoomPanel* room = nullptr;

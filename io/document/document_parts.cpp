@@ -56,6 +56,8 @@ StudyReference studyIn(JsonFields root) {
         file.options.conversionMebibytes = fields.whole("conversion_mebibytes", 1, mostConversionMebibytes);
     if (fields.has("study_mebibytes"))
         file.options.studyMebibytes = fields.whole("study_mebibytes", 1, mostStudyMebibytes);
+    // Documents without it were saved of studies whose black is 0, if only because no other was known.
+    file.options.blackAtZero = !fields.has("black_from_data") || !fields.flag("black_from_data");
     file.checksum = fields.text("checksum");
     if (file.checksum.size() > longestChecksum) fields.wrong("checksum", "must be shorter");
     if (file.path.find('\0') != std::string::npos) fields.wrong("path", "must hold no null character");

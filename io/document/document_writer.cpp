@@ -33,6 +33,7 @@ ordered_json studyJson(const StudyReference& study) {
         if (file->turnedAxis) object["turned_axis"] = nameOf(*file->turnedAxis);
         if (file->options.conversionMebibytes != ReadOptions{}.conversionMebibytes)
             object["conversion_mebibytes"] = file->options.conversionMebibytes;
+        if (!file->options.blackAtZero) object["black_from_data"] = true;
         if (file->options.studyMebibytes) object["study_mebibytes"] = *file->options.studyMebibytes;
         return {{"file", object}};
     }

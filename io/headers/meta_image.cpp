@@ -14,6 +14,7 @@
 #include "io/headers/meta_image_data.h"
 #include "io/headers/meta_image_keys.h"
 #include "io/headers/stated_times.h"
+#include "io/headers/value_levels.h"
 #include "io/study/study_assembly.h"
 
 namespace echolucent {
@@ -254,12 +255,8 @@ Result<void> MetaImageHeader::readByteOrder() {
 }
 
 Result<void> MetaImageHeader::readWhiteLevel() {
-    const auto* text = find("WhiteLevel");
-    if (text == nullptr) return {};
-    m_stored.whiteLevel = positiveNumber(*text);
-    if (!m_stored.whiteLevel) return wrong("WhiteLevel", "must be a number above 0, not " + quotedText(*text));
-    m_stored.whiteLevelSource = "WhiteLevel";
-    return {};
+    const auto read = readLevels(find("BlackLevel"), find("WhiteLevel"), m_stored);
+    return read ? Result<void>() : wrong(read.error().key, read.error().problem);
 }
 
 Result<void> MetaImageHeader::readFrames() {

@@ -38,6 +38,7 @@ constexpr std::array<std::string_view, 24> ourKeys{"ObjectType",
                                                    "CompressedDataSize",
                                                    "HeaderSize",
                                                    "WhiteLevel",
+                                                   "BlackLevel",
                                                    "ElementDataFile"};
 
 /// A key as we spell it, whatever its case: programs disagree on capitals. Keys that are not ours stay as they are.

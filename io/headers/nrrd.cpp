@@ -17,6 +17,7 @@
 #include "io/headers/nrrd_space.h"
 #include "io/headers/nrrd_spacings.h"
 #include "io/headers/nrrd_times.h"
+#include "io/headers/value_levels.h"
 #include "io/study/study_assembly.h"
 
 namespace echolucent {
@@ -310,12 +311,12 @@ Result<void> NrrdHeader::readFrames() {
 }
 
 Result<void> NrrdHeader::readWhiteLevel() {
-    const auto found = m_fields.keys.find("WhiteLevel");
-    if (found == m_fields.keys.end()) return {};
-    m_stored.whiteLevel = positiveNumber(found->second);
-    if (!m_stored.whiteLevel) return wrong("WhiteLevel", "must be a number above 0, not " + quotedText(found->second));
-    m_stored.whiteLevelSource = "WhiteLevel";
-    return {};
+    const auto find = [&](const char* key) {
+        const auto found = m_fields.keys.find(key);
+        return found != m_fields.keys.end() ? &found->second : nullptr;
+    };
+    const auto read = readLevels(find("BlackLevel"), find("WhiteLevel"), m_stored);
+    return read ? Result<void>() : wrong(read.error().key, read.error().problem);
 }
 
 Result<void> NrrdHeader::readEncoding() {

@@ -74,8 +74,8 @@ Result<void> readLine(const std::string& path, std::string_view line, int number
         const std::string key = trimmed(line.substr(0, colon));
         const std::string value = trimmed(line.substr(colon + 2));
         const auto [known, isNew] = result.keys.emplace(key, value);
-        // WhiteLevel is the only key whose value is read.
-        if (!isNew && key == "WhiteLevel" && known->second != value)
+        // These are the only keys whose values are read.
+        if (!isNew && (key == "WhiteLevel" || key == "BlackLevel") && known->second != value)
             return fail(FailureKind::unreadable, path, key, "appears twice in the header, with different values",
                         correctHeader);
         return {};

@@ -24,8 +24,8 @@ struct NrrdFields {
 };
 
 /// Reads the header of an opened file. Fails (unreadable) if it is no NRRD file of a known version, if a line breaks
-/// the grammar, if a field or a contradicting WhiteLevel appears twice, or if a list of files goes beyond the first
-/// MiB.
+/// the grammar, if a field or a contradicting WhiteLevel or BlackLevel appears twice, or if a list of files goes beyond
+/// the first MiB.
 [[nodiscard]] Result<NrrdFields> readNrrdFields(const InputFile& file);
 
 /// Whether the field "data file" announces a list of files.

@@ -110,8 +110,11 @@ std::optional<bool> apartOf(std::string_view magic, int version) {
 
 }  // namespace
 
-std::string niftiWhiteText(double whiteLevel, std::string_view typeName) {
-    return fmt::format("Echolucent white level {} of {}", whiteLevel, typeName);
+std::string niftiWhiteText(double black, double white, std::string_view typeName) {
+    if (black == 0.0) return fmt::format("Echolucent white level {} of {}", white, typeName);
+    // The header holds float32, whose shortest text fits into the 80 bytes of descrip.
+    return fmt::format("Echolucent black level {}, white level {} of {}", static_cast<float>(black),
+                       static_cast<float>(white), typeName);
 }
 
 bool looksLikeNifti(std::string_view beginning) { return niftiHeaderIn(beginning).has_value(); }

@@ -31,9 +31,10 @@ struct NiftiHeader {
     std::array<std::array<double, 4>, 3> srow{};  ///< srow_x, srow_y, srow_z
 };
 
-/// The description (descrip) that states the white level: "Echolucent white level 65535 of uint16". cal_max alone is
-/// not enough, because any program may have set this display range as it likes.
-[[nodiscard]] std::string niftiWhiteText(double whiteLevel, std::string_view typeName);
+/// The description (descrip) that states the white level, "Echolucent white level 65535 of uint16", and black if that
+/// is not 0: "Echolucent black level -60, white level 0 of float32". cal_min and cal_max alone are not enough, because
+/// any program may have set this display range as it likes.
+[[nodiscard]] std::string niftiWhiteText(double black, double white, std::string_view typeName);
 
 /// The length of the shortest header, bytes.
 constexpr std::size_t shortestNiftiHeader = 348;

@@ -224,7 +224,7 @@ Result<void> NiftiReader::readScale() {
     if (slope == 1.0 && intercept == 0.0) return {};
     if (m_stored.channels == 3) return wrong("scl_slope", "rescales colours, which NIfTI does not allow");
     const auto [smallest, largest] = rangeOf(m_stored.type);
-    if (const auto problem = problemOf(Rescale{slope, intercept}, smallest, largest))
+    if (const auto problem = problemInDouble(Rescale{slope, intercept}, smallest, largest))
         return wrong("scl_slope", *problem);
     m_stored.rescale = Rescale{slope, intercept};
     m_stored.rescaleSource = "scl_slope, scl_inter";
@@ -232,29 +232,33 @@ Result<void> NiftiReader::readScale() {
     return {};
 }
 
-/// Whether the description states that calMax is the white level of voxels of this type that are not rescaled. If
-/// another program changed the type, the rescaling or the range, the description does not fit.
+/// Whether the description states that calMin and calMax are black and white of voxels of this type that are not
+/// rescaled. If another program changed the type, the rescaling or the range, the description does not fit.
 bool NiftiReader::saysWhite() const {
-    return m_header.calMin == 0 && m_header.calMax > 0 && !m_stored.rescale &&
-           m_header.descrip == niftiWhiteText(m_header.calMax, nameOf(m_stored.type));
+    return m_header.calMax > m_header.calMin && !m_stored.rescale &&
+           m_header.descrip == niftiWhiteText(m_header.calMin, m_header.calMax, nameOf(m_stored.type));
 }
 
 void NiftiReader::readWindow() {
     if (saysWhite()) {
         m_stored.whiteLevel = m_header.calMax;
         m_stored.whiteLevelSource = "descrip, cal_max";
+        if (m_header.calMin == 0) return;
+        m_stored.blackLevel = m_header.calMin;
+        m_stored.blackLevelSource = "descrip, cal_min";
         return;
     }
     if (std::isfinite(m_header.calMax) && std::isfinite(m_header.calMin) && m_header.calMax > m_header.calMin) {
         m_stored.window =
-            WindowWhite{m_header.calMax, fmt::format("from {:.9g} to {:.9g}", m_header.calMin, m_header.calMax),
-                        "cal_min, cal_max"};
+            WindowWhite{m_header.calMax, m_header.calMin,
+                        fmt::format("from {:.9g} to {:.9g}", m_header.calMin, m_header.calMax), "cal_min, cal_max"};
         return;
     }
     // Voxels of 8 bits are white where 255 is stored, also if the file rescales them.
     if (!m_stored.rescale || m_stored.type != StoredType::uint8) return;
     const double white = m_stored.rescale->of(255.0);
-    if (m_stored.rescale->slope < 0 || white <= 0) return;
+    if (m_stored.rescale->slope < 0) return;
+    m_stored.lowestLevel = m_stored.rescale->of(0.0);
     m_stored.whiteLevel = white;
     m_stored.whiteLevelSource = "255 of 8 bits, by scl_slope and scl_inter";
 }

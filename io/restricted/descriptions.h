@@ -33,7 +33,7 @@ void describe(Archive& archive, Value& layout) {
 template <typename Archive, Described<ReadOptions> Value>
 void describe(Archive& archive, Value& options) {
     archive(options.raw, options.framesAsSlices, options.guessNoData, options.series, options.conversionMebibytes,
-            options.studyMebibytes);
+            options.studyMebibytes, options.blackAtZero);
 }
 
 template <typename Archive, Described<Failure> Value>
@@ -57,6 +57,11 @@ template <typename Archive, Described<VolumeGeometry> Value>
 void describe(Archive& archive, Value& geometry) {
     archive(geometry.size, geometry.spacing, geometry.origin, geometry.direction, geometry.spacingKnown,
             geometry.patientFrameKnown, geometry.probe, geometry.reduction);
+}
+
+template <typename Archive, Described<ValueScale> Value>
+void describe(Archive& archive, Value& scale) {
+    archive(scale.black, scale.factor);
 }
 
 template <typename Archive, Described<DataBox> Value>

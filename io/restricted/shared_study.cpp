@@ -37,13 +37,14 @@ struct SharedVolume {
     VolumeGeometry geometry;
     Extent voxels;
     double whiteLevel = 1.0;
+    ValueScale valueScale;
     std::int32_t mask = -1;  // index in the list of masks; -1 if all voxels are data
     DataBox box;
 };
 
 template <typename Archive, Described<SharedVolume> Value>
 void describe(Archive& archive, Value& volume) {
-    archive(volume.geometry, volume.voxels, volume.whiteLevel, volume.mask, volume.box);
+    archive(volume.geometry, volume.voxels, volume.whiteLevel, volume.valueScale, volume.mask, volume.box);
 }
 
 /// The volumes of a study, and their shared masks.
@@ -162,7 +163,7 @@ bool isFinite(const Vec3& vector) {
 }
 
 /// Whether the numbers of a volume are ones that a reader gives: size, spacing, origin, directions (right-handed),
-/// reduction, probe, white level and box.
+/// reduction, probe, white level, scale and box.
 bool isSensible(const SharedVolume& volume) {
     const VolumeGeometry& geometry = volume.geometry;
     std::optional<std::int64_t> voxels = 1;
@@ -179,18 +180,20 @@ bool isSensible(const SharedVolume& volume) {
         if (!isUnit(probe->forward) || !isUnit(probe->down) || (probe->apexMm && !isFinite(*probe->apexMm)))
             return false;
     }
-    return isSensibleWhite(volume.whiteLevel) && isFinite(volume.box.lowMm) && isFinite(volume.box.highMm) &&
+    const bool sensibleLevels = isSensibleWhite(volume.whiteLevel) && isSensible(volume.valueScale) &&
+                                std::isfinite(volume.valueScale.fileValue(volume.whiteLevel));
+    return sensibleLevels && isFinite(volume.box.lowMm) && isFinite(volume.box.highMm) &&
            isSensibleSpacing(geometry.spacing) && isPosition(geometry.origin);
 }
 
 bool isSensible(const Study& study) { return !study.name.empty(); }
 
-/// Whether phases can be of one study: one size and type, and at most mostPhases.
+/// Whether phases can be of one study: one size, type and scale, and at most mostPhases.
 bool belongTogether(const std::vector<SharedVolume>& phases) {
     return !phases.empty() && phases.size() <= static_cast<std::size_t>(mostPhases) &&
            std::all_of(phases.begin(), phases.end(), [&](const SharedVolume& phase) {
                return phase.geometry.size == phases.front().geometry.size &&
-                      phase.voxels.type == phases.front().voxels.type;
+                      phase.voxels.type == phases.front().voxels.type && phase.valueScale == phases.front().valueScale;
            });
 }
 
@@ -209,7 +212,7 @@ Result<SharedStudy> shareStudy(Study study, SharedVoxelMemory& memory) {
     std::map<const std::uint8_t*, std::int32_t> masks;
     try {
         for (const auto& phase : study.phases) {
-            SharedVolume volume{phase->geometry(), {}, phase->whiteLevel(), -1, phase->dataBox()};
+            SharedVolume volume{phase->geometry(), {}, phase->whiteLevel(), phase->valueScale(), -1, phase->dataBox()};
             const auto type = static_cast<std::int32_t>(phase->voxels().index());
             volume.voxels =
                 std::visit([&](const auto& values) { return placing.place(type, values); }, phase->voxels());
@@ -276,7 +279,8 @@ std::optional<Study> takeStudyWithin(std::span<const std::uint8_t> bytes, const 
     for (std::size_t i = 0; i < shared.phases.size(); ++i) {
         const SharedVolume& phase = shared.phases[i];
         const auto mask = static_cast<std::size_t>(phase.mask);
-        Volume volume(phase.geometry, std::move(voxelsOfPhases[i]), phase.whiteLevel);
+        const Volume volume =
+            Volume(phase.geometry, std::move(voxelsOfPhases[i]), phase.whiteLevel).withValueScale(phase.valueScale);
         if (phase.mask >= 0 && !marksFiniteOnly(*masks[mask], volume.dataMask())) return std::nullopt;
         study.phases.push_back(std::make_shared<const Volume>(
             phase.mask >= 0 ? volume.withDataMask(masks[mask], phase.box) : volume.withDataBox(phase.box)));

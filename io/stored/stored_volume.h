@@ -49,6 +49,9 @@ struct StoredVolume {
     PolarSources polarSources;
     std::optional<double> whiteLevel;
     std::string whiteLevelSource;
+    std::optional<double> blackLevel;  ///< as StudyParts::blackLevel
+    std::string blackLevelSource;
+    std::optional<double> lowestLevel;  ///< as StudyParts::lowestLevel
     std::optional<WindowWhite> window;  ///< as StudyParts::window
     PhaseTimes phaseTimes{};
     std::string phaseSource;

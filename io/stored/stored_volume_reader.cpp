@@ -11,6 +11,7 @@
 #include "io/stored/right_handed.h"
 #include "io/stored/stored_bytes.h"
 #include "io/study/study_assembly.h"
+#include "io/study/value_window.h"
 #include "processing/volume/block_mean.h"
 
 namespace echolucent {
@@ -119,16 +120,18 @@ Result<Study> studyOf(const StoredVolume& stored, std::vector<VoxelBytes> phases
     parts.sliceAxis = stored.sliceAxis;
     parts.sizeSource = stored.sizeKey;
     parts.typeSource = stored.typeKey;
-    parts.voxels = stored.rescale ? convertRescaledVoxels(std::move(phases), stored.type, *stored.rescale)
-                                  : convertVoxels(std::move(phases), stored.type);
     parts.whiteLevel = stored.whiteLevel;
     parts.whiteLevelSource = stored.whiteLevelSource;
+    parts.blackLevel = stored.blackLevel;
+    parts.blackLevelSource = stored.blackLevelSource;
+    parts.lowestLevel = stored.lowestLevel;
     parts.window = stored.window;
     parts.phaseTimes = stored.phaseTimes;
     parts.phaseSource = stored.phaseSource;
     parts.warnings = stored.warnings;
     parts.warnings.insert(parts.warnings.end(), warnings.begin(), warnings.end());
     addStorageFacts(stored, parts);
+    keepVoxels(parts, std::move(phases), stored.type, stored.rescale, options);
     if (stored.polar)
         if (auto converted = scanConvert(parts, *stored.polar, stored.polarSources, options, progress); !converted)
             return tl::unexpected(converted.error());

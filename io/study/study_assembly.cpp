@@ -13,6 +13,7 @@
 #include "processing/beam/probe_view.h"
 #include "processing/intensity/no_data.h"
 #include "processing/one_line.h"
+#include "processing/volume/value_digits.h"
 #include "processing/volume/white_level.h"
 
 namespace echolucent {
@@ -25,41 +26,50 @@ struct ChosenWhite {
     std::string source;
 };
 
-std::string windowNotTaken(const WindowWhite& window, DeclaredWhite judged, const WhiteLevel& measured) {
+std::string windowNotTaken(const WindowWhite& window, DeclaredWhite judged, const WhiteLevel& measured,
+                           const ValueScale& scale) {
     const char* why = judged == DeclaredWhite::tooHigh
                           ? "the values in the data lie so far below it that the picture would be black"
                       : judged == DeclaredWhite::tooLow ? "most values in the data lie above it"
                                                         : "it is not above 0";
     return fmt::format("The window of the file ({}) puts white at {:.6g}, which is not taken: {} (they reach {:.6g}).",
-                       window.words, window.white, why, measured.level);
+                       window.words, window.white, why, scale.fileValue(measured.level));
 }
 
-ChosenWhite whiteFromData(const WhiteLevel& measured, std::vector<std::string>& warnings) {
+ChosenWhite whiteFromData(const WhiteLevel& measured, const ValueScale& scale, std::vector<std::string>& warnings) {
     ChosenWhite white{std::nullopt, "largest value in the data"};
-    if (measured.level > 0) white.level = measured.level;
+    if (measured.level > 0) {
+        white.level = measured.level;
+    } else if (scale.black != 0) {
+        // No value lies above black. White is 0, or as far above 0 again as doubles reach.
+        white = {std::abs(scale.black) / scale.factor, "above all values"};
+        if (!std::isfinite(scale.fileValue(*white.level)))
+            white.level = scale.storedValue(std::numeric_limits<double>::max());
+    }
     if (measured.above == 0) return white;
     white.source = "largest value in the data but for hot voxels";
     warnings.push_back(
         fmt::format("{} voxels hold values up to {:.6g}, far above all others: the white level is {:.6g} without "
                     "them, and they are shown as white.",
-                    measured.above, measured.largest, measured.level));
+                    measured.above, scale.fileValue(measured.largest), scale.fileValue(measured.level)));
     return white;
 }
 
-/// The white level of all phases: what the file declares, 255 for 8 bits, the file's window if it suits the voxels,
-/// else what the voxels say.
+/// The white level of all phases, as voxels hold it: what the file declares, 255 for 8 bits from 0 on, the file's
+/// window if it suits the voxels, else what the voxels say.
 ChosenWhite chooseWhite(const StudyParts& parts, std::vector<std::string>& warnings) {
-    if (parts.whiteLevel) return {parts.whiteLevel, parts.whiteLevelSource};
-    if (std::holds_alternative<VoxelArray<std::uint8_t>>(parts.voxels.phases.front()))
+    const ValueScale& scale = parts.voxels.scale;
+    if (parts.whiteLevel) return {scale.storedValue(*parts.whiteLevel), parts.whiteLevelSource};
+    if (scale.isIdentity() && std::holds_alternative<VoxelArray<std::uint8_t>>(parts.voxels.phases.front()))
         return {std::nullopt, "8-bit voxels"};
     const WhiteLevel measured = whiteLevelOf(parts.voxels.phases);
     if (parts.window) {
-        const DeclaredWhite judged = judgeDeclaredWhite(parts.window->white, measured);
+        const DeclaredWhite judged = judgeDeclaredWhite(scale.storedValue(parts.window->white), measured);
         if (judged == DeclaredWhite::suits)
-            return {parts.window->white, parts.window->source + ": " + parts.window->words};
-        warnings.push_back(windowNotTaken(*parts.window, judged, measured));
+            return {scale.storedValue(parts.window->white), parts.window->source + ": " + parts.window->words};
+        warnings.push_back(windowNotTaken(*parts.window, judged, measured, scale));
     }
-    return whiteFromData(measured, warnings);
+    return whiteFromData(measured, scale, warnings);
 }
 
 /// The volume with the format's mask, else with a guess if one is wanted. Voxels that are not finite are never data.
@@ -92,7 +102,10 @@ Volume withoutMissing(const Volume& volume, const StudyParts& parts, const ReadO
         },
         volume.voxels());
     std::vector<std::uint8_t> mask =
-        withMask(Volume(parts.geometry, std::move(filled), volume.whiteLevel()), parts, options).dataMask().toVector();
+        withMask(Volume(parts.geometry, std::move(filled), volume.whiteLevel()).withValueScale(volume.valueScale()),
+                 parts, options)
+            .dataMask()
+            .toVector();
     mask.resize(static_cast<std::size_t>(parts.geometry.voxelCount()), 1);
     fillSlices(mask, parts.missingSlices, parts.geometry, std::uint8_t{0});
     return volume.withDataMask(std::move(mask));
@@ -149,6 +162,24 @@ std::string timesText(const PhaseTimes& times) {
     if (!gaps) return "unknown";
     if (times.starts.empty()) return fmt::format("{:.6g} s", *times.meanSeconds);
     return fmt::format("{:.4g} to {:.4g} s; played as they are", gaps->first, gaps->second);
+}
+
+/// Adds white, and where it is no matter of course, black and what the file holds.
+void addValueFacts(const StudyParts& parts, const std::string& whiteSource, Study& study) {
+    const Volume& volume = *study.phases.front();
+    if (!parts.shown) {
+        study.facts.push_back({"white level", fmt::format("{}", volume.whiteLevel()), whiteSource});
+        return;
+    }
+    const auto text = [digits = digitsToTell(volume.valueWindow(), 6)](double value) {
+        return fmt::format("{:.{}g}", value, digits);
+    };
+    const std::string values = text(parts.shown->lowest) + " to " + text(parts.shown->highest);
+    const std::string black = text(volume.blackValue()), white = text(volume.whiteValue());
+    study.facts.push_back({"values", values, "all voxels"});
+    study.facts.push_back({"black level", black, parts.shown->blackSource});
+    study.facts.push_back({"white level", white, whiteSource});
+    study.warnings.push_back(fmt::format("The voxels hold {}: black is {}, white {}.", values, black, white));
 }
 
 void addPhaseFacts(const StudyParts& parts, Study& study) {
@@ -282,7 +313,7 @@ Result<void> checkGeometry(const StudyParts& parts) {
 
 /// Refuses a white level that float32 cannot hold.
 Result<void> checkWhite(const StudyParts& parts) {
-    if (!parts.whiteLevel || isSensibleWhite(*parts.whiteLevel)) return {};
+    if (!parts.whiteLevel || isSensibleWhite(parts.voxels.scale.storedValue(*parts.whiteLevel))) return {};
     return fail(FailureKind::unreadable, parts.path, parts.whiteLevelSource,
                 fmt::format("puts white at {:.6g}, which no voxel can show", *parts.whiteLevel),
                 "Correct the white level or leave it out.");
@@ -340,7 +371,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
     const ChosenWhite white = chooseWhite(parts, study.warnings);
     for (Voxels& voxels : parts.voxels.phases) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, parts.path, "", "was not read: cancelled");
-        const Volume volume(parts.geometry, std::move(voxels), white.level);
+        const Volume volume = Volume(parts.geometry, std::move(voxels), white.level).withValueScale(parts.voxels.scale);
         study.phases.push_back(std::make_shared<const Volume>(
             parts.missingSlices.empty() ? withMask(volume, parts, options) : withoutMissing(volume, parts, options)));
         progress.at(0.9 +
@@ -349,7 +380,7 @@ Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const 
 
     shareDataBox(study.phases);
     addGeometryFacts(parts, study);
-    study.facts.push_back({"white level", fmt::format("{}", study.phases.front()->whiteLevel()), white.source});
+    addValueFacts(parts, white.source, study);
     addPhaseFacts(parts, study);
     study.facts.push_back(
         {"voxels without data", fmt::format("{:.1f} %", 100.0 * noDataShare(study.phases)),

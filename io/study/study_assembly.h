@@ -12,11 +12,18 @@
 
 namespace echolucent {
 
-/// The white of a file's display window. It counts if it suits the voxels (judgeDeclaredWhite()).
+/// A file's display window. Its white counts if it suits the voxels (judgeDeclaredWhite()).
 struct WindowWhite {
-    double white = 0.0;  ///< stored value shown as white; finite
+    double white = 0.0;  ///< the file's value shown as white; finite
+    double black = 0.0;  ///< the file's value shown as black; counts if 0 would hide much (value_window.h)
     std::string words;   ///< the window as the file gives it: "centre 79, width 158"
     std::string source;  ///< tags of the window
+};
+
+/// What a study holds and where its black comes from, if black is not 0 or float32 cannot hold the values.
+struct ShownValues {
+    double lowest = 0.0, highest = 0.0;  ///< of all finite values, in the file's own
+    std::string blackSource;
 };
 
 /// The most phases that a reader takes. No scanner writes more.
@@ -45,8 +52,14 @@ struct StudyParts {
     /// How the voxels were reduced while reading; geometry is then reducedGeometry().
     std::optional<ChosenReduction> reduction;
     ConvertedVoxels voxels;
-    std::optional<double> whiteLevel;
-    std::string whiteLevelSource;       ///< key or tag of whiteLevel
+    std::optional<double> whiteLevel;  ///< the file's value of white
+    std::string whiteLevelSource;      ///< key or tag of whiteLevel
+    std::optional<double> blackLevel;  ///< the file's value of black, if it states one
+    std::string blackLevelSource;      ///< key or tag of blackLevel
+    /// The smallest value that the stored bits can mean, if whiteLevel is the largest one. It is black if 0 would hide
+    /// much.
+    std::optional<double> lowestLevel;
+    std::optional<ShownValues> shown;   ///< set by keepVoxels()
     std::optional<WindowWhite> window;  ///< used if whiteLevel is not given and voxels have more than 8 bits
     /// Which voxels are data (one byte a voxel, 1 is data), for all phases, if the format knows what was scanned. No
     /// guess is made then. Else null.

@@ -215,20 +215,26 @@ std::array<double, 2> rangeOf(StoredType type) {
     return {-1.0, 1.0};
 }
 
+std::optional<std::string> problemInDouble(const Rescale& rescale, double smallest, double largest) {
+    const double low = rescale.of(smallest), high = rescale.of(largest);
+    if (std::isfinite(low) && std::isfinite(high) && low != high) return std::nullopt;
+    return fmt::format("is {:.6g} with intercept {:.6g}, which makes values from {:.6g} to {:.6g}", rescale.slope,
+                       rescale.intercept, low, high);
+}
+
 std::optional<std::string> problemOfFloats(const std::vector<VoxelBytes>& phases, StoredType type,
                                            const Rescale& rescale) {
     const bool isDouble = type == StoredType::float64;
-    if (!isDouble && (type != StoredType::float32 || rescale.isIdentity())) return std::nullopt;
+    if ((!isDouble && type != StoredType::float32) || rescale.isIdentity()) return std::nullopt;
     const auto range = isDouble ? finiteRange<double>(phases) : finiteRange<float>(phases);
     if (!range) return std::nullopt;
     const auto [low, high] = *range;
-    constexpr double most = std::numeric_limits<float>::max();
-    if (std::abs(rescale.of(low)) <= most && std::abs(rescale.of(high)) <= most) {
-        // Voxels that were all the same before may stay so.
-        if (low == high || rescale.isIdentity() || !problemOf(rescale, low, high)) return std::nullopt;
+    // Voxels that were all the same before may stay so.
+    if (std::isfinite(rescale.of(low)) && std::isfinite(rescale.of(high))) {
+        if (low == high || rescale.of(low) != rescale.of(high)) return std::nullopt;
         return fmt::format("makes one value of all voxels, which are stored from {:.6g} to {:.6g}", low, high);
     }
-    return fmt::format("makes values from {:.6g} to {:.6g}, larger than float32 can hold", rescale.of(low),
+    return fmt::format("makes values from {:.6g} to {:.6g}, larger than float64 can hold", rescale.of(low),
                        rescale.of(high));
 }
 

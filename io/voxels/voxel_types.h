@@ -34,6 +34,7 @@ struct ConvertedVoxels {
     std::vector<Voxels> phases;
     std::string story;    ///< how they were stored and are kept: "int16, kept as uint16"
     std::string warning;  ///< a sentence if values changed or are negative; else empty
+    ValueScale scale{};   ///< from the voxels to the file's values
 };
 
 /// Converts the bytes of every phase (machine byte order) into voxels of one type. uint8, uint16 and float32 stay.
@@ -56,9 +57,13 @@ struct Rescale {
 /// The smallest and the largest value of a whole-number type; for a float type -1 and 1, in place of all values.
 [[nodiscard]] std::array<double, 2> rangeOf(StoredType type);
 
-/// The problem of keeping float values (machine byte order) as float32 after `rescale`: finite ones become too large,
-/// or different ones become all the same. In lower case without full stop. No value if there is none, as for all
-/// whole-number types and for float32 that is not rescaled.
+/// The problem of a line on which doubles cannot tell the values from `smallest` to `largest` apart, or not hold them.
+/// As problemOf().
+[[nodiscard]] std::optional<std::string> problemInDouble(const Rescale& rescale, double smallest, double largest);
+
+/// The problem of putting float values (machine byte order) on the line of `rescale`: finite ones become too large for
+/// doubles, or different ones become all the same. In lower case without full stop. No value if there is none, as for
+/// all whole-number types and for floats that are not rescaled.
 [[nodiscard]] std::optional<std::string> problemOfFloats(const std::vector<VoxelBytes>& phases, StoredType type,
                                                          const Rescale& rescale);
 

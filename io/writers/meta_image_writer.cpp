@@ -1,13 +1,14 @@
 #include "io/writers/meta_image_writer.h"
 
-#include <array>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "io/output/atomic_file.h"
 #include "io/writers/deflate_stream.h"
+#include "io/writers/file_values.h"
 
 namespace echolucent {
 
@@ -16,22 +17,17 @@ namespace {
 std::string plain(const std::vector<std::shared_ptr<const Volume>>& phases) {
     std::string bytes;
     for (const auto& phase : phases)
-        std::visit(
-            [&](const auto& values) {
-                bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
-            },
-            phase->voxels());
+        addFileValues(*phase, [&](std::span<const std::uint8_t> values) {
+            bytes.append(reinterpret_cast<const char*>(values.data()), values.size());
+        });
     return bytes;
 }
 
 std::string compressed(const std::vector<std::shared_ptr<const Volume>>& phases) {
     DeflateStream compressor(DeflateFormat::zlib);
     for (const auto& phase : phases)
-        std::visit(
-            [&](const auto& values) {
-                compressor.add(reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(values[0]));
-            },
-            phase->voxels());
+        addFileValues(*phase,
+                      [&](std::span<const std::uint8_t> values) { compressor.add(values.data(), values.size()); });
     return compressor.finish();
 }
 
@@ -46,9 +42,19 @@ std::string matrixText(const Mat3& direction, int dimensions) {
     return text;
 }
 
+const char* typeName(StoredType type) {
+    switch (type) {
+        case StoredType::uint8: return "MET_UCHAR";
+        case StoredType::uint16: return "MET_USHORT";
+        case StoredType::int16: return "MET_SHORT";
+        case StoredType::int32: return "MET_INT";
+        case StoredType::float64: return "MET_DOUBLE";
+        default: return "MET_FLOAT";
+    }
+}
+
 /// `compressedBytes` is not set for plain voxels.
 std::string headerText(const Volume& volume, std::size_t phases, std::optional<std::size_t> compressedBytes) {
-    constexpr std::array<const char*, 3> types{"MET_UCHAR", "MET_USHORT", "MET_FLOAT"};
     const VolumeGeometry& geometry = volume.geometry();
     const bool moving = phases > 1;
     const int dimensions = moving ? 4 : 3;
@@ -64,8 +70,9 @@ std::string headerText(const Volume& volume, std::size_t phases, std::optional<s
     if (!geometry.spacingKnown) text += "SpacingKnown = False\n";
     text += fmt::format("DimSize = {} {} {}", geometry.size[0], geometry.size[1], geometry.size[2]);
     text += moving ? fmt::format(" {}\n", phases) : "\n";
-    text += fmt::format("WhiteLevel = {}\n", volume.whiteLevel());
-    return text + fmt::format("ElementType = {}\nElementDataFile = LOCAL\n", types[volume.voxels().index()]);
+    if (!volume.valueScale().isIdentity()) text += fmt::format("BlackLevel = {}\n", volume.blackValue());
+    text += fmt::format("WhiteLevel = {}\n", volume.whiteValue());
+    return text + fmt::format("ElementType = {}\nElementDataFile = LOCAL\n", typeName(typeOfFileValues(volume)));
 }
 
 }  // namespace
@@ -74,9 +81,8 @@ Result<void> writeMetaImage(const std::string& path, const std::vector<std::shar
                             MetaImageVoxels voxels) {
     if (phases.empty()) throw std::invalid_argument("writeMetaImage: no volume");
     for (const auto& phase : phases)
-        if (phase->geometry().size != phases.front()->geometry().size ||
-            phase->voxels().index() != phases.front()->voxels().index())
-            throw std::invalid_argument("writeMetaImage: phases of different size or type");
+        if (!canBeWrittenTogether(*phase, *phases.front()))
+            throw std::invalid_argument("writeMetaImage: phases of different size, type or scale");
     const bool isPlain = voxels == MetaImageVoxels::plain;
     const std::string body = isPlain ? plain(phases) : compressed(phases);
     std::string bytes =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "io/output/atomic_file.h"
 #include "io/study/study_assembly.h"
 #include "io/writers/deflate_stream.h"
+#include "io/writers/file_values.h"
 
 namespace echolucent {
 
@@ -86,8 +88,32 @@ void putFrame(HeaderWriter& header, const VolumeGeometry& geometry) {
     for (std::size_t i = 0; i < 3; ++i) header.putFloat(256 + 4 * i, quaternion[i + 1]);
 }
 
+std::int16_t typeCode(StoredType type) {
+    switch (type) {
+        case StoredType::uint8: return 2;
+        case StoredType::uint16: return 512;
+        case StoredType::int16: return 4;
+        case StoredType::int32: return 8;
+        case StoredType::float64: return 64;
+        default: return 16;
+    }
+}
+
+/// Puts black and white, if the header's float32 holds them closely. If not, readers find them in the data.
+void putLevels(HeaderWriter& header, const Volume& volume) {
+    const double black = volume.blackValue(), white = volume.whiteValue();
+    const auto isHeld = [&](double level) {
+        const auto held = static_cast<double>(static_cast<float>(level));
+        return std::isfinite(held) && std::abs(held - level) <= 1e-6 * (white - black);
+    };
+    if (!isHeld(black) || !isHeld(white)) return;
+    header.putFloat(124, white);
+    header.putFloat(128, black);
+    header.putText(
+        148, niftiWhiteText(static_cast<float>(black), static_cast<float>(white), nameOf(typeOfFileValues(volume))));
+}
+
 std::string headerOf(const Volume& volume, std::size_t phases, std::optional<double> phaseSeconds) {
-    constexpr std::array<std::int16_t, 3> typeCodes{2, 512, 16}, bits{8, 16, 32};
     constexpr std::uint8_t unitMm = 2, unitSeconds = 8;
     const VolumeGeometry& geometry = volume.geometry();
     HeaderWriter header;
@@ -98,16 +124,16 @@ std::string headerOf(const Volume& volume, std::size_t phases, std::optional<dou
         const std::int64_t size = axis < 3 ? geometry.size[axis] : axis == 3 ? static_cast<std::int64_t>(phases) : 1;
         header.put(42 + 2 * axis, static_cast<std::int16_t>(size));
     }
-    header.put(70, typeCodes[volume.voxels().index()]);
-    header.put(72, bits[volume.voxels().index()]);
+    const StoredType type = typeOfFileValues(volume);
+    header.put(70, typeCode(type));
+    header.put(72, static_cast<std::int16_t>(8 * bytesOf(type)));
     for (std::size_t axis = 0; axis < 3 && geometry.spacingKnown; ++axis)
         header.putFloat(80 + 4 * axis, geometry.spacing[static_cast<int>(axis)]);
     if (phases > 1 && phaseSeconds) header.putFloat(92, *phaseSeconds);
     header.putFloat(108, voxelOffset);
     header.putFloat(112, 1.0);  // scl_slope
     header.put(123, static_cast<std::uint8_t>(geometry.spacingKnown ? unitMm | unitSeconds : unitSeconds));
-    header.putFloat(124, volume.whiteLevel());
-    header.putText(148, niftiWhiteText(static_cast<float>(volume.whiteLevel()), volume.typeName()));
+    putLevels(header, volume);
     if (geometry.spacingKnown) putFrame(header, geometry);
     header.put(344, std::array<char, 4>{'n', '+', '1', '\0'});
     return header.text();
@@ -119,9 +145,8 @@ Result<void> writeNifti(const std::string& path, const std::vector<std::shared_p
                         std::optional<double> phaseSeconds) {
     if (phases.empty()) throw std::invalid_argument("writeNifti: no volume");
     for (const auto& phase : phases)
-        if (phase->geometry().size != phases.front()->geometry().size ||
-            phase->voxels().index() != phases.front()->voxels().index())
-            throw std::invalid_argument("writeNifti: phases of different size or type");
+        if (!canBeWrittenTogether(*phase, *phases.front()))
+            throw std::invalid_argument("writeNifti: phases of different size, type or scale");
     constexpr std::int64_t longest = std::numeric_limits<std::int16_t>::max();
     const auto& size = phases.front()->geometry().size;
     if (*std::max_element(size.begin(), size.end()) > longest || phases.size() > static_cast<std::size_t>(longest))
@@ -131,11 +156,7 @@ Result<void> writeNifti(const std::string& path, const std::vector<std::shared_p
     const std::string header = headerOf(*phases.front(), phases.size(), phaseSeconds);
     const auto addVoxels = [&](const auto& add) {
         for (const auto& phase : phases)
-            std::visit(
-                [&](const auto& values) {
-                    add(reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(values[0]));
-                },
-                phase->voxels());
+            addFileValues(*phase, [&](std::span<const std::uint8_t> values) { add(values.data(), values.size()); });
     };
     if (!lowerCase(path).ends_with(".gz")) {
         std::string bytes = header;

@@ -38,6 +38,9 @@ struct ReadOptions {
     /// MiB for the voxels of all phases, from 1 to mostStudyMebibytes. Larger studies are opened reduced. No value: as
     /// much as this machine can show.
     std::optional<std::int64_t> studyMebibytes{};
+    /// Black is 0 whatever the values are, and what lies below is black too, as in documents that were saved before
+    /// black could lie elsewhere. Values with which the file states black itself are no exception.
+    bool blackAtZero = false;
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 

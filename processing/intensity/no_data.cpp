@@ -5,6 +5,7 @@
 #include <cstring>
 #include <memory>
 #include <memory_resource>
+#include <optional>
 #include <vector>
 
 #include "processing/parallel.h"
@@ -21,19 +22,32 @@ constexpr double smallestShare = 0.02;
 constexpr double solidShare = 0.7;
 constexpr int thinnest = 2;
 
+/// What an empty voxel holds.
+struct Blank {
+    double stored = 0.0;
+    bool orLess = false;  ///< whether what lies below is empty too
+};
+
 template <typename Voxel>
-bool isBlank(Voxel value) {
+bool isBlank(Voxel value, const Blank& blank) {
     if constexpr (std::is_floating_point_v<Voxel>)
-        return value == Voxel{0} || !std::isfinite(value);
+        return value == static_cast<Voxel>(blank.stored) ||
+               (blank.orLess && value < static_cast<Voxel>(blank.stored)) || !std::isfinite(value);
     else
-        return value == Voxel{0};
+        return static_cast<double>(value) == blank.stored;
+}
+
+/// What the outside of a sector may hold, the likelier first: black, and the file's 0 if that is not black.
+std::vector<Blank> blanksOf(const ValueScale& scale) {
+    if (scale.black == 0.0) return {Blank{}};
+    return {Blank{0.0, true}, Blank{scale.storedValue(0.0), false}};
 }
 
 template <typename Voxel>
-std::uint64_t blankBits(const Voxel* voxels, const std::uint8_t* mask, std::int64_t count) {
+std::uint64_t blankBits(const Voxel* voxels, const std::uint8_t* mask, std::int64_t count, const Blank& blank) {
     std::uint64_t bits = 0;
     for (std::int64_t x = 0; x < count; ++x)
-        if (isBlank(voxels[x]) || (mask != nullptr && mask[x] == 0)) bits |= std::uint64_t{1} << x;
+        if (isBlank(voxels[x], blank) || (mask != nullptr && mask[x] == 0)) bits |= std::uint64_t{1} << x;
     return bits;
 }
 
@@ -50,8 +64,8 @@ std::uint64_t zeroBytes(const std::uint8_t* voxels) {
     return bits;
 }
 
-/// Voxels that are exactly 0, not finite, or no data already.
-BitGrid blankVoxels(const Volume& volume) {
+/// Voxels that are empty, not finite, or no data already.
+BitGrid blankVoxels(const Volume& volume, const Blank& of) {
     const VolumeGeometry& geometry = volume.geometry();
     BitGrid blank(geometry.size);
     const std::uint8_t* mask = volume.dataMaskOrNull();
@@ -63,10 +77,10 @@ BitGrid blankVoxels(const Volume& volume) {
                         const std::int64_t offset = row * geometry.size[0] + x;
                         const std::int64_t count = std::min<std::int64_t>(64, geometry.size[0] - x);
                         std::uint64_t& word = blank.row(row % geometry.size[1], row / geometry.size[1])[x / 64];
-                        if (std::is_same_v<Voxel, std::uint8_t> && mask == nullptr && count == 64)
+                        if (std::is_same_v<Voxel, std::uint8_t> && mask == nullptr && count == 64 && of.stored == 0.0)
                             word = zeroBytes(reinterpret_cast<const std::uint8_t*>(voxels.data() + offset));
                         else
-                            word = blankBits(voxels.data() + offset, mask ? mask + offset : nullptr, count);
+                            word = blankBits(voxels.data() + offset, mask ? mask + offset : nullptr, count, of);
                     }
             });
         },
@@ -114,33 +128,45 @@ DataMask maskWithout(const BitGrid& region, const Volume& volume, std::pmr::memo
     return {owner, mask};
 }
 
+/// The outside of a sector among empty voxels; no value if they are none.
+std::optional<BitGrid> outsideAmong(const BitGrid& blank, double voxels) {
+    BitGrid outside = blank.connectedToBorder();
+    const auto outsideCount = static_cast<double>(outside.count());
+    if (outsideCount < smallestShare * voxels || outsideCount == voxels || !holdsCorner(outside)) return std::nullopt;
+    const BitGrid solid = solidPart(outside);
+    const auto solidCount = static_cast<double>(solid.count());
+    if (solidCount < smallestShare * voxels || solidCount < solidShare * outsideCount || !holdsCorner(solid))
+        return std::nullopt;
+    // If echoes are thinner than the outside between them, they are wires in water and no sector.
+    const BitGrid closed = solid.dilated().eroded();
+    if (static_cast<double>(closed.count()) == voxels) return std::nullopt;
+    // Frayed edges belong to the outside; echoes never do.
+    return closed & outside;
+}
+
 }  // namespace
 
 DataMask guessDataMask(const Volume& volume, std::pmr::memory_resource& memory) {
     const auto voxels = static_cast<double>(volume.geometry().voxelCount());
-    const BitGrid blank = blankVoxels(volume);
-    const BitGrid outside = blank.connectedToBorder();
-    const auto outsideCount = static_cast<double>(outside.count());
-    if (outsideCount < smallestShare * voxels || outsideCount == voxels || !holdsCorner(outside))
-        return volume.dataMask();
-    const BitGrid solid = solidPart(outside);
-    const auto solidCount = static_cast<double>(solid.count());
-    if (solidCount < smallestShare * voxels || solidCount < solidShare * outsideCount || !holdsCorner(solid))
-        return volume.dataMask();
-    // If echoes are thinner than the outside between them, they are wires in water and no sector.
-    const BitGrid closed = solid.dilated().eroded();
-    if (static_cast<double>(closed.count()) == voxels) return volume.dataMask();
-    // Frayed edges belong to the outside; echoes never do.
-    return maskWithout(closed & outside, volume, memory);
+    for (const Blank& blank : blanksOf(volume.valueScale()))
+        if (const auto outside = outsideAmong(blankVoxels(volume, blank), voxels))
+            return maskWithout(*outside, volume, memory);
+    return volume.dataMask();
 }
 
 DataMask dataMaskWithoutGuess(const Volume& volume) {
     std::vector<std::uint8_t> mask = volume.dataMask().toVector();
     const DataMask& scanned = volume.scannedMask();
+    const std::vector<Blank> blanks = blanksOf(volume.valueScale());
     std::visit(
         [&](const auto& voxels) {
+            const auto wasGuessed = [&](std::size_t i) {
+                return std::isfinite(static_cast<double>(voxels[i])) &&
+                       std::ranges::any_of(blanks, [&](const Blank& blank) { return isBlank(voxels[i], blank); });
+            };
             // What a scalpel cut was no guess.
-            for (std::size_t i = 0; i < scanned.size(); ++i) mask[i] |= scanned[i] == 0 && voxels[i] == 0 ? 1 : 0;
+            for (std::size_t i = 0; i < scanned.size(); ++i)
+                if (scanned[i] == 0 && wasGuessed(i)) mask[i] = 1;
         },
         volume.voxels());
     if (std::find(mask.begin(), mask.end(), 0) == mask.end()) mask.clear();

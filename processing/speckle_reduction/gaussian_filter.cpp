@@ -203,7 +203,9 @@ std::optional<Volume> gaussianFiltered(const Volume& volume, double sigma, const
         },
         within.voxels());
     if (progress.cancelled()) return std::nullopt;
-    return Volume(geometry, std::move(quiet), volume.whiteLevel()).withDataMask(volume.dataMask());
+    return Volume(geometry, std::move(quiet), volume.whiteLevel())
+        .withValueScale(volume.valueScale())
+        .withDataMask(volume.dataMask());
 }
 
 }  // namespace echolucent

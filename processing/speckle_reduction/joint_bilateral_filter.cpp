@@ -267,7 +267,9 @@ std::optional<Volume> stored(const Volume& volume, const Volume& from, const Joi
         },
         volume.voxels());
     if (!quiet) return std::nullopt;
-    return Volume(volume.geometry(), *std::move(quiet), volume.whiteLevel()).withDataMask(volume.dataMask());
+    return Volume(volume.geometry(), *std::move(quiet), volume.whiteLevel())
+        .withValueScale(volume.valueScale())
+        .withDataMask(volume.dataMask());
 }
 
 }  // namespace

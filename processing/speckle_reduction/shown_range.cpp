@@ -47,7 +47,9 @@ Volume withinWhite(const Volume& volume) {
             return voxels;
         },
         volume.voxels());
-    return Volume(volume.geometry(), std::move(within), volume.whiteLevel()).withDataMask(volume.dataMask());
+    return Volume(volume.geometry(), std::move(within), volume.whiteLevel())
+        .withValueScale(volume.valueScale())
+        .withDataMask(volume.dataMask());
 }
 
 }  // namespace echolucent

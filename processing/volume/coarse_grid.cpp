@@ -78,7 +78,8 @@ std::optional<CoarseVolume> coarseVolumeOf(const Volume& volume) {
     Voxels few = std::visit(
         [&](const auto& values) { return Voxels(VoxelArray(taken(*grid, std::span(values.data(), values.size())))); },
         volume.voxels());
-    const Volume voxels(grid->geometry, std::move(few), volume.whiteLevel());
+    const Volume voxels =
+        Volume(grid->geometry, std::move(few), volume.whiteLevel()).withValueScale(volume.valueScale());
     const auto& mask = volume.dataMask();
     return coarseVolumeOf(
         *grid, mask.empty() ? voxels : voxels.withDataMask(taken(*grid, std::span(mask.data(), mask.size()))));

@@ -160,7 +160,9 @@ Volume filled(const Volume& volume, const VoxelArray<Voxel>& given) {
         for (std::size_t i = first; i < first + static_cast<std::size_t>(geometry.size[0]); ++i)
             if (mask[i] == 0) voxels[i] = Voxel{};
     });
-    return Volume(geometry, std::move(voxels), volume.whiteLevel()).withDataMask(std::move(mask));
+    return Volume(geometry, std::move(voxels), volume.whiteLevel())
+        .withValueScale(volume.valueScale())
+        .withDataMask(std::move(mask));
 }
 
 }  // namespace

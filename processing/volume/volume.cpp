@@ -114,6 +114,12 @@ Volume Volume::withCut(const SharedMask& mask) const {
     return left;
 }
 
+Volume Volume::withValueScale(const ValueScale& scale) const {
+    Volume meant = *this;
+    meant.m_valueScale = scale;
+    return meant;
+}
+
 Volume Volume::withDataBox(const DataBox& box) const {
     Volume framed = *this;
     framed.m_dataBox = box;

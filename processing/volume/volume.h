@@ -16,6 +16,7 @@
 #include "processing/volume/geometry.h"
 #include "processing/volume/reduction.h"
 #include "processing/volume/stated_probe.h"
+#include "processing/volume/value_scale.h"
 #include "processing/volume/voxels.h"
 
 namespace echolucent {
@@ -92,6 +93,15 @@ public:
     [[nodiscard]] const VolumeGeometry& geometry() const { return m_geometry; }
     [[nodiscard]] const Voxels& voxels() const { return *m_voxels; }
     [[nodiscard]] double whiteLevel() const { return m_whiteLevel; }
+    /// How stored values stand for the file's own. The file's values are those that people and other programs read.
+    [[nodiscard]] const ValueScale& valueScale() const { return m_valueScale; }
+    /// The file's value of normalised intensity 0.
+    [[nodiscard]] double blackValue() const { return m_valueScale.black; }
+    /// The file's value of normalised intensity 1.
+    [[nodiscard]] double whiteValue() const { return m_valueScale.fileValue(m_whiteLevel); }
+    [[nodiscard]] ValueWindow valueWindow() const { return {blackValue(), whiteValue()}; }
+    /// The file's value of a voxel; NaN stays NaN.
+    [[nodiscard]] double fileValue(std::int64_t offset) const { return m_valueScale.fileValue(storedValue(offset)); }
     [[nodiscard]] std::string_view typeName() const;  ///< "uint8", "uint16" or "float32"
 
     /// One byte for each voxel: 1 is data, 0 is none (outside the scanned sector, cut, or not finite). Empty if all
@@ -138,6 +148,8 @@ public:
     [[nodiscard]] Volume withCut(const SharedMask& mask) const;
     /// The mask of the cut, for another volume of the same grid and scan; null if nothing was cut.
     [[nodiscard]] SharedMask cut() const { return isCut() ? m_dataMask : nullptr; }
+    /// A volume that shares these voxels, which stand for the file's values by `scale`.
+    [[nodiscard]] Volume withValueScale(const ValueScale& scale) const;
     /// The same volume with another data box. The phases of a study share one, so that the picture does not jump.
     [[nodiscard]] Volume withDataBox(const DataBox& box) const;
 
@@ -145,6 +157,7 @@ private:
     VolumeGeometry m_geometry;
     std::shared_ptr<const Voxels> m_voxels;
     double m_whiteLevel = 1.0;
+    ValueScale m_valueScale;
     SharedMask m_dataMask, m_scannedMask;  ///< the same mask if nothing was cut
     DataBox m_dataBox;
 };

@@ -10,29 +10,27 @@ namespace echolucent {
 
 namespace {
 
-/// Bins of positive floats by their upper 16 bits: 128 an octave, each less than 1 % wide. Whole numbers up to 255 have
-/// bins of their own.
-constexpr int bitsBelowBin = 16;
+/// Bins of positive doubles by their upper 19 bits: 128 an octave, each less than 1 % wide. Whole numbers up to 255
+/// have bins of their own.
+constexpr int bitsBelowBin = 45;
 constexpr std::size_t binsPerOctave = 128;
-constexpr std::size_t binCount = 0x7F80;  // the next one begins at infinity
+constexpr std::size_t binCount = 0x3FF80;  // the next one begins at infinity
 
-std::size_t binOf(float value) { return std::bit_cast<std::uint32_t>(value) >> bitsBelowBin; }
+std::size_t binOf(double value) { return std::bit_cast<std::uint64_t>(value) >> bitsBelowBin; }
 
 /// The least value of a bin; infinity for binCount.
-double beginOf(std::size_t bin) {
-    return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bin) << bitsBelowBin));
-}
+double beginOf(std::size_t bin) { return std::bit_cast<double>(static_cast<std::uint64_t>(bin) << bitsBelowBin); }
 
-/// The voxels above 0 of all phases, counted by bin.
+/// The voxels above 0 of all phases, counted by bin. `forEach` calls its argument with each block of values.
 class BinCounts {
 public:
-    explicit BinCounts(std::span<const Voxels> phases) : m_counts(binCount) {
-        const auto count = [&](const auto& values) {
+    template <typename ForEach>
+    explicit BinCounts(const ForEach& forEach) : m_counts(binCount) {
+        forEach([&](const auto& values) {
             for (const auto value : values)
-                if (const auto real = static_cast<float>(value); real > 0.0f && std::isfinite(real))
+                if (const auto real = static_cast<double>(value); real > 0.0 && std::isfinite(real))
                     ++m_counts[binOf(real)];
-        };
-        for (const Voxels& phase : phases) std::visit(count, phase);
+        });
         m_all = voxelsBelow(binCount);
     }
 
@@ -84,8 +82,9 @@ std::size_t firstAbsurdBin(const BinCounts& counts) {
                                                             : binCount;
 }
 
-void measureAround(std::span<const Voxels> phases, double end, WhiteLevel& white) {
-    const auto look = [&](const auto& values) {
+template <typename ForEach>
+void measureAround(const ForEach& forEach, double end, WhiteLevel& white) {
+    forEach([&](const auto& values) {
         for (const auto stored : values) {
             const double value = static_cast<double>(stored);
             if (!std::isfinite(value)) continue;
@@ -95,25 +94,38 @@ void measureAround(std::span<const Voxels> phases, double end, WhiteLevel& white
             else
                 ++white.above;
         }
-    };
-    for (const Voxels& phase : phases) std::visit(look, phase);
+    });
 }
 
-}  // namespace
-
-WhiteLevel whiteLevelOf(std::span<const Voxels> phases) {
+template <typename ForEach>
+WhiteLevel measured(const ForEach& forEach, bool wholeNumbers) {
     WhiteLevel white;
-    const BinCounts counts(phases);
+    const BinCounts counts(forEach);
+    white.all = counts.all();
     if (counts.all() == 0) return white;
     white.middle = beginOf(counts.binOfRank(counts.all() / 2));
     const std::size_t end = firstAbsurdBin(counts);
     const std::int64_t looked = counts.voxelsBelow(end);
     const std::size_t typical = counts.binOfRank(looked - 1 - mostHot(looked));
+    measureAround(forEach, beginOf(counts.lastWithoutGap(typical, end, wholeNumbers) + 1), white);
+    return white;
+}
+
+}  // namespace
+
+WhiteLevel whiteLevelOf(std::span<const Voxels> phases) {
     const bool wholeNumbers = std::none_of(phases.begin(), phases.end(), [](const Voxels& voxels) {
         return std::holds_alternative<VoxelArray<float>>(voxels);
     });
-    measureAround(phases, beginOf(counts.lastWithoutGap(typical, end, wholeNumbers) + 1), white);
-    return white;
+    return measured(
+        [&](const auto& take) {
+            for (const Voxels& phase : phases) std::visit(take, phase);
+        },
+        wholeNumbers);
+}
+
+WhiteLevel whiteLevelOf(const ValueBlocks& values, bool wholeNumbers) {
+    return measured([&](const auto& take) { values(take); }, wholeNumbers);
 }
 
 DeclaredWhite judgeDeclaredWhite(double declared, const WhiteLevel& measured) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "processing/volume/voxels.h"
@@ -15,6 +16,7 @@ struct WhiteLevel {
     double middle = 0.0;     ///< about half of the voxels above 0 lie below it (within 1 %)
     double largest = 0.0;    ///< largest finite value; above `level` if hot voxels were left out
     std::int64_t above = 0;  ///< number of voxels above `level`
+    std::int64_t all = 0;    ///< number of finite voxels above 0
 };
 
 /// The white level that all phases share. It begins at the 99.99 % percentile of the voxels above 0. (In small volumes
@@ -25,6 +27,11 @@ struct WhiteLevel {
 /// values are assumed if the 99.99 % percentile is at least 2^20 times (120 dB) the power of two above 99 % of the
 /// voxels. Then only values below four times that power count.
 [[nodiscard]] WhiteLevel whiteLevelOf(std::span<const Voxels> phases);
+
+/// Hands over values in blocks, of any length and in any order, by calling its argument for each.
+using ValueBlocks = std::function<void(const std::function<void(std::span<const double>)>& take)>;
+/// The same of values that are not in memory as voxels. `values` is called twice and hands over the same each time.
+[[nodiscard]] WhiteLevel whiteLevelOf(const ValueBlocks& values, bool wholeNumbers);
 
 /// How a declared white level suits the voxels.
 enum class DeclaredWhite {

@@ -48,6 +48,9 @@ void requireSoundPhase(const Volume& volume, const Volume& first) {
     require(geometry.size == first.geometry().size, "all phases have one size");
     require(volume.voxels().index() == first.voxels().index(), "all phases have one type");
     require(std::isfinite(volume.whiteLevel()) && volume.whiteLevel() > 0, "a white level is finite and above 0");
+    require(std::isfinite(volume.blackValue()) && std::isfinite(volume.whiteValue()), "black and white are finite");
+    require(volume.blackValue() < volume.whiteValue(), "black lies below white");
+    require(volume.valueScale() == first.valueScale(), "all phases have one scale");
 }
 
 }  // namespace

@@ -49,6 +49,8 @@ std::vector<double> numbersOf(const WrittenVoxels& voxels) {
         each(std::uint8_t{});
     else if (voxels.type == "MET_USHORT")
         each(std::uint16_t{});
+    else if (voxels.type == "MET_DOUBLE")
+        each(double{});
     else
         each(float{});
     return numbers;

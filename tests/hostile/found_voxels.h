@@ -13,7 +13,7 @@ namespace echolucent {
 
 /// Voxels in an uncompressed MetaImage that echolucent-cli quiet wrote.
 struct WrittenVoxels {
-    std::string type;  ///< "MET_UCHAR", "MET_USHORT" or "MET_FLOAT"
+    std::string type;  ///< "MET_UCHAR", "MET_USHORT", "MET_FLOAT" or "MET_DOUBLE"
     std::array<std::int64_t, 3> size{};
     std::string bytes;  ///< little endian, x fastest
 };

@@ -97,33 +97,35 @@ std::vector<HostileFile> scales() {
             f.version = 2;
         };
     };
-    const std::vector<std::string> tooLarge{"larger than float32 can hold"};
+    const auto note = HostileOutcome::opensWithNote;
     return {
         nifti("floats-times-1e37", scaled(16, 32, 1e37), {"float32 can"}, HostileOutcome::opens, floats()),
-        nifti("floats-beyond-float32", scaled(16, 32, 3e37), tooLarge, HostileOutcome::refused, floats()),
-        nifti("floats-far-beyond-float32", scaled(16, 32, 1e300), {"scl_slope is 1e+300"}, HostileOutcome::refused,
+        nifti("floats-beyond-float32", scaled(16, 32, 3e37), {"black is 0, white 7.2e+38"}, note, floats()),
+        nifti("floats-far-beyond-float32", scaled(16, 32, 1e300), {"black is 0, white 2.4e+301"}, note, floats()),
+        nifti("floats-beyond-float64", scaled(16, 32, 1.5e307), {"larger than float64"}, HostileOutcome::refused,
               floats()),
         nifti("floats-shifted-beyond-float32", scaled(16, 32, 1, 1e39), {"scl_slope is 1"}, HostileOutcome::refused,
               floats()),
         nifti("floats-made-one-value", scaled(16, 32, 1, 1e30), {"scl_slope"}, HostileOutcome::refused, floats()),
-        nifti("small-floats-made-one-value", scaled(16, 32, 1e-20), {"makes one value of all voxels"},
-              HostileOutcome::refused, bytesFrom([] {
+        nifti("small-floats-made-smaller", scaled(16, 32, 1e-20), {"black is 0, white 2.4e-44"}, note, bytesFrom([] {
                   std::vector<float> values = twentyFour<float>();
                   for (float& value : values) value *= 1e-25F;
                   return values;
               }())),
-        nifti("doubles-beyond-float32", scaled(64, 64, 0), {"datatype makes values from", "larger than float32"},
-              HostileOutcome::refused, doubles(1e38)),
-        nifti("doubles-of-1e308", scaled(64, 64, 0), {"datatype", "larger than float32"}, HostileOutcome::refused,
-              doubles(7e306)),
-        nifti("doubles-times-1e37", scaled(64, 64, 2e37), {"scl_slope", "larger than float32"}, HostileOutcome::refused,
-              doubles(1)),
+        nifti("doubles-beyond-float32", scaled(64, 64, 0), {"black is 0, white 2.4e+39"}, note, doubles(1e38)),
+        nifti("doubles-of-1e308", scaled(64, 64, 0), {"black is 0, white 1.68e+308"}, note, doubles(7e306)),
+        nifti("doubles-times-1e37", scaled(64, 64, 2e37), {"black is 0, white 4.8e+38"}, note, doubles(1)),
         nifti("doubles-that-the-scale-brings-back", scaled(64, 64, 1e-30), {"larger"}, HostileOutcome::opens,
               doubles(1e38)),
-        nifti("bytes-beyond-float32", scaled(2, 8, 1e37), {"scl_slope is 1e+37"}),
+        nifti("bytes-beyond-float32", scaled(2, 8, 1e37), {"scl_slope"}, HostileOutcome::opens),
+        nifti("bytes-below-float64", scaled(2, 8, -1e300, -1e307), {"black is -1.0000024e+307, white -1.0000001e+307"},
+              note),
         nifti("bytes-times-inf", scaled(2, 8, infinite), {"scl_slope is no number"}, HostileOutcome::opensWithNote),
         nifti("bytes-plus-nan", scaled(2, 8, 2, noNumber), {"scl_inter is no number"}),
-        nifti("bytes-times-1e-300", scaled(2, 8, 1e-300), {"scl_slope is 1e-300"}),
+        nifti("bytes-times-1e-300", scaled(2, 8, 1e-300), {"black is 0, white 2.55e-298"}, note),
+        nifti("bytes-made-one-value", scaled(2, 8, 1, 1e30), {"scl_slope is 1 with intercept 1e+30"}),
+        nifti("floats-of-one-value-in-a-slope", scaled(16, 32, 1e-30, 1), {"scl_slope"}, HostileOutcome::refused,
+              floats()),
     };
 }
 

@@ -59,8 +59,8 @@ public:
     /// The voxels of a phase that a command writes; no value where it fails.
     std::optional<WrittenVoxels> voxelsOf(int phase) {
         const std::string written = m_folder.file("voxels.mha");
-        const MeasuredRun run =
-            command({"quiet", "--reduction", "off", "--phase", std::to_string(phase), "-o", written});
+        const MeasuredRun run = command(
+            {"quiet", "--reduction", "off", "--black-at-zero", "--phase", std::to_string(phase), "-o", written});
         return run.status == 0 ? writtenVoxels(written) : std::nullopt;
     }
 

@@ -57,6 +57,7 @@ std::vector<std::string> commandLineOf(const ReadOptions& options) {
     }
     if (options.framesAsSlices) words.emplace_back("--frames-as-slices");
     if (!options.guessNoData) words.emplace_back("--all-voxels");
+    if (options.blackAtZero) words.emplace_back("--black-at-zero");
     if (!options.series.empty()) add("--series", options.series);
     if (options.conversionMebibytes != ReadOptions{}.conversionMebibytes)
         add("--conversion-memory", std::to_string(options.conversionMebibytes));

@@ -15,6 +15,7 @@
 
 #include "io/study/study.h"
 #include "io/writers/meta_image_writer.h"
+#include "nifti_files.h"
 #include "processing/volume/coarse_grid.h"
 #include "temporary_folder.h"
 
@@ -207,11 +208,17 @@ TEST(CoarseReading, DoesNotHideThatTheFileIsRefused) {
     ASSERT_FALSE(cut.study);
     EXPECT_TRUE(cut.coarse.empty()) << "the file's size says it before";
 
-    // The last voxel is on no coarse grid, and larger than float32 holds.
-    std::string doubles = voxelBytes<double>();
-    const double large = 1e300;
-    doubles.replace(doubles.size() - sizeof large, sizeof large, reinterpret_cast<const char*>(&large), sizeof large);
-    const auto late = readWithCoarse(folder.write("late.mha", metaImageHeader("MET_DOUBLE") + doubles));
+    // The last voxel is on no coarse grid, and on this line larger than float64 holds.
+    std::string floats = voxelBytes<float>();
+    const float large = 1e30F;
+    floats.replace(floats.size() - sizeof large, sizeof large, reinterpret_cast<const char*>(&large), sizeof large);
+    NiftiFields fields;
+    fields.version = 2;
+    fields.dim = {3, wholeWidth, wholeHeight, wholeDepth};
+    fields.datatype = 16;
+    fields.bitpix = 32;
+    fields.slope = 1e280;
+    const auto late = readWithCoarse(folder.write("late.nii", niftiHeader(fields) + floats));
     ASSERT_FALSE(late.study);
     EXPECT_EQ(late.coarse.size(), 1U);
 }

@@ -147,7 +147,7 @@ TEST(LargeVolumes, MeansAreReadOfEveryTypeInBothByteOrdersPlainAndCompressed) {
     expectMeans<std::uint8_t>("MET_UCHAR", 2, "uint8", 0, 255);
     expectMeans<std::int16_t>("MET_SHORT", 2, "uint16", 0, 30000);
     if (takesSomeInputs) return;
-    expectMeans<std::int8_t>("MET_CHAR", 2, "float32", -100, 100);
+    expectMeans<std::int8_t>("MET_CHAR", 2, "uint8", -100, 100);
     expectMeans<std::uint16_t>("MET_USHORT", 2, "uint16", 0, 65535);
     expectMeans<std::uint32_t>("MET_UINT", 2, "uint16", 0, 60000);
     expectMeans<std::int64_t>("MET_LONG_LONG", 2, "uint16", 0, 60000);

@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "widgets/controls/panel_controls.h"
+#include "widgets/controls/value_text.h"
 
 namespace echolucent {
 namespace {
@@ -97,7 +98,8 @@ void RunStatus::setNotes(const QStringList& notes) {
 void RunStatus::setPointed(std::optional<double> intensity, std::optional<double> opacity) {
     const QLocale locale = QLocale::c();
     QStringList parts;
-    if (intensity) parts << tr("intensity %1").arg(locale.toString(*intensity, 'f', 2));
+    if (intensity)
+        parts << tr("intensity %1%2").arg(locale.toString(*intensity, 'f', 2), valueBeside(*intensity, m_values));
     if (opacity) parts << tr("opacity %1").arg(locale.toString(*opacity, 'f', 2));
     showText(m_pointed, parts.join(QStringLiteral("  ")));
 }

@@ -6,6 +6,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "processing/volume/value_scale.h"
+
 class QLabel;
 class QProgressBar;
 class QToolButton;
@@ -31,6 +33,8 @@ public:
     /// Short statements about the data, for example "no lossy compression".
     void setNotes(const QStringList& notes);
     /// Normalised intensity and opacity under the cursor, both in [0,1]; no values if the cursor points at nothing.
+    /// The file's values, of which the pointed one stands beside its intensity.
+    void setValueWindow(const ValueWindow& window) { m_values = window; }
     void setPointed(std::optional<double> intensity, std::optional<double> opacity);
 
     /// Shows that something runs, named by a word ("loading"). Its share is unknown until setProgress. A second call
@@ -53,6 +57,7 @@ private:
     QLabel* m_renderer;
     QLabel* m_otf;
     QLabel* m_notes;
+    ValueWindow m_values;
     QLabel* m_pointed;
     QLabel* m_activity;
     QProgressBar* m_progress;

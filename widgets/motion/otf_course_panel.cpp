@@ -104,6 +104,8 @@ void OtfCoursePanel::showRows() {
     m_map->setMode(shown ? m_mode : MotionOtf::eachView);
 }
 
+void OtfCoursePanel::setValueWindow(const ValueWindow& window) { m_map->setValueWindow(window); }
+
 void OtfCoursePanel::showCourse() {
     m_map->showCourse();
     m_curves->showCourse();

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <array>
 
+#include "processing/volume/value_scale.h"
 #include "widgets/motion/otf_course.h"
 
 class QComboBox;
@@ -27,6 +28,8 @@ public:
     void setMode(MotionOtf mode);
     /// Call this if the course has changed.
     void showCourse();
+    /// The file's values, of which the pointed one stands beside its intensity.
+    void setValueWindow(const ValueWindow& window);
 
 protected:
     void showEvent(QShowEvent* event) override;

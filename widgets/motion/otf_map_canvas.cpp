@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "processing/adaptive/adaptive_otf_result.h"
+#include "widgets/controls/value_text.h"
 #include "widgets/motion/course_drawing.h"
 
 namespace echolucent {
@@ -147,9 +148,10 @@ void OtfMapCanvas::mouseMoveEvent(QMouseEvent* event) {
         const int row = std::min(static_cast<int>(share * m_course.rowCount()), m_course.rowCount() - 1);
         const double intensity = m_axes.valueAt(event->position()).intensity;
         if (const SampledCurve* curve = m_course.curve(row, m_mode))
-            reading = tr("%1, intensity %2, opacity %3")
-                          .arg(rowName(m_course, row), QLocale::c().toString(intensity, 'f', 2),
-                               QLocale::c().toString(opacityAt(*curve, intensity), 'f', 2));
+            reading =
+                tr("%1, intensity %2%3, opacity %4")
+                    .arg(rowName(m_course, row), QLocale::c().toString(intensity, 'f', 2),
+                         valueBeside(intensity, m_values), QLocale::c().toString(opacityAt(*curve, intensity), 'f', 2));
     }
     emit pointed(reading);
 }

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QWidget>
 
+#include "processing/volume/value_scale.h"
 #include "widgets/motion/otf_course.h"
 #include "widgets/otf_editor/plot_axes.h"
 
@@ -21,6 +22,8 @@ public:
     /// The mode whose curves are the rows.
     void setMode(MotionOtf mode);
     [[nodiscard]] MotionOtf mode() const { return m_mode; }
+    /// The file's values, of which the pointed one stands beside its intensity.
+    void setValueWindow(const ValueWindow& window) { m_values = window; }
     /// Call this if the course has changed.
     void showCourse();
     /// The rows as grey levels, 255 = opacity 1, the last row on top. Missing rows are transparent.
@@ -31,7 +34,7 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {220, 150}; }
 
 signals:
-    /// "+12°, intensity 0.42, opacity 0.18"; empty if the pointer is elsewhere.
+    /// "+12°, intensity 0.42 (107), opacity 0.18"; empty if the pointer is elsewhere.
     void pointed(const QString& reading);
 
 protected:
@@ -49,6 +52,7 @@ private:
     const OtfCourse& m_course;
     MotionOtf m_mode = MotionOtf::oneOtf;
     PlotAxes m_axes;
+    ValueWindow m_values;
 };
 
 }  // namespace echolucent

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/controls/value_text.h"
+
 namespace echolucent {
 
 namespace {
@@ -43,8 +45,8 @@ void CurveCanvas::setHistogramScale(HistogramScale scale) {
     update();
 }
 
-void CurveCanvas::setWhiteLevel(double whiteLevel) {
-    m_whiteLevel = whiteLevel;
+void CurveCanvas::setValueWindow(const ValueWindow& window) {
+    m_values = window;
     layOutPlot();
 }
 
@@ -68,14 +70,28 @@ void CurveCanvas::resetZoom() {
     setOpacityRange({});
 }
 
+double CurveCanvas::halfOfValues() const {
+    double longest = 0.0;
+    if (!m_values.isNormalised())
+        for (const double intensity : {0.0, 0.3, 0.7, 1.0})
+            longest = std::max<double>(
+                longest, QFontMetrics(font()).horizontalAdvance(valueText(m_values.valueAt(intensity), m_values)));
+    return longest / 2;
+}
+
+double CurveCanvas::valueRowGap() const {
+    constexpr double least = 18.0, apart = 6.0;
+    return std::max(least, halfOfValues() + apart);
+}
+
 void CurveCanvas::layOutPlot() {
     const QFontMetrics metrics(font());
     const double numbersAndTitle = metrics.horizontalAdvance("0.000") + metrics.height() + 6;
-    const double rowName = storedRowGap + metrics.horizontalAdvance(tr("stored"));
-    const double left = std::max(numbersAndTitle, m_whiteLevel > 1.0 ? rowName : 0.0);
-    const double rows = m_whiteLevel > 1.0 ? 2.0 : 1.0;
+    const double rowName = valueRowGap() + metrics.horizontalAdvance(tr("value"));
+    const double left = std::max(numbersAndTitle, m_values.isNormalised() ? 0.0 : rowName);
+    const double rows = m_values.isNormalised() ? 1.0 : 2.0;
     const double bottom = rows * metrics.height() + 7;
-    const double right = metrics.horizontalAdvance("0000") / 2.0 + 2;
+    const double right = std::max(metrics.horizontalAdvance("0000") / 2.0, halfOfValues()) + 2;
     const double top = metrics.height() / 2.0 + 2;
     m_axes.rect = QRectF(left, top, std::max(10.0, width() - left - right), std::max(10.0, height() - top - bottom));
     update();

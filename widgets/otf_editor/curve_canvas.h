@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "processing/intensity/histogram.h"
+#include "processing/volume/value_scale.h"
 #include "widgets/otf_editor/histogram_backdrop.h"
 #include "widgets/otf_editor/otf_editor_model.h"
 #include "widgets/otf_editor/plot_axes.h"
@@ -29,8 +30,9 @@ public:
     void setHistogram(const IntensityHistogram& histogram);
     void setHistogramScale(HistogramScale scale);
     [[nodiscard]] HistogramScale histogramScale() const { return m_histogramScale; }
-    /// The stored value at normalised intensity 1, for the second row of numbers. At 1 or less there is no such row.
-    void setWhiteLevel(double whiteLevel);
+    /// The file's values at intensities 0 and 1, for the second row of numbers. If they are 0 and 1, there is no such
+    /// row.
+    void setValueWindow(const ValueWindow& window);
     /// Marks the intensity under the cursor in the 3D view. No value removes the mark.
     void setCursorIntensity(std::optional<double> intensity);
 
@@ -65,7 +67,10 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    static constexpr double storedRowGap = 18.0;  // pixels from the name of the row of stored values to the plot
+    /// Pixels from the middle of a tick to the end of the longest value below it.
+    [[nodiscard]] double halfOfValues() const;
+    /// Pixels from the name of the row of values to the plot.
+    [[nodiscard]] double valueRowGap() const;
     enum class Region { plot, intensityAxis, opacityAxis, corner };
     /// The place at which a person took a node or the plot, so that it does not jump under the pointer.
     struct Grab {
@@ -103,7 +108,7 @@ private:
     IntensityHistogram m_histogram;
     std::array<double, 256> m_histogramHeights{};
     HistogramScale m_histogramScale = HistogramScale::logarithmic;
-    double m_whiteLevel = 255.0;
+    ValueWindow m_values{0.0, 255.0};
     PlotAxes m_axes;
     std::optional<double> m_cursorIntensity;
     std::optional<QPointF> m_pointer;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/controls/value_text.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/curve_style.h"
-#include "widgets/otf_editor/stored_value_text.h"
 
 namespace echolucent {
 
@@ -57,7 +57,7 @@ void CurveCanvas::paintAxes(QPainter& painter, const PlotColours& colors) const 
 void CurveCanvas::paintIntensityAxis(QPainter& painter, const PlotColours& colors) const {
     const QRectF& plot = m_axes.rect;
     const double rowHeight = painter.fontMetrics().height();
-    const double cell = painter.fontMetrics().horizontalAdvance("0.0000");
+    const double cell = std::max<double>(painter.fontMetrics().horizontalAdvance("0.0000"), 2 * halfOfValues());
     const int maxTicks = std::max(3, static_cast<int>(plot.width() / (1.2 * cell)));
     const std::vector<double> ticks = tickPositions(m_axes.intensity, std::min(maxTicks, 6));
     for (const double tick : ticks) {
@@ -69,16 +69,15 @@ void CurveCanvas::paintIntensityAxis(QPainter& painter, const PlotColours& color
         const QRectF label(x - cell, plot.bottom() + 5, 2 * cell, rowHeight);
         painter.setPen(colors.text);
         painter.drawText(label, Qt::AlignHCenter, tickText(tick, stepOf(ticks)));
-        if (!(m_whiteLevel > 1.0)) continue;
+        if (m_values.isNormalised()) continue;
         painter.setPen(colors.secondary);
-        painter.drawText(label.translated(0, rowHeight), Qt::AlignHCenter,
-                         storedValueText(tick * m_whiteLevel, m_whiteLevel));
+        painter.drawText(label.translated(0, rowHeight), Qt::AlignHCenter, valueText(m_values.valueAt(tick), m_values));
     }
     painter.setPen(colors.secondary);
     painter.drawText(plot.adjusted(0, 0, -6, -3), Qt::AlignRight | Qt::AlignBottom, tr("intensity"));
-    if (m_whiteLevel > 1.0)
-        painter.drawText(QRectF(0, plot.bottom() + 5 + rowHeight, plot.left() - storedRowGap, rowHeight),
-                         Qt::AlignRight, tr("stored"));
+    if (!m_values.isNormalised())
+        painter.drawText(QRectF(0, plot.bottom() + 5 + rowHeight, plot.left() - valueRowGap(), rowHeight),
+                         Qt::AlignRight, tr("value"));
 }
 
 void CurveCanvas::paintOpacityAxis(QPainter& painter, const PlotColours& colors) const {

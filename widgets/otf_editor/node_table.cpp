@@ -27,9 +27,9 @@ NodeTable::NodeTable(OtfEditorModel& model, QWidget* parent) : QTableView(parent
     connect(&m_editorModel, &OtfEditorModel::selectedNodeChanged, this, &NodeTable::showSelectedNode);
 }
 
-void NodeTable::setWhiteLevel(double whiteLevel) {
-    m_rows.setWhiteLevel(whiteLevel);
-    setColumnHidden(NodeTableModel::storedColumn, !(whiteLevel > 1.0));
+void NodeTable::setValueWindow(const ValueWindow& window) {
+    m_rows.setValueWindow(window);
+    setColumnHidden(NodeTableModel::valueColumn, window.isNormalised());
 }
 
 /// Ignores typed digits: they must not edit a number that nobody opened, nor jump to another row.

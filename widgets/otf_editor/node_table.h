@@ -15,8 +15,8 @@ class NodeTable : public QTableView {
 public:
     explicit NodeTable(OtfEditorModel& model, QWidget* parent = nullptr);
 
-    /// Stored value at intensity 1; at 1 or less the column of stored values is hidden.
-    void setWhiteLevel(double whiteLevel);
+    /// The file's values at intensities 0 and 1. If they are 0 and 1, their column is hidden.
+    void setValueWindow(const ValueWindow& window);
 
 signals:
     /// Says why an input was refused.

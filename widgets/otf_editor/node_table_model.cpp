@@ -1,10 +1,12 @@
 #include "widgets/otf_editor/node_table_model.h"
 
 #include <QLocale>
+#include <algorithm>
 #include <optional>
 #include <string>
 
 #include "processing/parameters/typed_number.h"
+#include "processing/volume/value_digits.h"
 #include "widgets/controls/number_box.h"
 
 namespace echolucent {
@@ -13,12 +15,6 @@ namespace {
 
 QString exactText(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
 
-/// Four decimals; for stored values six significant digits without trailing zeros.
-QString roundedText(double value, bool stored) {
-    if (stored) return QString::number(value, 'g', 6);
-    return QString::number(value, 'f', 4);
-}
-
 }  // namespace
 
 NodeTableModel::NodeTableModel(OtfEditorModel& model, QObject* parent)
@@ -26,9 +22,9 @@ NodeTableModel::NodeTableModel(OtfEditorModel& model, QObject* parent)
     connect(&m_model, &OtfEditorModel::manualEdited, this, &NodeTableModel::takeNodes);
 }
 
-void NodeTableModel::setWhiteLevel(double whiteLevel) {
-    m_whiteLevel = whiteLevel > 0.0 ? whiteLevel : 1.0;
-    if (!m_nodes.empty()) emit dataChanged(index(0, storedColumn), index(rowCount() - 1, storedColumn));
+void NodeTableModel::setValueWindow(const ValueWindow& window) {
+    m_values = window;
+    if (!m_nodes.empty()) emit dataChanged(index(0, valueColumn), index(rowCount() - 1, valueColumn));
 }
 
 void NodeTableModel::takeNodes() {
@@ -40,7 +36,7 @@ void NodeTableModel::takeNodes() {
         return;
     }
     m_nodes = nodes;
-    if (!m_nodes.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, storedColumn));
+    if (!m_nodes.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, valueColumn));
 }
 
 int NodeTableModel::rowCount(const QModelIndex& parent) const {
@@ -52,30 +48,36 @@ int NodeTableModel::columnCount(const QModelIndex& parent) const { return parent
 double NodeTableModel::valueAt(const QModelIndex& index) const {
     const CurveNode& node = m_nodes[static_cast<std::size_t>(index.row())];
     if (index.column() == opacityColumn) return node.opacity;
-    return index.column() == storedColumn ? node.intensity * m_whiteLevel : node.intensity;
+    return index.column() == valueColumn ? m_values.valueAt(node.intensity) : node.intensity;
 }
 
 NodeTableModel::Range NodeTableModel::rangeAt(const QModelIndex& index) const {
     if (index.column() == opacityColumn) return {0.0, 1.0};
-    const double scale = index.column() == storedColumn ? m_whiteLevel : 1.0;
+    const ValueWindow values = index.column() == valueColumn ? m_values : ValueWindow{};
     const auto row = static_cast<std::size_t>(index.row());
-    return {row > 0 ? m_nodes[row - 1].intensity * scale : 0.0,
-            row + 1 < m_nodes.size() ? m_nodes[row + 1].intensity * scale : scale};
+    return {values.valueAt(row > 0 ? m_nodes[row - 1].intensity : 0.0),
+            values.valueAt(row + 1 < m_nodes.size() ? m_nodes[row + 1].intensity : 1.0)};
 }
 
 QString NodeTableModel::rangeText(const QModelIndex& index) const {
     const Range range = rangeAt(index);
+    const int digits = index.column() == valueColumn ? digitsToTell(m_values, 4) : 4;
     return tr("%1 of node %2 lies between %3 and %4")
         .arg(headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString())
         .arg(index.row() + 1)
-        .arg(range.lower, 0, 'g', 4)
-        .arg(range.upper, 0, 'g', 4);
+        .arg(QString::number(range.lower, 'g', digits), QString::number(range.upper, 'g', digits));
+}
+
+/// Four decimals; for the file's values six digits or more, without trailing zeros.
+QString NodeTableModel::roundedText(double value, const QModelIndex& index) const {
+    if (index.column() != valueColumn) return QString::number(value, 'f', 4);
+    return QString::number(value, 'g', digitsToTell(m_values, 6));
 }
 
 QVariant NodeTableModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) return {};
     switch (role) {
-        case Qt::DisplayRole: return roundedText(valueAt(index), index.column() == storedColumn);
+        case Qt::DisplayRole: return roundedText(valueAt(index), index);
         case Qt::EditRole: return exactText(valueAt(index));
         case Qt::ToolTipRole: return rangeText(index);
         case Qt::TextAlignmentRole: return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
@@ -101,7 +103,7 @@ bool NodeTableModel::setData(const QModelIndex& index, const QVariant& value, in
     switch (index.column()) {
         case intensityColumn: node.intensity = *number; break;
         case opacityColumn: node.opacity = *number; break;
-        default: node.intensity = *number / m_whiteLevel;
+        default: node.intensity = std::clamp(m_values.intensityOf(*number), 0.0, 1.0);
     }
     m_model.moveNode(index.row(), node);
     return true;
@@ -115,7 +117,7 @@ QVariant NodeTableModel::headerData(int section, Qt::Orientation orientation, in
     switch (section) {
         case intensityColumn: return tr("Intensity");
         case opacityColumn: return tr("Opacity");
-        default: return tr("Stored");
+        default: return tr("Value");
     }
 }
 

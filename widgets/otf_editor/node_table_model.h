@@ -4,6 +4,7 @@
 #include <QAbstractTableModel>
 #include <vector>
 
+#include "processing/volume/value_scale.h"
 #include "widgets/otf_editor/otf_editor_model.h"
 
 namespace echolucent {
@@ -13,11 +14,11 @@ class NodeTableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { intensityColumn, opacityColumn, storedColumn };  ///< stored: intensity times the white level
+    enum Column { intensityColumn, opacityColumn, valueColumn };  ///< value: the file's own of the intensity
 
     explicit NodeTableModel(OtfEditorModel& model, QObject* parent = nullptr);
 
-    void setWhiteLevel(double whiteLevel);
+    void setValueWindow(const ValueWindow& window);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -42,10 +43,11 @@ private:
     [[nodiscard]] double valueAt(const QModelIndex& index) const;
     [[nodiscard]] Range rangeAt(const QModelIndex& index) const;
     [[nodiscard]] QString rangeText(const QModelIndex& index) const;
+    [[nodiscard]] QString roundedText(double value, const QModelIndex& index) const;
 
     OtfEditorModel& m_model;
     std::vector<CurveNode> m_nodes;
-    double m_whiteLevel = 255.0;
+    ValueWindow m_values{0.0, 255.0};
 };
 
 }  // namespace echolucent

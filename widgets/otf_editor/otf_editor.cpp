@@ -13,6 +13,7 @@
 
 #include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/controls/value_text.h"
 #include "widgets/key_table.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/curve_legend.h"
@@ -20,7 +21,6 @@
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/node_table.h"
 #include "widgets/otf_editor/parameter_panel.h"
-#include "widgets/otf_editor/stored_value_text.h"
 
 namespace echolucent {
 
@@ -267,11 +267,12 @@ QString OtfEditor::renderedName() const {
 
 void OtfEditor::setHistogram(const IntensityHistogram& histogram) { m_canvas->setHistogram(histogram); }
 
-void OtfEditor::setWhiteLevel(double whiteLevel) {
-    m_whiteLevel = whiteLevel;
-    m_canvas->setWhiteLevel(whiteLevel);
-    m_nodeTable->setWhiteLevel(whiteLevel);
+void OtfEditor::setValueWindow(const ValueWindow& window) {
+    m_values = window;
+    m_canvas->setValueWindow(window);
+    m_nodeTable->setValueWindow(window);
     showState();
+    showAdaptiveFacts();
 }
 
 void OtfEditor::setCursorIntensity(std::optional<double> intensity) {
@@ -339,24 +340,24 @@ void OtfEditor::showAdaptiveFacts() {
 QString OtfEditor::adaptiveFacts() const {
     QString opacities;
     QString intensities;
+    QString values;
     for (const double opacity : {0.01, 0.1, 0.5, 0.9}) {
         const std::optional<double> intensity = intensityReaching(state().adaptive, opacity);
         opacities += QString("<td align='right' width='48'>%1</td>").arg(opacity);
         intensities += QString("<td align='right'>%1</td>").arg(intensity ? intensityText(*intensity) : tr("never"));
+        values += QString("<td align='right'>%1</td>")
+                      .arg(intensity ? valueText(m_values.valueAt(*intensity), m_values) : QString());
     }
+    const QString rowOfValues =
+        m_values.isNormalised() ? QString() : QString("<tr><td>%1</td>%2</tr>").arg(tr("value"), values);
     return tr("Computed from the volume. To edit it, copy it into nodes.") +
            QString(
                "<table cellspacing='0' cellpadding='1' style='margin-top:6px'><tr><td>%1</td>%2</tr>"
-               "<tr><td>%3</td>%4</tr></table>")
-               .arg(tr("Opacity reaches"), opacities, tr("at intensity"), intensities);
+               "<tr><td>%3</td>%4</tr>%5</table>")
+               .arg(tr("Opacity reaches"), opacities, tr("at intensity"), intensities, rowOfValues);
 }
 
 QString OtfEditor::intensityText(double intensity) const { return QString::number(intensity, 'f', 3); }
-
-QString OtfEditor::storedText(double intensity) const {
-    if (!(m_whiteLevel > 1.0)) return {};
-    return tr(" (stored %1)").arg(storedValueText(intensity * m_whiteLevel, m_whiteLevel));
-}
 
 void OtfEditor::showHovered(std::optional<CurveNode> value, int node) {
     m_hovered = value;
@@ -367,7 +368,7 @@ void OtfEditor::showHovered(std::optional<CurveNode> value, int node) {
 void OtfEditor::showReadout() {
     const auto values = [this](const CurveNode& value) {
         return tr("intensity %1%2   opacity %3")
-            .arg(intensityText(value.intensity), storedText(value.intensity))
+            .arg(intensityText(value.intensity), valueBeside(value.intensity, m_values))
             .arg(value.opacity, 0, 'f', 3);
     };
     const auto onCurve = [this](double intensity) {
@@ -379,7 +380,7 @@ void OtfEditor::showReadout() {
         m_readout->setText(values(*m_hovered) + onCurve(m_hovered->intensity));
     } else if (m_cursorIntensity) {
         m_readout->setText(tr("In the picture   intensity %1%2")
-                               .arg(intensityText(*m_cursorIntensity), storedText(*m_cursorIntensity)) +
+                               .arg(intensityText(*m_cursorIntensity), valueBeside(*m_cursorIntensity, m_values)) +
                            onCurve(*m_cursorIntensity));
     } else {
         m_readout->setText(tr("Double click adds a node, Delete removes it, the wheel zooms"));

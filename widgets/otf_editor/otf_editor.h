@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "processing/intensity/histogram.h"
+#include "processing/volume/value_scale.h"
 #include "widgets/otf_editor/otf_editor_model.h"
 #include "widgets/paced_words.h"
 
@@ -43,8 +44,8 @@ public:
     /// While a motion plays, the table of the adaptive curve's numbers changes only as often as PacedWords says.
     void setPlaying(bool playing);
     void setHistogram(const IntensityHistogram& histogram);
-    /// Stored value at normalised intensity 1; at 1 or less stored values are not shown.
-    void setWhiteLevel(double whiteLevel);
+    /// The file's values at intensities 0 and 1, which stand beside intensities. If they are 0 and 1, they do not.
+    void setValueWindow(const ValueWindow& window);
     /// Marks the intensity under the cursor in the 3D view. No value removes the mark.
     void setCursorIntensity(std::optional<double> intensity);
 
@@ -95,7 +96,6 @@ private:
     void showAdaptiveFacts();
     [[nodiscard]] QString adaptiveFacts() const;
     [[nodiscard]] QString intensityText(double intensity) const;
-    [[nodiscard]] QString storedText(double intensity) const;
     void showHovered(std::optional<CurveNode> value, int node);
     void showReadout();
 
@@ -121,7 +121,7 @@ private:
     bool m_playing = false;
     PacedWords m_adaptiveFacts{[this] { showAdaptiveFacts(); }};
     std::optional<double> m_cursorIntensity;
-    double m_whiteLevel = 255.0;
+    ValueWindow m_values{0.0, 255.0};
 };
 
 }  // namespace echolucent

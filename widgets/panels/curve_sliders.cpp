@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "widgets/controls/panel_controls.h"
+#include "widgets/controls/value_text.h"
 
 namespace echolucent {
 
@@ -17,8 +18,11 @@ CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent)
                  }) {
     setObjectName("curveSliders");
     setAccessibleName(tr("Curve"));
-    document.bind(&DocumentModel::curvesChanged, this,
-                  [this](const Document& shown) { m_controls.setValues(shown.curves.adjustment); });
+    m_meaning = m_controls.of("threshold").widget->toolTip();
+    document.bind(&DocumentModel::curvesChanged, this, [this](const Document& shown) {
+        m_controls.setValues(shown.curves.adjustment);
+        showThreshold();
+    });
     auto* reset = named(new QPushButton(tr("Reset curve")), "view.resetCurve", tr("Reset curve"),
                         tr("The curve without these sliders, and as it was before it was edited (C)"));
     connect(reset, &QPushButton::clicked, this, &CurveSliders::resetRequested);
@@ -30,6 +34,23 @@ CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent)
     }
     grid->addWidget(reset, grid->count() / 2, 1, Qt::AlignRight);
     grid->setContentsMargins(9, 9, 9, 0);
+}
+
+void CurveSliders::setValueWindow(const ValueWindow& window) {
+    m_values = window;
+    showThreshold();
+}
+
+void CurveSliders::showThreshold() {
+    const double moved = m_controls.values().threshold;
+    QString tip = m_meaning;
+    if (moved != 0.0 && !m_values.isNormalised()) {
+        const double by = m_values.valueAt(moved) - m_values.black;
+        tip += "\n" + tr("%1 moves it by %2 in the file's values")
+                          .arg(moved, 0, 'f', 2)
+                          .arg(valueText(by, {0.0, m_values.white - m_values.black}));
+    }
+    m_controls.of("threshold").widget->setToolTip(tip);
 }
 
 }  // namespace echolucent

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "processing/volume/value_scale.h"
 #include "widgets/controls/parameter_controls.h"
 #include "widgets/document/document_model.h"
 
@@ -17,12 +18,19 @@ public:
     /// The document outlives the sliders.
     explicit CurveSliders(DocumentModel& document, QWidget* parent = nullptr);
 
+    /// The file's values, by which the tool tip says how far the threshold moves the curve.
+    void setValueWindow(const ValueWindow& window);
+
 signals:
     /// The person wants the curve as it is without these sliders, and unedited.
     void resetRequested();
 
 private:
+    void showThreshold();
+
     ParameterControls<CurveAdjustment> m_controls;
+    ValueWindow m_values;
+    QString m_meaning;  // of the threshold
 };
 
 }  // namespace echolucent

@@ -250,6 +250,8 @@ void DesignerPanel::setComputing(bool computing, bool refused) {
 
 void DesignerPanel::setProgress(double share) { showShare(m_progress, share); }
 
+void DesignerPanel::setValueWindow(const ValueWindow& window) { m_parameters->setValueWindow(window); }
+
 void DesignerPanel::resetParameters() {
     if (!m_config) return;
     take(defaultConfigOf(designerOf(*m_config)), tr("%1: defaults").arg(nameOfDesigner()));

@@ -7,6 +7,7 @@
 
 #include "processing/designers/choice/designer_config.h"
 #include "processing/designers/design.h"
+#include "processing/volume/value_scale.h"
 #include "widgets/document/document_model.h"
 
 class QComboBox;
@@ -39,6 +40,8 @@ public:
     void setComputing(bool computing, bool refused);
     /// Share done, in [0,1].
     void setProgress(double share);
+    /// The file's values at intensities 0 and 1.
+    void setValueWindow(const ValueWindow& window);
 
 signals:
     /// A person cancels the designer.

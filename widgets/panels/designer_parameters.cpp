@@ -7,6 +7,7 @@
 
 #include "processing/designers/choice/designer.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/controls/value_text.h"
 
 namespace echolucent {
 
@@ -68,6 +69,7 @@ void DesignerParameters::makeControls() {
         if (made.label != nullptr) grid->addWidget(made.label, line, 0);
         grid->addWidget(made.widget, line, made.label != nullptr ? 1 : 0, 1, made.label != nullptr ? 1 : 2);
         m_controls.emplace(row.row->name, made);
+        if (row.row->name == "threshold") m_meaning = made.widget->toolTip();
     }
 }
 
@@ -88,6 +90,25 @@ void DesignerParameters::showValues() {
         found->second.widget->setVisible(value.has_value());
         if (found->second.label != nullptr) found->second.label->setVisible(value.has_value());
     });
+    showThreshold();
+}
+
+void DesignerParameters::setValueWindow(const ValueWindow& window) {
+    m_values = window;
+    if (m_made) showThreshold();
+}
+
+void DesignerParameters::showThreshold() {
+    const auto found = m_controls.find("threshold");
+    const auto threshold = thresholdOf(m_config);
+    // Kindlmann's is a gradient.
+    if (found == m_controls.end() || !threshold || std::holds_alternative<KindlmannConfig>(m_config)) return;
+    QString tip = m_meaning;
+    if (!m_values.isNormalised())
+        tip += "\n" + tr("%1 is %2 in the file's values")
+                          .arg(*threshold, 0, 'f', 3)
+                          .arg(valueText(m_values.valueAt(*threshold), m_values));
+    found->second.widget->setToolTip(tip);
 }
 
 }  // namespace echolucent

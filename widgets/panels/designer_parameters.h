@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "processing/designers/choice/designer_config.h"
+#include "processing/volume/value_scale.h"
 #include "widgets/controls/parameter_controls.h"
 
 namespace echolucent {
@@ -24,6 +25,9 @@ public:
     /// Makes new controls if the designer is another one. Emits nothing.
     void setConfig(const DesignerConfig& config);
 
+    /// The file's values, of which the tool tip of an intensity says one.
+    void setValueWindow(const ValueWindow& window);
+
 signals:
     /// A person changed something; `label` is that of its row.
     void changed(const echolucent::DesignerConfig& config, const QString& label);
@@ -33,7 +37,11 @@ private:
     void showValues();
     void take(const AnyParameter& row, const ParameterValue& value);
 
+    void showThreshold();
+
     DesignerConfig m_config;
+    ValueWindow m_values;
+    QString m_meaning;                                        // of the threshold
     std::map<std::string_view, ParameterControl> m_controls;  ///< by the row's name
     bool m_made = false;
 };

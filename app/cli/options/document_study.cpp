@@ -18,6 +18,7 @@
 #include "io/output/overwriting.h"
 #include "io/restricted/restricted_reader.h"
 #include "io/study/simulated_study.h"
+#include "io/study/study_assembly.h"
 #include "io/study/study_checksum.h"
 #include "processing/document/turned_document.h"
 #include "processing/near_cut/near_cut.h"
@@ -64,7 +65,12 @@ Result<Study> readReferenced(const StudyFile& file, const std::string& path, con
 Result<Study> studyOf(Document& document, const std::string& path, const VolumeOptions& volume,
                       const std::vector<std::string>& outputs) {
     if (!volume.path.empty()) {
-        auto named = volume.readNamed(outputs);
+        VolumeOptions reading = volume;
+        // If it is the document's own volume, wherever it lies, curves keep their meaning.
+        const auto* file = std::get_if<StudyFile>(&document.study);
+        if (file != nullptr && nameFromPath(file->path) == nameFromPath(volume.path))
+            reading.read.blackAtZero = reading.read.blackAtZero || file->options.blackAtZero;
+        auto named = reading.readNamed(outputs);
         if (!named) return tl::unexpected<Failure>(named.error());
         // The document keeps its own mark: its positions lie where they lay. A simulated scan has no other grid.
         if (!std::holds_alternative<SimulatedScan>(document.study))

@@ -12,6 +12,7 @@
 #include "io/files/header_text.h"
 #include "io/output/output_place.h"
 #include "io/restricted/restricted_reader.h"
+#include "io/study/named_study.h"
 
 namespace echolucent::cli {
 
@@ -122,6 +123,8 @@ void VolumeOptions::addTo(CLI::App& command) {
     command.add_flag(
         "--all-voxels", [this](std::int64_t) { read.guessNoData = false; },
         "Take every voxel as data: do not guess what lies outside the scanned sector");
+    command.add_flag("--black-at-zero", read.blackAtZero,
+                     "Keep black at 0 where values lie below it, as documents of older programs did");
 }
 
 Result<std::optional<SeriesList>> VolumeOptions::listedSeries() const {
@@ -161,8 +164,8 @@ Result<VolumeOptions::Named> VolumeOptions::readNamed(const std::vector<std::str
     auto study = readListed(*list, outputs);
     if (!study) return tl::unexpected(study.error());
     StudyFile reference{.path = path, .options = read, .checksum = {}};
-    reference.turnedAxis = study->turnedAxis;
     if (*list) reference.options.series = (*chosenSeries(**list))->uid;
+    reference = asOpened(std::move(reference), *study);
     return Named{std::move(*study), std::move(reference)};
 }
 

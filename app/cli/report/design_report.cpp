@@ -66,7 +66,8 @@ std::string jsonReport(const Volume& volume, const DesignRun& run, const OtfCont
                         {"spacing_mm", vectorJson(geometry.spacing)},
                         {"spacing_known", geometry.spacingKnown},
                         {"type", volume.typeName()},
-                        {"white_level", volume.whiteLevel()}};
+                        {"white_level", volume.whiteValue()}};
+    if (volume.blackValue() != 0.0) report["volume"]["black_level"] = volume.blackValue();
     report["view"] = {{"beam_axis", echolucent::nameOf(run.view.beamAxis)},
                       {"azimuth", run.view.azimuthDegrees},
                       {"elevation", run.view.elevationDegrees},

@@ -158,7 +158,8 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfCo
                         {"spacing_mm", vectorJson(geometry.spacing)},
                         {"spacing_known", geometry.spacingKnown},
                         {"type", volume.typeName()},
-                        {"white_level", volume.whiteLevel()}};
+                        {"white_level", volume.whiteValue()}};
+    if (volume.blackValue() != 0.0) report["volume"]["black_level"] = volume.blackValue();
     report["view"] = {{"direction_voxel", vectorJson(otf.directionVoxel)},
                       {"beam_axis", echolucent::nameOf(otf.view.beamAxis)},
                       {"azimuth", otf.view.azimuthDegrees},

@@ -249,8 +249,9 @@ void DicomFrames::sayWhite(StudyParts& parts) const {
     parts.window = m_state->window.white;
     const bool palette = m_state->format.model == ColourModel::palette;
     if (!palette && m_state->format.bitsStored > 8) return;
-    if (!(largestValue() > 0)) return;
+    if (!(largestValue() > 0) && !m_state->rescaled && !(m_state->extreme(-1) < 0)) return;
     parts.whiteLevel = largestValue();
+    if (m_state->rescaled || m_state->extreme(-1) < 0) parts.lowestLevel = m_state->extreme(-1);
     parts.whiteLevelSource = palette ? "(0028,1101) Palette Color" : "(0028,0101) Bits Stored";
     if (m_state->rescaled) parts.whiteLevelSource += ", (0028,1053) Rescale Slope";
 }
@@ -283,9 +284,6 @@ std::vector<std::string> DicomFrames::warnings() const {
     if (statedLoss(*m_state->dataset).compression == LossyCompression::yes)
         sentences.emplace_back(
             "The pixels were compressed with loss, which changes their distribution and so the OTF.");
-    if (m_state->rescaled && m_state->extreme(-1) < 0)
-        sentences.push_back(fmt::format(
-            "Rescaled values may lie below 0 (down to {:.6g}); what does is shown as black.", m_state->extreme(-1)));
     for (const std::string& warning : m_state->window.warnings) sentences.push_back(warning);
     for (const std::string& note : m_state->format.notes) sentences.push_back(note);
     for (const std::string& note : m_state->notes) sentences.push_back(note);

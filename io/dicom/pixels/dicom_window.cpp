@@ -76,9 +76,10 @@ DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, std::si
                         quotedText(firstValueOf(holder, centreTag)), quotedText(firstValueOf(holder, widthTag))));
         return window;
     }
-    window.white =
-        WindowWhite{dark ? ends - shownWhite : shownWhite, fmt::format("centre {:.6g}, width {:.6g}", centre, width),
-                    tagText(centreTag) + " Window Center, " + tagText(widthTag) + " Width" + place.words};
+    const double shownBlack = centre - (dark ? -width : width) / 2.0;
+    window.white = WindowWhite{dark ? ends - shownWhite : shownWhite, dark ? ends - shownBlack : shownBlack,
+                               fmt::format("centre {:.6g}, width {:.6g}", centre, width),
+                               tagText(centreTag) + " Window Center, " + tagText(widthTag) + " Width" + place.words};
     return window;
 }
 

@@ -16,6 +16,7 @@
 #include "io/files/files_below.h"
 #include "io/files/input_file.h"
 #include "io/study/series_list.h"
+#include "io/study/value_window.h"
 #include "io/voxels/large_volumes.h"
 #include "io/voxels/phase_slices.h"
 #include "processing/volume/block_mean.h"
@@ -115,7 +116,7 @@ public:
         shareWindow();
         std::vector<VoxelBytes> phases;
         phases.push_back(m_slices->take());
-        m_parts.voxels = convertVoxels(std::move(phases), m_type);
+        keepVoxels(m_parts, std::move(phases), m_type, std::nullopt, m_options);
         return assembleStudy(std::move(m_parts), m_options, m_progress);
     }
 
@@ -257,6 +258,8 @@ private:
         if (said.window) m_windows.push_back(std::move(*said.window));
         // Differently rescaled slices reach different values.
         if (m_parts.whiteLevel && said.whiteLevel) m_parts.whiteLevel = std::max(*m_parts.whiteLevel, *said.whiteLevel);
+        if (m_parts.lowestLevel && said.lowestLevel)
+            m_parts.lowestLevel = std::min(*m_parts.lowestLevel, *said.lowestLevel);
     }
 
     /// The slices share one window: the one whose white is the median.

@@ -14,6 +14,7 @@
 #include "io/dicom/pixels/pixel_statements.h"
 #include "io/dicom/volumes/dicom_kretz.h"
 #include "io/kretz/kretz_reader.h"
+#include "io/study/value_window.h"
 #include "io/voxels/large_volumes.h"
 #include "io/voxels/phase_slices.h"
 #include "processing/volume/block_mean.h"
@@ -144,7 +145,6 @@ Result<Study> MultiframeReader::read() {
     parts.phasesSource = layout->phaseSource;
     parts.spacingSource = layout->spacingSource;
     parts.inPlaneSpacingKnown = layout->inPlaneSpacingKnown;
-    parts.voxels = convertVoxels(std::move(*phases), m_frames.type());
     m_frames.sayWhite(parts);
     parts.phaseTimes = layout->phaseTimes;
     parts.phaseSource = layout->phaseSource;
@@ -162,6 +162,7 @@ Result<Study> MultiframeReader::read() {
     for (auto&& fact : equipmentFacts(m_file.dataset())) parts.facts.push_back(std::move(fact));
     parts.warnings = layout->warnings;
     for (auto&& warning : m_frames.warnings()) parts.warnings.push_back(std::move(warning));
+    keepVoxels(parts, std::move(*phases), m_frames.type(), std::nullopt, m_options);
     return assembleStudy(std::move(parts), m_options, m_progress);
 }
 

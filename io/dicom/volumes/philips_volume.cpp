@@ -15,6 +15,7 @@
 #include "io/files/header_text.h"
 #include "io/files/input_problems.h"
 #include "io/study/study_assembly.h"
+#include "io/study/value_window.h"
 
 namespace echolucent {
 
@@ -395,7 +396,7 @@ Result<Study> readPhilipsVolume(const InputFile& input, const DicomFile& file, c
     sayLoss(file.dataset(), parts);
     sayBurnedInText(file.dataset(), true, parts);
     markMissing(*voxels, options, parts);
-    parts.voxels = convertVoxels(std::move(voxels->phases), voxels->type);
+    keepVoxels(parts, std::move(voxels->phases), voxels->type, std::nullopt, options);
     for (auto&& fact : equipmentFacts(file.dataset())) parts.facts.push_back(std::move(fact));
     if (!volume.warning.empty()) parts.warnings.push_back(volume.warning);
     return assembleStudy(std::move(parts), options, progress);

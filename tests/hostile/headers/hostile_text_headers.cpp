@@ -198,6 +198,8 @@ std::vector<HostileFile> contradictions() {
         metaImageRow("text-that-is-compressed",
                      mhaWith(mhaData, "BinaryData = False\nCompressedData = True\n" + mhaData),
                      {"CompressedData is True beside"}),
+        nrrdRow("two-black-levels", nrrdWith(nrrdData, "BlackLevel:=-2\nBlackLevel:=-1\n" + nrrdData),
+                {"BlackLevel appears twice"}),
         nrrdRow("two-white-levels", nrrdWith(nrrdData, "WhiteLevel:=200\nWhiteLevel:=100\n" + nrrdData),
                 {"WhiteLevel appears twice"}),
         nrrdRow("a-vector-of-one", kinds("2 3 4 1", "space space space vector"), {"axis 4 \"vector\""},

@@ -176,7 +176,7 @@ TEST(DicomPixels, SignedValuesKeepTheirSign) {
         const auto study = writtenAndRead(image, framesAsSlices(), syntax);
         ASSERT_TRUE(study) << study.error().sentence();
         EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{5, -5, 2047, -2048}));
-        EXPECT_EQ(study->phases[0]->whiteLevel(), 2047);
+        EXPECT_EQ(study->phases[0]->valueWindow(), (ValueWindow{-2048, 2047}));
     }
 }
 

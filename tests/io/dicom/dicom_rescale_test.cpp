@@ -49,12 +49,33 @@ TEST(Rescale, OfInvertedPixelsTurnsThemRoundBetweenItsEnds) {
     EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{610, 608, 410, 100}));
 }
 
-TEST(Rescale, ValuesBelow0AreSaid) {
-    const auto study = writtenAndRead(grey({0, 1, 100, 255}, "1", "-50"), framesAsSlices());
+TEST(Rescale, ManyValuesBelow0MoveBlackToTheLeastOfTheBits) {
+    for (const char* photometric : {"MONOCHROME2", "MONOCHROME1"}) {
+        TestImage image = grey({1, 2, 100, 250}, "1", "-60");
+        image.photometric = photometric;
+        const auto study = writtenAndRead(image, framesAsSlices());
+        ASSERT_TRUE(study) << study.error().sentence();
+        const Volume& volume = *study->phases[0];
+        const bool inverted = image.photometric == "MONOCHROME1";
+        EXPECT_EQ(volume.valueWindow(), (ValueWindow{-60, 195}));
+        EXPECT_EQ(volume.fileValue(0), inverted ? 194 : -59);
+        EXPECT_EQ(volume.fileValue(3), inverted ? -55 : 190);
+    }
+    TestImage few = grey({0, 70, 71, 72, 73, 74, 75, 100, 255, 80, 81, 82}, "1", "-50");
+    const auto study = writtenAndRead(few, framesAsSlices());
     ASSERT_TRUE(study) << study.error().sentence();
-    EXPECT_EQ(storedValues(*study->phases[0]), (std::vector<double>{-50, -49, 50, 205}));
+    EXPECT_EQ(study->phases[0]->storedValue(0), -50) << "one of twelve is little";
     EXPECT_EQ(study->phases[0]->whiteLevel(), 205);
-    EXPECT_TRUE(warnsOf(*study, "below 0"));
+    EXPECT_TRUE(warnsOf(*study, "negative values down to -50"));
+}
+
+TEST(Rescale, DecibelsOfEightBitsReachFromTheLeastToTheLargest) {
+    const auto study = writtenAndRead(grey({100, 101, 102, 255}, "-0.5", "0"), framesAsSlices());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->valueWindow(), (ValueWindow{-127.5, 0}));
+    EXPECT_EQ(study->phases[0]->fileValue(0), -50);
+    EXPECT_EQ(sourceOf(*study, "black level"), "(0028,0101) Bits Stored, (0028,1053) Rescale Slope");
+    EXPECT_TRUE(warnsOf(*study, "The voxels hold -127.5 to -50: black is -127.5, white 0."));
 }
 
 TEST(Rescale, NonsenseIsRefusedWithItsTag) {

@@ -104,6 +104,20 @@ TEST(DicomWindow, NonsenseIsNotTakenAndSaid) {
     }
 }
 
+TEST(DicomWindow, GivesBlackTooWhereZeroHidesMuch) {
+    TestImage image = small("-900", "100");  // -1000 to -842
+    image.rescaleSlope = "1";
+    image.rescaleIntercept = "-1000";
+    const Study study = windowedStudy(image);
+    EXPECT_EQ(study.phases[0]->valueWindow(), (ValueWindow{-950, -850}));
+    EXPECT_EQ(study.phases[0]->fileValue(158), -842);
+    image.windowCentre = "40";  // another organ's: all would be black
+    image.windowWidth = "400";
+    const Study none = windowedStudy(image);
+    EXPECT_EQ(none.phases[0]->valueWindow(), (ValueWindow{-1000, -842}));
+    EXPECT_TRUE(warnsOf(none, "The window of the file (centre 40, width 400) is not taken"));
+}
+
 TEST(DicomWindow, ALutIsNotAppliedAndSaid) {
     TestImage image = small("75", "120");
     image.lutFunction = "SIGMOID";

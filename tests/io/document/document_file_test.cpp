@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/study/named_study.h"
 #include "tests/io/document/unusual_document.h"
 #include "tests/io/written_files/temporary_folder.h"
 
@@ -31,6 +32,29 @@ TEST(DocumentFile, ReadsBackWhatItWroteBitForBit) {
         EXPECT_EQ(jsonOf(*read), text);
     }
     EXPECT_NE(jsonOf(unusualDocument()), jsonOf(Document{}));
+}
+
+TEST(DocumentFile, OnlyStudiesWhoseBlackIsNotZeroSaySo) {
+    Document document;
+    document.study = StudyFile{.path = "a.mha", .options = {}, .checksum = {}};
+    const auto ofData = nlohmann::ordered_json::parse(jsonOf(document));
+    EXPECT_EQ(ofData["study"]["file"]["black_from_data"], true);
+    auto old = ofData;
+    old["study"]["file"].erase("black_from_data");
+    const auto read = documentFromJson(old.dump());
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_TRUE(std::get<StudyFile>(read->study).options.blackAtZero);
+    EXPECT_EQ(jsonOf(*read), old.dump(2) + "\n") << "what an older program wrote stays as it is";
+    EXPECT_FALSE(documentFromJson(changed(jsonOf(document), "/study/file/black_from_data", 1)));
+
+    Study study;
+    VolumeGeometry one;
+    study.phases.push_back(std::make_shared<const Volume>(one, std::vector<std::uint8_t>{7}));
+    const StudyFile file = std::get<StudyFile>(document.study);
+    EXPECT_TRUE(asOpened(file, study).options.blackAtZero);
+    study.phases.front() =
+        std::make_shared<const Volume>(study.phases.front()->withValueScale({.black = -60.0, .factor = 1.0}));
+    EXPECT_TRUE(asOpened(file, study) == file);
 }
 
 TEST(DocumentFile, SaysWhichTubeCoresAreNeverPlacedOnlyWhereThereAreAny) {
@@ -155,8 +179,8 @@ INSTANTIATE_TEST_SUITE_P(
 bool mayBeMissing(const std::string& place) {
     if (place.starts_with("/scene/look/")) return true;
     if (place.starts_with("/study/file/raw_layout/")) return !place.ends_with("/size");
-    for (const char* optional :
-         {"/study/file/bytes", "/study/file/files", "/study/file/conversion_mebibytes", "/study/file/study_mebibytes"})
+    for (const char* optional : {"/study/file/bytes", "/study/file/files", "/study/file/conversion_mebibytes",
+                                 "/study/file/study_mebibytes", "/study/file/black_from_data"})
         if (place == optional) return true;
     if (place.starts_with("/panes/")) {
         for (const char* ending : {"/without_tubes", "/phase", "/motion_otf", "/drawn", "/reference"})

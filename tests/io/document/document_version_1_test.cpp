@@ -21,6 +21,7 @@ TEST(DocumentVersion1, TheWindowGetsView1AndWhatItIsComparedWith) {
     const auto read = documentFromJson(text());
     ASSERT_TRUE(read) << read.error().sentence();
     Document expected = unusualDocument();
+    std::get<StudyFile>(expected.study).options.blackAtZero = true;
     Scene& scene = expected.scene;
     scene.pose = Pose{};
     scene.front = {.depthMm = std::numeric_limits<double>::denorm_min()};
@@ -40,6 +41,7 @@ TEST(DocumentVersion1, EveryViewIsReadByItsId) {
     const auto third = documentPaneFromJson(text(), 3);
     ASSERT_TRUE(third) << third.error().sentence();
     Document expected = unusualDocument();
+    std::get<StudyFile>(expected.study).options.blackAtZero = true;
     expected.scene.front.direction.reset();
     expected.scene.box = {};
     expected.panes = {{.curve = CurveKind::quartic, .designer = expected.panes[2].designer}};

@@ -198,7 +198,7 @@ TEST(MetaImage, PhasesShareOneWhiteLevelAndType) {
     const TemporaryFolder folder;
     const std::string text = "NDims = 4\nDimSize = 1 1 2 3\nElementType = MET_SHORT\nElementDataFile = LOCAL\n";
     const auto study =
-        readStudy(folder.write("v.mha", text + bytesFrom<std::int16_t>({100, 7, 400, 8, -5, 9})), withoutGuess());
+        readStudy(folder.write("v.mha", text + bytesFrom<std::int16_t>({100, 7, 400, 8, -4, 9})), withoutGuess());
     ASSERT_TRUE(study);
     for (const auto& phase : study->phases) {
         EXPECT_EQ(phase->typeName(), "float32");

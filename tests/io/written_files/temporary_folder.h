@@ -68,9 +68,10 @@ inline ReadOptions framesAsSlices() {
     return options;
 }
 
+/// The file's values of all voxels.
 inline std::vector<double> storedValues(const Volume& volume) {
     std::vector<double> values;
-    for (std::int64_t i = 0; i < volume.geometry().voxelCount(); ++i) values.push_back(volume.storedValue(i));
+    for (std::int64_t i = 0; i < volume.geometry().voxelCount(); ++i) values.push_back(volume.fileValue(i));
     return values;
 }
 

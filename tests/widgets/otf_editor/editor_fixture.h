@@ -20,7 +20,7 @@ public:
         state.manual = threeNodes;
         state.active = CurveKind::manual;
         m_editor->setState(state);
-        m_editor->setWhiteLevel(255);
+        m_editor->setValueWindow({0.0, 255.0});
         m_editor->resize(460, 640);
         m_editor->show();
         m_editor->activateWindow();

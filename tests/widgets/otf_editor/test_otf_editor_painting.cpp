@@ -6,9 +6,9 @@
 
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/otf_editor/edited_document.h"
+#include "widgets/controls/value_text.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/curve_style.h"
-#include "widgets/otf_editor/stored_value_text.h"
 
 using namespace echolucent;
 
@@ -33,7 +33,7 @@ private slots:
     void activeCurveIsHeavier();
     void histogramIsPaintedBehind();
     void cursorIntensityIsMarked();
-    void storedValuesOfAnyWhiteAreNumbersThatMeanSomething();
+    void valuesOfAnyWindowAreNumbersThatMeanSomething();
 
 private:
     [[nodiscard]] QPoint pixelOf(const CurveNode& value) const { return m_canvas->axes().positionOf(value).toPoint(); }
@@ -166,15 +166,21 @@ void TestOtfEditorPainting::cursorIntensityIsMarked() {
 }
 
 /// A whole number could not hold the largest float: 9223372036854775807 stood there.
-void TestOtfEditorPainting::storedValuesOfAnyWhiteAreNumbersThatMeanSomething() {
+void TestOtfEditorPainting::valuesOfAnyWindowAreNumbersThatMeanSomething() {
     const double largest = std::numeric_limits<float>::max();
-    QCOMPARE(storedValueText(largest, largest), QStringLiteral("3.4e+38"));
-    QCOMPARE(storedValueText(-largest, largest), QStringLiteral("-3.4e+38"));
-    QCOMPARE(storedValueText(0.5e38, 1e38), QStringLiteral("5e+37"));
-    QCOMPARE(storedValueText(1e-40, 1e-40), QStringLiteral("1e-40"));
-    QCOMPARE(storedValueText(127.6, 255.0), QStringLiteral("128"));
-    QCOMPARE(storedValueText(4294967295.0, 4294967295.0), QStringLiteral("4.29e+09"));
-    QCOMPARE(storedValueText(0.5, 1.5), QStringLiteral("0.5"));
+    QCOMPARE(valueText(largest, {0.0, largest}), QStringLiteral("3.4e+38"));
+    QCOMPARE(valueText(-largest, {0.0, largest}), QStringLiteral("-3.4e+38"));
+    QCOMPARE(valueText(0.5e38, {0.0, 1e38}), QStringLiteral("5e+37"));
+    QCOMPARE(valueText(1e-40, {0.0, 1e-40}), QStringLiteral("1e-40"));
+    QCOMPARE(valueText(1e300, {0.0, 1e300}), QStringLiteral("1e+300"));
+    QCOMPARE(valueText(127.6, {0.0, 255.0}), QStringLiteral("128"));
+    QCOMPARE(valueText(4294967295.0, {0.0, 4294967295.0}), QStringLiteral("4.29e+09"));
+    QCOMPARE(valueText(0.5, {0.0, 1.5}), QStringLiteral("0.5"));
+    QCOMPARE(valueText(-12.64, {-60.0, 0.0}), QStringLiteral("-12.6"));
+    QCOMPARE(valueText(-900.4, {-1018.0, -794.0}), QStringLiteral("-900"));
+    QCOMPARE(valueText(1000000.42, {1e6, 1e6 + 1}), QStringLiteral("1000000.42"));
+    QCOMPARE(valueBeside(0.5, {-1e308, 1e308}), QStringLiteral(" (0)"));
+    QCOMPARE(valueBeside(0.42, {0.0, 1.0}), QString());
 }
 
 ECHOLUCENT_TEST_CLASS(TestOtfEditorPainting)
