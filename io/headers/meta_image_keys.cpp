@@ -15,7 +15,7 @@ namespace {
 
 // Keys that decide how voxels are read. Other keys are allowed and play no part, but for those that tell of frames
 // (settleFrames()).
-constexpr std::array<std::string_view, 24> ourKeys{"ObjectType",
+constexpr std::array<std::string_view, 25> ourKeys{"ObjectType",
                                                    "NDims",
                                                    "BinaryData",
                                                    "DimSize",
