@@ -121,12 +121,12 @@ TEST(NativeYbr, LumaFrom16To235IsStretched) {
     EXPECT_THAT(quarter.error().sentence(), HasSubstr("holds 24 bytes"));
 }
 
-/// Two pixels of 1 and 2 with palettes of four entries.
+/// The palettes of three colours, and how they are stored.
 struct Palette {
     std::vector<std::uint16_t> descriptor{4, 0, 16};
     std::vector<std::uint16_t> red{}, green{}, blue{};
     std::string vr = "OW";
-    std::string lumaVr = "US";
+    std::string descriptorVr = "US";
 };
 
 Result<Study> readPalette(const Palette& palette, std::uint16_t bits = 8, std::uint16_t sign = 0,
@@ -137,7 +137,7 @@ Result<Study> readPalette(const Palette& palette, std::uint16_t bits = 8, std::u
     file.word(0x0028, 0x0010, 1).word(0x0028, 0x0011, 2).word(0x0028, 0x0100, bits).word(0x0028, 0x0101, bits);
     file.word(0x0028, 0x0102, static_cast<std::uint16_t>(bits - 1)).word(0x0028, 0x0103, sign);
     for (const std::uint16_t i : {1, 2, 3})
-        file.put(0x0028, 0x1100 + i, palette.lumaVr, bytesFrom<std::uint16_t>(palette.descriptor));
+        file.put(0x0028, 0x1100 + i, palette.descriptorVr, bytesFrom<std::uint16_t>(palette.descriptor));
     file.put(0x0028, 0x1201, palette.vr, bytesFrom<std::uint16_t>(palette.red));
     file.put(0x0028, 0x1202, palette.vr, bytesFrom<std::uint16_t>(palette.green));
     file.put(0x0028, 0x1203, palette.vr, bytesFrom<std::uint16_t>(palette.blue));
@@ -186,7 +186,7 @@ TEST(DicomPalettes, TheFirstPixelValueHasThePixelsSign) {
     expectGrey(readPalette(palette, 16, 1, pixels), {0, 1, 2, 3});
     // The numbers of the descriptor stand with a sign beside unsigned pixels.
     palette.descriptor = {4, 65532, 16};
-    palette.lumaVr = "SS";
+    palette.descriptorVr = "SS";
     expectGrey(readPalette(palette, 16, 0, {65532, 65533, 65534, 65535}), {0, 1, 2, 3});
 }
 
