@@ -42,9 +42,9 @@ ChosenWhite whiteFromData(const WhiteLevel& measured, const ValueScale& scale, s
     } else if (scale.black != 0) {
         // No value lies above black. White is 0, or as far above 0 again as doubles reach.
         white = {std::abs(scale.black) / scale.factor, "above all values"};
-        if (!std::isfinite(scale.fileValue(*white.level)))
-            white.level = scale.storedValue(std::numeric_limits<double>::max());
     }
+    if (white.level && !std::isfinite(scale.fileValue(*white.level)))
+        white.level = scale.storedValue(std::numeric_limits<double>::max());
     if (measured.above == 0) return white;
     white.source = "largest value in the data but for hot voxels";
     warnings.push_back(

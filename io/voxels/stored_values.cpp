@@ -123,6 +123,14 @@ VoxelArray<To> valuesBecoming(VoxelBytes bytes, const Become& become) {
     return voxelsIn<To>(std::move(kept));
 }
 
+/// The stored value nearest to `end` that still gives a finite value of the file.
+float farthest(const ValueScale& scale, float end) {
+    const double ofFile = scale.storedValue(std::copysign(std::numeric_limits<double>::max(), end));
+    if (std::abs(ofFile) < std::abs(static_cast<double>(end))) end = static_cast<float>(ofFile);
+    while (!std::isfinite(scale.fileValue(end))) end = std::nextafter(end, 0.0F);
+    return end;
+}
+
 /// Whether whole numbers stay whole if `black` is taken off them, from 0 to `most`.
 bool stayWhole(const ValueScale& scale, const ValueExtent& extent, double most) {
     constexpr double exactBelow = 9007199254740992.0;  // up to here doubles hold every whole number
@@ -180,11 +188,12 @@ ConvertedVoxels convertToScale(std::vector<VoxelBytes> phases, StoredType type, 
                 });
             }
         }
+        const double most = farthest(scale, std::numeric_limits<float>::max());
+        const double least = farthest(scale, std::numeric_limits<float>::lowest());
         keepAs(float{}, [&](T value) {
-            constexpr double most = std::numeric_limits<float>::max();
             const double stored = scale.storedValue(rescale.of(static_cast<double>(value)));
             return static_cast<float>(
-                std::isfinite(rescale.of(static_cast<double>(value))) ? std::clamp(stored, -most, most) : stored);
+                std::isfinite(rescale.of(static_cast<double>(value))) ? std::clamp(stored, least, most) : stored);
         });
     });
     result.story = fmt::format("{}{}, kept as {}{}", nameOf(type), rescale.isIdentity() ? "" : ", rescaled", kept,

@@ -125,6 +125,20 @@ TEST(ValueWindow, TheWholeRangeOfDoublesIsNotTooMuch) {
     EXPECT_NEAR(volume.fileValue(500) / 1.7e306, body()[500] - 100.0, 1e-3);
 }
 
+TEST(ValueWindow, TheEndsOfDoublesStayFinite) {
+    constexpr double most = std::numeric_limits<double>::max();
+    for (const auto& [low, high] : {std::pair{-most, most}, {0.0, most}, {-most, 0.0}, {-1e300, most}}) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < voxelCount; ++i) values.push_back(i % 2 == 0 ? low : high);
+        const Study study = readBytes(metaImage<double>("MET_DOUBLE", values), withoutGuess());
+        const Volume& volume = *study.phases[0];
+        EXPECT_TRUE(std::isfinite(volume.blackValue()) && std::isfinite(volume.whiteValue())) << low << " " << high;
+        EXPECT_LT(volume.blackValue(), volume.whiteValue());
+        EXPECT_NEAR(volume.fileValue(1) / most, high / most, 1e-6) << low << " " << high;
+        EXPECT_TRUE(std::isfinite(volume.fileValue(0)) && std::isfinite(volume.fileValue(1)));
+    }
+}
+
 TEST(ValueWindow, DecibelsShowTheBody) {
     std::vector<double> values;
     for (const double value : body()) values.push_back(value > 0 ? 0.25 * value - 50.0 : -60.0);
