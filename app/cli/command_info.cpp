@@ -174,6 +174,7 @@ Json seriesJson(const SeriesList& list, const SeriesEntry* read) {
                          {"modality", entry.modality},
                          {"distinction", entry.distinction},
                          {"size", entry.size},
+                         {"phases", entry.phases.count},
                          {"files", entry.files.size()},
                          {"read", &entry == read},
                          {"why_not", entry.whyNot ? Json(entry.whyNot->sentence()) : Json()}});

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "io/files/header_text.h"
 #include "io/files/input_problems.h"
+#include "processing/one_line.h"
 
 namespace echolucent {
 
@@ -17,6 +17,12 @@ namespace {
 
 constexpr std::size_t mostFiles = 50000;
 constexpr std::size_t mostEntries = 4 * mostFiles;
+
+/// A name in quotes, fit for a sentence in any script: at most 80 bytes of it, without what no line may hold.
+std::string nameInQuotes(const std::string& name) {
+    constexpr std::size_t longest = 80;
+    return "\"" + oneLine(name, longest) + "\"";
+}
 
 /// Counts entries that were left out, for one sentence.
 class LeftOut {
@@ -26,7 +32,7 @@ public:
     }
     void say(const std::string& what, std::vector<std::string>& warnings, const std::string& remedy = "") const {
         if (m_count > 0)
-            warnings.push_back(fmt::format("{} {}, {} among them.{}", m_count, what, quotedText(m_first), remedy));
+            warnings.push_back(fmt::format("{} {}, {} among them.{}", m_count, what, nameInQuotes(m_first), remedy));
     }
 
 private:
@@ -69,8 +75,8 @@ public:
         m_deeper.say(fmt::format("folder(s) deeper than {} were not looked into", m_deepest), m_found.warnings,
                      " Open a folder further down.");
         m_closed.say("folder(s) could not be opened: the permission to read them is missing", m_found.warnings);
-        m_filesOutside.say("link(s) lead to files out of the folder", m_found.warnings,
-                           " Take them away if these do not belong here.");
+        m_filesOutside.say("link(s) lead to files out of the folder and were not followed", m_found.warnings,
+                           " Copy the files themselves into the folder if they belong here.");
         m_foldersOutside.say("link(s) lead to folders out of this one and were not followed", m_found.warnings,
                              " Copy what they lead to into the folder if it belongs here.");
         m_dangling.say("link(s) lead nowhere", m_found.warnings);
@@ -108,7 +114,6 @@ private:
         if (std::filesystem::is_directory(target, error)) return m_foldersOutside.add(link);
         if (!std::filesystem::is_regular_file(target, error)) return m_special.add(link);
         m_filesOutside.add(link);
-        m_found.paths.push_back(link.string());
     }
 
     std::string m_folder;
@@ -128,7 +133,7 @@ std::string filesInWords(const std::vector<std::string>& paths) {
     constexpr std::size_t mostNames = 3;
     std::vector<std::string> names;
     for (const std::string& path : paths)
-        if (names.size() < mostNames) names.push_back(quotedText(std::filesystem::path(path).filename().string()));
+        if (names.size() < mostNames) names.push_back(nameInQuotes(std::filesystem::path(path).filename().string()));
     const std::size_t more = paths.size() - names.size();
     return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }

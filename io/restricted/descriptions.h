@@ -108,10 +108,15 @@ void describe(Archive& archive, Value& file) {
     archive(file.path, file.instance, file.plane, file.rescale, file.damage);
 }
 
+template <typename Archive, Described<SeriesPhases> Value>
+void describe(Archive& archive, Value& phases) {
+    archive(phases.count, phases.seconds, phases.source, phases.timeSource);
+}
+
 template <typename Archive, Described<SeriesEntry> Value>
 void describe(Archive& archive, Value& entry) {
-    archive(entry.uid, entry.object, entry.description, entry.modality, entry.distinction, entry.size, entry.multiframe,
-            entry.files, entry.whyNot);
+    archive(entry.uid, entry.object, entry.description, entry.modality, entry.distinction, entry.phases, entry.size,
+            entry.multiframe, entry.files, entry.whyNot, entry.notes);
 }
 
 template <typename Archive, Described<SeriesList> Value>

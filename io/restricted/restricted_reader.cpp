@@ -114,6 +114,14 @@ bool haveBeenAskedFor(const SeriesList& list, const std::set<std::string>& asked
            });
 }
 
+/// Whether an entry has the files of its phases.
+bool isSound(const SeriesEntry& entry) {
+    const auto files = static_cast<std::int64_t>(entry.files.size());
+    const SeriesPhases& phases = entry.phases;
+    const bool timed = phases.seconds.empty() || static_cast<std::int64_t>(phases.seconds.size()) == phases.count;
+    return files > 0 && timed && phases.count > 0 && phases.count <= files && files % phases.count == 0;
+}
+
 template <typename Value>
 Result<Value> valueOf(const Result<ReaderProcess::Answer>& answer, const std::string& file) {
     if (!answer) return tl::unexpected(answer.error());
@@ -180,9 +188,8 @@ Result<SeriesList> listSeries(const std::string& path, const Progress& progress)
     const auto answer = ask(requestFor(Task::listSeries, path), FileBroker(path), path, progress);
     auto list = valueOf<SeriesList>(answer, path);
     if (!list) return list;
-    const bool hasFiles = std::all_of(list->series.begin(), list->series.end(),
-                                      [](const SeriesEntry& entry) { return !entry.files.empty(); });
-    if (list->series.empty() || !hasFiles || list->path != path || !haveBeenAskedFor(*list, answer->asked))
+    const bool areSound = std::all_of(list->series.begin(), list->series.end(), isSound);
+    if (list->series.empty() || !areSound || list->path != path || !haveBeenAskedFor(*list, answer->asked))
         return noSense(path);
     return list;
 }

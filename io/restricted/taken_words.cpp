@@ -35,7 +35,9 @@ void makeHarmless(Study& study) {
 
 void makeHarmless(SeriesList& list) {
     for (SeriesEntry& entry : list.series) {
-        makeLines(entry.uid, entry.object, entry.description, entry.modality, entry.distinction);
+        makeLines(entry.uid, entry.object, entry.description, entry.modality, entry.distinction, entry.phases.source,
+                  entry.phases.timeSource);
+        makeLines(entry.notes);
         for (SeriesFile& file : entry.files)
             if (file.damage) makeHarmless(*file.damage);
         if (entry.whyNot) makeHarmless(*entry.whyNot);

@@ -23,7 +23,15 @@ struct SeriesFile {
     std::optional<Failure> damage{};
 };
 
-/// One choice: slices that make up a volume, or one multi-frame file.
+/// How the slices of an entry make up phases.
+struct SeriesPhases {
+    std::int64_t count = 1;       ///< at least 1
+    std::vector<double> seconds;  ///< of each phase since the first, rising from 0; empty if the files do not say it
+    std::string source;           ///< the attribute that told the phases apart; empty for one phase
+    std::string timeSource;       ///< the attribute that gives `seconds`; empty if they are unknown
+};
+
+/// One choice: slices that make up a volume or its phases, one multi-frame file, or the parts of one such object.
 struct SeriesEntry {
     /// Names the series in its list and in ReadOptions::series: the Series Instance UID, or "unnamed" if it has none.
     /// If several entries share a UID, the first in the list keeps it. A multi-frame file behind that one has its SOP
@@ -36,11 +44,15 @@ struct SeriesEntry {
     /// Tells the slices of this entry from others under the same Series Instance UID: "patient 1 of 2"; empty if there
     /// are no others.
     std::string distinction;
+    /// Of slices. Each phase has size[2] of them.
+    SeriesPhases phases{};
     /// Columns, rows, and slices or frames. A GE Voluson volume in a DICOM file has those of the picture beside it.
     std::array<std::int64_t, 3> size{0, 0, 0};
-    bool multiframe = false;  ///< whether the entry is one file: many frames, or a maker's private volume
-    /// In the order of the slices if they can be stacked, else of their instance numbers; never empty.
+    bool multiframe = false;  ///< whether the entry is one object: many frames, or a maker's private volume
+    /// Phase after phase, each in the order of the slices if they can be stacked, else of their instance numbers. A
+    /// multi-frame object has one file, or one for each of its parts, in their order. Never empty.
     std::vector<SeriesFile> files;
+    std::vector<std::string> notes{};  ///< sentences on how the files were put together
     /// Why the series cannot be opened, as far as its headers say; no value if nothing is against it. If
     /// Failure::framesCouldBeSlices is set, ReadOptions::framesAsSlices opens the series all the same.
     std::optional<Failure> whyNot;

@@ -6,10 +6,10 @@
 namespace echolucent {
 
 std::span<const FuzzTarget* const> fuzzTargets() {
-    static constexpr std::array<const FuzzTarget*, 14> all{
-        &metaImageTarget, &nrrdTarget,    &niftiTarget,          &kretzTarget,       &gzipTarget,
-        &rawLayoutTarget, &dicomTarget,   &dicomDirectoryTarget, &dicomPixelsTarget, &dicomFolderTarget,
-        &curveTarget,     &presetsTarget, &documentTarget,       &sessionTarget};
+    static constexpr std::array<const FuzzTarget*, 15> all{
+        &metaImageTarget,   &nrrdTarget,  &niftiTarget,          &kretzTarget,       &gzipTarget,
+        &rawLayoutTarget,   &dicomTarget, &dicomDirectoryTarget, &dicomPixelsTarget, &dicomFolderTarget,
+        &dicomSeriesTarget, &curveTarget, &presetsTarget,        &documentTarget,    &sessionTarget};
     return all;
 }
 

@@ -44,6 +44,7 @@ extern const FuzzTarget rawLayoutTarget;       ///< the layout beside a raw file
 extern const FuzzTarget dicomTarget;           ///< one DICOM file
 extern const FuzzTarget dicomDirectoryTarget;  ///< a DICOMDIR beside slices
 extern const FuzzTarget dicomPixelsTarget;     ///< a fragment in a good header: RLE, JPEG, JPEG-LS, JPEG 2000
+extern const FuzzTarget dicomSeriesTarget;     ///< one file beside parts, slices over time, lone slices and a copy
 extern const FuzzTarget dicomFolderTarget;     ///< one file among slices: listing, middle pictures, the series
 extern const FuzzTarget curveTarget;           ///< an opacity curve
 extern const FuzzTarget presetsTarget;         ///< presets

@@ -56,6 +56,7 @@ inline const std::string dicomStructureTopic = "dicom-structure/";
 [[nodiscard]] std::vector<HostileFile> hostileDicomCodecs();     ///< JPEG, JPEG-LS, JPEG 2000
 [[nodiscard]] std::vector<HostileFile> hostileDicomSeries();     ///< folders of slices, damaged or mixed
 [[nodiscard]] std::vector<HostileFile> hostileDicomFolders();    ///< places of slices, links and pipes, DICOMDIR
+[[nodiscard]] std::vector<HostileFile> hostileDicomParts();      ///< parts of objects, copies
 
 // Files with one fault each.
 [[nodiscard]] std::vector<HostileFile> hostileMalformedMetaImage();

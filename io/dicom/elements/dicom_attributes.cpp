@@ -16,8 +16,8 @@ namespace echolucent {
 
 namespace {
 
-/// A value of bytes up to this length is read anew as the dictionary says. A longer one becomes an empty element: no
-/// attribute that is read here is so long.
+/// A value of bytes up to this length is read anew as the dictionary says. A longer one stays as it is and counts as
+/// missing: no attribute that is read here is so long.
 constexpr Uint32 longestReadAnew = 1 << 20;
 
 bool holdsBytes(DcmEVR vr) {
@@ -46,13 +46,19 @@ std::string bytesOfElement(DcmElement& element) {
     return {reinterpret_cast<const char*>(bytes), length};
 }
 
+/// Whether the dictionary calls an attribute text or numbers.
+bool isReadAsValues(DicomTag tag) {
+    const DcmEVR vr = DcmTag(tag.group, tag.element).getEVR();
+    return isReadAsText(vr) || isReadAsNumber(vr);
+}
+
 /// Reads a value of bytes as the dictionary says, because DCMTK would give hexadecimal digits for text. Puts the
 /// element so read into `item` in place of `element`. Null if the dictionary calls it neither text nor numbers, or if
 /// it cannot be read so.
 DcmElement* readAnew(DcmItem& item, DcmElement& element, DicomTag tag) {
-    const DcmTag known(tag.group, tag.element);
-    if (!isReadAsText(known.getEVR()) && !isReadAsNumber(known.getEVR())) return nullptr;
-    std::string bytes = element.getLength() <= longestReadAnew ? bytesOfElement(element) : std::string();
+    if (!isReadAsValues(tag) || element.getLength() > longestReadAnew) return nullptr;
+    std::string bytes = bytesOfElement(element);
+    if (bytes.size() != element.getLength()) return nullptr;
     std::array<std::uint16_t, 4> header{tag.group, tag.element, static_cast<std::uint16_t>(bytes.size() & 0xffff),
                                         static_cast<std::uint16_t>(bytes.size() >> 16)};
     bytes.insert(0, reinterpret_cast<const char*>(header.data()), sizeof(header));
@@ -84,7 +90,9 @@ DcmElement* elementOf(DcmItem& item, DicomTag tag) {
 DcmElement* valueOf(DcmItem& item, DicomTag tag) {
     constexpr Uint32 longest = Uint32{1} << 22;
     DcmElement* element = elementOf(item, tag);
-    return element != nullptr && element->isLeaf() && element->getLengthField() <= longest ? element : nullptr;
+    if (element == nullptr || !element->isLeaf() || element->getLengthField() > longest) return nullptr;
+    // What could not be read anew would come as hexadecimal digits.
+    return holdsBytes(element->getVR()) && isReadAsValues(tag) ? nullptr : element;
 }
 
 DcmSequenceOfItems* sequenceOf(DcmItem& item, DicomTag tag) {

@@ -23,8 +23,8 @@ struct DicomTag {
 
 // Each of these functions takes time in proportion to the attribute's length, however many values it holds. DCMTK's own
 // access by index is quadratic. A value may be stored as bytes (UN, OB, OW, ...) although the dictionary calls it text
-// or numbers. All but dicomWords() and dicomLongWords() then read it as the dictionary says, or as empty if it is
-// longer than 1 MiB. A text, a number or a pointer longer than 4 MiB counts as missing.
+// or numbers. All but dicomWords() and dicomLongWords() then read it as the dictionary says, or as missing if it
+// is longer than 1 MiB. A text, a number or a pointer longer than 4 MiB counts as missing.
 
 /// The attribute's text: its values as stored up to the first zero byte, each trimmed, with backslashes between them.
 /// Values stored in binary are written as numbers. Empty if the attribute is missing or empty.

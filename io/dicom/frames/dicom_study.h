@@ -17,6 +17,12 @@ namespace echolucent {
 /// frame.
 [[nodiscard]] Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, const Progress& progress);
 
+/// Reads an object that is kept in several files (a concatenation) as the volume of one file. `paths` holds its parts
+/// in their order. Fails too if the parts do not belong together (joinedHeader()). Call it in a thread with a large
+/// stack.
+[[nodiscard]] Result<Study> readConcatenation(const std::vector<std::string>& paths, const ReadOptions& options,
+                                              const Progress& progress);
+
 /// The name that refusals give to the attribute of a slice's place.
 constexpr const char* imagePositionName = "(0020,0032) Image Position";
 

@@ -31,6 +31,7 @@ struct StatedPlane {
     std::optional<std::array<Vec3, 2>> orientation;  ///< unit vectors along a row, along a column; perpendicular
 
     [[nodiscard]] bool isComplete() const { return position && orientation; }
+    friend bool operator==(const StatedPlane&, const StatedPlane&) = default;
 };
 
 /// What the groups say of one frame: its own groups, else those of all frames. What neither says is empty.
@@ -47,6 +48,8 @@ struct FrameGroups {
     std::string dataType;                   ///< (0018,9808): TISSUE_INTENSITY, FLOW_VELOCITY, ...
     /// Dimension Index Values; splitIntoPhases() checks that there is one a dimension.
     std::vector<std::uint32_t> indexValues;
+
+    friend bool operator==(const FrameGroups&, const FrameGroups&) = default;
 };
 
 /// The groups of all `frames` frames, in the order of the file; empty if the object has no groups of single frames.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -19,6 +20,7 @@
 #include "io/study/value_window.h"
 #include "io/voxels/large_volumes.h"
 #include "io/voxels/phase_slices.h"
+#include "processing/motion/phase_times.h"
 #include "processing/volume/block_mean.h"
 
 namespace echolucent {
@@ -27,7 +29,8 @@ namespace {
 
 /// Slices in order, with the geometry they share.
 struct SliceOrder {
-    std::vector<SeriesFile> files;
+    std::vector<SeriesFile> files;  // phase after phase
+    SeriesPhases phases;
     bool rescaled = false;             // whether any slice is rescaled
     bool differentlyRescaled = false;  // whether slices differ in their rescaling
     bool inPlaneSpacingKnown = false;  // whether pixels have a known size although the distance of slices is a guess
@@ -51,13 +54,14 @@ void sayInstances(const std::vector<SeriesFile>& files, std::vector<std::string>
             fmt::format("The instance numbers are not consecutive ({} gaps): pictures may be missing.", skips));
 }
 
-/// The files of the entry, which are already in the order of slices, and the geometry of their stack. Fails if the
-/// entry is no volume and its pictures may not be taken as slices.
-Result<SliceOrder> orderOf(const SeriesList& list, const SeriesEntry& entry, const ReadOptions& options) {
-    if (entry.whyNot && !(entry.whyNot->framesCouldBeSlices && options.framesAsSlices))
-        return tl::unexpected(*entry.whyNot);
+/// The files of the entry, which are already in the order of slices, and the geometry of their stack. If the entry is
+/// no volume, its pictures are taken as slices.
+Result<SliceOrder> orderOf(const SeriesList& list, const SeriesEntry& entry) {
+    const auto few = requirePhases(list.path, entry.phases.source, entry.phases.count);
+    if (!few) return tl::unexpected(few.error());
     SliceOrder order;
     order.files = entry.files;
+    order.phases = entry.phases;
     const Rescale* first = nullptr;
     for (const SeriesFile& file : entry.files) {
         if (file.damage) continue;
@@ -73,7 +77,8 @@ Result<SliceOrder> orderOf(const SeriesList& list, const SeriesEntry& entry, con
         return order;
     }
     std::vector<SlicePlane> planes;
-    for (const SeriesFile& file : entry.files) planes.push_back(*file.plane);
+    const auto slices = static_cast<std::size_t>(entry.size[2]);
+    for (std::size_t slice = 0; slice < slices; ++slice) planes.push_back(*entry.files[slice].plane);
     auto stack = stackSlices(list.path, imagePositionName, planes);
     if (!stack) return tl::unexpected(stack.error());
     order.geometry.origin = stack->origin;
@@ -105,6 +110,8 @@ public:
             m_parts.reduction ? reducedGeometry(m_order.geometry, m_parts.reduction->reduction) : m_order.geometry;
         m_parts.sizeSource = "(0028,0011) Columns, (0028,0010) Rows, number of files";
         m_parts.typeSource = "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
+        m_parts.phasesSource = m_order.phases.source;
+        sayTimes();
         m_parts.spacingSource = m_order.spacingSource;
         m_parts.inPlaneSpacingKnown = m_order.inPlaneSpacingKnown;
         sayMissing();
@@ -114,16 +121,39 @@ public:
             m_parts.warnings.emplace_back(
                 "The slices are rescaled by different slopes or intercepts; each by its own.");
         shareWindow();
-        std::vector<VoxelBytes> phases;
-        phases.push_back(m_slices->take());
-        keepVoxels(m_parts, std::move(phases), m_type, std::nullopt, m_options);
+        m_phases.push_back(m_slices->take());
+        keepVoxels(m_parts, std::move(m_phases), m_type, std::nullopt, m_options);
         return assembleStudy(std::move(m_parts), m_options, m_progress);
     }
 
 private:
+    /// The slices of each phase.
+    [[nodiscard]] std::size_t slicesOfPhase() const {
+        return m_order.files.size() / static_cast<std::size_t>(m_order.phases.count);
+    }
+
+    /// Begins the next phase if the one before is full.
+    void beginPhase(std::size_t slice) {
+        if (!m_slices || slice == 0 || slice % slicesOfPhase() != 0) return;
+        m_phases.push_back(m_slices->take());
+        m_slices.emplace(m_type, m_order.geometry.size, reductionTaken());
+    }
+
+    [[nodiscard]] std::optional<Reduction> reductionTaken() const {
+        return m_parts.reduction ? std::optional(m_parts.reduction->reduction) : std::nullopt;
+    }
+
+    void sayTimes() {
+        const std::vector<double>& seconds = m_order.phases.seconds;
+        if (seconds.empty()) return;
+        m_parts.phaseTimes = phaseTimesAt(seconds);
+        m_parts.phaseSource = m_order.phases.timeSource;
+    }
+
     /// Reads a slice, or notes that it cannot be read. Fails if the person cancelled, if the slice is of another type
     /// than the first readable one, or if the memory is too small for the series.
     Result<void> readOrMiss(std::size_t slice) {
+        beginPhase(slice);
         const SeriesFile& file = m_order.files[slice];
         const auto grey = file.damage ? Result<Slice>(tl::unexpected(*file.damage)) : decode(file);
         if (grey) return take(slice, *grey);
@@ -185,23 +215,26 @@ private:
         if (m_missing.empty()) return;
         const std::string& element = m_whyMissing->element;
         m_parts.warnings.push_back(
-            fmt::format("{} of {} slices could not be read and are shown as no data: {}. The first {}{}.",
-                        m_missing.size(), m_order.files.size(), filesInWords(missingPaths()),
-                        element.empty() ? "" : element + " ", m_whyMissing->problem));
+            fmt::format("{} of {} slices could not be read and are shown as no data{}: {}. The first {}{}.",
+                        m_missing.size(), m_order.files.size(), m_order.phases.count > 1 ? " in all phases" : "",
+                        filesInWords(missingPaths()), element.empty() ? "" : element + " ", m_whyMissing->problem));
         m_parts.missingSlices = missingOfKept();
     }
 
-    /// The unreadable slices, in rising order. Of a reduced volume, those of its slices of which every file is
-    /// unreadable.
+    /// The slices that are unreadable in any phase, in rising order. Of a reduced volume, those of its slices of which
+    /// every file is unreadable.
     [[nodiscard]] std::vector<std::size_t> missingOfKept() const {
-        if (!m_parts.reduction) return m_missing;
+        std::set<std::size_t> unreadable;
+        for (const std::size_t slice : m_missing) unreadable.insert(slice % slicesOfPhase());
+        const std::vector<std::size_t> stored(unreadable.begin(), unreadable.end());
+        if (!m_parts.reduction) return stored;
         const auto thick = static_cast<std::size_t>(m_parts.reduction->reduction.by[2]);
         std::vector<std::size_t> whole;
-        for (std::size_t index = 0; index < m_missing.size();) {
-            const std::size_t layer = m_missing[index] / thick;
-            const std::size_t slices = std::min(thick, m_order.files.size() - layer * thick);
+        for (std::size_t index = 0; index < stored.size();) {
+            const std::size_t layer = stored[index] / thick;
+            const std::size_t slices = std::min(thick, slicesOfPhase() - layer * thick);
             std::size_t missing = 0;
-            for (; index < m_missing.size() && m_missing[index] / thick == layer; ++index) ++missing;
+            for (; index < stored.size() && stored[index] / thick == layer; ++index) ++missing;
             if (missing == slices) whole.push_back(layer);
         }
         return whole;
@@ -211,18 +244,25 @@ private:
     Result<void> begin(DcmItem& dataset, const DicomFrames& frames, std::size_t before) {
         m_type = frames.type();
         m_sliceBytes = static_cast<std::size_t>(frames.frameBytes());
-        const auto slices = static_cast<std::int64_t>(m_order.files.size());
+        const auto slices = static_cast<std::int64_t>(slicesOfPhase());
+        const std::int64_t phases = m_order.phases.count;
         auto chosen =
-            chooseReduction(m_parts.path, "", {{frames.columns(), frames.rows(), slices}, 1, m_type}, m_options);
+            chooseReduction(m_parts.path, "", {{frames.columns(), frames.rows(), slices}, phases, m_type}, m_options);
         if (!chosen) return tl::unexpected(chosen.error());
-        m_slices.emplace(m_type, std::array{frames.columns(), frames.rows(), slices},
-                         *chosen ? std::optional((*chosen)->reduction) : std::nullopt);
         m_parts.reduction = *std::move(chosen);
-        for (std::size_t slice = 0; slice < before; ++slice) m_slices->skipSlice();
         m_order.geometry.size = {frames.columns(), frames.rows(), slices};
+        m_slices.emplace(m_type, m_order.geometry.size, reductionTaken());
+        for (std::size_t slice = 0; slice < before; ++slice) {
+            beginPhase(slice);
+            m_slices->skipSlice();
+        }
+        beginPhase(before);
         m_bitsStored = frames.bitsStored();
         frames.sayWhite(m_parts);
-        m_parts.facts = {{"format", fmt::format("DICOM, {} slices", slices), "files of one series, (0020,000e)"}};
+        m_parts.facts = {{"format",
+                          phases == 1 ? fmt::format("DICOM, {} slices", slices)
+                                      : fmt::format("DICOM, {} phases of {} slices", phases, slices),
+                          "files of one series, (0020,000e)"}};
         if (const std::string uid = dicomText(dataset, {0x0008, 0x0016}); !uid.empty())
             m_parts.facts.push_back({"kind of object", objectName(uid), "(0008,0016) SOP Class UID"});
         for (auto&& fact : frames.facts()) m_parts.facts.push_back(std::move(fact));
@@ -303,7 +343,8 @@ private:
     std::vector<std::size_t> m_missing;   // unreadable slices
     std::optional<Failure> m_whyMissing;  // of the first of them
     std::vector<WindowWhite> m_windows;   // of the slices with a window
-    std::optional<PhaseSlices> m_slices;
+    std::vector<VoxelBytes> m_phases;     // those before the one that is read
+    std::optional<PhaseSlices> m_slices;  // of the phase that is read
 };
 
 }  // namespace
@@ -312,17 +353,29 @@ Result<Study> readSeries(const SeriesList& list, const SeriesEntry& entry, const
                          const Progress& progress) {
     Result<Study> study = fail(FailureKind::unreadable, list.path, "", "was not read");
     runWithLargeStack([&] {
+        const bool asSlices = entry.whyNot && entry.whyNot->framesCouldBeSlices && options.framesAsSlices;
+        if (entry.whyNot && !asSlices) {
+            study = tl::unexpected(*entry.whyNot);
+            return;
+        }
+        if (entry.multiframe && entry.files.size() > 1) {
+            std::vector<std::string> paths;
+            for (const SeriesFile& file : entry.files) paths.push_back(file.path);
+            study = readConcatenation(paths, options, progress);
+            return;
+        }
         if (entry.multiframe) {
             const auto input = InputFile::open(entry.files.front().path);
             study = input ? readDicomFile(*input, options, progress) : Result<Study>(tl::unexpected(input.error()));
             return;
         }
-        auto order = orderOf(list, entry, options);
+        auto order = orderOf(list, entry);
         study = order ? SliceReader(list.path, std::move(*order), options, progress).read()
                       : Result<Study>(tl::unexpected(order.error()));
     });
     if (!study) return study;
     std::vector<std::string> warnings = list.warnings;
+    warnings.insert(warnings.begin(), entry.notes.begin(), entry.notes.end());
     if (list.series.size() > 1)
         warnings.insert(warnings.begin(), fmt::format("There are {} series here; that of {} was read.",
                                                       list.series.size(), sizeInWords(entry)));

@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 
 #include "io/dicom/elements/dicom_scan.h"
+#include "io/dicom/series/concatenation.h"
 #include "io/dicom/series/dicom_directory.h"
 #include "io/dicom/series/image_header.h"
 #include "io/dicom/series/large_stack.h"
@@ -39,11 +40,22 @@ Result<std::vector<std::string>> filesOf(SeriesList& list, const Progress& progr
     if (!found) return tl::unexpected(found.error());
     list.files.push_back(list.path);
     list.warnings = std::move(found->warnings);
-    if (found->paths.empty())
+    if (found->paths.empty()) {
+        const std::string problem = fmt::format(
+            "is a DICOMDIR, and none of the {} files that it names is in its folder or below it", found->named);
+        if (found->others.empty())
+            return fail(FailureKind::unreadable, list.path, "", problem,
+                        "Copy the whole medium, the DICOMDIR and the folders beside it.");
         return fail(FailureKind::unreadable, list.path, "",
-                    fmt::format("is a DICOMDIR, and none of the {} files that it names is in its folder or below it",
-                                found->named),
-                    "Copy the whole medium, the DICOMDIR and the folders beside it.");
+                    fmt::format("{}. {} other DICOM file(s) are: {}", problem, found->others.size(),
+                                filesInWords(found->others)),
+                    "Open the folder itself, or copy the whole medium again.");
+    }
+    if (found->renamed > 0)
+        list.warnings.push_back(fmt::format(
+            "{} of {} files that the DICOMDIR names have another ending here, {} among them; they were taken "
+            "for those.",
+            found->renamed, found->named, filesInWords({found->firstRenamed})));
     if (found->missing > 0)
         list.warnings.push_back(
             fmt::format("{} of {} files that the DICOMDIR names are not in its folder or below it, {} among them.",
@@ -148,7 +160,7 @@ void sayLeftOut(const Findings& found, const std::vector<DamagedFile>& damaged, 
     if (!found.packed.empty())
         warnings.push_back(fmt::format(
             "{} file(s) are packed with gzip and were not looked into, {} among them. Unpack them if they are slices.",
-            found.packed.size(), quotedText(nameFromPath(found.packed.front()))));
+            found.packed.size(), filesInWords({found.packed.front()})));
 }
 
 tl::unexpected<Failure> noSeries(const SeriesList& list, const std::vector<DamagedFile>& damaged) {
@@ -166,16 +178,23 @@ tl::unexpected<Failure> noSeries(const SeriesList& list, const std::vector<Damag
                 "Choose a volume file, or the folder that holds a DICOM series.");
 }
 
-/// Names the unreadable files beside a series that is no volume, since its slices may be among them.
-void nameMissing(const Findings& found, const std::vector<DamagedFile>& damaged, std::vector<SeriesEntry>& entries) {
+/// Names the unreadable files beside a series that is no volume, and what the walk left out, since its slices may be
+/// among them.
+void nameMissing(const Findings& found, const std::vector<DamagedFile>& damaged,
+                 const std::vector<std::string>& leftOut, std::vector<SeriesEntry>& entries) {
     std::vector<std::string> lost = pathsOf(damaged);
     lost.insert(lost.end(), found.empty.begin(), found.empty.end());
     lost.insert(lost.end(), found.unopened.begin(), found.unopened.end());
-    if (lost.empty()) return;
+    std::vector<std::string> reasons;
+    if (!lost.empty())
+        reasons.push_back(fmt::format("{} file(s) beside it could not be read: {}", lost.size(), filesInWords(lost)));
+    for (const std::string& warning : leftOut) reasons.push_back(warning.substr(0, warning.find(". ")));
+    if (reasons.empty()) return;
+    std::string more = fmt::format("{}", fmt::join(reasons, "; "));
+    if (more.back() == '.') more.pop_back();
     for (SeriesEntry& entry : entries)
-        if (entry.whyNot && !entry.multiframe)
-            entry.whyNot->problem +=
-                fmt::format(" ({} file(s) beside it could not be read: {})", lost.size(), filesInWords(lost));
+        if (entry.whyNot && (!entry.multiframe || isAboutParts(*entry.whyNot)))
+            entry.whyNot->problem += fmt::format(" ({})", more);
 }
 
 }  // namespace
@@ -194,6 +213,7 @@ Result<SeriesList> listSeries(const std::string& path, const Progress& progress)
     const auto named = filesOf(list, progress);
     if (!named) return tl::unexpected(named.error());
     const std::vector<std::string>& files = *named;
+    const std::vector<std::string> leftOut = list.warnings;
     std::vector<LookedAt> looked(files.size());
     const Progress third{[&](double share) { progress.at(0.3 * share); }, progress.cancel};
     const std::size_t threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
@@ -204,12 +224,15 @@ Result<SeriesList> listSeries(const std::string& path, const Progress& progress)
         if (looked[i].kind != LookedAt::Kind::packed && looked[i].kind != LookedAt::Kind::unknown)
             list.files.push_back(files[i]);
     Findings found = sortOut(files, looked);
-    SortedSeries sorted = sortIntoSeries(path, std::move(found.images), std::move(found.damaged));
+    SortedSeries sorted;
+    runWithLargeStack(
+        [&] { sorted = sortIntoSeries(path, std::move(found.images), std::move(found.damaged), progress); });
+    if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
     list.series = std::move(sorted.entries);
     list.warnings.insert(list.warnings.end(), sorted.warnings.begin(), sorted.warnings.end());
     sayLeftOut(found, sorted.leftOut, list.warnings);
     if (list.series.empty()) return noSeries(list, sorted.leftOut);
-    nameMissing(found, sorted.leftOut, list.series);
+    nameMissing(found, sorted.leftOut, leftOut, list.series);
     return list;
 }
 
@@ -232,7 +255,8 @@ Result<const SeriesEntry*> findSeries(const SeriesList& list, const std::string&
 std::string sizeInWords(const SeriesEntry& entry) {
     const std::string picture = fmt::format("{} x {}", entry.size[0], entry.size[1]);
     if (entry.size[2] == 1) return picture + (entry.multiframe ? ", one file" : ", one picture");
-    return fmt::format("{}, {} {}", picture, entry.size[2], entry.multiframe ? "frames" : "slices");
+    const std::string slices = fmt::format("{}, {} {}", picture, entry.size[2], entry.multiframe ? "frames" : "slices");
+    return entry.phases.count > 1 ? fmt::format("{}, {} phases", slices, entry.phases.count) : slices;
 }
 
 }  // namespace echolucent

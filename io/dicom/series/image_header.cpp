@@ -66,7 +66,7 @@ void takeVolume(const DicomFile& file, std::uint64_t fileBytes, ImageHeader& hea
     if (header.whyNot) return;
     if (!philips)
         header.whyNot = philips.error();
-    else if (!header.volume && header.frames > 1)
+    else if (!header.volume && header.frames > 1 && !header.part)
         header.whyNot = whyNoVolume(file.dataset(), header, progress);
     if (!header.volume) return;
     header.columns = (*philips)->size[0];
@@ -113,9 +113,12 @@ ImageHeader headerOf(const DicomFile& file) {
     header.frames = std::max<std::int64_t>(1, dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1));
     header.series = dicomText(dataset, {0x0020, 0x000e});
     header.object = dicomText(dataset, {0x0008, 0x0018});
+    header.study = dicomText(dataset, {0x0020, 0x000d});
     header.description = seriesDescription(dataset);
     header.modality = dicomText(dataset, {0x0008, 0x0060});
     header.traits = traitsOf(dataset);
+    header.part = concatenationPartOf(dataset);
+    if (header.frames == 1) header.moments = momentsOf(dataset);
     return header;
 }
 

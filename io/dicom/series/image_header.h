@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "io/dicom/series/concatenation.h"
+#include "io/dicom/series/picture_moments.h"
 #include "io/files/input_file.h"
 #include "io/study/series_list.h"
 
@@ -24,12 +26,15 @@ struct PictureTraits {
 struct ImageHeader {
     SeriesFile file;
     std::string series, object, sopClass;  ///< UIDs of the series, the image and its SOP class
+    std::string study;                     ///< UID
     std::string description, modality;
     std::int64_t rows = 0, columns = 0, frames = 1;
     bool volume = false;  ///< whether the file holds a maker's private volume, whatever its frames
     /// Why the frames of the file, or a maker's private volume, are no volume that can be read.
     std::optional<Failure> whyNot;
     PictureTraits traits;
+    PictureMoments moments;                 ///< of a single picture
+    std::optional<ConcatenationPart> part;  ///< which part of a concatenation the file is
 };
 
 /// What lookAt() finds in a file.

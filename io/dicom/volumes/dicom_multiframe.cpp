@@ -10,9 +10,10 @@
 #include "io/dicom/frames/frame_layout.h"
 #include "io/dicom/frames/frame_phases.h"
 #include "io/dicom/frames/picture_scale.h"
-#include "io/dicom/pixels/dicom_pixels.h"
 #include "io/dicom/pixels/pixel_statements.h"
 #include "io/dicom/volumes/dicom_kretz.h"
+#include "io/dicom/volumes/frames_of_parts.h"
+#include "io/dicom/volumes/joined_parts.h"
 #include "io/kretz/kretz_reader.h"
 #include "io/study/value_window.h"
 #include "io/voxels/large_volumes.h"
@@ -31,8 +32,10 @@ std::string nameOfObject(const std::string& sopClass) {
 
 class MultiframeReader {
 public:
-    MultiframeReader(const DicomFile& file, DicomFrames& frames, const ReadOptions& options, const Progress& progress)
-        : m_file(file), m_frames(frames), m_options(options), m_progress(progress) {}
+    /// `paths` names the files that hold the object, `file` has the header of all frames.
+    MultiframeReader(const DicomFile& file, FramesOfParts& frames, std::vector<std::string> paths,
+                     const ReadOptions& options, const Progress& progress)
+        : m_file(file), m_frames(frames), m_paths(std::move(paths)), m_options(options), m_progress(progress) {}
     Result<Study> read();
 
 private:
@@ -43,7 +46,8 @@ private:
     Result<std::vector<VoxelBytes>> readPhases(const FrameLayout& layout, const std::optional<ChosenReduction>& chosen);
 
     const DicomFile& m_file;
-    DicomFrames& m_frames;
+    FramesOfParts& m_frames;
+    std::vector<std::string> m_paths;
     const ReadOptions& m_options;
     const Progress& m_progress;
 };
@@ -83,12 +87,13 @@ Result<FrameLayout> MultiframeReader::layOutAsSlices() {
     return layout;
 }
 
-/// "DICOM Enhanced US Volume, one file, 3 phases of 64 frames".
+/// "DICOM Enhanced US Volume, one file, 3 phases of 64 frames"; of a concatenation "..., 2 files, ...".
 std::string MultiframeReader::formatInWords(const FrameLayout& layout) const {
     const std::string object = nameOfObject(m_file.scan().sopClass);
     const std::size_t slices = layout.phases.front().size();
-    if (layout.phases.size() == 1) return fmt::format("{}, one file, {} frames", object, slices);
-    return fmt::format("{}, one file, {} phases of {} frames", object, layout.phases.size(), slices);
+    const std::string files = m_paths.size() == 1 ? "one file" : fmt::format("{} files", m_paths.size());
+    if (layout.phases.size() == 1) return fmt::format("{}, {}, {} frames", object, files, slices);
+    return fmt::format("{}, {}, {} phases of {} frames", object, files, layout.phases.size(), slices);
 }
 
 Result<std::optional<ChosenReduction>> MultiframeReader::chooseReduction(const FrameLayout& layout) const {
@@ -138,7 +143,7 @@ Result<Study> MultiframeReader::read() {
     if (!phases) return tl::unexpected(phases.error());
     StudyParts parts;
     parts.path = m_file.path();
-    parts.files = {m_file.path()};
+    parts.files = m_paths;
     parts.geometry = layout->geometry;
     parts.sizeSource = "(0028,0011) Columns, (0028,0010) Rows, (0028,0008) Number of Frames";
     parts.typeSource = "(0028,0100) Bits Allocated, (0028,0103) Pixel Representation";
@@ -179,12 +184,24 @@ std::vector<ImportFact> equipmentFacts(DcmItem& dataset) {
 
 Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, const Progress& progress) {
     if (auto kretz = kretzVolumeIn(file)) return readKretz(std::move(*kretz), options, progress);
-    auto frames = DicomFrames::open(file.dataset(), file.path(), file.scan());
+    auto frames = FramesOfParts::open(file);
     if (!frames) return tl::unexpected(frames.error());
     if (frames->frames() < 2)
         return fail(FailureKind::unreadable, file.path(), "", "is a single 2D picture, not a volume",
                     "Open the folder that holds all slices, or a multi-frame file.");
-    return MultiframeReader(file, *frames, options, progress).read();
+    return MultiframeReader(file, *frames, {file.path()}, options, progress).read();
+}
+
+Result<Study> readConcatenation(const std::vector<std::string>& paths, const ReadOptions& options,
+                                const Progress& progress) {
+    const auto header = joinedHeader(paths, progress);
+    if (!header) return tl::unexpected(header.error());
+    auto frames = FramesOfParts::open(paths, progress);
+    if (!frames) return tl::unexpected(frames.error());
+    if (frames->frames() < 2)
+        return fail(FailureKind::unreadable, header->path(), "", "is a single 2D picture, not a volume",
+                    "Open the folder that holds all slices, or a multi-frame file.");
+    return MultiframeReader(*header, *frames, paths, options, progress).read();
 }
 
 }  // namespace echolucent

@@ -190,6 +190,46 @@ std::string dicomSlice(int instance) {
     return file.put(0x7fe0, 0x0010, "OW", counted(8)).file(pictureClass);
 }
 
+std::string dicomPart(int number) {
+    constexpr int frames = 2;
+    std::vector<DicomBytes> groups;
+    for (int frame = 0; frame < frames; ++frame) {
+        const std::string place = "0\\0\\" + std::to_string(frames * (number - 1) + frame);
+        groups.push_back(DicomBytes().sequence(0x0020, 0x9113, {DicomBytes().text(0x0020, 0x0032, "DS", place)}));
+    }
+    DicomBytes shared;
+    shared.sequence(0x0020, 0x9116, {DicomBytes().text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0")});
+    shared.sequence(0x0028, 0x9110, {DicomBytes().text(0x0028, 0x0030, "DS", "0.5\\0.5")});
+    DicomBytes file;
+    file.text(0x0008, 0x0018, "UI", "1.2.6." + std::to_string(number)).text(0x0020, 0x000e, "UI", "1.2.6");
+    file.text(0x0020, 0x0242, "UI", "1.2.6.9").text(0x0020, 0x9161, "UI", "1.2.6.8");
+    file.word(0x0020, 0x9162, static_cast<std::uint16_t>(number)).word(0x0020, 0x9163, 2);
+    file.put(0x0020, 0x9228, "UL", std::string{static_cast<char>(frames * (number - 1)), 0, 0, 0});
+    file.picture(4, 2, frames).sequence(0x5200, 0x9229, {shared}).sequence(0x5200, 0x9230, groups);
+    return file.put(0x7fe0, 0x0010, "OW", counted(16)).file("1.2.840.10008.5.1.4.1.1.2.1");
+}
+
+std::string dicomMoment(int number) {
+    const std::string moment = std::to_string(1 + number / 2);
+    DicomBytes file;
+    file.text(0x0008, 0x0018, "UI", "1.2.7." + std::to_string(number)).text(0x0008, 0x0022, "DA", "20200101");
+    file.text(0x0008, 0x0032, "TM", "12000" + moment + ".5").text(0x0018, 0x1060, "DS", moment + "0");
+    file.text(0x0020, 0x000e, "UI", "1.2.7").text(0x0020, 0x0013, "IS", std::to_string(number));
+    file.text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(number % 2));
+    file.text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0").text(0x0020, 0x0100, "IS", moment);
+    file.text(0x0020, 0x0110, "DS", "40").picture(4, 2, 0);
+    return file.put(0x7fe0, 0x0010, "OW", counted(8)).file(pictureClass);
+}
+
+std::string dicomLoneSlice(int number) {
+    DicomBytes file;
+    file.text(0x0008, 0x0018, "UI", "1.2.8." + std::to_string(number)).text(0x0020, 0x000d, "UI", "1.2.8");
+    file.text(0x0020, 0x000e, "UI", "1.2.8.1" + std::to_string(number)).text(0x0020, 0x0013, "IS", "1");
+    file.text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(number));
+    file.text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0").text(0x0020, 0x0052, "UI", "1.2.9").picture(6, 2, 0);
+    return file.put(0x7fe0, 0x0010, "OW", counted(12)).file(pictureClass);
+}
+
 const std::vector<FragmentForm>& fragmentForms() {
     static const std::vector<FragmentForm> forms{
         {"1.2.840.10008.1.2.5", 4, 3, 1, 8},     {"1.2.840.10008.1.2.5", 4, 3, 1, 16},

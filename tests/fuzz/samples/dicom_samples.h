@@ -12,6 +12,12 @@ namespace echolucent {
 [[nodiscard]] std::vector<FuzzSample> dicomSamples();
 /// Slice `instance` of a small series in the patient's frame.
 [[nodiscard]] std::string dicomSlice(int instance);
+/// Part `number`, 1 or 2, of an object of four frames that is kept in two files.
+[[nodiscard]] std::string dicomPart(int number);
+/// Picture `number`, 0 to 3, of a series of two places at two moments.
+[[nodiscard]] std::string dicomMoment(int number);
+/// A slice that has a series of its own and lies beside those of other numbers.
+[[nodiscard]] std::string dicomLoneSlice(int number);
 
 /// The form of a fragment's pixels.
 struct FragmentForm {

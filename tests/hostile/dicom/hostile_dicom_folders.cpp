@@ -66,8 +66,9 @@ std::vector<HostileFile> hostilePositions() {
 std::vector<HostileFile> withoutPositions() {
     std::vector<HostileFile> rows{
         hostileSeries("instances-doubled-without-positions", 4,
-                      [](int, HostileSlice& slice) {
+                      [](int number, HostileSlice& slice) {
                           slice.instance = "7";
+                          slice.pixels = std::string(8, static_cast<char>(10 + number));
                           slice.position.clear();
                       },
                       HostileOutcome::opensWithNote, {"3 pictures have the instance number of another or none"}),
@@ -101,7 +102,7 @@ std::vector<HostileFile> hostileFolders() {
     return {
         folder("a-link-out-of-the-folder",
                [](const fs::path& path) { fs::create_symlink("/etc/passwd", path / "s04"); },
-               {"1 link(s) lead to files out of the folder, \"s04\" among them"}),
+               {"1 link(s) lead to files out of the folder and were not followed, \"s04\" among them"}),
         folder("a-link-to-a-folder-outside", [](const fs::path& path) { fs::create_symlink("/usr", path / "more"); },
                {"1 link(s) lead to folders out of this one and were not followed, \"more\" among them"}),
         folder("a-link-to-itself", [](const fs::path& path) { fs::create_symlink("s04", path / "s04"); },
@@ -114,6 +115,13 @@ std::vector<HostileFile> hostileFolders() {
         folder(
             "a-link-to-a-slice-beside-it", [](const fs::path& path) { fs::create_symlink("s01", path / "s04"); },
             {"link", "left out", "series here"}, HostileOutcome::opens),
+        folder(
+            "a-link-in-place-of-a-slice",
+            [](const fs::path& path) {
+                fs::remove(path / "s01");
+                fs::create_symlink("gone", path / "s01");
+            },
+            {"slices are missing or uneven", "1 link(s) lead nowhere, \"s01\" among them"}, HostileOutcome::refused),
         folder("a-pipe", [](const fs::path& path) { (void)mkfifo((path / "s04").c_str(), 0600); },
                {"1 pipe(s), socket(s) or device(s) were left out, \"s04\" among them"}),
         hostileFolder("only-links",
@@ -142,10 +150,10 @@ std::vector<HostileFile> hostileFolders() {
                {"1 file(s) are packed with gzip"}),
         folder("a-damaged-name-with-a-newline",
                [](const fs::path& path) { writeBytes(path / "s04\n.dcm", "no DICOM"); },
-               {"1 damaged file(s) were left out: \"s04?.dcm\""}),
+               {"1 damaged file(s) were left out: \"s04 .dcm\""}),
         folder("a-damaged-name-that-is-no-utf-8",
                [](const fs::path& path) { writeBytes(path / "s\xff\xfe.dcm", "no DICOM"); },
-               {"1 damaged file(s) were left out: \"s??.dcm\""}),
+               {"1 damaged file(s) were left out: \"s\xef\xbf\xbd\xef\xbf\xbd.dcm\""}),
         folder("a-description-of-a-megabyte",
                [](const fs::path& path) {
                    HostileSlice slice;
@@ -233,7 +241,7 @@ std::vector<HostileFile> hostileDirectories() {
                          {"1 folder(s) deeper than 8 were not looked into", "1 of 4 files"},
                          [](const fs::path& path) { writeSeries(path / "1/2/3/4/5/6/7/8/9/10/11/12", 1, {}, "S"); }),
         hostileDirectory("that-names-a-link-out", with({"LINK"}), HostileOutcome::opensWithNote,
-                         {"1 link(s) lead to files out of the folder"},
+                         {"1 link(s) lead to files out of the folder", "1 of 4 files that the DICOMDIR names"},
                          [](const fs::path& path) {
                              HostileSlice slice;
                              slice.series = "1.2.4";

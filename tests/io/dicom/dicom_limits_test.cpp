@@ -6,7 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 #include "dicom_images.h"
+#include "io/dicom/elements/dicom_attributes.h"
 #include "io/dicom/elements/dicom_file.h"
 #include "io/study/slice_stack.h"
 #include "io/study/study_assembly.h"
@@ -116,6 +120,23 @@ TEST(DicomLimits, CancelEndsScanAndParsing) {
     const auto file = DicomFile::load(folder.file("v"), false, progress);
     ASSERT_FALSE(file);
     EXPECT_EQ(file.error().kind, FailureKind::cancelled);
+}
+
+TEST(DicomLimits, LookingAtBytesOfAMebibyteAndMoreDoesNotLoseThem) {
+    constexpr DicomTag description{0x0008, 0x103e};
+    for (const unsigned long bytes : {16UL, (1UL << 20) + 2}) {
+        DcmDataset dataset;
+        const std::vector<Uint8> letters(bytes, 'x');
+        auto* element = new DcmOtherByteOtherWord(DcmTag(description.group, description.element, DcmVR(EVR_UN)));
+        ASSERT_TRUE(element->putUint8Array(letters.data(), bytes).good());
+        ASSERT_TRUE(dataset.insert(element).good());
+        EXPECT_TRUE(dicomHas(dataset, description));
+        EXPECT_EQ(dicomText(dataset, description), bytes == 16 ? std::string(16, 'x') : "")
+            << "longer ones are missing";
+        DcmElement* after = nullptr;
+        ASSERT_TRUE(dataset.findAndGetElement(DcmTagKey(description.group, description.element), after).good());
+        EXPECT_EQ(after->getLength(), bytes);
+    }
 }
 
 }  // namespace

@@ -98,7 +98,8 @@ TEST(DicomFolder, UnevenAndDoubleSlicesAreRefused) {
     for (const FolderRow& row : rows) {
         const TemporaryFolder folder;
         std::vector<TestImage> slices;
-        for (const double depth : row.depths) slices.push_back(valuedSlice(1, {0, 0, depth}));
+        for (const double depth : row.depths)
+            slices.push_back(valuedSlice(static_cast<int>(slices.size()) + 1, {0, 0, depth}));
         writeShuffled(folder, slices);
         const auto study = readStudy(folder.path());
         ASSERT_FALSE(study);
@@ -113,7 +114,11 @@ TEST(DicomFolder, ARefusalNamesTheFileConcerned) {
         for (std::size_t i = 0; i < slices.size(); ++i) writeDicom(folder.file("IM" + std::to_string(i)), slices[i]);
         return std::filesystem::path(readStudy(folder.path()).error().file).filename().string();
     };
-    const auto at = [](double depth) { return valuedSlice(1, {0, 0, depth}); };
+    auto at = [value = 0](double depth) mutable {
+        TestImage slice = valuedSlice(++value, {0, 0, depth});
+        slice.instance = 1;
+        return slice;
+    };
     EXPECT_EQ(refusalOf({at(0), at(1), at(2), at(4), at(5)}), "IM3");  // the slice behind the gap
     EXPECT_EQ(refusalOf({at(0), at(1), at(2), at(2), at(3)}), "IM3");
     TestImage turned = at(2);
