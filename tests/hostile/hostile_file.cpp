@@ -29,13 +29,28 @@ HostileFile hostileFile(std::string name, std::string file, std::string bytes, s
 
 std::vector<HostileFile> hostileFiles() {
     std::vector<HostileFile> all;
-    for (const auto rows :
-         {hostileTextHeaders,        hostileNifti,         hostileKretz,          hostileCompression,
-          hostileDicomStructure,     hostileDicomValues,   hostileDicomCuts,      hostileDicomPixels,
-          hostileDicomCodecs,        hostileDicomSeries,   hostileDicomFolders,   hostileDicomParts,
-          hostileMalformedMetaImage, hostileMalformedNrrd, hostileMalformedNifti, hostileMalformedKretz,
-          hostileMalformedDicom,     hostileDataFiles,     hostileUnknownFiles,   hostileEnhancedUs,
-          hostileFoundByFuzzing}) {
+    for (const auto rows : {hostileTextHeaders,
+                            hostileNifti,
+                            hostileKretz,
+                            hostileCompression,
+                            hostileDicomStructure,
+                            hostileDicomValues,
+                            hostileDicomContradictions,
+                            hostileDicomCuts,
+                            hostileDicomPixels,
+                            hostileDicomCodecs,
+                            hostileDicomSeries,
+                            hostileDicomFolders,
+                            hostileDicomParts,
+                            hostileMalformedMetaImage,
+                            hostileMalformedNrrd,
+                            hostileMalformedNifti,
+                            hostileMalformedKretz,
+                            hostileMalformedDicom,
+                            hostileDataFiles,
+                            hostileUnknownFiles,
+                            hostileEnhancedUs,
+                            hostileFoundByFuzzing}) {
         std::vector<HostileFile> topic = rows();
         all.insert(all.end(), std::make_move_iterator(topic.begin()), std::make_move_iterator(topic.end()));
     }

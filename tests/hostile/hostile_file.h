@@ -51,12 +51,13 @@ inline const std::string dicomStructureTopic = "dicom-structure/";
 [[nodiscard]] std::vector<HostileFile> hostileCompression();     ///< gzip, zlib and bzip2, whatever they hold
 [[nodiscard]] std::vector<HostileFile> hostileDicomStructure();  ///< elements, lengths, nesting
 [[nodiscard]] std::vector<HostileFile> hostileDicomValues();     ///< numbers of the wrong kind, several, or nonsense
-[[nodiscard]] std::vector<HostileFile> hostileDicomCuts();       ///< good files that end too early
-[[nodiscard]] std::vector<HostileFile> hostileDicomPixels();     ///< frames, fragments, palettes
-[[nodiscard]] std::vector<HostileFile> hostileDicomCodecs();     ///< JPEG, JPEG-LS, JPEG 2000
-[[nodiscard]] std::vector<HostileFile> hostileDicomSeries();     ///< folders of slices, damaged or mixed
-[[nodiscard]] std::vector<HostileFile> hostileDicomFolders();    ///< places of slices, links and pipes, DICOMDIR
-[[nodiscard]] std::vector<HostileFile> hostileDicomParts();      ///< parts of objects, copies
+[[nodiscard]] std::vector<HostileFile> hostileDicomContradictions();  ///< headers that are false, bytes behind pixels
+[[nodiscard]] std::vector<HostileFile> hostileDicomCuts();            ///< good files that end too early
+[[nodiscard]] std::vector<HostileFile> hostileDicomPixels();          ///< frames, fragments, palettes
+[[nodiscard]] std::vector<HostileFile> hostileDicomCodecs();          ///< JPEG, JPEG-LS, JPEG 2000
+[[nodiscard]] std::vector<HostileFile> hostileDicomSeries();          ///< folders of slices, damaged or mixed
+[[nodiscard]] std::vector<HostileFile> hostileDicomFolders();         ///< places of slices, links and pipes, DICOMDIR
+[[nodiscard]] std::vector<HostileFile> hostileDicomParts();           ///< parts of objects, copies
 
 // Files with one fault each.
 [[nodiscard]] std::vector<HostileFile> hostileMalformedMetaImage();

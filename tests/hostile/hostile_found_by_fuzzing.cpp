@@ -41,7 +41,7 @@ HostileFile hugeLastElement() {
     DicomBytes file = DicomBytes().text(0x0018, 0x0088, "DS", "1").picture(4, 2, 2);
     file.put(0x7fe0, 0x0010, "OW", sixteenPixels).put(0xfffc, 0xfffc, "OB", "rest", 0xf0000000);
     return hostileFile("found-by-fuzzing/4-gigabytes-declared-behind-the-pixels", "v.dcm", file.file(cineClass),
-                       {"(fffc,fffc)", "declares 4026531840 bytes where the file holds only 4"});
+                       {"is a 2D cine of 2 frames"});
 }
 
 /// Two slices, each of the raw elements as a deflated data set, in a folder, which is opened: so their headers are

@@ -132,6 +132,12 @@ bool isFinite(const std::optional<double>& value) { return value && std::isfinit
 
 std::string tagText(DicomTag tag) { return fmt::format("({:04x},{:04x})", tag.group, tag.element); }
 
+std::optional<double> decimalNumber(std::string text) {
+    const auto comma = text.find(',');
+    if (comma != std::string::npos && text.find('.') == std::string::npos) text[comma] = '.';
+    return realNumber(text);
+}
+
 std::string dicomText(DcmItem& item, DicomTag tag) {
     DcmElement* element = valueOf(item, tag);
     if (element == nullptr) return {};
@@ -156,9 +162,10 @@ std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count)
     if (auto stored = storedText(*element)) {
         const auto held = static_cast<std::size_t>(std::count(stored->begin(), stored->end(), '\\')) + 1;
         if (stored->empty() || held != count) return {};
+        const bool decimal = element->ident() == EVR_DS || DcmTag(tag.group, tag.element).getEVR() == EVR_DS;
         values.reserve(count);
         while (stored->data() != nullptr) {
-            const auto value = realNumber(nextValue(*stored));
+            const auto value = decimal ? decimalNumber(nextValue(*stored)) : realNumber(nextValue(*stored));
             if (!isFinite(value)) return {};
             values.push_back(*value);
         }

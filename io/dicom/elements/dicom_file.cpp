@@ -89,6 +89,13 @@ std::optional<Failure> refusal(const std::string& path, const DicomScan& scan, b
                       "is not split into fragments, as the transfer syntax (" +
                           transferSyntaxName(scan.transferSyntax) + ") needs",
                       "The transfer syntax (0002,0010) is false: export it again.");
+    if (scan.pixelsInFragments && !DcmXfer(syntax).isEncapsulated())
+        return refuse("(7fe0,0010) Pixel Data",
+                      scan.transferSyntax.empty()
+                          ? std::string("is split into fragments, and no transfer syntax says how they are coded")
+                          : "is split into fragments, which the transfer syntax (" +
+                                transferSyntaxName(scan.transferSyntax) + ") does not have",
+                      "The transfer syntax (0002,0010) is false: export it again.");
     return std::nullopt;
 }
 
@@ -116,12 +123,12 @@ bool beginsAsDicom(const InputFile& input) {
 }  // namespace
 
 DicomFile::DicomFile(std::string path, DicomScan scan)
-    : m_path(std::move(path)), m_scan(std::move(scan)), m_file(std::make_unique<DcmFileFormat>()) {}
+    : m_path(std::move(path)), m_scan(std::move(scan)), m_dataset(std::make_unique<DcmDataset>()) {}
 DicomFile::DicomFile(DicomFile&&) noexcept = default;
 DicomFile& DicomFile::operator=(DicomFile&&) noexcept = default;
 DicomFile::~DicomFile() = default;
 
-DcmDataset& DicomFile::dataset() const { return *m_file->getDataset(); }
+DcmDataset& DicomFile::dataset() const { return *m_dataset; }
 
 Result<DicomFile> DicomFile::load(const InputFile& input, bool headerOnly, const Progress& progress) {
     prepareLibrary();
@@ -135,10 +142,12 @@ Result<DicomFile> DicomFile::load(const InputFile& input, bool headerOnly, const
     const bool pixelsWanted = !headerOnly && !qlab;
     if (auto refused = refusal(path, *scan, qlab)) return tl::unexpected(*refused);
     DicomFile file(path, *scan);
-    const DicomParsed parsed = parseDicom(*file.m_file, input, *scan, pixelsWanted, progress);
+    const DicomParsed parsed = parseDicom(file.dataset(), input, *scan, pixelsWanted, progress);
     if (progress.cancelled()) return fail(FailureKind::cancelled, path, "", "was not read: cancelled");
-    if (parsed.end == DicomParseEnd::whole) return file;
-    if (!pixelsWanted || !scan->pixelsEnd || !file.dataset().tagExists(DCM_PixelData)) return damaged(input, parsed);
+    const bool whole = parsed.end == DicomParseEnd::whole;
+    if (whole && (!pixelsWanted || !scan->usedBytes)) return file;
+    const bool enough = pixelsWanted && scan->pixelsEnd && file.dataset().tagExists(DCM_PixelData);
+    if (!whole && !enough) return damaged(input, parsed);
     file.m_scan.notes.emplace_back("What stands behind the pixels is no DICOM; it is left out.");
     return file;
 }
@@ -152,7 +161,7 @@ Result<DicomFile> DicomFile::loadRest(const InputFile& input, const Progress& pr
     if (scan->lacking || isDeflated(*scan))
         if (auto refused = whereItEnds(input.path(), *scan, false)) return tl::unexpected(*refused);
     DicomFile file(input.path(), *scan);
-    const DicomParsed parsed = parseDicom(*file.m_file, input, *scan, false, progress);
+    const DicomParsed parsed = parseDicom(file.dataset(), input, *scan, false, progress);
     if (progress.cancelled()) return fail(FailureKind::cancelled, input.path(), "", "was not read: cancelled");
     if (parsed.end == DicomParseEnd::tooDeep || parsed.end == DicomParseEnd::tooMuch) return damaged(input, parsed);
     return file;

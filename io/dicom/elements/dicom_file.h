@@ -10,7 +10,6 @@
 #include "processing/result.h"
 
 class DcmDataset;
-class DcmFileFormat;
 
 namespace echolucent {
 
@@ -40,7 +39,7 @@ private:
     DicomFile(std::string path, DicomScan scan);
     std::string m_path;
     DicomScan m_scan;
-    std::unique_ptr<DcmFileFormat> m_file;
+    std::unique_ptr<DcmDataset> m_dataset;
 };
 
 }  // namespace echolucent

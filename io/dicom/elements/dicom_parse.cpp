@@ -2,10 +2,12 @@
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcistrma.h>
+#include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -24,8 +26,12 @@ constexpr std::uint64_t mostReads = 10 * mostElements;
 
 class RepairedBytes {
 public:
-    RepairedBytes(InputFile file, std::vector<DicomRepair> repairs) : m_file(std::move(file)), m_size(m_file.size()) {
+    /// Ends at `usedBytes`, if it has a value.
+    RepairedBytes(InputFile file, std::vector<DicomRepair> repairs, std::optional<std::uint64_t> usedBytes)
+        : m_file(std::move(file)), m_size(std::min(usedBytes.value_or(m_file.size()), m_file.size())) {
         std::ranges::sort(repairs, {}, &DicomRepair::offset);
+        if (usedBytes)
+            std::erase_if(repairs, [&](const DicomRepair& one) { return one.offset + one.bytes.size() > *usedBytes; });
         for (const DicomRepair& repair : repairs)
             m_size = std::max<std::uint64_t>(m_size, repair.offset + repair.bytes.size());
         m_repairs = std::make_shared<const std::vector<DicomRepair>>(std::move(repairs));
@@ -241,29 +247,46 @@ void removeCutElement(DcmDataset& dataset) {
     }
 }
 
-OFCondition parse(DcmFileFormat& file, DcmInputStream& stream, const DcmTagKey& end) {
-    file.transferInit();
+OFCondition parse(DcmDataset& dataset, DcmInputStream& stream, E_TransferSyntax syntax, const DcmTagKey& end) {
+    dataset.transferInit();
     OFCondition done;
     try {
-        done = file.readUntilTag(stream, EXS_Unknown, EGL_noChange, DCM_MaxReadLength, end);
+        done = dataset.readUntilTag(stream, syntax, EGL_noChange, DCM_MaxReadLength, end);
     } catch (const std::out_of_range&) {
         done = EC_CorruptedData;  // DCMTK 3.6.7 stumbles over damaged names of directory records
     }
     // transferEnd() clears the states by which removeCutElement() tells which elements were read.
-    if (end == DCM_PixelData && done.bad()) removeCutElement(*file.getDataset());
-    file.transferEnd();
+    if (end == DCM_PixelData && done.bad()) removeCutElement(dataset);
+    dataset.transferEnd();
     return done;
+}
+
+/// Makes fragments that were read among elements of implicit VR or big endian known as of their own coding.
+void nameCoding(DcmDataset& dataset, E_TransferSyntax read, E_TransferSyntax coding) {
+    DcmElement* element = nullptr;
+    DcmPixelSequence* fragments = nullptr;
+    if (dataset.findAndGetElement(DCM_PixelData, element).bad() || element->ident() != EVR_PixelData) return;
+    if (static_cast<DcmPixelData*>(element)->getEncapsulatedRepresentation(read, nullptr, fragments).bad()) return;
+    auto pixels = std::make_unique<DcmPixelData>(DCM_PixelData);
+    pixels->putOriginalRepresentation(coding, nullptr, new DcmPixelSequence(*fragments));
+    if (dataset.insert(pixels.get(), OFTrue).good()) (void)pixels.release();
+    dataset.updateOriginalXfer();
 }
 
 }  // namespace
 
-DicomParsed parseDicom(DcmFileFormat& file, const InputFile& input, const DicomScan& scan, bool withPixels,
+DicomParsed parseDicom(DcmDataset& dataset, const InputFile& input, const DicomScan& scan, bool withPixels,
                        const Progress& progress) {
     ParseBounds bounds;
     bounds.stackStart = ParseBounds::stackHere();
-    FileStream stream(RepairedBytes(input, scan.repairs), 0, scan.unpackedBytes, &progress, &bounds);
-    const OFCondition done = parse(file, stream, withPixels ? DCM_UndefinedTagKey : DCM_PixelData);
-    DicomParsed parsed{DicomParseEnd::whole, static_cast<std::uint64_t>(stream.tell())};
+    FileStream stream(RepairedBytes(input, scan.repairs, scan.usedBytes), scan.datasetStart, scan.unpackedBytes,
+                      &progress, &bounds);
+    const E_TransferSyntax syntax =
+        scan.elementSyntax.empty() ? EXS_Unknown : DcmXfer(scan.elementSyntax.c_str()).getXfer();
+    const OFCondition done = parse(dataset, stream, syntax, withPixels ? DCM_UndefinedTagKey : DCM_PixelData);
+    DicomParsed parsed{DicomParseEnd::whole, scan.datasetStart + static_cast<std::uint64_t>(stream.tell())};
+    if (done.good() && withPixels && scan.pixelsInFragments && scan.elementSyntax != scan.transferSyntax)
+        nameCoding(dataset, dataset.getOriginalXfer(), DcmXfer(scan.transferSyntax.c_str()).getXfer());
     if (bounds.tooDeep)
         parsed.end = DicomParseEnd::tooDeep;
     else if (bounds.tooMuch)

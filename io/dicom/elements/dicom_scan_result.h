@@ -34,10 +34,17 @@ struct LackingElement {
 };
 
 struct DicomScan {
-    std::string transferSyntax;            ///< UID from the meta header; empty if it has none
+    /// UID of how the pixels are coded: that of the meta header, or if the data set contradicts it, the one that fits
+    /// the data set. Empty if the meta header has none and the pixels are not split into fragments.
+    std::string transferSyntax;
+    /// UID of how the elements are written; as transferSyntax, but for fragments in a data set whose elements are
+    /// written as only uncompressed ones are. Empty if it must be guessed from the first element.
+    std::string elementSyntax;
+    std::uint64_t datasetStart = 0;        ///< the first element behind the meta header begins here
     std::string sopClass;                  ///< UID from the meta header, else from the data set; else empty
     bool hasPixelData = false;             ///< whether (7FE0,0010) stands at top level
     std::uint64_t pixelBytesDeclared = 0;  ///< the length of (7FE0,0010) as written; 0 if encapsulated
+    bool pixelsInFragments = false;        ///< whether (7FE0,0010) is encapsulated
     std::uint64_t pixelBytesHeld = 0;      ///< how many of the declared bytes the file holds
     std::uint64_t pixelStart = 0;          ///< the value of (7FE0,0010) begins here in the file; 0 if it is deflated
     bool pixelsEnd = false;                ///< whether the walk reached the end of (7FE0,0010)
@@ -51,7 +58,10 @@ struct DicomScan {
     /// Where the walk ended, in the file. If it is deflated, unpacked bytes count; with DicomScanEnd::deflate only
     /// these do.
     std::uint64_t endPosition = 0;
-    std::uint64_t fileBytes = 0;      ///< the file's size
+    std::uint64_t fileBytes = 0;  ///< the file's size
+    /// The end of the last element at top level that is whole, if the pixels are whole and what stands behind it is no
+    /// element or not whole. The rest must not be read. No value if the file is used to its end.
+    std::optional<std::uint64_t> usedBytes;
     std::uint64_t unpackedBytes = 0;  ///< of the data set if it is deflated; else 0
     /// The repairs that a reader as strict as the standard needs. They concern delimiters missing at the end of the
     /// file, sequences that are falsely declared empty, and items outside any sequence.

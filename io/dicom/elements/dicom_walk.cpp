@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 #include <utility>
 
@@ -13,8 +12,6 @@
 #include "io/dicom/elements/dicom_names.h"
 #include "io/files/header_text.h"
 #include "io/files/input_problems.h"
-#include "io/kretz/kretz_items.h"
-#include "io/kretz/kretz_reader.h"
 #include "io/voxels/gzip_file.h"
 
 namespace echolucent {
@@ -23,8 +20,6 @@ namespace {
 
 constexpr std::uint32_t itemTag = 0xfffee000U;
 constexpr std::uint32_t sopClassTag = 0x00080016U;
-constexpr std::uint32_t kretzGroup = 0x7fe1;
-constexpr std::string_view kretzCreator = "KRETZ_US";
 
 constexpr std::uint32_t itemTags[] = {itemTag, 0xfffee00dU, 0xfffee0ddU};
 /// The most steps that DCMTK may take to sort in elements that are out of order. Each such element counts as one step
@@ -33,30 +28,13 @@ constexpr std::uint64_t mostDisorder = 10000000;
 /// The value representation that DCMTK sees in two letters; it decides how a length is read.
 DcmVR vrOf(std::string_view letters) { return DcmVR(std::string(letters.substr(0, 2)).c_str()); }
 
+/// Whether DCMTK reads a value of undefined length as fragments, by its value representation.
+bool hasFragments(std::string_view vr) {
+    const DcmEVR kind = vrOf(vr).getEVR();
+    return kind != EVR_SQ && kind != EVR_UN && kind != EVR_UNKNOWN && kind != EVR_UNKNOWN2B;
+}
+
 DcmTag tagOf(std::uint32_t tag) { return {static_cast<Uint16>(tag >> 16), static_cast<Uint16>(tag & 0xffff)}; }
-
-std::uint32_t swapped(std::uint32_t tag) {
-    return (tag >> 24 & 0xff) << 16 | (tag >> 16 & 0xff) << 24 | (tag & 0xff) << 8 | (tag >> 8 & 0xff);
-}
-
-struct Writing {
-    bool implicitVr = false, bigEndian = false, deflated = false;
-};
-
-/// The writing as DCMTK guesses it if no transfer syntax states it. It goes by the first tag (read as little endian)
-/// and the next two bytes.
-Writing guessedWriting(std::uint32_t tag, std::string_view letters) {
-    Writing writing;
-    writing.implicitVr = std::isalpha(static_cast<unsigned char>(letters[0])) == 0 ||
-                         std::isalpha(static_cast<unsigned char>(letters[1])) == 0 || !vrOf(letters).isStandard();
-    const std::uint32_t big = swapped(tag);
-    const bool knownAsLittle = tagOf(tag).error().good(), knownAsBig = tagOf(big).error().good();
-    if (knownAsLittle != knownAsBig)
-        writing.bigEndian = knownAsBig;
-    else
-        writing.bigEndian = tag >> 16 > 0xff && big >> 16 <= 0xff;
-    return writing;
-}
 
 }  // namespace
 
@@ -93,7 +71,14 @@ void DicomWalk::measureEnd(bool enough) {
         m_scan.end = DicomScanEnd::damaged;
     else if (m_stepStart != m_stream.end() || !closeAtEnd())
         m_scan.end = DicomScanEnd::cut;
-    if (m_scan.end == DicomScanEnd::cut) measureWhatLacks();
+    if (m_scan.end == DicomScanEnd::whole) return;
+    // Bytes behind the pixels that are no DICOM may look like an element of any length. GE's volume stands there too.
+    const bool kretz = m_kretzBlock != 0 && m_lastTag >> 16 == kretzGroup;
+    const bool behindPixels = m_scan.pixelsEnd && m_topStart > m_pixelsElement;
+    if (behindPixels && !m_stream.inflates() && !kretz)
+        m_scan.usedBytes = m_topStart;
+    else if (m_scan.end == DicomScanEnd::cut)
+        measureWhatLacks();
 }
 
 /// Notes the last element if the file lacks more than `little` of it: DCMTK would take memory for bytes that are not
@@ -146,63 +131,6 @@ std::optional<std::uint32_t> DicomWalk::readTag() {
     return *group << 16 | *element;
 }
 
-/// Reads preamble and meta header, which say how the data set is written. False if the file is too short. True with
-/// `m_harm` set if the meta header holds a sequence.
-bool DicomWalk::readMeta() {
-    const auto beginning = m_file.beginning(132);
-    if (!beginning || beginning->size() < 8) return false;
-    const bool preamble = beginning->size() == 132 && beginning->substr(128) == "DICM";
-    m_stream.skip(preamble ? 132 : 0);
-    std::optional<std::uint32_t> tag;
-    while ((tag = readTag()) && *tag >> 16 == 0x0002) {
-        std::array<std::uint8_t, 2> vr{};
-        if (!m_stream.read(vr.data(), 2)) return false;
-        const DcmVR kind = vrOf({reinterpret_cast<const char*>(vr.data()), 2});
-        const bool isLong = kind.usesExtendedLengthEncoding();
-        if (isLong) m_stream.skip(2);
-        const auto length = isLong ? read32() : read16();
-        if (!length) return false;
-        if (kind.getEVR() == EVR_SQ || *length == undefinedLength) {
-            m_harm = Harm{fmt::format("(0002,{:04x})", *tag & 0xffff),
-                          "stands in the meta header with a sequence, which no true DICOM object has there", doNotOpen};
-            return true;
-        }
-        const bool wanted = *tag == 0x00020010 || *tag == 0x00020002;
-        if (wanted && *length <= 128) {
-            std::string value(*length, '\0');
-            if (!m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), value.size())) return false;
-            value = trimmed(value.substr(0, value.find('\0')));
-            (*tag == 0x00020010 ? m_scan.transferSyntax : m_scan.sopClass) = value;
-        } else if (m_stream.skip(*length) != *length) {
-            return false;
-        }
-    }
-    if (!tag) return false;
-    std::array<std::uint8_t, 2> letters{};
-    if (!m_file.readAt(m_stream.position(), letters)) return false;
-    const DcmXfer syntax(m_scan.transferSyntax.c_str());
-    // DCMTK knows a syntax with an empty identifier.
-    const Writing writing = m_scan.transferSyntax.empty() || syntax.getXfer() == EXS_Unknown
-                                ? guessedWriting(*tag, {reinterpret_cast<const char*>(letters.data()), 2})
-                                : Writing{syntax.isImplicitVR() != OFFalse, syntax.isBigEndian() != OFFalse,
-                                          syntax.getStreamCompression() == ESC_zlib};
-    if (writing.deflated) {
-        // The tag just read was already deflated: go back to it.
-        ByteStream again(m_file, m_progress);
-        again.skip(m_stream.position() - 4);
-        m_stream = std::move(again);
-        m_stream.inflateFromHere();
-    } else {
-        m_pendingTag = writing.bigEndian ? swapped(*tag) : *tag;
-    }
-    m_bigEndian = writing.bigEndian;
-    Level dataset;
-    dataset.implicitVr = writing.implicitVr;
-    dataset.bigEndian = writing.bigEndian;
-    m_levels.push_back(dataset);
-    return true;
-}
-
 void DicomWalk::push(LevelKind kind, std::uint32_t length, bool implicitVr) {
     const std::uint64_t start = m_stream.position() - (m_pendingTag ? 4 : 0);
     Level level;
@@ -240,12 +168,16 @@ bool DicomWalk::recover() {
 bool DicomWalk::step() {
     const std::uint64_t position = m_stream.position() - (m_pendingTag ? 4 : 0);
     m_stepStart = position;
+    if (m_levels.size() == 1) m_topStart = position;
     if (m_levels.size() > 1 && position >= m_levels.back().end) {
         pop();
         return true;
     }
     const auto tag = readTag();
     if (!tag) return false;
+    // Zeros that fill a file up behind its pixels: no data set has group 0.
+    m_lost = m_scan.pixelsEnd && m_levels.size() == 1 && *tag >> 16 == 0 && !m_stream.inflates();
+    if (m_lost) return false;
     if (std::ranges::find(itemTags, *tag) != std::end(itemTags)) return readDelimiter(*tag);
     const LevelKind kind = m_levels.back().kind;
     if (m_levels.back().falseLength) {
@@ -262,7 +194,10 @@ bool DicomWalk::readDelimiter(std::uint32_t tag) {
     if (!length) return false;
     const LevelKind kind = m_levels.back().kind;
     if (tag == itemTag) {
-        if (kind == LevelKind::fragments) ++m_elements;
+        if (kind == LevelKind::fragments) {
+            ++m_elements;
+            if (m_levels.back().pixels) noteFragment(*length);
+        }
         if (kind == LevelKind::fragments) return *length != undefinedLength && m_stream.skip(*length) == *length;
         if (kind != LevelKind::sequence && !m_stream.inflates() && m_levels.size() == 1 &&
             m_stream.position() - 8 == m_emptySequenceEnd) {
@@ -304,42 +239,6 @@ bool DicomWalk::readElement(std::uint32_t tag) {
     return length && enterValue(tag, vr, *length);
 }
 
-void DicomWalk::notePixelData(std::uint32_t length) {
-    m_scan.hasPixelData = true;
-    m_scan.pixelStart = m_stream.inflates() ? 0 : m_stream.position();
-    if (length == undefinedLength) return;
-    m_scan.pixelBytesDeclared = length;
-    // The size of deflated data is known once they are passed.
-    m_scan.pixelBytesHeld =
-        m_stream.inflates() ? length : std::min<std::uint64_t>(length, m_file.size() - m_stream.position());
-}
-
-/// Passes an element that may name a private creator, until GE's is found; or the element of GE's block that may hold a
-/// volume. This is a volume if it begins like one of Kretz. False for other elements, and if the file ends before;
-/// these are not passed.
-bool DicomWalk::readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
-    const std::uint32_t element = tag & 0xffff;
-    std::string value;
-    const auto readValue = [&](std::size_t count) {
-        value.resize(count);
-        return m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), count);
-    };
-    const bool creator = element >= 0x10 && element <= 0xff && length >= kretzCreator.size() && length <= 64;
-    if (creator && m_kretzBlock == 0) {
-        if (!readValue(length)) return false;
-        if (trimmed(value.substr(0, value.find('\0'))) == kretzCreator) m_kretzBlock = element;
-        return true;
-    }
-    const bool bytes = vr.empty() || vr == "OB" || vr == "OW" || vr == "UN";
-    const bool volume = m_kretzBlock != 0 && element == (m_kretzBlock << 8 | 0x01) && bytes;
-    if (!volume || length == undefinedLength || length < kretzSignature.size()) return false;
-    if (!readValue(kretzSignature.size())) return false;
-    m_scan.holdsKretz = looksLikeKretz(value);
-    const std::uint64_t skipped = m_stream.skip(length - value.size());
-    if (m_scan.holdsKretz) m_scan.kretzBytesHeld = value.size() + skipped;
-    return true;
-}
-
 bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t length) {
     const bool pixels = tag == pixelDataTag && m_levels.size() == 1;
     m_lastTag = tag;
@@ -350,7 +249,7 @@ bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t
     if (m_harm) return true;
     m_behindKretz = m_behindKretz || (m_levels.size() == 1 && tag >> 16 > kretzGroup);
     if (m_levels.size() == 1 && tag >> 16 == kretzGroup && readKretz(tag, vr, length)) return true;
-    if (pixels) notePixelData(length);
+    if (pixels) notePixelData(vr, length, m_levels.back().implicitVr || hasFragments(vr));
     const DcmEVR stated = m_levels.back().implicitVr || vr == "UN" ? tagOf(tag).getEVR() : vrOf(vr).getEVR();
     const bool plain =
         stated != EVR_SQ && stated != EVR_UNKNOWN && stated != EVR_UNKNOWN2B && stated != EVR_UN && !pixels;
@@ -365,8 +264,7 @@ bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t
     }
     const bool implicitVr = m_levels.back().implicitVr;
     if (length == undefinedLength) {
-        const DcmEVR kind = implicitVr ? EVR_UNKNOWN : vrOf(vr).getEVR();
-        const bool fragments = kind != EVR_SQ && kind != EVR_UN && kind != EVR_UNKNOWN && kind != EVR_UNKNOWN2B;
+        const bool fragments = pixels ? m_scan.pixelsInFragments : !implicitVr && hasFragments(vr);
         push(fragments ? LevelKind::fragments : LevelKind::sequence, length, implicitVr || vr == "UN");
         m_levels.back().pixels = pixels;
         return true;
@@ -381,7 +279,7 @@ bool DicomWalk::enterValue(std::uint32_t tag, std::string_view vr, std::uint32_t
         push(LevelKind::sequence, length, true);
         return true;
     }
-    if (unknown) return enterIfItem(length);
+    if (unknown && !pixels) return enterIfItem(length);
     const std::uint64_t skipped = m_stream.skip(length);
     if (pixels && m_stream.inflates()) m_scan.pixelBytesHeld = skipped;
     m_scan.pixelsEnd = m_scan.pixelsEnd || (pixels && skipped == length);

@@ -17,6 +17,8 @@ namespace echolucent {
 
 /// (7fe0,0010) Pixel Data: group and element in one number.
 inline constexpr std::uint32_t pixelDataTag = 0x7fe00010U;
+/// The group in which GE keeps volumes.
+inline constexpr std::uint32_t kretzGroup = 0x7fe1;
 
 /// Walks over one file, element by element. `file`, `scan` and `progress` must outlive the walk.
 class DicomWalk {
@@ -59,6 +61,7 @@ private:
         std::uint64_t start = 0;
     };
     bool readMeta();
+    bool readWriting(std::uint32_t tag);
     bool step();
     bool readElement(std::uint32_t tag);
     void countElement(std::uint32_t tag);
@@ -79,7 +82,9 @@ private:
     void writeLength();
     void push(LevelKind kind, std::uint32_t length, bool implicitVr);
     void pop();
-    void notePixelData(std::uint32_t length);
+    void notePixelData(std::string_view vr, std::uint32_t length, bool fragments);
+    void noteFragment(std::uint32_t length);
+    void sayDecimals(std::uint32_t tag, std::string_view value);
 
     std::optional<std::uint32_t> readTag();
     std::optional<std::uint32_t> read32();
@@ -101,6 +106,13 @@ private:
     bool m_behindKretz = false;                  // whether the walk is behind the group of GE's volumes
     std::uint32_t m_kretzBlock = 0;              // the first block of elements that GE's creator reserves; 0: none
     std::uint64_t m_stepStart = 0;               // where the last step began
+    std::uint64_t m_topStart = 0;                // where the last step at top level began
+    std::uint64_t m_pixelsElement = 0;           // where the element of Pixel Data begins
+    std::string m_statedSyntax;                  // UID in the meta header
+    std::size_t m_fragments = 0;                 // of Pixel Data so far, with the offset table
+    bool m_codingSought = false;                 // whether a fragment was asked for its coding
+    bool m_commaSaid = false;                    // whether the notes tell of a decimal comma
+    std::vector<std::uint32_t> m_noNumbers;      // elements whose values the notes call no numbers
     std::uint32_t m_lastTag = 0;                 // of the element last entered
     std::uint32_t m_lastLength = 0;              // as that element declares
     std::uint64_t m_lastStart = 0;               // where its value begins

@@ -1,15 +1,19 @@
 // The walk over a DICOM file counts elements, and finds those that stand twice.
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
+#include "io/dicom/elements/dicom_attributes.h"
 #include "io/dicom/elements/dicom_names.h"
 #include "io/dicom/elements/dicom_scan_result.h"
 #include "io/dicom/elements/dicom_walk.h"
+#include "io/files/header_text.h"
 #include "io/files/input_problems.h"
 
 namespace echolucent {
@@ -59,6 +63,29 @@ void DicomWalk::countElement(std::uint32_t tag) {
     if (!again) ++level.elements;
 }
 
+/// Notes decimal commas, and values of a picture's place and size that are no numbers.
+void DicomWalk::sayDecimals(std::uint32_t tag, std::string_view value) {
+    constexpr std::array places{0x00180088U, 0x00200032U, 0x00200037U, 0x00280030U};
+    std::string_view rest = value.substr(0, value.find('\0'));
+    bool comma = false, wrong = false;
+    while (!trimmed(rest).empty()) {
+        const auto end = std::min(rest.find('\\'), rest.size());
+        const std::string one = trimmed(rest.substr(0, end));
+        const bool isNumber = one.empty() || decimalNumber(one);
+        wrong = wrong || !isNumber;
+        comma = comma || (isNumber && one.find(',') != std::string::npos);
+        rest = rest.substr(std::min(end + 1, rest.size()));
+    }
+    if (comma && !std::exchange(m_commaSaid, true))
+        m_scan.notes.emplace_back(
+            "The header holds a decimal comma in numbers, which DICOM does not know; such commas were read as points.");
+    if (!wrong || std::ranges::find(places, tag) == places.end()) return;
+    if (std::ranges::find(m_noNumbers, tag) != m_noNumbers.end()) return;
+    m_noNumbers.push_back(tag);
+    m_scan.notes.push_back(fmt::format("{} is {}, which are no numbers; it counts as not stated.", tagAndName(tag),
+                                       quotedText(trimmed(value))));
+}
+
 /// Keeps short values of elements that describe the picture, and finds those that stand twice. A `plain` value holds no
 /// items. Twice with the same kept value is noted. Twice with different values, or with values that were not kept, is
 /// harm. `passed` becomes true if the value was read on the way. False if the file ends within the value.
@@ -71,6 +98,9 @@ bool DicomWalk::describe(std::uint32_t tag, std::uint32_t length, bool plain, bo
         if (!m_stream.read(reinterpret_cast<std::uint8_t*>(described.value.data()), length)) return false;
         passed = true;
     }
+    if (described.isKept &&
+        DcmTag(static_cast<Uint16>(tag >> 16), static_cast<Uint16>(tag & 0xffff)).getEVR() == EVR_DS)
+        sayDecimals(tag, described.value);
     const auto before =
         level.ascends ? level.described.end() : std::ranges::find(level.described, tag, &Described::tag);
     if (before == level.described.end()) {

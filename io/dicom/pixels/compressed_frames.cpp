@@ -40,6 +40,7 @@ void registerJpegLs() { static const JpegLsDecoder decoder; }
 Codestream codestreamOf(PixelCoding coding) {
     switch (coding) {
         case PixelCoding::jpeg2000: return Codestream::jpeg2000;
+        case PixelCoding::rle: return Codestream::rle;
         case PixelCoding::jpeg:
         case PixelCoding::jpegLs: return Codestream::jpeg;
         default: return Codestream::none;

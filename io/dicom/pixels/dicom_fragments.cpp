@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "io/dicom/elements/fragment_coding.h"
+
 namespace echolucent {
 
 namespace {
@@ -45,6 +47,7 @@ bool beginsPicture(std::span<const std::uint8_t> bytes, Codestream kind) {
     if (kind == Codestream::jpeg) return begins({0xff, 0xd8, 0xff});
     if (kind == Codestream::jpeg2000)
         return begins({0xff, 0x4f, 0xff, 0x51}) || begins({0, 0, 0, 12, 'j', 'P', ' ', ' '});
+    if (kind == Codestream::rle) return beginsWithRleHeader(bytes);
     return false;
 }
 
@@ -67,7 +70,7 @@ FragmentMap mapByCodestreams(const std::vector<DcmPixelItem*>& items, Codestream
             map.push_back({fragment, 1});
         else if (!map.empty())
             ++map.back().count;
-        if (!bytes.empty()) ended = endsPicture(bytes);
+        if (!bytes.empty()) ended = kind == Codestream::rle || endsPicture(bytes);
     }
     return map;
 }
@@ -101,8 +104,12 @@ tl::expected<FrameFragments, std::string> mapFragments(DcmPixelSequence& fragmen
         found.frames.push_back({0, held});
         return found;
     }
-    if (held == count) {
-        for (std::size_t fragment = 0; fragment < held; ++fragment) found.frames.push_back({fragment, 1});
+    std::vector<std::size_t> filled;
+    for (std::size_t fragment = 0; fragment < held; ++fragment)
+        if (held == count || found.items[fragment]->getLength() > 0) filled.push_back(fragment);
+    if (filled.size() == count) {
+        for (const std::size_t fragment : filled) found.frames.push_back({fragment, 1});
+        if (held > count) found.warning = "Empty fragments among those of the pixels are left out.";
         return found;
     }
     std::vector<std::uint64_t> offsets = basicOffsets(static_cast<DcmPixelItem&>(*table));

@@ -217,7 +217,7 @@ std::vector<HostileFile> almostMixed() {
                       HostileOutcome::opensWithNote, {"rescaled by different slopes or intercepts; each by its own"}),
         hostileSeries("two-orientations", 6,
                       from(3, [](HostileSlice& slice) { slice.orientation = "1\\0\\0\\0\\0\\1"; }),
-                      HostileOutcome::refused, {"slices that are not parallel"}),
+                      HostileOutcome::opensWithNote, {"are of 2 orientations; they are listed apart"}),
         hostileSeries("two-bit-depths", 6, from(3, [](HostileSlice& slice) { slice.bits = 16; }),
                       HostileOutcome::refused, {"Bits Allocated", "another type than the first slice's"}),
         hostileSeries("two-signs", 6, from(3, [](HostileSlice& slice) { slice.representation = 1; }),

@@ -135,8 +135,8 @@ void addNested(std::vector<HostileFile>& rows) {
                            meta(explicitLittle) + std::string("\xfe\xff\x0d\xe0\0\0\0\0", 8) + nested()));
     rows.push_back(noWhole("behind-a-lone-sequence-end",
                            meta(explicitLittle) + std::string("\xfe\xff\xdd\xe0\0\0\0\0", 8) + nested()));
-    rows.push_back(noWhole("explicit-in-an-implicit-file", meta(implicitLittle) + nested()));
-    rows.push_back(noWhole("implicit-in-an-explicit-file", meta(explicitLittle) + nestedImplicit()));
+    rows.push_back(tooDeep("explicit-in-an-implicit-file", meta(implicitLittle) + nested()));
+    rows.push_back(tooDeep("implicit-in-an-explicit-file", meta(explicitLittle) + nestedImplicit()));
     rows.push_back(noWhole(
         "behind-the-offset-table",
         meta(explicitLittle) + DicomBytes().put(0x7fe0, 0x0010, "OB", openItem + nested(), 0xffffffff).bytes()));

@@ -140,10 +140,13 @@ void addDescriptions(std::vector<HostileFile>& rows) {
     note("planar-configuration-9-of-grey", [](Described& f) { f.planar = DicomBytes().word(0x0028, 0x0006, 9); },
          {"(0028,0006) Planar Configuration is", "left out"});
     for (const std::string frames :
-         {"8\\9", "2\\2", "0", "-2", "2.5", "two", "1e400", "nan", "inf", "999999999999", "0x2", "2 2"})
+         {"8\\9", "2\\2", "-2", "2.5", "two", "1e400", "nan", "inf", "999999999999", "0x2", "2 2"})
         row("number-of-frames-" + plain(frames),
             [&](Described& f) { f.frames = DicomBytes().text(0x0028, 0x0008, "IS", frames); },
             {"(0028,0008) Number of Frames is not a number above 0"});
+    // 0 is taken as 1, which these pixels are too many for.
+    row("number-of-frames-0", [&](Described& f) { f.frames = DicomBytes().text(0x0028, 0x0008, "IS", "0"); },
+        {"so that it cannot be told what the picture's size is"});
     for (const int samples : {0, 2, 4, 65535})
         row("samples-per-pixel-" + std::to_string(samples),
             [&](Described& f) { f.samples = DicomBytes().word(0x0028, 0x0002, static_cast<std::uint16_t>(samples)); },
