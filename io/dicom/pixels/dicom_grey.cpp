@@ -69,6 +69,10 @@ FormatProblem readShape(DcmItem& item, DicomPixelFormat& format) {
     const std::string text = dicomText(item, framesTag);
     if (text.empty()) return std::nullopt;
     const auto frames = dicomWholeNumber(item, framesTag);
+    if (frames == 0) {
+        format.notes.emplace_back("(0028,0008) Number of Frames is 0; it was taken as 1.");
+        return std::nullopt;
+    }
     if (!frames || *frames < 1 || *frames > 100000000)
         return formatProblemAt(framesTag, "Number of Frames", "is not a number above 0: " + quotedText(text));
     format.frames = *frames;

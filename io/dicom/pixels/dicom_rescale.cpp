@@ -28,7 +28,7 @@ tl::unexpected<PixelFormatProblem> problemAt(DicomTag tag, const char* name, std
 bool take(DcmItem& item, DicomTag tag, double& value) {
     const std::string text = dicomText(item, tag);
     if (text.empty()) return true;
-    const auto number = realNumber(text);
+    const auto number = decimalNumber(text);
     if (!number || !std::isfinite(*number)) return false;
     value = *number;
     return true;

@@ -51,7 +51,7 @@ std::string firstValueOf(DcmItem& item, DicomTag tag) {
 }
 
 /// The first value of the attribute; NaN if it is missing or no number.
-double numberIn(DcmItem& item, DicomTag tag) { return realNumber(firstValueOf(item, tag)).value_or(NAN); }
+double numberIn(DcmItem& item, DicomTag tag) { return decimalNumber(firstValueOf(item, tag)).value_or(NAN); }
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "io/dicom/series/image_header.h"
 #include "io/dicom/series/large_stack.h"
 #include "io/dicom/series/series_entries.h"
+#include "io/dicom/series/slice_groups.h"
 #include "io/files/file_access.h"
 #include "io/files/files_below.h"
 #include "io/files/header_text.h"
@@ -149,7 +150,8 @@ std::vector<std::string> pathsOf(const std::vector<DamagedFile>& files) {
 /// Warns of files that are in no series.
 void sayLeftOut(const Findings& found, const std::vector<DamagedFile>& damaged, std::vector<std::string>& warnings) {
     if (!damaged.empty())
-        warnings.push_back(fmt::format("{} damaged file(s) were left out: {}. The first {}.", damaged.size(),
+        warnings.push_back(fmt::format("{} {}file(s) were left out: {}. The first {}.", damaged.size(),
+                                       isDamage(damaged.front().damage) ? "damaged " : "",
                                        filesInWords(pathsOf(damaged)), reasonOf(damaged.front().damage)));
     if (!found.empty.empty())
         warnings.push_back(
@@ -166,10 +168,12 @@ void sayLeftOut(const Findings& found, const std::vector<DamagedFile>& damaged, 
 tl::unexpected<Failure> noSeries(const SeriesList& list, const std::vector<DamagedFile>& damaged) {
     if (damaged.size() == 1) return tl::unexpected(damaged.front().damage);
     if (!damaged.empty())
-        return fail(FailureKind::unreadable, list.path, "",
-                    fmt::format("holds {} DICOM files, and all of them are damaged: {}. The first {}", damaged.size(),
-                                filesInWords(pathsOf(damaged)), reasonOf(damaged.front().damage)),
-                    "Copy or export the series again.");
+        return fail(
+            FailureKind::unreadable, list.path, "",
+            fmt::format("holds {} DICOM files, and {}: {}. The first {}", damaged.size(),
+                        isDamage(damaged.front().damage) ? "all of them are damaged" : "none can be read",
+                        filesInWords(pathsOf(damaged)), reasonOf(damaged.front().damage)),
+            isDamage(damaged.front().damage) ? "Copy or export the series again." : damaged.front().damage.remedy);
     std::string problem = isFolder(list.path) ? "is a folder without DICOM images" : "names no DICOM images";
     if (!list.warnings.empty()) problem += " that could be read";
     for (const std::string& warning : list.warnings)

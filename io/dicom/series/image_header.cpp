@@ -100,6 +100,19 @@ PictureTraits traitsOf(DcmItem& dataset) {
     return traits;
 }
 
+std::string wrongPlaceOf(DcmItem& dataset) {
+    constexpr DicomTag orientationTag{0x0020, 0x0037};
+    const auto stated = [&](DicomTag tag, const char* name, const char* problem) {
+        return fmt::format("{} {} is {}, which is {}", tagText(tag), name, quotedText(dicomText(dataset, tag)),
+                           problem);
+    };
+    if (!dicomPoint(dataset, positionTag) && !dicomText(dataset, positionTag).empty())
+        return stated(positionTag, "Image Position", "no position");
+    if (!dicomOrientation(dataset, orientationTag) && !dicomText(dataset, orientationTag).empty())
+        return stated(orientationTag, "Image Orientation", "no pair of perpendicular directions");
+    return {};
+}
+
 ImageHeader headerOf(const DicomFile& file) {
     DcmItem& dataset = file.dataset();
     ImageHeader header;
@@ -108,6 +121,8 @@ ImageHeader headerOf(const DicomFile& file) {
     if (const auto placement = topLevelPlacement(dataset))
         header.file.plane =
             SlicePlane{*placement->position, (*placement->orientation)[0], (*placement->orientation)[1], file.path()};
+    else
+        header.wrongPlace = wrongPlaceOf(dataset);
     header.rows = dicomWholeNumber(dataset, rowsTag).value_or(0);
     header.columns = dicomWholeNumber(dataset, columnsTag).value_or(0);
     header.frames = std::max<std::int64_t>(1, dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1));

@@ -25,6 +25,8 @@ struct PictureTraits {
 /// What the header of one image says. Of a Philips volume, columns, rows and frames are the size of the volume.
 struct ImageHeader {
     SeriesFile file;
+    /// Why the position or the orientation that is stated makes no sense, with its tag; else empty.
+    std::string wrongPlace;
     std::string series, object, sopClass;  ///< UIDs of the series, the image and its SOP class
     std::string study;                     ///< UID
     std::string description, modality;

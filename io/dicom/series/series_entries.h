@@ -19,11 +19,11 @@ struct SortedSeries {
 };
 
 /// Sorts images into series. Slices of one Series Instance UID are listed apart if they differ in patient, frame of
-/// reference, size, modality, photometric interpretation or pixel spacing. Copies are left out (dropCopies()); slices
-/// that lie at the same places again and again make up phases (slicePhasesOf()); parts of one object are one entry; so
-/// are series of one place each (joinSeries()). A damaged slice stands in its entry if its place is known and fits;
-/// else it is left out. Failures are about `folder` or about one file. If `progress` is cancelled, the result makes no
-/// sense. Call it in a thread with a large stack.
+/// reference, size, modality, photometric interpretation or pixel spacing, or if a few stand at angles to the others.
+/// Copies are left out (dropCopies()); slices that lie at the same places again and again make up phases
+/// (slicePhasesOf()); parts of one object are one entry; so are series of one place each (joinSeries()). A damaged
+/// slice stands in its entry if its place is known and fits; else it is left out. Failures are about `folder` or about
+/// one file. If `progress` is cancelled, the result makes no sense. Call it in a thread with a large stack.
 [[nodiscard]] SortedSeries sortIntoSeries(const std::string& folder, std::vector<ImageHeader> images,
                                           std::vector<DamagedFile> damaged, const Progress& progress);
 

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "io/study/slice_stack.h"
+
 namespace echolucent {
 
 namespace {
@@ -55,6 +57,33 @@ std::vector<std::string> scaleGroups(const Images& images) {
     return groups;
 }
 
+/// For each image, the number of its group of parallel planes; empty unless the places are those of a few stacks that
+/// stand at clear angles to each other, as scouts do among the slices of a volume. Those of a sweep turn little by
+/// little.
+std::vector<std::string> orientationGroups(const Images& images) {
+    constexpr std::size_t mostGroups = 3, leastOfOne = 3;
+    constexpr double parallel = 1e-3, apart = 0.2;
+    std::vector<std::string> groups(images.size());
+    std::vector<std::pair<SlicePlane, std::size_t>> found;  // the first plane of each group, and its pictures
+    const auto distance = [](const SlicePlane& a, const SlicePlane& b) {
+        return std::max(length(a.alongRow - b.alongRow), length(a.alongColumn - b.alongColumn));
+    };
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const auto& plane = images[i].file.plane;
+        if (!plane) continue;
+        std::size_t group = 0;
+        while (group < found.size() && distance(found[group].first, *plane) >= parallel) ++group;
+        if (group == mostGroups) return std::vector<std::string>(images.size());
+        if (group == found.size()) found.emplace_back(*plane, 0);
+        ++found[group].second;
+        groups[i] = std::to_string(group + 1);
+    }
+    bool clear = std::ranges::any_of(found, [](const auto& group) { return group.second >= leastOfOne; });
+    for (std::size_t a = 0; a < found.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) clear = clear && distance(found[a].first, found[b].first) > apart;
+    return clear ? groups : std::vector<std::string>(images.size());
+}
+
 /// The traits in the order in which sentences name them. The first three tell patients apart.
 const std::vector<Trait>& allTraits() {
     static const std::vector<Trait> traits{
@@ -68,7 +97,8 @@ const std::vector<Trait>& allTraits() {
         textTrait("modality", "modalities", [](const ImageHeader& image) { return image.modality; }),
         textTrait("photometric interpretation", "photometric interpretations",
                   [](const ImageHeader& image) { return image.traits.photometric; }),
-        {"pixel spacing", "pixel spacings", scaleGroups}};
+        {"pixel spacing", "pixel spacings", scaleGroups},
+        {"orientation", "orientations", orientationGroups}};
     return traits;
 }
 

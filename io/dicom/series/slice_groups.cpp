@@ -8,6 +8,7 @@
 #include "io/dicom/frames/dicom_study.h"
 #include "io/dicom/series/slice_phases.h"
 #include "io/files/files_below.h"
+#include "io/files/input_problems.h"
 #include "io/study/slice_stack.h"
 
 namespace echolucent {
@@ -49,7 +50,9 @@ std::optional<Failure> whyNoStack(const std::string& folder, const SliceGroup& g
             ? fmt::format("holds {} 2D pictures without position and orientation, no volume", files.size())
             : fmt::format("holds {} 2D pictures, {} of them without position and orientation that make sense ({})",
                           files.size(), placeless.size(), filesInWords(placeless));
-    return framesWithoutGeometry(folder, which).value();
+    const auto stated = std::ranges::find_if(group.images, [](const auto& image) { return !image.wrongPlace.empty(); });
+    return framesWithoutGeometry(folder, stated == group.images.end() ? which : which + ": " + stated->wrongPlace)
+        .value();
 }
 
 /// Takes the phases of slices that lie at the same places again and again. False if there are none.
@@ -122,15 +125,22 @@ std::vector<DamagedFile> orderSlices(const std::string& folder, SliceGroup& grou
     return std::move(group.damaged);
 }
 
+bool isDamage(const Failure& failure) {
+    return failure.remedy == copyAgain || failure.remedy == incompleteFile || failure.remedy == damagedFile ||
+           failure.remedy == doNotOpen;
+}
+
 std::optional<Failure> tooFewWhole(const std::string& folder, const std::vector<std::string>& damaged, std::size_t all,
                                    const Failure& first) {
     const std::size_t whole = all - damaged.size();
     if (whole >= 2 && 2 * whole >= all) return std::nullopt;
-    const std::string reason = first.element.empty() ? first.problem : first.element + " " + first.problem;
+    const std::string reason = first.element.empty() ? "it " + first.problem : first.element + " " + first.problem;
+    const bool harmed = isDamage(first);
     return fail(FailureKind::unreadable, folder, "",
-                fmt::format("holds a damaged series: {} of {} slices could not be read ({}), the first because it {}",
-                            damaged.size(), all, filesInWords(damaged), reason),
-                "Copy or export the series again.")
+                fmt::format("{} {} of {} slices could not be read ({}), the first because {}",
+                            harmed ? "holds a damaged series:" : "holds a series of which", damaged.size(), all,
+                            filesInWords(damaged), reason),
+                harmed ? "Copy or export the series again." : first.remedy)
         .value();
 }
 

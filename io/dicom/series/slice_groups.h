@@ -33,6 +33,9 @@ struct SliceGroup {
 /// entry.whyNot if they are no volume. Gives back the damaged slices that do not fit.
 [[nodiscard]] std::vector<DamagedFile> orderSlices(const std::string& folder, SliceGroup& group, SeriesEntry& entry);
 
+/// Whether a file that failed so is damaged. Else it is of a kind that cannot be read.
+[[nodiscard]] bool isDamage(const Failure& failure);
+
 /// Why a series is no volume if `damaged` slices of `all` cannot be read. No value if enough can be read: at least two,
 /// and at least half of them. `damaged` holds the paths; `first` is the failure of the first.
 [[nodiscard]] std::optional<Failure> tooFewWhole(const std::string& folder, const std::vector<std::string>& damaged,
