@@ -21,7 +21,7 @@ const std::string positionVolumeName = "(0020,9301) Image Position (Volume)";
 const std::string positionPatientName = "(0020,0032) Image Position (Patient)";
 
 /// Takes the times of phases, and says where they stand.
-void takeTimes(const StatedTimes& times, FrameLayout& layout) {
+void takeTimes(const DicomTimes& times, FrameLayout& layout) {
     if (times.source != layout.phaseSource) layout.phaseSource = times.source + "; phases by " + layout.phaseSource;
     layout.phaseTimes = phaseTimesAt(times.seconds);
 }

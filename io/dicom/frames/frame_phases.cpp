@@ -81,7 +81,7 @@ private:
     [[nodiscard]] bool counts(DimensionMeaning meaning) const;
     [[nodiscard]] bool allLieApart() const;
     [[nodiscard]] std::optional<std::array<double, 3>> placeOf(std::size_t frame) const;
-    [[nodiscard]] std::optional<StatedTimes> risingTimes(const FramePhases& result, const FrameTime& time) const;
+    [[nodiscard]] std::optional<DicomTimes> risingTimes(const FramePhases& result, const FrameTime& time) const;
     [[nodiscard]] std::optional<Groups> keyedBy(const FrameTime& time) const;
     [[nodiscard]] std::optional<Groups> rankedBy(const FrameTime& time) const;
     [[nodiscard]] Key indexKey(std::size_t frame) const;
@@ -201,7 +201,7 @@ Result<void> PhaseSplitter::setTimes(FramePhases& result) const {
             if (result.times = risingTimes(result, time); result.times) break;
         return {};
     }
-    StatedTimes times{{}, timeOffsetName};
+    DicomTimes times{{}, timeOffsetName};
     double latest = 0.0;
     for (const auto& frames : result.phases) {
         const auto [first, last] =
@@ -220,9 +220,9 @@ Result<void> PhaseSplitter::setTimes(FramePhases& result) const {
 }
 
 /// The first time of each phase; no value unless all frames state it and it rises from phase to phase.
-std::optional<StatedTimes> PhaseSplitter::risingTimes(const FramePhases& result, const FrameTime& time) const {
+std::optional<DicomTimes> PhaseSplitter::risingTimes(const FramePhases& result, const FrameTime& time) const {
     if (!allHave([&](const FrameGroups& frame) { return (frame.*time.member).has_value(); })) return std::nullopt;
-    StatedTimes times{{}, time.name};
+    DicomTimes times{{}, time.name};
     for (const auto& frames : result.phases) {
         const std::size_t first =
             *std::ranges::min_element(frames, {}, [&](std::size_t frame) { return *(m_groups[frame].*time.member); });

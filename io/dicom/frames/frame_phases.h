@@ -39,7 +39,7 @@ struct FramePhases {
     std::vector<std::vector<std::size_t>>
         phases;  ///< in the order of time; the frames of each in the order of the file
     /// The first time of each phase; no value for one phase, or if no attribute states a time of every frame.
-    std::optional<StatedTimes> times;
+    std::optional<DicomTimes> times;
     std::string source;  ///< the attribute that told the phases apart; empty if none was taken
     std::vector<std::string> warnings;
 };

@@ -16,8 +16,8 @@ constexpr DicomTag cineRateTag{0x0018, 0x0040};
 constexpr DicomTag displayRateTag{0x0008, 0x2144};
 constexpr DicomTag incrementPointerTag{0x0028, 0x0009};
 
-StatedTimes evenTimes(double step, std::size_t count, std::string source) {
-    StatedTimes times{{}, std::move(source)};
+DicomTimes evenTimes(double step, std::size_t count, std::string source) {
+    DicomTimes times{{}, std::move(source)};
     for (std::size_t i = 0; i < count; ++i) times.seconds.push_back(step * static_cast<double>(i));
     return times;
 }
@@ -29,10 +29,10 @@ std::optional<double> aboveZero(DcmItem& item, DicomTag tag) {
 }
 
 /// The vector holds the milliseconds from each frame to the next; its first number is 0, as there is no frame before.
-std::optional<StatedTimes> timesOfVector(DcmItem& item, std::size_t count) {
+std::optional<DicomTimes> timesOfVector(DcmItem& item, std::size_t count) {
     const auto steps = dicomNumbers(item, frameTimeVectorTag, count);
     if (steps.empty()) return std::nullopt;
-    StatedTimes times{{0.0}, tagText(frameTimeVectorTag) + " Frame Time Vector"};
+    DicomTimes times{{0.0}, tagText(frameTimeVectorTag) + " Frame Time Vector"};
     for (std::size_t i = 1; i < count; ++i) {
         if (!(steps[i] > 0)) return std::nullopt;
         times.seconds.push_back(times.seconds.back() + steps[i] / 1000);
@@ -57,7 +57,7 @@ bool framesFollowInTime(DcmItem& dataset) {
     return pointer.find("0018,1063") != std::string::npos || pointer.find("0018,1065") != std::string::npos;
 }
 
-std::optional<StatedTimes> statedFrameTimes(DcmItem& item, std::size_t count) {
+std::optional<DicomTimes> statedFrameTimes(DcmItem& item, std::size_t count) {
     const auto step = aboveZero(item, frameTimeTag);
     const bool stepIsNamed = dicomText(item, incrementPointerTag).find("0018,1063") != std::string::npos;
     if (!step || !stepIsNamed)
@@ -66,7 +66,7 @@ std::optional<StatedTimes> statedFrameTimes(DcmItem& item, std::size_t count) {
     return evenTimes(*step / 1000, count, tagText(frameTimeTag) + " Frame Time");
 }
 
-std::optional<StatedTimes> statedFrameRate(DcmItem& item, std::size_t count) {
+std::optional<DicomTimes> statedFrameRate(DcmItem& item, std::size_t count) {
     if (const auto rate = aboveZero(item, cineRateTag))
         return evenTimes(1 / *rate, count, tagText(cineRateTag) + " Cine Rate");
     if (const auto rate = aboveZero(item, displayRateTag))

@@ -12,8 +12,8 @@ class DcmItem;
 
 namespace echolucent {
 
-/// Times of phases.
-struct StatedTimes {
+/// Times of phases that attributes state.
+struct DicomTimes {
     std::vector<double> seconds;  ///< one a phase, strictly rising
     std::string source;           ///< the attributes that state them
 };
@@ -23,11 +23,11 @@ struct StatedTimes {
 
 /// The times of `count` frames (at least 2) of which each is a phase, by Frame Time Vector (0018,1065), else Frame Time
 /// (0018,1063). The first is at 0 s. No value if neither makes sense for that number of frames.
-[[nodiscard]] std::optional<StatedTimes> statedFrameTimes(DcmItem& item, std::size_t count);
+[[nodiscard]] std::optional<DicomTimes> statedFrameTimes(DcmItem& item, std::size_t count);
 
 /// The same by the rate at which they were acquired or shall be shown: Cine Rate (0018,0040), else Recommended Display
 /// Frame Rate (0008,2144).
-[[nodiscard]] std::optional<StatedTimes> statedFrameRate(DcmItem& item, std::size_t count);
+[[nodiscard]] std::optional<DicomTimes> statedFrameRate(DcmItem& item, std::size_t count);
 
 /// The time of an attribute that holds date and time (DT), in seconds from a day that is always the same; no value if
 /// it is missing or says less than the second.

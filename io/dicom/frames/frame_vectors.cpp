@@ -72,7 +72,7 @@ private:
     Result<void> take(const FrameVector& vector);
     Result<void> split();
     void setTimes();
-    [[nodiscard]] std::optional<StatedTimes> timesOfPhases() const;
+    [[nodiscard]] std::optional<DicomTimes> timesOfPhases() const;
     [[nodiscard]] tl::unexpected<Failure> refuse(DicomTag tag, const char* name, const std::string& problem,
                                                  const std::string& remedy) const {
         auto refused = fail(FailureKind::unreadable, m_path, fmt::format("{} {}", tagText(tag), name), problem, remedy);
@@ -155,7 +155,7 @@ Result<void> VectorReader::split() {
 
 /// The times that Phase Information states: each phase of an acquisition has its delay and the time from one of its
 /// frames to the next.
-std::optional<StatedTimes> VectorReader::timesOfPhases() const {
+std::optional<DicomTimes> VectorReader::timesOfPhases() const {
     constexpr DicomTag phaseTag{0x0054, 0x0030}, phaseSequence{0x0054, 0x0032};
     constexpr DicomTag delayTag{0x0054, 0x0036}, pauseTag{0x0054, 0x0038};
     struct PhaseSteps {
@@ -171,7 +171,7 @@ std::optional<StatedTimes> VectorReader::timesOfPhases() const {
         return steps.size() <= m_frames;
     });
     const bool byPhase = !m_tags.empty() && m_tags.front() == phaseTag;
-    StatedTimes times{{}, "(0054,0032) Phase Information"};
+    DicomTimes times{{}, "(0054,0032) Phase Information"};
     double now = 0;
     std::size_t before = 0;  // the phase of the volume before, counted from 1
     for (const Key& key : m_phaseKeys) {
@@ -201,7 +201,7 @@ void VectorReader::setTimes() {
     // Of a gated study this is the time of the whole acquisition.
     const auto duration = gated == nullptr ? dicomNumbers(m_dataset, actualDurationTag, 1) : std::vector<double>();
     if (m_found.times || duration.empty() || !(duration[0] > 0)) return;
-    m_found.times = StatedTimes{{}, tagText(actualDurationTag) + " Actual Frame Duration"};
+    m_found.times = DicomTimes{{}, tagText(actualDurationTag) + " Actual Frame Duration"};
     for (std::size_t phase = 0; phase < count; ++phase)
         m_found.times->seconds.push_back(static_cast<double>(phase) * duration[0] / 1000);
 }

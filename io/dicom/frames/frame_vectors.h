@@ -16,7 +16,7 @@ namespace echolucent {
 struct FrameVectors {
     std::vector<std::vector<std::size_t>> phases;  ///< in the order of time; frames from 0, in that of Slice Vector
     std::string source;                            ///< the vectors that tell phases apart; empty for one phase
-    std::optional<StatedTimes> times;              ///< of several phases
+    std::optional<DicomTimes> times;               ///< of several phases
 };
 
 /// Splits the frames of a file into phases of slices by Slice Vector (0054,0080) and the vectors of time: Time Slot

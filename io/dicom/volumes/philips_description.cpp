@@ -48,7 +48,7 @@ double longestEdge(const Vec3& spacing, const Volume3& size) {
 }
 
 /// The times of the volumes of a QLAB file. A frame of it is a volume.
-std::optional<StatedTimes> timesOfVolumes(DcmItem& dataset, std::int64_t volumes) {
+std::optional<DicomTimes> timesOfVolumes(DcmItem& dataset, std::int64_t volumes) {
     if (volumes < 2 || volumes > mostPhases) return std::nullopt;
     auto times = statedFrameTimes(dataset, static_cast<std::size_t>(volumes));
     return times ? times : statedFrameRate(dataset, static_cast<std::size_t>(volumes));

@@ -25,12 +25,12 @@ struct PhilipsVolume {
     Kind kind = Kind::qlab;
     std::array<std::int64_t, 3> size{0, 0, 0};  ///< columns, rows, slices; above 0
     std::string sizeSource;
-    std::int64_t phases = 1;             ///< as declared; a QLAB file may hold fewer
-    std::optional<Vec3> spacing;         ///< mm; no value if it is missing or makes no sense
-    std::string spacingSource;           ///< the tags of the spacing; empty if it is missing or a guess
-    std::optional<StatedTimes> times{};  ///< of the declared volumes of a QLAB file
-    DicomTag voxels{};                   ///< the element of Kind::privateElement
-    std::string warning{};               ///< a sentence if numbers contradict each other; else empty
+    std::int64_t phases = 1;            ///< as declared; a QLAB file may hold fewer
+    std::optional<Vec3> spacing;        ///< mm; no value if it is missing or makes no sense
+    std::string spacingSource;          ///< the tags of the spacing; empty if it is missing or a guess
+    std::optional<DicomTimes> times{};  ///< of the declared volumes of a QLAB file
+    DicomTag voxels{};                  ///< the element of Kind::privateElement
+    std::string warning{};              ///< a sentence if numbers contradict each other; else empty
 
     /// Voxels of one volume, of Kind::qlab and Kind::privateElement. philipsVolumeOf() checks that they can be counted.
     [[nodiscard]] std::int64_t voxelCount() const { return size[0] * size[1] * size[2]; }
