@@ -28,7 +28,7 @@ struct SliceTexts {
     std::uint16_t bits = 8;
 };
 
-std::string slice(const std::string& position, int instance, const SliceTexts& texts) {
+std::string sliceOf(const std::string& position, int instance, const SliceTexts& texts) {
     DicomBytes file;
     file.text(0x0020, 0x000e, "UI", "1.2.3").text(0x0020, 0x0013, "IS", std::to_string(instance));
     file.text(0x0020, 0x0032, "DS", position).text(0x0020, 0x0037, "DS", texts.orientation);
@@ -48,7 +48,7 @@ std::string slice(const std::string& position, int instance, const SliceTexts& t
 Result<Study> readSlices(const std::vector<std::string>& positions, const SliceTexts& texts) {
     const TemporaryFolder folder;
     for (std::size_t i = 0; i < positions.size(); ++i)
-        folder.write(fmt::format("{}.dcm", i), slice(positions[i], static_cast<int>(i), texts));
+        folder.write(fmt::format("{}.dcm", i), sliceOf(positions[i], static_cast<int>(i), texts));
     return readStudy(folder.path(), withoutGuess());
 }
 
@@ -131,9 +131,9 @@ TEST(DicomOddValues, AScoutAmongTheSlicesIsListedApart) {
         const TemporaryFolder folder;
         SliceTexts across;
         across.orientation = "1\\0\\0\\0\\0\\-1";
-        for (int i = 0; i < scouts; ++i) folder.write(fmt::format("a{}", i), slice("0\\0\\0", i, across));
+        for (int i = 0; i < scouts; ++i) folder.write(fmt::format("a{}", i), sliceOf("0\\0\\0", i, across));
         for (int i = 0; i < 4; ++i)
-            folder.write(fmt::format("b{}", i), slice(fmt::format("0\\0\\{}", 2 * i), 5 + i, {}));
+            folder.write(fmt::format("b{}", i), sliceOf(fmt::format("0\\0\\{}", 2 * i), 5 + i, {}));
         const auto study = readStudy(folder.path(), withoutGuess());
         ASSERT_TRUE(study) << study.error().sentence();
         EXPECT_EQ(study->phases[0]->geometry().size[2], 4);
@@ -148,7 +148,7 @@ TEST(DicomOddValues, ASweepThatTurnsLittleByLittleStaysRefused) {
         SliceTexts turned;
         const double angle = 0.02 * (i / 3);
         turned.orientation = fmt::format("1\\0\\0\\0\\{:.9f}\\{:.9f}", std::cos(angle), std::sin(angle));
-        folder.write(fmt::format("s{}", i), slice(fmt::format("0\\0\\{}", i), i, turned));
+        folder.write(fmt::format("s{}", i), sliceOf(fmt::format("0\\0\\{}", i), i, turned));
     }
     const auto study = readStudy(folder.path(), withoutGuess());
     ASSERT_FALSE(study);
@@ -163,7 +163,7 @@ TEST(DicomOddValues, SlicesOfAKindThatCannotBeReadAreNotCalledDamagedAndKeepThei
         DicomBytes one = bit;
         one.text(0x0020, 0x0032, "DS", fmt::format("0\\0\\{}", i)).picture(8, 8, 0, 1);
         bits.write(fmt::format("s{}", i), one.put(0x7fe0, 0x0010, "OB", std::string(8, 'a')).file(pictureClass));
-        const std::string whole = slice(fmt::format("0\\0\\{}", i), i, {});
+        const std::string whole = sliceOf(fmt::format("0\\0\\{}", i), i, {});
         const std::string dataset = whole.substr(DicomBytes().file(pictureClass).size());
         coded.write(fmt::format("s{}", i), DicomBytes().file(pictureClass, "1.2.840.10008.1.2.4.94") + dataset);
     }

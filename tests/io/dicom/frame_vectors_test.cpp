@@ -78,10 +78,11 @@ std::vector<std::vector<double>> framesOf(const Study& study) {
     return phases;
 }
 
-constexpr std::uint16_t energy = 0x10, detectorVector = 0x20, phaseVector = 0x30, rotation = 0x50, interval = 0x60,
-                        slot = 0x70, slice = 0x80, view = 0x90, timeSlice = 0x100;
-const Vector twoSlots{slot, {1, 1, 1, 2, 2, 2}};
-const Vector threeSlices{slice, {1, 2, 3, 1, 2, 3}};
+constexpr std::uint16_t energyVector = 0x10, detectorVector = 0x20, phaseVector = 0x30, rotationVector = 0x50,
+                        intervalVector = 0x60, slotVector = 0x70, sliceVector = 0x80, viewVector = 0x90,
+                        timeSliceVector = 0x100;
+const Vector twoSlots{slotVector, {1, 1, 1, 2, 2, 2}};
+const Vector threeSlices{sliceVector, {1, 2, 3, 1, 2, 3}};
 using Frames = std::vector<std::vector<double>>;
 
 TEST(FrameVectors, TimeSlotsArePhasesOfSlices) {
@@ -96,7 +97,7 @@ TEST(FrameVectors, TimeSlotsArePhasesOfSlices) {
 }
 
 TEST(FrameVectors, TheOrderInTheFileMeansNothing) {
-    const auto study = readNuclear({{{slot, {2, 1, 2, 1, 2, 1}}, {slice, {3, 3, 2, 2, 1, 1}}}});
+    const auto study = readNuclear({{{slotVector, {2, 1, 2, 1, 2, 1}}, {sliceVector, {3, 3, 2, 2, 1, 1}}}});
     ASSERT_TRUE(study) << study.error().sentence();
     EXPECT_EQ(framesOf(*study), (Frames{{6, 4, 2}, {5, 3, 1}}));
     // Slices that run against the normal are turned, in all phases.
@@ -104,7 +105,7 @@ TEST(FrameVectors, TheOrderInTheFileMeansNothing) {
     ASSERT_TRUE(backwards) << backwards.error().sentence();
     EXPECT_EQ(framesOf(*backwards), (Frames{{3, 2, 1}, {6, 5, 4}}));
     // One time, other slices first.
-    const auto one = readNuclear({{{slot, {1, 1, 1, 1, 1, 1}}, {slice, {6, 5, 4, 3, 2, 1}}}});
+    const auto one = readNuclear({{{slotVector, {1, 1, 1, 1, 1, 1}}, {sliceVector, {6, 5, 4, 3, 2, 1}}}});
     ASSERT_TRUE(one) << one.error().sentence();
     EXPECT_EQ(framesOf(*one), (Frames{{6, 5, 4, 3, 2, 1}}));
     // Without a pointer the vectors that are there count.
@@ -145,15 +146,15 @@ TEST(FrameVectors, TimesOfPhasesAreReadWhereTheyStand) {
     EXPECT_DOUBLE_EQ(secondsOf(said), 20);
     said.gated.text(0x0018, 0x1060, "DS", "1");
     EXPECT_DOUBLE_EQ(secondsOf(said), 0) << "the duration of a whole gated study";
-    said = {{{timeSlice, {1, 1, 1, 2, 2, 2}}, threeSlices}};
+    said = {{{timeSliceVector, {1, 1, 1, 2, 2, 2}}, threeSlices}};
     said.phases.text(0x0018, 0x1242, "IS", "5000").text(0x0054, 0x0038, "IS", "1000");
     EXPECT_DOUBLE_EQ(secondsOf(said), 6);
 }
 
 TEST(FrameVectors, UnevenTimesAreKept) {
     Nuclear said{.vectors = {{phaseVector, {1, 1, 1, 1, 2, 2, 2, 2}},
-                             {timeSlice, {1, 1, 2, 2, 1, 1, 2, 2}},
-                             {slice, {1, 2, 1, 2, 1, 2, 1, 2}}},
+                             {timeSliceVector, {1, 1, 2, 2, 1, 1, 2, 2}},
+                             {sliceVector, {1, 2, 1, 2, 1, 2, 1, 2}}},
                  .frames = 8};
     said.phases.text(0x0018, 0x1242, "IS", "2000").text(0x0054, 0x0036, "IS", "500");
     const auto study = readNuclear(said);
@@ -181,30 +182,30 @@ TEST(FrameVectors, TheDetectorStatesThePlaceInThePatient) {
 
 TEST(FrameVectors, FramesThatAreNoVolumeAreRefusedByWhatTheyAre) {
     const std::vector<std::pair<std::uint16_t, std::string>> others{
-        {energy, "has frames of 2 energy windows. Export one energy window."},
+        {energyVector, "has frames of 2 energy windows. Export one energy window."},
         {detectorVector, "has frames of 2 detectors"},
-        {rotation, "has frames of 2 rotations. These are projections"},
-        {interval, "has frames of 2 R-R intervals"},
-        {view, "has frames of 2 angular views. These are projections, not a volume"}};
+        {rotationVector, "has frames of 2 rotations. These are projections"},
+        {intervalVector, "has frames of 2 R-R intervals"},
+        {viewVector, "has frames of 2 angular views. These are projections, not a volume"}};
     for (const auto& [vector, words] : others) {
         EXPECT_THAT(refusalOf({{{vector, {1, 1, 1, 2, 2, 2}}, threeSlices}}), HasSubstr(words));
         EXPECT_TRUE(readNuclear({{{vector, {1, 1, 1, 1, 1, 1}}, twoSlots, threeSlices}})) << "of one kind";
     }
-    EXPECT_THAT(refusalOf({{{slot, {1, 2, 3, 4, 5, 6}}}}),
+    EXPECT_THAT(refusalOf({{{slotVector, {1, 2, 3, 4, 5, 6}}}}),
                 HasSubstr("is a 2D cine: its 6 frames show one plane over time ((0054,0070) Time Slot Vector)"));
-    EXPECT_THAT(refusalOf({{{slot, {1, 2, 3, 4, 5, 6}}, {slice, {1, 1, 1, 1, 1, 1}}}}),
+    EXPECT_THAT(refusalOf({{{slotVector, {1, 2, 3, 4, 5, 6}}, {sliceVector, {1, 1, 1, 1, 1, 1}}}}),
                 HasSubstr("one plane over time"));
 }
 
 TEST(FrameVectors, VectorsThatContradictEachOtherAreRefused) {
-    EXPECT_THAT(refusalOf({{{slot, {1, 1, 1, 2, 2}}, threeSlices}}),
+    EXPECT_THAT(refusalOf({{{slotVector, {1, 1, 1, 2, 2}}, threeSlices}}),
                 HasSubstr("(0054,0070) Time Slot Vector is not one number for each of 6 frames"));
-    EXPECT_THAT(refusalOf({{twoSlots, {slice, {1, 2, 2, 1, 2, 3}}}}),
+    EXPECT_THAT(refusalOf({{twoSlots, {sliceVector, {1, 2, 2, 1, 2, 3}}}}),
                 HasSubstr("puts frames 2 and 3 at one place and time"));
     EXPECT_THAT(refusalOf({{threeSlices}}), HasSubstr("puts frames 1 and 4 at one place and time"));
-    EXPECT_THAT(refusalOf({{twoSlots, {slice, {1, 2, 4, 1, 2, 4}}}}),
+    EXPECT_THAT(refusalOf({{twoSlots, {sliceVector, {1, 2, 4, 1, 2, 4}}}}),
                 HasSubstr("counts 3 slices from 1 to 4: some are missing"));
-    EXPECT_THAT(refusalOf({{{slot, {1, 1, 1, 2, 2, 3}}, threeSlices}}),
+    EXPECT_THAT(refusalOf({{{slotVector, {1, 1, 1, 2, 2, 3}}, threeSlices}}),
                 HasSubstr("gives phase 2 other slices than the first"));
 }
 
