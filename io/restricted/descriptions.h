@@ -105,7 +105,7 @@ void describe(Archive& archive, Value& rescale) {
 
 template <typename Archive, Described<SeriesFile> Value>
 void describe(Archive& archive, Value& file) {
-    archive(file.path, file.instance, file.plane, file.rescale, file.damage);
+    archive(file.path, file.instance, file.plane, file.rescale, file.padded, file.damage);
 }
 
 template <typename Archive, Described<SeriesPhases> Value>

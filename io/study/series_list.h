@@ -19,6 +19,7 @@ struct SeriesFile {
     std::int64_t instance = 0;        ///< Instance Number; 0 if missing
     std::optional<SlicePlane> plane;  ///< place of the file's picture; no value if the file does not say it
     Rescale rescale{};                ///< Rescale Slope and Intercept of a single picture; else the identity
+    bool padded = false;              ///< whether a single picture states the value of pixels that are no data
     /// Why the file cannot be read, so that its slice is no data; no value if it is whole.
     std::optional<Failure> damage{};
 };

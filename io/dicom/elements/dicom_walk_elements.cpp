@@ -32,7 +32,7 @@ std::string tagAndName(std::uint32_t tag) {
 /// Whether an element describes the picture or its place, so that it must not stand twice with different values.
 bool describesPicture(std::uint32_t tag) {
     const std::uint32_t group = tag >> 16;
-    if (tag == 0x00280120 || tag == 0x00280121) return false;  // the value of padding, which is not used
+    if (tag == 0x00280120 || tag == 0x00280121) return false;  // padding in doubt is no reason to refuse the picture
     return group == 0x0018 || group == 0x0020 || group == 0x0028 || group == 0x3001 || group == 0x3004 ||
            group == 0x5200 || tag == pixelDataTag;
 }

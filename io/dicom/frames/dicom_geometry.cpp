@@ -1,7 +1,10 @@
 #include "io/dicom/frames/dicom_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "io/dicom/frames/frame_times.h"
 #include "io/study/study_assembly.h"
@@ -12,6 +15,25 @@ namespace {
 
 constexpr DicomTag positionPatient{0x0020, 0x0032};
 constexpr DicomTag orientationPatient{0x0020, 0x0037};
+constexpr DicomTag locationsTag{0x0018, 0x2005};
+constexpr DicomTag betweenTag{0x0018, 0x0088};
+
+/// What Slice Location Vector says, if Frame Increment Pointer names it.
+struct SliceLocations {
+    std::vector<double> offsets;  ///< mm from the first frame; empty if they say no places
+    bool isWrong = false;         ///< whether they are not one number for each frame
+};
+
+SliceLocations sliceLocations(DcmItem& dataset, std::size_t frames) {
+    if (!namesAsIncrement(dataset, locationsTag) || dicomText(dataset, locationsTag).empty()) return {};
+    SliceLocations locations{dicomNumbers(dataset, locationsTag, frames)};
+    if (locations.offsets.empty()) return {{}, true};
+    const double first = locations.offsets.front();
+    for (double& offset : locations.offsets) offset -= first;
+    // Frames of one plane, whatever it is that changes from frame to frame.
+    if (std::ranges::all_of(locations.offsets, [](double offset) { return offset == 0.0; })) return {};
+    return locations;
+}
 
 }  // namespace
 
@@ -46,7 +68,7 @@ std::optional<FramePlacement> topLevelPlacement(DcmItem& dataset) {
 }
 
 Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::string& path, std::size_t frames) {
-    constexpr DicomTag offsetsTag{0x3004, 0x000c}, betweenTag{0x0018, 0x0088};
+    constexpr DicomTag offsetsTag{0x3004, 0x000c};
     const auto refuse = [&](const std::string& element, const std::string& problem) {
         auto refused = fail(FailureKind::unreadable, path, element, problem,
                             "Export it again, or add --frames-as-slices to take its pictures as slices of unknown "
@@ -59,15 +81,27 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
     const bool byOffsets = isStated(offsetsTag);
     auto scale = pictureScaleOf(dataset);
     const bool isScaled = scale && scale->kind != PictureScale::Kind::shapeOnly;
-    if (framesFollowInTime(dataset) || !(byOffsets || isStated(betweenTag)) || !(isScaled || isStated(pixelSpacingTag)))
+    SliceLocations locations = byOffsets ? SliceLocations() : sliceLocations(dataset, frames);
+    const bool byLocations = !locations.offsets.empty() || (locations.isWrong && !isStated(betweenTag));
+    if (framesFollowInTime(dataset) || !(byOffsets || byLocations || isStated(betweenTag)) ||
+        !(isScaled || isStated(pixelSpacingTag)))
         return std::optional<ClassicPlaces>();
     ClassicPlaces places;
+    const std::string locationsName = tagText(locationsTag) + " Slice Location Vector";
     if (byOffsets) {
         places.name = tagText(offsetsTag) + " Grid Frame Offset Vector";
         places.offsets = dicomNumbers(dataset, offsetsTag, frames);
         if (places.offsets.empty())
             return refuse(places.name, "is not one number for each of " + std::to_string(frames) + " frames");
+    } else if (byLocations) {
+        places.name = locationsName;
+        if (locations.isWrong)
+            return refuse(places.name, "is not one number for each of " + std::to_string(frames) + " frames");
+        places.offsets = std::move(locations.offsets);
     } else {
+        if (locations.isWrong)
+            places.warnings.push_back(
+                fmt::format("{} is not one number for each of {} frames; it was left out.", locationsName, frames));
         places.name = tagText(betweenTag) + " Spacing Between Slices";
         const auto between = dicomNumbers(dataset, betweenTag, 1);
         if (between.empty()) return refuse(places.name, "is no number");
@@ -92,6 +126,8 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
     const auto directions = orientation.value_or(std::array{Vec3(1, 0, 0), Vec3(0, 1, 0)});
     places.start = {position.value_or(Vec3(0, 0, 0)), directions[0], directions[1]};
     if (!isPosition(places.start.position)) places.name = tagText(positionPatient) + " Image Position";
+    if (const auto between = dicomNumbers(dataset, betweenTag, 1); !places.between && !between.empty())
+        places.otherBetween = between[0];
     places.orientationInPatient = orientation.has_value();
     places.scale = *std::move(scale);
     return std::optional(std::move(places));

@@ -35,16 +35,19 @@ struct FramePlacement {
 
 /// The places of frames by the old attributes at top level.
 struct ClassicPlaces {
-    SlicePlane start;                   ///< distances count from here along the normal of this plane
-    bool orientationInPatient = false;  ///< whether the file states the orientation; else it is assumed
-    PictureScale scale;                 ///< of the pixels: stated, or of one of several regions
-    std::string name;                   ///< of the attribute that stackSlices() blames if the places make no sense
-    std::optional<double> between{};    ///< mm from frame to frame; the first lies at the start
-    std::vector<double> offsets{};      ///< else the distance of each frame from the start, mm
+    SlicePlane start;                      ///< distances count from here along the normal of this plane
+    bool orientationInPatient = false;     ///< whether the file states the orientation; else it is assumed
+    PictureScale scale;                    ///< of the pixels: stated, or of one of several regions
+    std::string name;                      ///< of the attribute that stackSlices() blames if the places make no sense
+    std::optional<double> between{};       ///< mm from frame to frame; the first lies at the start
+    std::vector<double> offsets{};         ///< else the distance of each frame from the start, mm
+    std::optional<double> otherBetween{};  ///< mm from frame to frame that the file states beside offsets
+    std::vector<std::string> warnings{};
 };
 
 /// The places of all frames by the old attributes at top level: pixel spacing or the scale of ultrasound regions with
-/// grid frame offsets (3004,000C), or with spacing between slices (0018,0088). Position and orientation may stand in
+/// grid frame offsets (3004,000C), with slice locations (0018,2005) that the increment pointer names, or with spacing
+/// between slices (0018,0088). Position and orientation may stand in
 /// the first item of Detector Information (0054,0022). No value if the data set has no such geometry, if the spacing
 /// between slices is 0, or if the data set says that its frames follow each other in time. Fails (unreadable, about the
 /// file at `path`, with Failure::framesCouldBeSlices) if the geometry makes no sense: offsets for more or fewer frames,

@@ -272,7 +272,13 @@ Result<FrameLayout> layOutStack(const ClassicPlaces& places, const std::string& 
         }
         frames = std::move(ordered);
     }
-    layout.warnings = std::move(stack->warnings);
+    layout.warnings = places.warnings;
+    layout.warnings.insert(layout.warnings.end(), stack->warnings.begin(), stack->warnings.end());
+    if (const auto other = places.otherBetween.value_or(0.0);
+        other != 0.0 && std::abs(std::abs(other) - stack->spacing) > 0.01 * stack->spacing)
+        layout.warnings.push_back(fmt::format(
+            "(0018,0088) Spacing Between Slices is {:.4g} mm, but {} puts the slices {:.4g} mm apart; that was taken.",
+            other, places.name, stack->spacing));
     layout.geometry.size = {extent.columns, extent.rows, static_cast<std::int64_t>(slices)};
     layout.geometry.origin = stack->origin;
     layout.geometry.direction = stack->direction;

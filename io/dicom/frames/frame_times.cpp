@@ -53,13 +53,16 @@ std::optional<int> digits(std::string_view text, std::size_t at, std::size_t cou
 }  // namespace
 
 bool framesFollowInTime(DcmItem& dataset) {
-    const std::string pointer = dicomText(dataset, incrementPointerTag);
-    return pointer.find("0018,1063") != std::string::npos || pointer.find("0018,1065") != std::string::npos;
+    return namesAsIncrement(dataset, frameTimeTag) || namesAsIncrement(dataset, frameTimeVectorTag);
+}
+
+bool namesAsIncrement(DcmItem& dataset, DicomTag tag) {
+    return dicomText(dataset, incrementPointerTag).find(tagText(tag)) != std::string::npos;
 }
 
 std::optional<DicomTimes> statedFrameTimes(DcmItem& item, std::size_t count) {
     const auto step = aboveZero(item, frameTimeTag);
-    const bool stepIsNamed = dicomText(item, incrementPointerTag).find("0018,1063") != std::string::npos;
+    const bool stepIsNamed = namesAsIncrement(item, frameTimeTag);
     if (!step || !stepIsNamed)
         if (auto times = timesOfVector(item, count)) return times;
     if (!step) return std::nullopt;

@@ -20,6 +20,8 @@ struct DicomTimes {
 
 /// Whether Frame Increment Pointer names Frame Time or Frame Time Vector.
 [[nodiscard]] bool framesFollowInTime(DcmItem& dataset);
+/// Whether Frame Increment Pointer (0028,0009) names this attribute, alone or among others.
+[[nodiscard]] bool namesAsIncrement(DcmItem& dataset, DicomTag tag);
 
 /// The times of `count` frames (at least 2) of which each is a phase, by Frame Time Vector (0018,1065), else Frame Time
 /// (0018,1063). The first is at 0 s. No value if neither makes sense for that number of frames.

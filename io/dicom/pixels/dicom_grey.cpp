@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -176,19 +177,25 @@ public:
           m_sign(format.isSigned ? 1 << (format.bitsStored - 1) : 0) {}
 
     [[nodiscard]] int at(std::size_t index) const {
-        int raw = 0;
-        if (m_wide) {
-            std::uint16_t word = 0;
-            std::memcpy(&word, m_bytes.data() + 2 * index, 2);
-            raw = word;
-        } else {
-            raw = m_bytes[index];
-        }
-        const int value = (raw >> m_shift) & m_mask;
+        const int value = (rawAt(index) >> m_shift) & m_mask;
         return (value ^ m_sign) - m_sign;
     }
 
+    /// The sample with all its allocated bits.
+    [[nodiscard]] int wholeAt(std::size_t index) const {
+        const int raw = rawAt(index);
+        const int sign = m_sign == 0 ? 0 : (m_wide ? 0x8000 : 0x80);
+        return (raw ^ sign) - sign;
+    }
+
 private:
+    [[nodiscard]] int rawAt(std::size_t index) const {
+        if (!m_wide) return m_bytes[index];
+        std::uint16_t word = 0;
+        std::memcpy(&word, m_bytes.data() + 2 * index, 2);
+        return word;
+    }
+
     const std::vector<std::uint8_t>& m_bytes;
     bool m_wide;
     int m_shift;
@@ -228,6 +235,7 @@ std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelForma
     if (auto problem = readColour(item, format)) return problem;
     if (format.isSigned && format.bitsStored < 2)
         return formatProblemAt(bitsStoredTag, "Bits Stored", "is 1 for signed values");
+    format.padding = readPadding(item, format, format.notes);
     return std::nullopt;
 }
 
@@ -269,6 +277,22 @@ void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span
             out[i] = static_cast<std::uint8_t>(value);
         }
     }
+}
+
+bool blankPadding(const DicomPixelFormat& format, const DecodedFrame& frame, std::span<std::uint8_t> out) {
+    if (!format.padding) return false;
+    const PixelPadding& padding = *format.padding;
+    const SampleReader sample(format, frame);
+    // Padding beyond the stored bits stands in all bits that are allocated.
+    const bool isWide = padding.low < format.smallestValue() || padding.high > format.largestValue();
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    bool found = false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(format.pixels()); ++i) {
+        if (!padding.holds(sample.at(i)) && !(isWide && padding.holds(sample.wholeAt(i)))) continue;
+        std::memcpy(out.data() + i * sizeof(float), &none, sizeof(float));
+        found = true;
+    }
+    return found;
 }
 
 }  // namespace echolucent

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/dicom/pixels/dicom_palette.h"
+#include "io/dicom/pixels/pixel_padding.h"
 #include "io/voxels/voxel_types.h"
 
 class DcmItem;
@@ -38,8 +39,9 @@ struct DicomPixelFormat {
     bool narrowRange = false;                  ///< whether uncompressed luma runs from 16 to 235 (YBR_PARTIAL_...)
     ColourModel model = ColourModel::monochrome2;
     std::string photometric;
-    DicomPalette palette;            ///< of PALETTE COLOR
-    std::vector<std::string> notes;  ///< on oddities of the description that were accepted
+    DicomPalette palette;                   ///< of PALETTE COLOR
+    std::optional<PixelPadding> padding{};  ///< of grey pixels, before they are inverted
+    std::vector<std::string> notes;         ///< on oddities of the description that were accepted
 
     [[nodiscard]] std::int64_t pixels() const { return rows * columns; }
     [[nodiscard]] int bytesPerSample() const { return bitsAllocated / 8; }
@@ -69,5 +71,8 @@ struct DecodedFrame {
 
 /// Writes the grey values of `frame`, of type format.greyType(), into `out`, which holds format.pixels() of them.
 void toGrey(const DicomPixelFormat& format, const DecodedFrame& frame, std::span<std::uint8_t> out);
+
+/// Makes the pixels of `frame` that hold format.padding NaN in `out`, which holds a float32 for each. Whether any does.
+bool blankPadding(const DicomPixelFormat& format, const DecodedFrame& frame, std::span<std::uint8_t> out);
 
 }  // namespace echolucent

@@ -64,9 +64,10 @@ struct DicomFrames::State {
     PixelCoding coding = PixelCoding::unknown;
     DicomPixelFormat format;
     FrameRescales rescales;
-    std::vector<std::size_t> shown;    // the frames of the volume; empty: all of them
-    bool rescaledAmongOthers = false;  // whether another slice makes grey values float32
-    bool rescaled = false;             // whether grey values are float32
+    std::vector<std::size_t> shown;  // the frames of the volume; empty: all of them
+    OfSeries series;                 // what other slices need
+    bool rescaled = false;           // whether grey values are rescaled, here or in another slice
+    bool paddingFound = false;       // whether a pixel that was read holds padding
     DicomWindow window;
     std::vector<std::string> notes;  // on errors that were accepted
 
@@ -76,6 +77,10 @@ struct DicomFrames::State {
     }
     [[nodiscard]] bool isGrey() const {
         return format.model == ColourModel::monochrome1 || format.model == ColourModel::monochrome2;
+    }
+    [[nodiscard]] StoredType type() const {
+        const bool padded = isGrey() && (series.padded || format.padding);
+        return rescaled || padded ? StoredType::float32 : format.greyType();
     }
     /// The rescalings of the shown frames in their order, each left out if it equals the one before.
     [[nodiscard]] std::vector<Rescale> rescalesShown() const;
@@ -103,12 +108,12 @@ DicomFrames::DicomFrames(DicomFrames&&) noexcept = default;
 DicomFrames::~DicomFrames() = default;
 
 Result<DicomFrames> DicomFrames::open(DcmDataset& dataset, const std::string& path, const DicomScan& scan,
-                                      bool rescaled) {
+                                      OfSeries series) {
     auto state = std::make_unique<State>();
     state->path = path;
     state->dataset = &dataset;
     state->notes = scan.notes;
-    state->rescaledAmongOthers = rescaled;
+    state->series = series;
     DcmElement* element = nullptr;
     if (dataset.findAndGetElement(DCM_PixelData, element).bad() || element == nullptr ||
         element->ident() != EVR_PixelData) {
@@ -159,7 +164,7 @@ std::vector<Rescale> DicomFrames::State::rescalesShown() const {
 
 void DicomFrames::State::askShown() {
     const std::vector<Rescale> different = rescalesShown();
-    rescaled = isGrey() && (rescaledAmongOthers || std::ranges::any_of(different, [](const Rescale& rescale) {
+    rescaled = isGrey() && (series.rescaled || std::ranges::any_of(different, [](const Rescale& rescale) {
                                 return !rescale.isIdentity();
                             }));
     const std::size_t first = shown.empty() ? 0 : shown.front();
@@ -176,7 +181,13 @@ double DicomFrames::State::extreme(double sign) const {
 Result<void> DicomFrames::State::checkNative(const DicomScan& scan) {
     const std::uint64_t declared = pixelData->getLength(syntax);
     const std::uint64_t held = scan.pixelBytesDeclared > 0 ? std::min(declared, scan.pixelBytesHeld) : declared;
-    if (const auto problem = wrongPixelBytes(format, held)) return wrong(problem->text, problem->element);
+    const auto read = [this](std::uint64_t from, std::span<std::uint8_t> bytes) {
+        return pixelData
+            ->getPartialValue(bytes.data(), static_cast<Uint32>(from), static_cast<Uint32>(bytes.size()), &cache,
+                              EBO_LittleEndian)
+            .good();
+    };
+    if (const auto problem = wrongPixelBytes(format, held, read)) return wrong(problem->text, problem->element);
     return {};
 }
 
@@ -186,7 +197,7 @@ Result<void> DicomFrames::State::checkEncapsulated() {
     compressed = std::move(*found);
     // Few bytes may unpack to gigabytes, because an empty picture may be packed into hardly any.
     const std::uint64_t held = compressed->heldBytes();
-    const std::int64_t voxelBytes = bytesOf(rescaled ? StoredType::float32 : format.greyType());
+    const std::int64_t voxelBytes = bytesOf(type());
     const auto unpacked = checkedProduct(format.pixels() * voxelBytes, format.frames);
     if (!unpacked || static_cast<std::uint64_t>(*unpacked) > mostUnpackedBytes(held))
         return wrong(fmt::format("holds {} bytes for {} frames of {} x {} pixels, which no picture packs into so few",
@@ -240,7 +251,7 @@ Result<void> DicomFrames::check(const Progress& progress) const {
 std::int64_t DicomFrames::columns() const { return m_state->format.columns; }
 std::int64_t DicomFrames::rows() const { return m_state->format.rows; }
 std::int64_t DicomFrames::frames() const { return m_state->format.frames; }
-StoredType DicomFrames::type() const { return m_state->rescaled ? StoredType::float32 : m_state->format.greyType(); }
+StoredType DicomFrames::type() const { return m_state->type(); }
 int DicomFrames::bitsStored() const { return m_state->format.bitsStored; }
 std::int64_t DicomFrames::frameBytes() const { return m_state->format.pixels() * bytesOf(type()); }
 double DicomFrames::largestValue() const { return m_state->extreme(1); }
@@ -287,6 +298,8 @@ std::vector<std::string> DicomFrames::warnings() const {
     for (const std::string& warning : m_state->window.warnings) sentences.push_back(warning);
     for (const std::string& note : m_state->format.notes) sentences.push_back(note);
     for (const std::string& note : m_state->notes) sentences.push_back(note);
+    if (m_state->paddingFound)
+        sentences.push_back("Pixels that hold " + m_state->format.padding->words + " are no data.");
     if (m_state->compressed)
         for (const std::string& note : m_state->compressed->notes()) sentences.push_back(note);
     return sentences;
@@ -295,7 +308,7 @@ std::vector<std::string> DicomFrames::warnings() const {
 Result<void> DicomFrames::readGrey(std::int64_t index, std::span<std::uint8_t> out) {
     DecodedFrame frame;
     if (const auto decoded = m_state->decode(index, frame); !decoded) return tl::unexpected(decoded.error());
-    if (!m_state->rescaled) {
+    if (type() != StoredType::float32) {
         toGrey(m_state->format, frame, out);
         return {};
     }
@@ -303,6 +316,7 @@ Result<void> DicomFrames::readGrey(std::int64_t index, std::span<std::uint8_t> o
     std::vector<std::uint8_t> grey(static_cast<std::size_t>(m_state->format.pixels() * bytesOf(stored)));
     toGrey(m_state->format, frame, grey);
     applyRescale(m_state->rescales.of(static_cast<std::size_t>(index)), grey, stored, out);
+    if (blankPadding(m_state->format, frame, out)) m_state->paddingFound = true;
     return {};
 }
 

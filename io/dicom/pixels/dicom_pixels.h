@@ -19,12 +19,20 @@ namespace echolucent {
 /// The frames of one data set, which must outlive this object.
 class DicomFrames {
 public:
+    /// What any slice of the series needs, so that all slices get one type.
+    struct OfSeries {
+        bool rescaled = false;  ///< whether grey values are rescaled
+        bool padded = false;    ///< whether pixels may hold DicomPixelFormat::padding
+    };
+
     /// Checks everything that the data set says about its pixels against what is there, before memory is taken for
     /// them. Fails (unreadable, naming `path` and the tag) if the two disagree, or if the pixels cannot be read.
-    /// All grey values are float32 if a shown frame is rescaled, or if `rescaled` says that another slice of the series
-    /// is.
+    /// All grey values are float32 if a shown frame is rescaled or padding is stated, or if `series` says so.
     [[nodiscard]] static Result<DicomFrames> open(DcmDataset& dataset, const std::string& path, const DicomScan& scan,
-                                                  bool rescaled = false);
+                                                  OfSeries series);
+    [[nodiscard]] static Result<DicomFrames> open(DcmDataset& dataset, const std::string& path, const DicomScan& scan) {
+        return open(dataset, path, scan, {});
+    }
     DicomFrames(DicomFrames&&) noexcept;
     ~DicomFrames();
 
@@ -40,7 +48,8 @@ public:
     [[nodiscard]] std::int64_t columns() const;
     [[nodiscard]] std::int64_t rows() const;
     [[nodiscard]] std::int64_t frames() const;
-    [[nodiscard]] StoredType type() const;  ///< of the grey values: uint8, int8, uint16 or int16; float32 if rescaled
+    /// Of the grey values: uint8, int8, uint16 or int16; float32 if rescaled, or if padding is stated.
+    [[nodiscard]] StoredType type() const;
     [[nodiscard]] int bitsStored() const;
     [[nodiscard]] std::int64_t frameBytes() const;  ///< rows * columns * bytes of type()
     [[nodiscard]] double largestValue() const;  ///< the largest value that the stored bits of the shown frames can mean
@@ -53,7 +62,8 @@ public:
     [[nodiscard]] std::vector<ImportFact> facts() const;
     [[nodiscard]] std::vector<std::string> warnings() const;
 
-    /// Decodes frame `index` (from 0) into grey values in this machine's byte order; out.size() == frameBytes().
+    /// Decodes frame `index` (from 0) into grey values in this machine's byte order; out.size() == frameBytes(). Pixels
+    /// that hold padding become NaN, and warnings() says so from then on.
     [[nodiscard]] Result<void> readGrey(std::int64_t index, std::span<std::uint8_t> out);
 
 private:

@@ -1,6 +1,7 @@
 #include "io/dicom/pixels/native_pixels.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -53,9 +54,38 @@ void takeLayout(DicomPixelFormat& format, std::uint64_t held) {
     }
 }
 
+/// Whether all bytes from `from` on are 0, or all are 255.
+bool areBlank(std::uint64_t from, std::uint64_t count, const ReadPixelBytes& read) {
+    constexpr std::uint64_t mostAtOnce = 1 << 16;
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(std::min(count, mostAtOnce)));
+    std::optional<std::uint8_t> first;
+    for (std::uint64_t done = 0; done < count; done += bytes.size()) {
+        bytes.resize(static_cast<std::size_t>(std::min(count - done, mostAtOnce)));
+        if (!read(from + done, bytes)) return false;
+        if (!first) first = bytes.front();
+        if (*first != 0 && *first != 255) return false;
+        if (std::ranges::any_of(bytes, [&](std::uint8_t byte) { return byte != *first; })) return false;
+    }
+    return true;
+}
+
+/// Whether the last `left` bytes of `held` fill up the pixels, so that the size of the picture is not in doubt.
+bool isFilling(const DicomPixelFormat& format, std::uint64_t held, std::uint64_t left, const ReadPixelBytes& read) {
+    const auto frame = static_cast<std::uint64_t>(format.storedFrameBytes());
+    if (left <= std::max<std::uint64_t>(1, frame / 32)) return true;
+    if (left >= frame) return false;
+    const auto frames = static_cast<std::uint64_t>(format.frames);
+    const std::uint64_t row = frame / static_cast<std::uint64_t>(format.rows);
+    const std::uint64_t column = frame / static_cast<std::uint64_t>(format.columns);
+    // A row that each frame lacks shifts all frames, and the end of the last one may be black all the same.
+    if (frames > 1 && (left % (frames * row) == 0 || left % (frames * column) == 0)) return false;
+    return areBlank(held - left, left, read);
+}
+
 }  // namespace
 
-std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std::uint64_t held) {
+std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std::uint64_t held,
+                                                  const ReadPixelBytes& read) {
     if (held == 0) return PixelFormatProblem{pixelDataElement, "is there but empty"};
     takeLayout(format, held);
     const auto needed = neededBytes(format);
@@ -66,8 +96,8 @@ std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std:
     if (!needed || static_cast<std::uint64_t>(*needed) > held || *needed > mostNativeBytes)
         return PixelFormatProblem{pixelDataElement, holds()};
     const std::uint64_t left = held - static_cast<std::uint64_t>(*needed);
-    // Some writers pad the end. More bytes mean that the number of rows, columns or frames is false.
-    if (left > static_cast<std::uint64_t>(std::max<std::int64_t>(1, format.storedFrameBytes() / 32)))
+    // Some writers pad the end. Other bytes mean that the number of rows, columns or frames is false.
+    if (!isFilling(format, held, left, read))
         return PixelFormatProblem{pixelDataElement, holds() + ", so that it cannot be told what the picture's size is"};
     if (left > 1)
         format.notes.push_back(

@@ -32,6 +32,7 @@ struct SliceOrder {
     std::vector<SeriesFile> files;  // phase after phase
     SeriesPhases phases;
     bool rescaled = false;             // whether any slice is rescaled
+    bool padded = false;               // whether any slice states the value of pixels that are no data
     bool differentlyRescaled = false;  // whether slices differ in their rescaling
     bool inPlaneSpacingKnown = false;  // whether pixels have a known size although the distance of slices is a guess
     VolumeGeometry geometry;
@@ -67,6 +68,7 @@ Result<SliceOrder> orderOf(const SeriesList& list, const SeriesEntry& entry) {
         if (file.damage) continue;
         if (first == nullptr) first = &file.rescale;
         order.rescaled = order.rescaled || !file.rescale.isIdentity();
+        order.padded = order.padded || file.padded;
         order.differentlyRescaled = order.differentlyRescaled || file.rescale != *first;
     }
     if (entry.whyNot) {
@@ -174,7 +176,8 @@ private:
     Result<Slice> decode(const SeriesFile& one) {
         auto file = DicomFile::load(one.path, false, m_progress);
         if (!file) return tl::unexpected(file.error());
-        auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan(), m_order.rescaled);
+        auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan(),
+                                        {.rescaled = m_order.rescaled, .padded = m_order.padded});
         if (!frames) return tl::unexpected(frames.error());
         std::vector<std::uint8_t> grey(static_cast<std::size_t>(frames->frameBytes()));
         if (const auto read = frames->readGrey(0, grey); !read) return tl::unexpected(read.error());

@@ -30,7 +30,7 @@ constexpr DicomTag columnsTag{0x0028, 0x0011};
 
 /// Whether the pixels of many frames are wrong, as far as the header and the file's length tell. No value if nothing is
 /// wrong. Frames in fragments are refused if the file cannot hold as many.
-std::optional<Failure> wrongPixels(const DicomFile& file, std::uint64_t fileBytes) {
+std::optional<Failure> wrongPixels(const DicomFile& file, const InputFile& input) {
     const auto failure = [&](const PixelFormatProblem& problem) {
         return fail(FailureKind::unreadable, file.path(), problem.element, problem.text, "Export it again.").value();
     };
@@ -38,13 +38,16 @@ std::optional<Failure> wrongPixels(const DicomFile& file, std::uint64_t fileByte
     if (const auto problem = readPixelFormat(file.dataset(), format)) return failure(*problem);
     const DicomScan& scan = file.scan();
     if (!DcmXfer(scan.transferSyntax.c_str()).isEncapsulated()) {
-        const auto problem = wrongPixelBytes(format, scan.pixelBytesHeld);
+        // Deflated pixels are read only if the file is opened.
+        const auto problem = wrongPixelBytes(format, scan.pixelBytesHeld, [&](std::uint64_t from, auto bytes) {
+            return scan.pixelStart == 0 || input.readAt(scan.pixelStart + from, bytes).has_value();
+        });
         return problem ? std::optional(failure(*problem)) : std::nullopt;
     }
     constexpr std::uint64_t itemBytes = 8;  // a frame has at least one fragment
-    if (static_cast<std::uint64_t>(format.frames) <= fileBytes / itemBytes) return std::nullopt;
+    if (static_cast<std::uint64_t>(format.frames) <= input.size() / itemBytes) return std::nullopt;
     return failure({"(0028,0008) Number of Frames",
-                    fmt::format("says {}, more than a file of {} bytes can hold", format.frames, fileBytes)});
+                    fmt::format("says {}, more than a file of {} bytes can hold", format.frames, input.size())});
 }
 
 /// Why the frames of one file are no volume, as far as the header tells.
@@ -56,13 +59,13 @@ std::optional<Failure> whyNoVolume(DcmItem& dataset, const ImageHeader& header, 
 
 /// Finds out whether the file holds a maker's private volume, and if not, why its frames are no volume. The size of a
 /// Philips volume replaces the size of the frames.
-void takeVolume(const DicomFile& file, std::uint64_t fileBytes, ImageHeader& header, const Progress& progress) {
+void takeVolume(const DicomFile& file, const InputFile& input, ImageHeader& header, const Progress& progress) {
     header.volume = file.scan().holdsKretz;
     if (header.volume) return;
     const auto philips = philipsVolumeOf(file);
     header.volume = philips && *philips;
     const bool inFrames = !header.volume || (*philips)->kind == PhilipsVolume::Kind::frames;
-    if (inFrames && header.frames > 1) header.whyNot = wrongPixels(file, fileBytes);
+    if (inFrames && header.frames > 1) header.whyNot = wrongPixels(file, input);
     if (header.whyNot) return;
     if (!philips)
         header.whyNot = philips.error();
@@ -74,12 +77,12 @@ void takeVolume(const DicomFile& file, std::uint64_t fileBytes, ImageHeader& hea
     header.frames = (*philips)->size[2];
 }
 
-/// The rescaling of a single picture; the identity if it cannot be read.
-Rescale rescaleOf(DcmItem& dataset) {
+/// Takes the rescaling of a single picture and whether it states padding, as far as both can be read.
+void takeValues(DcmItem& dataset, SeriesFile& file) {
     DicomPixelFormat format;
-    if (readPixelFormat(dataset, format)) return {};
-    const auto rescales = readRescales(dataset, format);
-    return rescales ? rescales->of(0) : Rescale{};
+    if (readPixelFormat(dataset, format)) return;
+    if (const auto rescales = readRescales(dataset, format)) file.rescale = rescales->of(0);
+    file.padded = format.padding.has_value();
 }
 
 /// A text for comparing, as programs differ in case and padding ("DOE^JANE^^^").
@@ -171,9 +174,9 @@ LookedAt lookAtDicom(const InputFile& input, const Progress& progress) {
     }
     looked.kind = LookedAt::Kind::image;
     looked.header = std::make_unique<ImageHeader>(headerOf(*file));
-    if (looked.header->frames == 1) looked.header->file.rescale = rescaleOf(file->dataset());
+    if (looked.header->frames == 1) takeValues(file->dataset(), looked.header->file);
     looked.header->sopClass = file->scan().sopClass;
-    takeVolume(*file, input.size(), *looked.header, progress);
+    takeVolume(*file, input, *looked.header, progress);
     return looked;
 }
 

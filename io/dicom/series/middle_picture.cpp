@@ -37,7 +37,7 @@ double valueAt(const GreySlice& slice, std::size_t index) {
     }
 }
 
-/// Each pixel of the small picture is the mean of the pixels that fall into it. The largest mean becomes white.
+/// Each pixel of the small picture is the mean of the data that fall into it, or black. The largest mean becomes white.
 SmallPicture reduced(const GreySlice& slice, int longestEdge) {
     SmallPicture small;
     const std::int64_t columns = slice.columns, rows = slice.rows;
@@ -50,10 +50,12 @@ SmallPicture reduced(const GreySlice& slice, int longestEdge) {
         for (std::int64_t column = 0; column < columns; ++column) {
             const auto place =
                 static_cast<std::size_t>(row * small.height / rows * small.width + column * small.width / columns);
-            sums[place] += valueAt(slice, static_cast<std::size_t>(row * columns + column));
+            const double value = valueAt(slice, static_cast<std::size_t>(row * columns + column));
+            if (!std::isfinite(value)) continue;
+            sums[place] += value;
             counts[place] += 1.0;
         }
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(1.0, counts[i]);
     const double white = *std::max_element(sums.begin(), sums.end());
     small.grey.resize(sums.size());
     for (std::size_t i = 0; i < sums.size(); ++i)

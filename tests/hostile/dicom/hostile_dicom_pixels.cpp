@@ -95,6 +95,14 @@ void addNative(std::vector<HostileFile>& rows) {
                                      {"holds 12288 bytes where 64 x 64 pixels in 2 frame(s) need 8192"}, {}));
     rows.push_back(hostileNativeCine("native-two-bytes-more", two + "bb",
                                      {"The last 2 bytes of (7fe0,0010) Pixel Data belong to no pixel"}, {}, note));
+    std::string filled = two + std::string(1000, '\0');
+    rows.push_back(hostileNativeCine("native-filled-with-zeros", filled, {"The last 1000 bytes"}, {}, note));
+    filled[filled.size() - 1] = 'b';
+    rows.push_back(hostileNativeCine("native-filled-with-zeros-but-one", filled, {"holds 9192 bytes"}, {}));
+    rows.push_back(hostileNativeCine("native-two-rows-of-zeros-more-in-each-frame", two + std::string(256, '\0'),
+                                     {"holds 8448 bytes"}, {}));
+    rows.push_back(hostileNativeCine("native-65535-pixels-and-zeros", filled, {"need 8589672450"},
+                                     {.columns = 65535, .rows = 65535}));
     rows.push_back(hostileNativeCine("native-padded-to-even", std::string(18 + 0, 'a'), {"left out"},
                                      {.columns = 3, .rows = 3}, HostileOutcome::opens));
     rows.push_back(hostileNativeCine("native-pixel-representation-7", two, {"(0028,0103) Pixel Representation is 7"},
@@ -184,6 +192,57 @@ void addRescales(std::vector<HostileFile>& rows) {
     }
 }
 
+/// Values of padding that no pixel can hold, that all hold, or that are no number.
+void addPadding(std::vector<HostileFile>& rows) {
+    const auto add = [&](const std::string& name, const std::string& vr, const std::string& value,
+                         const std::string& limit, const std::vector<std::string>& words, HostileOutcome outcome) {
+        DicomBytes file = describedCine({});
+        file.put(0x0028, 0x0120, vr, value).put(0x0028, 0x0121, vr, limit);
+        file.put(0x7fe0, 0x0010, "OB", std::string(2 * framePixels, 'a'));
+        rows.push_back(
+            asSlices(hostileFile("dicom-pixels/padding-" + name, "a.dcm", file.file(cineClass), words, outcome)));
+    };
+    const auto note = HostileOutcome::opensWithNote;
+    const auto word = [](std::uint16_t value) { return bytesFrom<std::uint16_t>({value}); };
+    add("that-all-hold", "US", word('a'), "", {"Pixel Padding Value 97 are no data"}, note);
+    add("of-all-values", "US", word(0), word(255), {"would leave no value"}, note);
+    add("of-values-beyond-the-bits", "US", word(1000), word(255), {"which no pixel can hold"}, note);
+    add("of-a-limit-beyond-the-bits", "US", word(7), word(1000), {"which no pixel can hold"}, note);
+    add("of-two-values", "US", word(1) + word(2), "", {"which no pixel can hold"}, note);
+    add("of-text", "LO", "seven ", "", {"which no pixel can hold"}, note);
+    add("as-unknown", "UN", word('b'), word('c'), {"padding", "damaged"}, HostileOutcome::opens);
+    add("of-30000-values", "US", std::string(60000, 'a'), "", {"which no pixel can hold"}, note);
+    add("empty", "US", "", word(255), {"Padding"}, HostileOutcome::opens);
+}
+
+/// Frames of one pixel with locations along the normal.
+void addLocations(std::vector<HostileFile>& rows) {
+    const auto add = [&](const std::string& name, const std::string& locations, const std::vector<std::string>& words,
+                         HostileOutcome outcome = HostileOutcome::refused) {
+        DicomBytes file = DicomBytes().text(0x0018, 0x2005, "DS", locations);
+        file.word(0x0028, 0x0002, 1).text(0x0028, 0x0004, "CS", "MONOCHROME2").text(0x0028, 0x0008, "IS", "4");
+        file.put(0x0028, 0x0009, "AT", bytesFrom<std::uint16_t>({0x0018, 0x2005}));
+        file.word(0x0028, 0x0010, 1).word(0x0028, 0x0011, 1).text(0x0028, 0x0030, "DS", "1\\1");
+        file.word(0x0028, 0x0100, 8).word(0x0028, 0x0101, 8).word(0x0028, 0x0102, 7).word(0x0028, 0x0103, 0);
+        file.put(0x7fe0, 0x0010, "OB", "abcd");
+        rows.push_back(hostileFile("dicom-pixels/locations-" + name, "a.dcm", file.file(cineClass), words, outcome));
+    };
+    add("1-mm-apart", "1\\2\\3\\4", {"damaged"}, HostileOutcome::opens);
+    add("of-too-few-numbers", "1\\2\\3", {"Slice Location Vector is not one number for each of 4 frames"});
+    add("of-60000-numbers",
+        [] {
+            std::string many = "1";
+            for (int i = 0; i < 29999; ++i) many += "\\2";
+            return many;
+        }(),
+        {"Slice Location Vector is not one number for each of 4 frames"});
+    add("not-finite", "1\\nan\\3\\4", {"Slice Location Vector is not one number"});
+    add("far-apart", "-1e300\\1e300\\1\\2", {"(0018,2005) Slice Location Vector"});
+    add("beyond-doubles", "-1.7e308\\1.7e308\\1\\2", {"(0018,2005) Slice Location Vector"});
+    add("twice", "1\\2\\1\\2", {"(0018,2005) Slice Location Vector"});
+    add("all-in-one-plane", "1\\1\\1\\1", {"is a 2D cine of 4 frames"});
+}
+
 /// Frames of one pixel with vectors of nuclear medicine of these numbers.
 void addVectors(std::vector<HostileFile>& rows) {
     const auto add = [&](const std::string& name, std::uint16_t frames, const std::vector<std::uint16_t>& slots,
@@ -216,6 +275,8 @@ std::vector<HostileFile> hostileDicomPixels() {
     addNative(rows);
     addColours(rows);
     addRescales(rows);
+    addPadding(rows);
+    addLocations(rows);
     addVectors(rows);
     return rows;
 }

@@ -67,6 +67,20 @@ struct Encoders {
 
 void registerEncoders() { static const Encoders encoders; }
 
+void putPadding(DcmDataset& dataset, const DcmTagKey& key, const std::optional<int>& value) {
+    if (!value) return;
+    const bool isSigned = *value < 0;
+    DcmElement* element = nullptr;
+    if (isSigned)
+        element = new DcmSignedShort(DcmTag(key, EVR_SS));
+    else
+        element = new DcmUnsignedShort(DcmTag(key, EVR_US));
+    require(
+        isSigned ? element->putSint16(static_cast<Sint16>(*value)) : element->putUint16(static_cast<Uint16>(*value)),
+        "padding");
+    require(dataset.insert(element), "padding");
+}
+
 void putImageModule(DcmDataset& dataset, const TestImage& image) {
     put(dataset, DCM_SOPClassUID, image.frames > 0 ? "1.2.840.10008.5.1.4.1.1.6.2" : "1.2.840.10008.5.1.4.1.1.6.1");
     static int serial = 0;
@@ -94,6 +108,8 @@ void putImageModule(DcmDataset& dataset, const TestImage& image) {
     require(dataset.putAndInsertUint16(DCM_BitsStored, static_cast<Uint16>(image.bitsStored)), "bits");
     require(dataset.putAndInsertUint16(DCM_HighBit, static_cast<Uint16>(image.bitsStored - 1)), "bits");
     require(dataset.putAndInsertUint16(DCM_PixelRepresentation, image.isSigned ? 1 : 0), "sign");
+    putPadding(dataset, DCM_PixelPaddingValue, image.padding);
+    putPadding(dataset, DCM_PixelPaddingRangeLimit, image.paddingLimit);
 }
 
 void putGeometry(DcmDataset& dataset, const TestImage& image) {

@@ -63,6 +63,7 @@ struct TestImage {
     std::string burnedInAnnotation;              ///< as text, if not empty
     std::string windowCentre, windowWidth;       ///< as text, if not empty
     std::string rescaleSlope, rescaleIntercept;  ///< as text, if not empty
+    std::optional<int> padding, paddingLimit;    ///< Pixel Padding Value and Range Limit; unsigned if above 32767
     std::string lutFunction;                     ///< VOI LUT Function, if not empty
     bool windowInGroups = false;                 ///< whether window and rescaling stand in the shared functional groups
     bool frameTime = false;                      ///< whether the file says that frames follow each other in time
