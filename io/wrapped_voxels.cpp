@@ -75,6 +75,26 @@ std::optional<ForeignHeader> foreignHeaderIn(std::string_view beginning) {
     return found;
 }
 
+/// What raw voxels are packed with that a header does not tell of.
+struct HiddenPacking {
+    VoxelEncoding encoding = VoxelEncoding::zlib;
+    std::string_view name;
+    bool isSure = false;  ///< whether hardly any voxels begin so by chance
+};
+constexpr std::size_t longestSignature = 10;
+
+std::optional<HiddenPacking> packingIn(std::string_view beginning) {
+    if (looksLikeGzip(beginning)) return HiddenPacking{VoxelEncoding::zlib, "gzip", true};
+    constexpr std::string_view blockOfBzip2 = "1AY&SY";
+    if (beginning.size() == longestSignature && beginning.starts_with("BZh") && beginning.substr(4) == blockOfBzip2)
+        return HiddenPacking{VoxelEncoding::bzip2, "bzip2", true};
+    if (beginning.size() < 2) return std::nullopt;
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(beginning[at]); };
+    // A window of 32 KiB or less with deflate, and a checksum of the two bytes.
+    const bool isZlib = (byte(0) & 0x0f) == 8 && byte(0) <= 0x78 && (byte(0) * 256 + byte(1)) % 31 == 0;
+    return isZlib ? std::optional(HiddenPacking{VoxelEncoding::zlib, "zlib", false}) : std::nullopt;
+}
+
 /// Settles one data file after another.
 class Beginnings {
 public:
@@ -88,6 +108,8 @@ public:
 private:
     Result<VoxelExtent> extentIn(const InputFile& file) const;
     Result<std::string> decoded(const InputFile& file, const VoxelExtent& extent, std::size_t most) const;
+    Result<void> requireModest(const InputFile& file) const;
+    Result<bool> unpacksToVoxels(const InputFile& file, const VoxelExtent& extent) const;
     Result<void> unpackWhatIsPacked();
     Result<std::uint64_t> bytesBefore(const InputFile& file);
     Result<std::uint64_t> countDecoded(const InputFile& file, const VoxelExtent& extent, std::uint64_t limit) const;
@@ -114,6 +136,11 @@ Result<VoxelExtent> Beginnings::extentIn(const InputFile& file) const {
     return extent;
 }
 
+Result<void> Beginnings::requireModest(const InputFile& file) const {
+    return requireReadingMemory(m_stored.path, m_stored.sizeKey, memoryToRead(m_stored, m_counts),
+                                m_stored.packedBytes + file.size() * m_stored.data.size());
+}
+
 /// The first decoded bytes behind skipBytes, at most this many.
 Result<std::string> Beginnings::decoded(const InputFile& file, const VoxelExtent& extent, std::size_t most) const {
     constexpr std::uint64_t mostSkipped = std::uint64_t{1} << 20;
@@ -133,6 +160,17 @@ Result<std::string> Beginnings::decoded(const InputFile& file, const VoxelExtent
                        bytes.begin() + static_cast<std::ptrdiff_t>(given));
 }
 
+/// Whether an extent unpacks to exactly the declared bytes, its own end and checksum included.
+Result<bool> Beginnings::unpacksToVoxels(const InputFile& file, const VoxelExtent& extent) const {
+    // Sizes that reading will refuse are not unpacked for.
+    if (!requireModest(file)) return false;
+    const std::uint64_t expected = extent.skipBytes + m_part;
+    VoxelSource source(file, extent, StoredType::uint8);
+    const auto given = source.skipRest(expected, m_progress);
+    if (!given && given.error().kind == FailureKind::cancelled) return tl::unexpected(given.error());
+    return given && *given == expected && source.ended();
+}
+
 /// Takes raw voxels for packed ones if the first data file says so.
 Result<void> Beginnings::unpackWhatIsPacked() {
     if (m_stored.extent.encoding != VoxelEncoding::raw) return {};
@@ -140,16 +178,21 @@ Result<void> Beginnings::unpackWhatIsPacked() {
     if (!file) return tl::unexpected(file.error());
     auto extent = extentIn(*file);
     if (!extent) return tl::unexpected(extent.error());
-    if (extent->length == m_part) return {};
-    const auto beginning = decoded(*file, *extent, gzipSignature.size());
-    if (!beginning || !looksLikeGzip(*beginning)) return {};
-    // Whatever else begins so by chance does not unpack.
-    extent->encoding = VoxelEncoding::zlib;
-    const auto unpacked = decoded(*file, *extent, 1);
-    if (!unpacked || unpacked->empty()) return {};
-    m_stored.extent.encoding = VoxelEncoding::zlib;
-    m_stored.warnings.push_back(fmt::format("{} holds gzip, of which {} says nothing; it is unpacked.",
-                                            nameFromPath(file->path()), m_stored.encodingKey));
+    const auto beginning = decoded(*file, *extent, longestSignature);
+    const auto packing = beginning ? packingIn(*beginning) : std::nullopt;
+    if (!packing) return {};
+    extent->encoding = packing->encoding;
+    // Whatever else begins so by chance does not unpack. Where chance is likely, only the end proves it.
+    if (extent->length == m_part || !packing->isSure) {
+        const auto proven = unpacksToVoxels(*file, *extent);
+        if (!proven) return tl::unexpected(proven.error());
+        if (!*proven) return {};
+    } else if (const auto unpacked = decoded(*file, *extent, 1); !unpacked || unpacked->empty()) {
+        return {};
+    }
+    m_stored.extent.encoding = packing->encoding;
+    m_stored.warnings.push_back(fmt::format("{} holds {}, of which {} says nothing; it is unpacked.",
+                                            nameFromPath(file->path()), packing->name, m_stored.encodingKey));
     m_stored.encodingKey = "the first bytes of the voxels";
     return {};
 }
@@ -158,10 +201,7 @@ Result<void> Beginnings::unpackWhatIsPacked() {
 Result<std::uint64_t> Beginnings::countDecoded(const InputFile& file, const VoxelExtent& extent,
                                                std::uint64_t limit) const {
     // Sizes that reading will refuse are not unpacked for.
-    if (auto modest = requireReadingMemory(m_stored.path, m_stored.sizeKey, memoryToRead(m_stored, m_counts),
-                                           m_stored.packedBytes + file.size() * m_stored.data.size());
-        !modest)
-        return tl::unexpected(modest.error());
+    if (auto modest = requireModest(file); !modest) return tl::unexpected(modest.error());
     return VoxelSource(file, extent, StoredType::uint8).countBytes(limit, m_progress);
 }
 

@@ -21,15 +21,24 @@ tl::unexpected<Failure> wrong(const DataFileKey& key, const std::string& problem
     return fail(FailureKind::unreadable, key.headerPath, key.key, problem, remedy);
 }
 
-/// Whether a name stays in or below its folder. Links are not looked at. False for names with backslashes or zero
+/// Whether a name stays in or below its folder. Links are not looked at. False for names with a drive or with zero
 /// bytes.
 bool staysBelow(const std::string& name) {
     const std::filesystem::path path(name);
-    if (name.empty() || path.is_absolute() || name.find('\\') != std::string::npos ||
-        name.find('\0') != std::string::npos || !path.has_filename())
+    const bool hasDrive = name.find(":\\") == 1;
+    if (name.empty() || path.is_absolute() || hasDrive || name.find('\0') != std::string::npos || !path.has_filename())
         return false;
     return std::none_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; }) &&
            path.filename() != ".";
+}
+
+/// The name with slashes for the backslashes that programs write on Windows, unless a file has that very name.
+std::string nameIn(const std::filesystem::path& folder, std::string name) {
+    const bool hasBackslash = name.find('\\') != std::string::npos;
+    if (!hasBackslash || !staysBelow(name) || fileAccess().kindOf((folder / name).string()) == FileKind::file)
+        return name;
+    std::replace(name.begin(), name.end(), '\\', '/');
+    return name;
 }
 
 /// The path without links. Parts that do not exist stay as they are.
@@ -109,13 +118,14 @@ Result<DataFile> dataFileBeside(const DataFileKey& key, const std::string& name)
     const auto folder = std::filesystem::path(key.headerPath).parent_path();
     if (name.empty())
         return wrong(key, "names no file", "The header is incomplete or damaged: copy or export it again.");
-    if (!staysBelow(name) || !endsBelow(folder / name, folder))
+    const std::string found = nameIn(folder, name);
+    if (!staysBelow(found) || !endsBelow(folder / found, folder))
         return wrong(key, "names " + quotedText(name) + ", which does not lie in or below the header's own folder",
                      "Put all files into one folder and correct the name in the header.");
-    if (endOf(folder / name) == endOf(key.headerPath))
+    if (endOf(folder / found) == endOf(key.headerPath))
         return wrong(key, "names " + quotedText(name) + ", which is the header itself and holds no voxels",
                      "Put the file of voxels beside the header and correct the name in it.");
-    std::string plain = name;
+    std::string plain = found;
     while (plain.starts_with("./")) plain.erase(0, 2);
     return DataFile{(folder / plain).string()};
 }
@@ -137,8 +147,10 @@ Result<std::vector<DataFile>> dataFilesBeside(const DataFileKey& key, const std:
 
 Result<std::optional<DataFile>> dataFileOfThatName(const DataFileKey& key, const std::string& name) {
     if (name.empty() || name.size() > longestName) return std::optional<DataFile>();
-    const auto path = std::filesystem::path(key.headerPath).parent_path() / name;
-    if (!staysBelow(name) || fileAccess().kindOf(path.string()) == FileKind::missing) return std::optional<DataFile>();
+    const auto folder = std::filesystem::path(key.headerPath).parent_path();
+    const std::string found = nameIn(folder, name);
+    const auto path = folder / found;
+    if (!staysBelow(found) || fileAccess().kindOf(path.string()) == FileKind::missing) return std::optional<DataFile>();
     auto file = dataFileBeside(key, name);
     if (!file) return tl::unexpected(file.error());
     return std::optional(std::move(*file));

@@ -42,7 +42,8 @@ struct DataFileKey {
 /// Fails (unreadable) if `path`, which was found beside another file, is a link out of its folder.
 [[nodiscard]] Result<void> requireInItsFolder(const std::string& path);
 /// The data file `name`. Fails (unreadable) if it is the header itself, or if it does not lie in or below the header's
-/// folder. Absolute paths, "..", backslashes, links out of the folder, and names of over 1000 bytes are refused.
+/// folder. Absolute paths, "..", links out of the folder, and names of over 1000 bytes are refused. Backslashes count
+/// as slashes, unless a file has that very name.
 [[nodiscard]] Result<DataFile> dataFileBeside(const DataFileKey& key, const std::string& name);
 /// The data files of these names, in their order. Fails as dataFileBeside(), and if there are none or more than
 /// mostDataFiles.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <type_traits>
+
+#include <fmt/format.h>
 
 #include "io/files/input_problems.h"
 
@@ -12,13 +15,31 @@ namespace {
 
 constexpr std::string_view whiteSpace = " \t\r\n\f\v";
 
+/// Whether a number that no double can hold is too small, not too large.
+bool isTooSmall(std::string_view word) {
+    const auto mark = std::min(word.find_first_of("eE"), word.size());
+    const std::string_view digits = word.substr(0, mark);
+    const auto point = std::min(digits.find('.'), digits.size());
+    const auto first = std::min(digits.find_first_of("123456789"), digits.size());
+    if (mark == word.size()) return first > point;
+    std::string_view exponent = word.substr(mark + 1);
+    if (exponent.starts_with('+')) exponent.remove_prefix(1);
+    std::int64_t power = 0;
+    const auto [end, error] = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+    if (error != std::errc()) return exponent.starts_with('-');
+    return static_cast<double>(power) + static_cast<double>(point) - static_cast<double>(first) < 0;
+}
+
 template <typename T>
 std::optional<T> numberFrom(std::string_view word) {
     if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
     T value{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
+    if (end != word.data() + word.size()) return std::nullopt;
+    if (error == std::errc()) return value;
+    // Memory that was never set is written as numbers below the smallest double.
+    if (std::is_floating_point_v<T> && error == std::errc::result_out_of_range && isTooSmall(word)) return T{};
+    return std::nullopt;
 }
 
 template <typename T>
@@ -94,6 +115,12 @@ std::string quotedText(std::string_view text) {
     return plain + (text.size() > 60 ? "...\"" : "\"");
 }
 
+std::string repeatedNote(const std::set<std::string>& keys) {
+    const std::string first = quotedText(*keys.begin());
+    if (keys.size() == 1) return first + " stands twice in the header, with the same value.";
+    return fmt::format("{} and {} more stand twice in the header, with the same values.", first, keys.size() - 1);
+}
+
 std::string decimalCommasNote(const std::string& key, std::string_view text) {
     return key + " has decimal commas, " + quotedText(text) + ": they are read as points.";
 }
@@ -108,6 +135,13 @@ std::string_view withoutByteOrderMark(std::string_view text) {
     constexpr std::string_view mark = "\xef\xbb\xbf";
     if (text.starts_with(mark)) text.remove_prefix(mark.size());
     return text;
+}
+
+bool endsLinesWithLoneCr(std::string_view text) {
+    const auto first = text.find_first_of("\r\n");
+    if (first == std::string_view::npos || text[first] == '\n') return false;
+    const auto next = text.find_first_not_of('\r', first);
+    return next != std::string_view::npos && text[next] != '\n';
 }
 
 std::optional<std::string_view> nextLine(std::string_view& rest) {

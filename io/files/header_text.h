@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,8 @@ constexpr std::size_t headerLimit = std::size_t{1} << 20;
 
 /// A word as a whole number; no value if it is anything else.
 [[nodiscard]] std::optional<std::int64_t> wholeNumber(std::string_view word);
-/// A word as a number (decimal, "nan" or "inf"); no value if it is anything else.
+/// A word as a number (decimal, "nan" or "inf"); no value if it is anything else, or too large. Numbers too small for a
+/// double are 0.
 [[nodiscard]] std::optional<double> realNumber(std::string_view word);
 /// A word as a finite number above 0; no value if it is anything else.
 [[nodiscard]] std::optional<double> positiveNumber(std::string_view word);
@@ -36,6 +38,8 @@ constexpr std::size_t headerLimit = std::size_t{1} << 20;
 /// bytes beyond ASCII.
 [[nodiscard]] std::string quotedText(std::string_view text);
 
+/// A sentence that names the keys of a header that stand twice, with the same value; there is at least one.
+[[nodiscard]] std::string repeatedNote(const std::set<std::string>& keys);
 /// A sentence that says that the decimal commas of the header's value `text` under `key` are read as points.
 [[nodiscard]] std::string decimalCommasNote(const std::string& key, std::string_view text);
 /// The remedy for a value that is no list of numbers. It tells of commas if the value has any.
@@ -43,6 +47,12 @@ constexpr std::size_t headerLimit = std::size_t{1} << 20;
 
 /// The text without the mark of byte order (UTF-8) that some editors put before it.
 [[nodiscard]] std::string_view withoutByteOrderMark(std::string_view text);
+
+/// Whether the first line ends with CR alone, as old Macintosh programs wrote it. Such lines are not read.
+[[nodiscard]] bool endsLinesWithLoneCr(std::string_view text);
+/// What is wrong with such a header, and the remedy.
+inline const char* const loneCrProblem = "has a header whose lines end with CR alone";
+inline const char* const loneCrRemedy = "Save the header with LF or CR LF at the end of its lines.";
 
 /// Cuts one line (without its end, LF or CR LF) off the front of `rest`; no value if `rest` is empty.
 [[nodiscard]] std::optional<std::string_view> nextLine(std::string_view& rest);

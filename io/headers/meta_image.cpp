@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/files/header_text.h"
+#include "io/headers/frame_spacing.h"
 #include "io/headers/frames_over_time.h"
 #include "io/headers/header_units.h"
 #include "io/headers/meta_image_data.h"
@@ -47,6 +48,7 @@ public:
         m_stored.sizeKey = "DimSize";
         m_stored.typeKey = "ElementType";
         m_stored.encodingKey = "CompressedData, BinaryData";
+        if (!m_keys.repeated.empty()) m_stored.warnings.push_back(repeatedNote(m_keys.repeated));
     }
 
     Result<StoredVolume> read();
@@ -277,6 +279,7 @@ Result<void> MetaImageHeader::readFrames() {
         }
     }
     for (const auto& [key, value] : m_keys.values) words.keys.push_back(key);
+    takeFrameSpacing(m_keys.values, m_stored);
     return settleFrames(m_stored, words, m_framesAsSlices);
 }
 

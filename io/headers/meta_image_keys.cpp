@@ -123,6 +123,7 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
     MetaImageKeys keys;
     keys.path = file.path();
     std::string_view rest = withoutByteOrderMark(*beginning);
+    if (endsLinesWithLoneCr(rest)) return keys.wrong("", loneCrProblem, loneCrRemedy);
     for (int number = 1; const auto line = nextLine(rest); ++number) {
         if (trimmed(*line).empty()) continue;
         const bool isCut = rest.empty() && !beginning->ends_with('\n');
@@ -135,9 +136,13 @@ Result<MetaImageKeys> readMetaImageKeys(const InputFile& file) {
                 "", fmt::format("has no \"Key = Value\" in line {} of its header ({})", number, quotedText(*line)),
                 "This is no MetaImage file, or its header is damaged.");
         const std::string key = asWeSpellIt(trimmed(line->substr(0, equals)));
-        const bool isNew = keys.values.emplace(key, trimmed(line->substr(equals + 1))).second;
-        const bool ours = std::find(ourKeys.begin(), ourKeys.end(), key) != ourKeys.end();
-        if (!isNew && ours) return keys.wrong(key, "appears twice in the header");
+        const std::string value = trimmed(line->substr(equals + 1));
+        const auto [known, isNew] = keys.values.emplace(key, value);
+        if (!isNew && std::find(ourKeys.begin(), ourKeys.end(), key) != ourKeys.end()) {
+            if (!saySame(known->second, value))
+                return keys.wrong(key, "appears twice in the header, with different values");
+            keys.repeated.insert(key);
+        }
         if (key != "ElementDataFile") continue;
         if (const std::string& name = *keys.find(key);
             isCut && !name.empty() && name != "LOCAL" && std::string_view("LOCAL").starts_with(name))

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct MetaImageKeys {
     std::string path;  ///< of the file, for messages
     std::map<std::string, std::string> values;
     std::vector<std::string> listed;  ///< the lines after "ElementDataFile = LIST", which end the header
+    std::set<std::string> repeated;   ///< keys that stand twice, with the same value
     std::size_t headerBytes = 0;      ///< length of the header, including the line of ElementDataFile
 
     /// The value of a key; null if the header does not hold it.
@@ -44,7 +46,8 @@ struct MetaImageKeys {
 
 /// Reads the lines up to ElementDataFile, and the list after it. Fails (unreadable) if a line is no "Key = Value", or
 /// if the file is seen to end within a line. It also fails if ElementDataFile is missing from the first MiB, if the
-/// list is longer than that, or if a key that decides how voxels are read appears twice.
+/// list is longer than that, or if a key that decides how voxels are read appears twice
+/// with different values.
 [[nodiscard]] Result<MetaImageKeys> readMetaImageKeys(const InputFile& file);
 
 }  // namespace echolucent

@@ -9,6 +9,7 @@
 
 #include "io/files/header_text.h"
 #include "io/files/input_problems.h"
+#include "io/headers/frame_spacing.h"
 #include "io/headers/frames_over_time.h"
 #include "io/headers/header_units.h"
 #include "io/headers/nrrd_axes.h"
@@ -82,6 +83,7 @@ Result<StoredVolume> NrrdHeader::read() {
     auto fields = readNrrdFields(m_file);
     if (!fields) return tl::unexpected(fields.error());
     m_fields = std::move(*fields);
+    if (!m_fields.repeated.empty()) note(repeatedNote(m_fields.repeated));
     if (!m_fields.ended && find("data file") == nullptr)
         return wrong("", "has a header without the empty line that ends it", damagedFile);
     for (const Step step :
@@ -108,7 +110,7 @@ Result<void> NrrdHeader::placeAxes() {
     auto axes = readNrrdAxes(m_path, m_fields, m_stored.type);
     if (!axes) return tl::unexpected(axes.error());
     m_axes = std::move(*axes);
-    m_stored.warnings = m_axes.warnings;
+    for (const std::string& warning : m_axes.warnings) note(warning);
     std::size_t next = 0;
     for (std::size_t axis = 0; axis < m_axes.sizes.size(); ++axis) {
         if (m_axes.roles[axis] == NrrdAxisRole::space) {
@@ -307,6 +309,7 @@ Result<void> NrrdHeader::readFrames() {
     words.kindsKey = "kinds";
     for (std::size_t axis = 0; axis < 3; ++axis) words.kinds[axis] = m_axes.kindOf(m_spaceAxes[axis]);
     for (const auto& [key, value] : m_fields.keys) words.keys.push_back(key);
+    takeFrameSpacing(m_fields.keys, m_stored);
     return settleFrames(m_stored, words, m_framesAsSlices);
 }
 
@@ -322,10 +325,11 @@ Result<void> NrrdHeader::readWhiteLevel() {
 Result<void> NrrdHeader::readEncoding() {
     const auto* text = find("encoding");
     if (text == nullptr) return wrong("encoding", "is missing");
-    const std::map<std::string, VoxelEncoding> encodings{
-        {"raw", VoxelEncoding::raw},     {"gzip", VoxelEncoding::zlib}, {"gz", VoxelEncoding::zlib},
-        {"bzip2", VoxelEncoding::bzip2}, {"bz2", VoxelEncoding::bzip2}, {"ascii", VoxelEncoding::text},
-        {"text", VoxelEncoding::text},   {"txt", VoxelEncoding::text},  {"hex", VoxelEncoding::hex}};
+    const std::map<std::string, VoxelEncoding> encodings{{"raw", VoxelEncoding::raw},     {"gzip", VoxelEncoding::zlib},
+                                                         {"gz", VoxelEncoding::zlib},     {"gzi", VoxelEncoding::zlib},
+                                                         {"bzip2", VoxelEncoding::bzip2}, {"bz2", VoxelEncoding::bzip2},
+                                                         {"ascii", VoxelEncoding::text},  {"text", VoxelEncoding::text},
+                                                         {"txt", VoxelEncoding::text},    {"hex", VoxelEncoding::hex}};
     const auto encoding = encodings.find(lowerCase(*text));
     if (encoding == encodings.end())
         return wrong("encoding", "is " + quotedText(*text) + ", which is not known",

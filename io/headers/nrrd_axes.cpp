@@ -7,6 +7,7 @@
 #include "io/files/header_text.h"
 #include "io/files/input_problems.h"
 #include "io/headers/frames_over_time.h"
+#include "io/headers/header_units.h"
 
 namespace echolucent {
 
@@ -32,6 +33,8 @@ private:
     Result<void> checkColourAxis(std::size_t axis) const;
     [[nodiscard]] bool isPlainSpace(std::size_t axis) const;
     [[nodiscard]] bool isScalarFirst() const;
+    [[nodiscard]] bool mayBeComponentsFirst() const;
+    [[nodiscard]] bool hasNoSpacing(std::size_t axis) const;
     [[nodiscard]] bool isColour(std::size_t axis) const {
         return m_axes.kindOf(axis) == "rgb-color" || m_axes.kindOf(axis) == "3-color";
     }
@@ -99,7 +102,8 @@ Result<void> AxesReader::readRoles() {
 
 bool AxesReader::isPlainSpace(std::size_t axis) const {
     if (!saysSpace(m_axes.kindOf(axis))) return false;
-    return m_axes.directions.empty() || (m_axes.directions[axis] && !isTimeDirection(m_axes.directions[axis]));
+    if (m_axes.directions.empty()) return !hasNoSpacing(axis);
+    return (m_axes.directions[axis] && !isTimeDirection(m_axes.directions[axis]));
 }
 
 /// Refuses an axis that is neither space nor time nor a list. An axis of one value counts as a scalar, whatever its
@@ -138,7 +142,31 @@ bool AxesReader::isScalarFirst() const {
            std::all_of(m_axes.sizes.begin() + 1, m_axes.sizes.end(), [](std::int64_t size) { return size > 1; });
 }
 
+/// Whether an axis without a kind has the spacing NaN, which is that of axes without space.
+bool AxesReader::hasNoSpacing(std::size_t axis) const {
+    const auto* text = find("spacings");
+    const auto spacings = text != nullptr ? wordsOf(lowerCase(*text)) : std::vector<std::string>{};
+    return m_axes.kindOf(axis).empty() && spacings.size() == m_axes.sizes.size() && spacings[axis] == "nan";
+}
+
+/// Whether the first of four axes may be colour or the components of vectors: it has no kind, no place in space, and
+/// few values where the others have more.
+bool AxesReader::mayBeComponentsFirst() const {
+    constexpr std::int64_t mostComponents = 4;
+    if (!m_axes.kinds.empty() || m_axes.sizes[0] == 1 || m_axes.sizes[0] > mostComponents) return false;
+    if (!m_axes.directions.empty() && m_axes.directions[0]) return false;
+    const auto* units = find("units");
+    const auto words = units != nullptr ? nrrdWords(*units) : std::vector<std::string>{};
+    if (words.size() == m_axes.sizes.size() && secondsOfUnit(words[0])) return false;
+    return std::all_of(m_axes.sizes.begin() + 1, m_axes.sizes.end(),
+                       [](std::int64_t size) { return size > mostComponents; });
+}
+
 Result<void> AxesReader::readFourAxes() {
+    if (mayBeComponentsFirst())
+        return wrong("kinds",
+                     fmt::format("is missing, and the first axis of {} may be colour or components", m_axes.sizes[0]),
+                     "Write the kinds of all axes, such as RGB-color domain domain domain.");
     std::vector<std::size_t> others;
     for (std::size_t axis = 0; axis < 4; ++axis)
         if (!isPlainSpace(axis)) others.push_back(axis);
@@ -157,6 +185,9 @@ Result<void> AxesReader::readFourAxes() {
         return wrong("kinds", "has its time axis in the middle; it must be the first or the last",
                      "Export the volume with time as the last axis.");
     m_axes.roles[axis] = NrrdAxisRole::time;
+    if (m_axes.kinds.empty() && m_axes.sizes[axis] > 1)
+        m_axes.warnings.push_back(
+            fmt::format("kinds is missing: the {} axis is taken as time.", axis == 0 ? "first" : "last"));
     return {};
 }
 

@@ -87,8 +87,13 @@ Result<void> readLine(const std::string& path, std::string_view line, int number
     std::string field = lowerCase(trimmed(line.substr(0, colon)));
     for (const auto& [other, name] : otherNames)
         if (field == other) field = name;
-    if (!result.fields.emplace(field, trimmed(line.substr(colon + 1))).second)
-        return fail(FailureKind::unreadable, path, quotedText(field), "appears twice in the header", correctHeader);
+    const std::string value = trimmed(line.substr(colon + 1));
+    const auto [known, isNew] = result.fields.emplace(field, value);
+    if (isNew) return {};
+    if (known->second != value)
+        return fail(FailureKind::unreadable, path, quotedText(field),
+                    "appears twice in the header, with different values", correctHeader);
+    result.repeated.insert(field);
     return {};
 }
 
@@ -99,6 +104,8 @@ Result<NrrdFields> readNrrdFields(const InputFile& file) {
     const auto beginning = file.beginning(headerLimit);
     if (!beginning) return tl::unexpected(beginning.error());
     std::string_view rest = withoutByteOrderMark(*beginning);
+    if (rest.starts_with("NRRD") && endsLinesWithLoneCr(rest))
+        return fail(FailureKind::unreadable, path, "", loneCrProblem, loneCrRemedy);
     auto magic = nextLine(rest);
     if (magic) magic = magic->substr(0, magic->find_last_not_of(" \t") + 1);
     if (beginning->size() < 8 && std::string_view("NRRD000").starts_with(beginning->substr(0, 7)))

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,13 @@ struct NrrdFields {
     std::map<std::string, std::string> keys;
     std::vector<std::string> dataFiles;  ///< the lines after "data file: LIST", which end the header
     std::size_t headerBytes = 0;         ///< length of the header, including the empty line that ends it
+    std::set<std::string> repeated;      ///< fields that stand twice, with the same value
     bool ended = false;                  ///< whether the header has this empty line
 };
 
 /// Reads the header of an opened file. Fails (unreadable) if it is no NRRD file of a known version, if a line breaks
-/// the grammar, if a field or a contradicting WhiteLevel or BlackLevel appears twice, or if a list of files goes beyond
-/// the first MiB.
+/// the grammar, if a field, WhiteLevel or BlackLevel appears twice with different values, or if a list of files goes
+/// beyond the first MiB.
 [[nodiscard]] Result<NrrdFields> readNrrdFields(const InputFile& file);
 
 /// Whether the field "data file" announces a list of files.

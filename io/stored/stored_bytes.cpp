@@ -8,6 +8,7 @@
 #include "io/files/header_text.h"
 #include "io/files/input_problems.h"
 #include "io/files/reading_memory.h"
+#include "io/stored/decimal_commas.h"
 #include "io/study/study_assembly.h"
 
 namespace echolucent {
@@ -70,6 +71,7 @@ Result<VoxelExtent> StoredBytes::extentIn(const InputFile& file) const {
     const auto offset = offsetAfterLines(m_stored, file);
     if (!offset) return tl::unexpected(offset.error());
     extent.offset = *offset;
+    extent.decimalCommas = m_decimalCommas;
     // In compressed data, bytes are skipped after unpacking; in all others, here.
     if (!isCompressed(extent.encoding)) extent.offset += std::exchange(extent.skipBytes, 0);
     return extent.encoding == VoxelEncoding::raw ? extentOfRaw(file, extent) : extentOfEncoded(file, extent);
@@ -146,6 +148,7 @@ Result<void> StoredBytes::check(const Progress& progress) {
             requireReadingMemory(m_stored.path, m_stored.sizeKey, memoryToRead(m_stored, m_counts), storedBytes);
         !modest)
         return modest;
+    if (m_stored.extent.encoding == VoxelEncoding::text) return settleCommas(progress);
     if (!isCompressed(m_stored.extent.encoding)) return {};
     for (const DataFile& data : m_stored.data) {
         const auto file = data.open();
@@ -154,6 +157,31 @@ Result<void> StoredBytes::check(const Progress& progress) {
         if (!extent) return tl::unexpected(extent.error());
         if (auto decoded = checkDecoded(*file, *extent, progress); !decoded) return decoded;
     }
+    return {};
+}
+
+Result<void> StoredBytes::settleCommas(const Progress& progress) {
+    const std::uint64_t values = m_part / static_cast<std::uint64_t>(bytesOf(m_stored.type));
+    std::uint64_t commas = 0;
+    bool fitAsWords = true, seemSplit = false;
+    for (const DataFile& data : m_stored.data) {
+        const auto file = data.open();
+        if (!file) return tl::unexpected(file.error());
+        const auto extent = extentIn(*file);
+        if (!extent) return tl::unexpected(extent.error());
+        const auto found = countNumbers(*file, *extent, progress);
+        if (!found) return tl::unexpected(found.error());
+        commas += found->commasWithin;
+        fitAsWords = fitAsWords && found->fitAsWords(values);
+        seemSplit = seemSplit || found->seemSplit(values);
+    }
+    m_decimalCommas = commas > 0 && fitAsWords;
+    if (m_decimalCommas)
+        m_warnings.emplace_back("The voxels are text with decimal commas, which are read as points.");
+    else if (seemSplit)
+        return fail(FailureKind::unreadable, m_stored.path, m_stored.encodingKey,
+                    "is text with more numbers than voxels, and with commas within them that may be decimal commas",
+                    "Save it with decimal points, or as binary.");
     return {};
 }
 

@@ -22,10 +22,11 @@ public:
     StoredBytes(const StoredVolume& stored, const ByteCounts& counts);
 
     /// Checks, before memory is taken, that every data file can hold its part. Fails (unreadable) if one holds less, or
-    /// if reading would take far more memory than such files may (requireReadingMemory()). If compressed bytes claim to
-    /// unpack to more than 32 times as many, they are unpacked once to count them.
+    /// if reading would take far more memory than such files may (requireReadingMemory()). Text is read once: it fails
+    /// too if there are more numbers than voxels and commas within them that may be decimal ones. If compressed bytes
+    /// claim to unpack to more than 32 times as many, they are unpacked once to count them.
     [[nodiscard]] Result<void> check(const Progress& progress);
-    /// Sentences of check() and read() about ignored bytes, and about a last number that may have been cut.
+    /// Sentences of check() and read() about ignored bytes, decimal commas, and a last number that may have been cut.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
 
     /// Fills `bytes` with the next bytes, as VoxelSource::read(). At the end of a data file, compressed voxels are
@@ -42,6 +43,8 @@ private:
     [[nodiscard]] Result<VoxelExtent> extentOfEncoded(const InputFile& file, VoxelExtent extent) const;
     [[nodiscard]] Result<void> checkDecoded(const InputFile& file, const VoxelExtent& extent,
                                             const Progress& progress) const;
+    /// Finds out whether commas in text are decimal ones. Fails (unreadable) if they may be either.
+    [[nodiscard]] Result<void> settleCommas(const Progress& progress);
     /// Whether an extent ends in a number written as text. Digits of that number may be missing.
     [[nodiscard]] Result<bool> endsWithinNumber(const InputFile& file, const VoxelExtent& extent) const;
     void noteRest(const InputFile& file, const VoxelExtent& extent);
@@ -51,11 +54,12 @@ private:
 
     const StoredVolume& m_stored;
     ByteCounts m_counts;
-    std::uint64_t m_part;      // bytes of voxels in each data file
-    std::size_t m_begun = 0;   // how many data files were begun
-    std::string m_file;        // path of the present data file
-    std::uint64_t m_left = 0;  // bytes that the present file has still to give
-    bool m_mayBeCut = false;   // whether the present file ends within a number written as text
+    std::uint64_t m_part;          // bytes of voxels in each data file
+    std::size_t m_begun = 0;       // how many data files were begun
+    std::string m_file;            // path of the present data file
+    std::uint64_t m_left = 0;      // bytes that the present file has still to give
+    bool m_mayBeCut = false;       // whether the present file ends within a number written as text
+    bool m_decimalCommas = false;  // commas in text are decimal ones, as check() found
     std::unique_ptr<VoxelSource> m_source;
     std::vector<std::string> m_warnings;
     /// The data file that readRaw() keeps open.

@@ -3,6 +3,7 @@
 #include <bzlib.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -175,20 +176,22 @@ std::optional<T> valueFrom(std::string_view word) {
 template <typename T>
 class TextDecoder : public VoxelDecoder {
 public:
+    explicit TextDecoder(bool decimalCommas) : m_decimalCommas(decimalCommas) {}
+
     Decoded decode(std::span<const std::uint8_t> input, bool isLast, std::span<std::uint8_t> output) override {
         constexpr std::size_t longestNumber = 64;
         Step step;
         while (step.given + sizeof(T) <= output.size()) {
-            while (step.taken < input.size() && separatesNumbers(input[step.taken])) ++step.taken;
+            while (step.taken < input.size() && separates(input[step.taken])) ++step.taken;
             std::size_t end = step.taken;
-            while (end < input.size() && !separatesNumbers(input[end]) && end - step.taken <= longestNumber) ++end;
+            while (end < input.size() && !separates(input[end]) && end - step.taken <= longestNumber) ++end;
             const std::string_view word(reinterpret_cast<const char*>(input.data()) + step.taken, end - step.taken);
             if (word.size() <= longestNumber && end == input.size() && !isLast) return step;  // it may go on
             if (word.empty()) {
                 step.ended = true;
                 return step;
             }
-            const auto value = word.size() <= longestNumber ? valueFrom<T>(word) : std::nullopt;
+            const auto value = word.size() <= longestNumber ? valueOf(word) : std::nullopt;
             if (!value) return tl::unexpected(Problem{"has text that is no voxel of its type", quotedText(word)});
             std::memcpy(output.data() + step.given, &*value, sizeof(T));
             step.given += sizeof(T);
@@ -196,6 +199,18 @@ public:
         }
         return step;
     }
+
+private:
+    [[nodiscard]] bool separates(std::uint8_t byte) const {
+        return separatesNumbers(byte) && !(m_decimalCommas && byte == ',');
+    }
+    [[nodiscard]] std::optional<T> valueOf(std::string_view word) const {
+        if (!m_decimalCommas) return valueFrom<T>(word);
+        std::string points(word);
+        std::replace(points.begin(), points.end(), ',', '.');
+        return valueFrom<T>(points);
+    }
+    bool m_decimalCommas;
 };
 
 class HexDecoder : public VoxelDecoder {
@@ -226,18 +241,18 @@ private:
     std::optional<std::uint8_t> m_high;
 };
 
-std::unique_ptr<VoxelDecoder> textDecoder(StoredType type) {
+std::unique_ptr<VoxelDecoder> textDecoder(StoredType type, bool decimalCommas) {
     switch (type) {
-        case StoredType::uint8: return std::make_unique<TextDecoder<std::uint8_t>>();
-        case StoredType::int8: return std::make_unique<TextDecoder<std::int8_t>>();
-        case StoredType::uint16: return std::make_unique<TextDecoder<std::uint16_t>>();
-        case StoredType::int16: return std::make_unique<TextDecoder<std::int16_t>>();
-        case StoredType::uint32: return std::make_unique<TextDecoder<std::uint32_t>>();
-        case StoredType::int32: return std::make_unique<TextDecoder<std::int32_t>>();
-        case StoredType::uint64: return std::make_unique<TextDecoder<std::uint64_t>>();
-        case StoredType::int64: return std::make_unique<TextDecoder<std::int64_t>>();
-        case StoredType::float32: return std::make_unique<TextDecoder<float>>();
-        case StoredType::float64: return std::make_unique<TextDecoder<double>>();
+        case StoredType::uint8: return std::make_unique<TextDecoder<std::uint8_t>>(decimalCommas);
+        case StoredType::int8: return std::make_unique<TextDecoder<std::int8_t>>(decimalCommas);
+        case StoredType::uint16: return std::make_unique<TextDecoder<std::uint16_t>>(decimalCommas);
+        case StoredType::int16: return std::make_unique<TextDecoder<std::int16_t>>(decimalCommas);
+        case StoredType::uint32: return std::make_unique<TextDecoder<std::uint32_t>>(decimalCommas);
+        case StoredType::int32: return std::make_unique<TextDecoder<std::int32_t>>(decimalCommas);
+        case StoredType::uint64: return std::make_unique<TextDecoder<std::uint64_t>>(decimalCommas);
+        case StoredType::int64: return std::make_unique<TextDecoder<std::int64_t>>(decimalCommas);
+        case StoredType::float32: return std::make_unique<TextDecoder<float>>(decimalCommas);
+        case StoredType::float64: return std::make_unique<TextDecoder<double>>(decimalCommas);
     }
     return nullptr;
 }
@@ -261,12 +276,12 @@ bool isCompressed(VoxelEncoding encoding) {
 
 bool separatesNumbers(std::uint8_t byte) { return byte == ' ' || (byte >= '\t' && byte <= '\r') || byte == ','; }
 
-std::unique_ptr<VoxelDecoder> makeVoxelDecoder(VoxelEncoding encoding, StoredType type) {
+std::unique_ptr<VoxelDecoder> makeVoxelDecoder(VoxelEncoding encoding, StoredType type, bool decimalCommas) {
     switch (encoding) {
         case VoxelEncoding::raw: return nullptr;
         case VoxelEncoding::zlib: return std::make_unique<ZlibDecoder>();
         case VoxelEncoding::bzip2: return std::make_unique<Bzip2Decoder>();
-        case VoxelEncoding::text: return textDecoder(type);
+        case VoxelEncoding::text: return textDecoder(type, decimalCommas);
         case VoxelEncoding::hex: return std::make_unique<HexDecoder>();
     }
     return nullptr;

@@ -47,7 +47,9 @@ public:
                                                              std::span<std::uint8_t> output) = 0;
 };
 
-/// The decoder of an encoding; null for `raw`. Text becomes values of `type` in this machine's byte order.
-[[nodiscard]] std::unique_ptr<VoxelDecoder> makeVoxelDecoder(VoxelEncoding encoding, StoredType type);
+/// The decoder of an encoding; null for `raw`. Text becomes values of `type` in this machine's byte order; with
+/// `decimalCommas`, its commas stand for points and separate no numbers.
+[[nodiscard]] std::unique_ptr<VoxelDecoder> makeVoxelDecoder(VoxelEncoding encoding, StoredType type,
+                                                             bool decimalCommas = false);
 
 }  // namespace echolucent

@@ -29,7 +29,7 @@ VoxelSource::~VoxelSource() = default;
 void VoxelSource::rewind() {
     m_position = 0;
     m_given = 0;
-    m_decoder = makeVoxelDecoder(m_extent.encoding, m_type);
+    m_decoder = makeVoxelDecoder(m_extent.encoding, m_type, m_extent.decimalCommas);
     m_input.resize(m_decoder ? inputBytes : 0);
     m_waiting = {};
     m_ended = false;

@@ -17,6 +17,7 @@ struct VoxelExtent {
     std::uint64_t length = 0;  ///< bytes of the encoded voxels from there
     VoxelEncoding encoding = VoxelEncoding::raw;
     std::uint64_t skipBytes = 0;  ///< decoded bytes before the voxels; who reads the source must skip them
+    bool decimalCommas = false;   ///< in text, commas stand for points and separate no numbers
 };
 
 /// Gives the bytes of an extent in order.

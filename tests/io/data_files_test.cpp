@@ -173,5 +173,52 @@ TEST_F(DataFiles, WithMoreThanTheVoxelsSaySo) {
     EXPECT_FALSE(saysSo(splitNrrd("encoding: gzip\n\n") + deflated(splitVoxels(), 31)));
 }
 
+// German and French programs write numbers so.
+TEST_F(DataFiles, OfTextHaveDecimalCommasWhereTheNumberOfVoxelsProvesIt) {
+    const std::string meta =
+        "NDims = 3\nDimSize = 2 1 2\nElementSpacing = 1 2 3\nElementType = MET_FLOAT\nBinaryData = False\n"
+        "ElementDataFile = ";
+    const std::string nrrd = "NRRD0004\ntype: float\ndimension: 3\nsizes: 2 1 2\nspacings: 1 2 3\nencoding: ascii\n";
+    const auto valuesOf = [&](const std::string& name, const std::string& bytes, bool noted) {
+        const auto study = readStudy(m_folder.write(name, bytes), withoutGuess());
+        EXPECT_TRUE(study) << study.error().sentence();
+        if (!study) return std::vector<double>{};
+        EXPECT_EQ(warnsOf(*study, "decimal commas, which are read as points"), noted) << bytes;
+        return storedValues(*study->phases[0]);
+    };
+    const std::vector<double> decimal{75.5, 2.25, 3, 150}, plain{75, 50, 2, 25};
+    for (const std::string text : {"75,50 2,25 3 1,5e2", "75,50\t2,25\r\n3,0\n150,0\n"}) {
+        EXPECT_EQ(valuesOf("v.mha", meta + "LOCAL\n" + text, true), decimal);
+        EXPECT_EQ(valuesOf("v.nrrd", nrrd + "\n" + text, true), decimal);
+    }
+    for (const std::string text : {"75,50,2,25", "75, 50, 2, 25\n", "75,50\n2,25\n", "75,50 2,25"}) {
+        EXPECT_EQ(valuesOf("v.mha", meta + "LOCAL\n" + text, false), plain);
+        EXPECT_EQ(valuesOf("v.nrrd", nrrd + "\n" + text, false), plain);
+    }
+    m_folder.write("a.txt", "75,5 2,25\n");
+    m_folder.write("b.txt", "3 150\n");
+    EXPECT_EQ(valuesOf("v.nhdr", nrrd + "data file: LIST\na.txt\nb.txt\n", true), decimal);
+    for (const std::string text : {"75,50 2,25 3,00 150,0 7,5", "75,50, 2,25, 3,00, 150,0", "1,2,3,4,5"})
+        for (const auto& study : {readStudy(m_folder.write("v.mha", meta + "LOCAL\n" + text), withoutGuess()),
+                                  readStudy(m_folder.write("v.nrrd", nrrd + "\n" + text), withoutGuess())}) {
+            ASSERT_FALSE(study) << text;
+            EXPECT_NE(study.error().sentence().find("may be decimal commas"), std::string::npos)
+                << study.error().sentence();
+        }
+}
+
+TEST_F(DataFiles, MayBeNamedWithBackslashesWhichAreSlashesUnlessAFileIsCalledSo) {
+    m_folder.write("sub/R&D (1).raw", splitVoxels());
+    expectVoxels(splitNrrd("encoding: raw\ndata file: sub\\R&D (1).raw\n"), 1);
+    expectVoxels(splitNrrd("encoding: raw\ndata file: .\\sub\\R&D (1).raw\n"), 1);
+    expectVoxels(splitMetaImage("ElementDataFile = sub\\R&D (1).raw\n"), 1);
+    expectVoxels(splitNrrd("encoding: raw\ndata file: sub\\n%03d.raw 10 25 5\n"), 4);
+    expectVoxels(splitMetaImage("ElementDataFile = LIST\nsub\\n010.raw\nsub\\n015.raw\nsub/n020.raw\nsub\\n025.raw\n"),
+                 4);
+    m_folder.write("sub/x.raw", std::string(48, 'x'));
+    m_folder.write("sub\\x.raw", splitVoxels());
+    expectVoxels(splitNrrd("encoding: raw\ndata file: sub\\x.raw\n"), 1);
+}
+
 }  // namespace
 }  // namespace echolucent

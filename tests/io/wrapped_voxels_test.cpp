@@ -150,5 +150,60 @@ TEST_F(WrappedVoxels, RawOnesThatArePackedAreUnpacked) {
     }
 }
 
+/// Bytes that deflate and bzip2 make longer.
+std::string noise(std::size_t count) {
+    std::string bytes;
+    std::uint32_t state = 7;
+    for (std::size_t i = 0; i < count; ++i) {
+        state = state * 1664525U + 1013904223U;
+        bytes += static_cast<char>(state >> 24);
+    }
+    return bytes;
+}
+
+TEST_F(WrappedVoxels, RawOnesThatUnpackToAllVoxelsAreUnpackedHoweverLongTheyAre) {
+    const std::string voxels = noise(24 * 32 * 40);
+    const std::string meta = "NDims = 3\nDimSize = 24 32 40\nElementType = MET_UCHAR\nElementSpacing = 1 1 1\n";
+    const std::string fields = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 24 32 40\nspacings: 1 1 1\nencoding: raw\n";
+    NiftiFields nifti;
+    nifti.dim = {3, 24, 32, 40};
+    nifti.apart = true;
+    const std::vector<std::pair<std::string, std::string>> packings{
+        {"gzip", deflated(voxels, 31)}, {"zlib", deflated(voxels)}, {"bzip2", bzipped(voxels)}};
+    for (const auto& [name, packed] : packings) {
+        ASSERT_GT(packed.size(), voxels.size());
+        m_folder.write("p.raw", packed);
+        m_folder.write("n.img", packed);
+        for (const std::string& file :
+             {m_folder.write("v.nrrd", fields + "\n" + packed), m_folder.write("v.nhdr", fields + "data file: p.raw\n"),
+              m_folder.write("v.mha", meta + "ElementDataFile = LOCAL\n" + packed),
+              m_folder.write("v.mhd", meta + "ElementDataFile = p.raw\n"),
+              m_folder.write("n.hdr", niftiHeader(nifti))}) {
+            const auto study = readStudy(file, withoutGuess());
+            ASSERT_TRUE(study) << file << study.error().sentence();
+            EXPECT_TRUE(warnsOf(*study, "holds " + name + ", of which")) << file;
+            for (std::int64_t i = 0; i < 24 * 32 * 40; i += 7)
+                ASSERT_EQ(study->phases[0]->fileValue(i),
+                          static_cast<unsigned char>(voxels[static_cast<std::size_t>(i)]))
+                    << file << name;
+        }
+    }
+}
+
+TEST_F(WrappedVoxels, RawOnesThatOnlyBeginLikePackedOnesStayVoxels) {
+    const std::string packed = deflated(countedVoxels + "more");
+    // As many bytes as declared, but another checksum; more voxels than declared; the beginning of zlib alone.
+    std::string wrong = deflated(countedVoxels);
+    wrong.back() = static_cast<char>(wrong.back() ^ 1);
+    for (const std::string& bytes : {wrong, packed, "\x78\x9c" + std::string(30, 'v'), std::string(24, '\x78'),
+                                     "BZh91AY&SY" + std::string(20, 'v')}) {
+        m_folder.write("f.raw", bytes);
+        const auto study = nrrd("encoding: raw\ndata file: f.raw\n");
+        ASSERT_TRUE(study) << study.error().sentence();
+        EXPECT_EQ(study->phases[0]->storedValue(0), static_cast<unsigned char>(bytes[0]));
+        EXPECT_FALSE(warnsOf(*study, "is unpacked"));
+    }
+}
+
 }  // namespace
 }  // namespace echolucent

@@ -16,6 +16,13 @@ inline std::string withPart(std::string text, const std::string& replaced, const
     return text.replace(place, replaced.size(), with);
 }
 
+/// A line 100000 times.
+inline std::string repeatedLine(const std::string& line) {
+    std::string all;
+    for (int i = 0; i < 100000; ++i) all += line;
+    return all;
+}
+
 /// A MetaImage with one part of its header replaced, and its data.
 inline std::string mhaWith(const std::string& replaced, const std::string& with,
                            const std::string& data = textHeaderVoxels) {

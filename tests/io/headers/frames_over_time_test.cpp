@@ -170,5 +170,56 @@ TEST(TrueVolumes, MayCarryKeysOfOneFrameOrOfAMovingProbe) {
     EXPECT_TRUE(warnsOf(*moving, "its movement is left out"));
 }
 
+/// A volume over two phases, as MetaImage and as NRRD, whose frames state these spacings.
+std::vector<std::pair<std::string, std::string>> withFrameSpacings(const std::string& one, const std::string& other,
+                                                                   const std::string& header) {
+    const auto keys = [&](const std::string& assignment) {
+        return "Seq_Frame0000_ElementSpacing" + assignment + one + "\nSeq_Frame0001_ElementSpacing" + assignment +
+               other + "\n";
+    };
+    const std::string voxels(12, 'v');
+    return {{"v.mha", "NDims = 4\nDimSize = 1 2 3 2\nElementType = MET_UCHAR\n" +
+                          (header.empty() ? "" : "ElementSpacing = " + header + " 1\n") + keys(" = ") +
+                          "ElementDataFile = LOCAL\n" + voxels},
+            {"v.nrrd", "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 1 2 3 2\nkinds: domain domain domain time\n" +
+                           (header.empty() ? "" : "spacings: " + header + " nan\n") + "encoding: raw\n" + keys(":=") +
+                           "\n" + voxels}};
+}
+
+TEST(FrameSpacing, CountsOverThatOfTheHeaderAndIsNoted) {
+    const TemporaryFolder folder;
+    const std::string spacing = "0.1 0.0386 0.2";
+    for (const std::string header : {"1 1 1", ""})
+        for (const auto& [name, bytes] : withFrameSpacings(spacing, "0.10 0.0386 0.2", header)) {
+            const auto study = readStudy(folder.write(name, bytes), withoutGuess());
+            ASSERT_TRUE(study) << name << study.error().sentence();
+            const VolumeGeometry& geometry = study->phases[0]->geometry();
+            EXPECT_EQ(geometry.spacing, Vec3(0.1, 0.0386, 0.2)) << name;
+            EXPECT_TRUE(geometry.spacingKnown) << name;
+            EXPECT_TRUE(warnsOf(*study, header.empty() ? "The spacing of the voxels is that of \"Seq_Frame0000"
+                                                       : "1 x 1 x 1 mm; the frames count"))
+                << name;
+            EXPECT_EQ(sourceOf(*study, "spacing"), "\"Seq_Frame0000_ElementSpacing\" and the others") << name;
+        }
+    for (const auto& [name, bytes] : withFrameSpacings(spacing, spacing, spacing)) {
+        const auto study = readStudy(folder.write(name, bytes), withoutGuess());
+        ASSERT_TRUE(study) << name << study.error().sentence();
+        EXPECT_TRUE(study->phases[0]->geometry().spacingKnown);
+        EXPECT_FALSE(warnsOf(*study, "Seq_Frame")) << name;
+    }
+}
+
+TEST(FrameSpacing, ThatDiffersOrIsNoneMakesTheSpacingUnknown) {
+    const TemporaryFolder folder;
+    for (const std::string other : {"0.1 0.0386 0.3", "0.1 0.2", "0 1 1", "nan 1 1", "x y z", "-1 1 1", "1e999 1 1"})
+        for (const auto& [name, bytes] : withFrameSpacings("0.1 0.0386 0.2", other, "1 1 1")) {
+            const auto study = readStudy(folder.write(name, bytes), withoutGuess());
+            ASSERT_TRUE(study) << name << study.error().sentence();
+            EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(1, 1, 1)) << name;
+            EXPECT_FALSE(study->phases[0]->geometry().spacingKnown) << name << other;
+            EXPECT_TRUE(warnsOf(*study, "\"Seq_Frame0001_ElementSpacing\"")) << name;
+        }
+}
+
 }  // namespace
 }  // namespace echolucent

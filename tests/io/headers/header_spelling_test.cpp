@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "temporary_folder.h"
+#include "zlib_bytes.h"
 
 namespace echolucent {
 namespace {
@@ -69,7 +70,7 @@ TEST(HeaderSpelling, OfMetaImageKeysMayHaveOtherCapitals) {
           replaced(plainMetaImage, "ElementDataFile = LOCAL", "elementDataFile = Local"),
           replaced(plainMetaImage, "MET_UCHAR", "met_uchar"), replaced(plainMetaImage, "ObjectType", "objecttype")})
         expectVolume(readFile("v.mha", header + "abcd"), {0.5, 0.25, 2}, header);
-    const auto twice = readFile("v.mha", "ndims = 3\n" + plainMetaImage + "abcd");
+    const auto twice = readFile("v.mha", "ndims = 4\n" + plainMetaImage + "abcd");
     ASSERT_FALSE(twice);
     EXPECT_NE(twice.error().sentence().find("NDims appears twice"), std::string::npos) << twice.error().sentence();
 }
@@ -103,6 +104,77 @@ TEST(HeaderSpelling, CommasThatMayMeanEitherAreRefusedInWords) {
         EXPECT_NE(refused.error().sentence().find("must hold vectors of 3 numbers"), std::string::npos)
             << refused.error().sentence();
     }
+}
+
+TEST(HeaderSpelling, AKeyThatStandsTwiceWithOneValueIsNoted) {
+    const Vec3 spacing(0.5, 0.25, 2);
+    const std::string note = "stands twice in the header, with the same value";
+    const auto meta = readFile("v.mha", "elementspacing = 0.50 0.25 2\n" + plainMetaImage + "abcd");
+    expectVolume(meta, spacing, "MetaImage");
+    EXPECT_TRUE(warnsOf(*meta, "\"ElementSpacing\" " + note));
+    const auto nrrd =
+        readFile("v.nrrd", replaced(plainNrrd, "sizes: 2 1 2\n", "sizes: 2 1 2\nSizes:  2 1 2\n") + "abcd");
+    expectVolume(nrrd, spacing, "NRRD");
+    EXPECT_TRUE(warnsOf(*nrrd, "\"sizes\" " + note));
+    const auto several =
+        readFile("v.nrrd", replaced(plainNrrd, "encoding", "type: uchar\nsizes: 2 1 2\nencoding") + "abcd");
+    expectVolume(several, spacing, "two fields");
+    EXPECT_TRUE(warnsOf(*several, "\"sizes\" and 1 more stand twice"));
+    for (const auto& refused :
+         {readFile("v.mha", "DimSize = 2 2 1\n" + plainMetaImage + "abcd"),
+          readFile("v.nrrd", replaced(plainNrrd, "encoding", "sizes: 2 2 1\nencoding") + "abcd")}) {
+        ASSERT_FALSE(refused);
+        EXPECT_NE(refused.error().sentence().find("appears twice in the header, with different values"),
+                  std::string::npos)
+            << refused.error().sentence();
+    }
+}
+
+TEST(HeaderSpelling, LinesThatEndWithCrAloneAreRefusedByName) {
+    for (const std::string name : {"v.mha", "v.nrrd"}) {
+        const std::string& header = name == "v.mha" ? plainMetaImage : plainNrrd;
+        const auto refused = readFile(name, replaced(header, "\n", "\r") + "abcd");
+        ASSERT_FALSE(refused) << name;
+        EXPECT_NE(refused.error().sentence().find("end with CR alone"), std::string::npos)
+            << refused.error().sentence();
+    }
+    // Voxels may hold any bytes, and files that were converted twice end their lines so.
+    expectVolume(readFile("v.mha", replaced(plainMetaImage, "\n", "\r\r\n") + "abcd"), {0.5, 0.25, 2}, "CR CR LF");
+}
+
+TEST(HeaderSpelling, NumbersBelowTheSmallestDoubleAreZero) {
+    for (const std::string tiny :
+         {"1e-400", "-6.9e-310", "4.9e-324", "1e-99999999999999999999", "-1E-330", "0.0000000001e-320"}) {
+        const auto meta = readFile("v.mha", replaced(plainMetaImage, "ElementDataFile",
+                                                     "Offset = " + tiny + " 2 3\nTransformMatrix = 1 " + tiny +
+                                                         " 0 0 1 0 0 0 1\nElementDataFile") +
+                                                "abcd");
+        ASSERT_TRUE(meta) << tiny << meta.error().sentence();
+        EXPECT_NEAR(meta->phases[0]->geometry().origin[0], 0, 1e-300);
+        EXPECT_EQ(meta->phases[0]->geometry().origin[1], 2);
+        const auto nrrd = readFile("v.nrrd", replaced(plainNrrd, "spacings: 0.5 0.25 2",
+                                                      "space: LPS\nspace directions: (0.5," + tiny +
+                                                          ",0) (0,0.25,0) (0,0,2)\nspace origin: (1,2," + tiny + ")") +
+                                                 "abcd");
+        ASSERT_TRUE(nrrd) << tiny << nrrd.error().sentence();
+        EXPECT_EQ(nrrd->phases[0]->geometry().spacing, Vec3(0.5, 0.25, 2));
+        const auto text =
+            readFile("v.nrrd", replaced(replaced(plainNrrd, "uchar", "float"), "raw", "ascii") + "1 2 3 " + tiny);
+        ASSERT_TRUE(text) << tiny << text.error().sentence();
+        EXPECT_NEAR(text->phases[0]->fileValue(3), 0, 1e-300);
+    }
+    for (const std::string& huge :
+         {std::string("1e400"), std::string("1e99999999999999999999"), "1" + std::string(400, '0') + "e-5"}) {
+        const auto refused = readFile(
+            "v.mha",
+            replaced(plainMetaImage, "ElementDataFile", "Offset = 1 2 " + huge + "\nElementDataFile") + "abcd");
+        EXPECT_FALSE(refused) << huge;
+    }
+    EXPECT_FALSE(readFile("v.mha", replaced(plainMetaImage, "0.25", "1e-400") + "abcd")) << "a spacing of 0";
+}
+
+TEST(HeaderSpelling, GziIsGzip) {
+    expectVolume(readFile("v.nrrd", replaced(plainNrrd, "raw", "gzi") + deflated("abcd", 31)), {0.5, 0.25, 2}, "gzi");
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include <fmt/format.h>
+
 #include "temporary_folder.h"
 #include "zlib_bytes.h"
 
@@ -165,6 +167,45 @@ TEST(Nrrd, TimeAxisMayBeLastOrFirst) {
         EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{1, 1, 2})) << i;
         EXPECT_FALSE(study->phaseTimes.meanSeconds) << i;
     }
+}
+
+/// Counts up over 4 axes of which the first is the smallest.
+Result<Study> readFour(const std::string& sizes, const std::string& more, std::size_t count) {
+    std::vector<std::uint8_t> values(count);
+    std::iota(values.begin(), values.end(), std::uint8_t{0});
+    return readMoving(sizes, more, values);
+}
+
+TEST(Nrrd, AFirstAxisOfFewValuesWithoutAKindMayBeComponentsAndIsRefused) {
+    for (const std::string& more :
+         {std::string("spacings: 1 0.6 0.7 0.8\n"), std::string("spacings: nan 0.6 0.7 0.8\n"), std::string(),
+          std::string("space: LPS\nspace directions: none (1,0,0) (0,2,0) (0,0,3)\n")})
+        for (const int first : {2, 3, 4}) {
+            const auto refused =
+                readFour(std::to_string(first) + " 5 5 5", more, static_cast<std::size_t>(first) * 125);
+            ASSERT_FALSE(refused) << more;
+            EXPECT_NE(refused.error().sentence().find(
+                          fmt::format("kinds is missing, and the first axis of {} may be colour or components", first)),
+                      std::string::npos)
+                << refused.error().sentence();
+        }
+    for (const std::string& more : {std::string("kinds: list domain domain domain\nspacings: nan 1 2 3\n"),
+                                    std::string("spacings: 0.1 1 2 3\nunits: \"s\" \"mm\" \"mm\" \"mm\"\n")}) {
+        const auto study = readFour("3 5 5 5", more, 375);
+        EXPECT_TRUE(study) << more << study.error().sentence();
+    }
+}
+
+TEST(Nrrd, AnAxisWithoutAKindIsTakenAsTimeIfItsSpacingIsNaNOrItIsTheLastAndThatIsNoted) {
+    const auto study = readMoving("5 1 1 2", "spacings: nan 1 2 3\n", {10, 20, 30, 40, 50, 11, 21, 31, 41, 51});
+    ASSERT_TRUE(study) << study.error().sentence();
+    ASSERT_EQ(study->phases.size(), 5U);
+    EXPECT_THAT(storedValues(*study->phases[1]), ElementsAre(20, 21));
+    EXPECT_EQ(study->phases[0]->geometry().spacing, Vec3(1, 2, 3));
+    EXPECT_TRUE(warnsOf(*study, "kinds is missing: the first axis is taken as time."));
+    const auto last = readMoving("1 1 2 2", "spacings: 1 2 3 1\n", {10, 11, 20, 21});
+    ASSERT_TRUE(last);
+    EXPECT_TRUE(warnsOf(*last, "kinds is missing: the last axis is taken as time."));
 }
 
 TEST(Nrrd, TimeStepIsReadWithItsUnit) {
