@@ -6,8 +6,9 @@
 
 namespace echolucent {
 
-/// The name of a study that was read as `file` says, with the axis that was turned round. If its black is 0, ReadOptions::blackAtZero is set: the study is
-/// the same with and without, and its document stays one that older programs read alike.
+/// The name of a study that was read as `file` says, with the axis that was turned round. If its black is 0,
+/// ReadOptions::blackAtZero is set: the study is the same with and without, and its document stays one that older
+/// programs read alike.
 [[nodiscard]] StudyFile asOpened(StudyFile file, const Study& study);
 
 }  // namespace echolucent

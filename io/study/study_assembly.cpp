@@ -120,14 +120,6 @@ void shareDataBox(std::vector<std::shared_ptr<const Volume>>& phases) {
 
 }  // namespace
 
-std::string sizeText(const std::array<std::int64_t, 3>& size) {
-    return fmt::format("{} x {} x {}", size[0], size[1], size[2]);
-}
-
-std::string spacingText(const Vec3& spacing) {
-    return fmt::format("{:.6g} x {:.6g} x {:.6g} mm", spacing[0], spacing[1], spacing[2]);
-}
-
 Result<void> requirePhases(const std::string& file, const std::string& element, std::int64_t phases) {
     if (phases <= mostPhases) return {};
     return fail(FailureKind::unreadable, file, element,
@@ -251,16 +243,6 @@ Result<void> checkWhite(const StudyParts& parts) {
 constexpr std::size_t longestFact = 300;
 
 }  // namespace
-
-double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
-    double outside = 0.0;
-    double total = 0.0;
-    for (const auto& phase : phases) {
-        outside += static_cast<double>(std::count(phase->dataMask().begin(), phase->dataMask().end(), 0));
-        total += static_cast<double>(phase->geometry().voxelCount());
-    }
-    return outside / total;
-}
 
 Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress) {
     if (auto sensible = checkGeometry(parts); !sensible) return tl::unexpected(sensible.error());

@@ -1,30 +1,14 @@
 // The last step of every reader: voxels and geometry in, a study with its import report out.
 #pragma once
 
-#include <memory>
-#include <optional>
+#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "io/study/study.h"
-#include "io/voxels/large_volumes.h"
-#include "io/voxels/voxel_types.h"
+#include "io/study/study_facts.h"
+#include "io/study/study_parts.h"
 
 namespace echolucent {
-
-/// A file's display window. Its white counts if it suits the voxels (judgeDeclaredWhite()).
-struct WindowWhite {
-    double white = 0.0;  ///< the file's value shown as white; finite
-    double black = 0.0;  ///< the file's value shown as black; counts if 0 would hide much (value_window.h)
-    std::string words;   ///< the window as the file gives it: "centre 79, width 158"
-    std::string source;  ///< tags of the window
-};
-
-/// What a study holds and where its black comes from, if black is not 0 or float32 cannot hold the values.
-struct ShownValues {
-    double lowest = 0.0, highest = 0.0;  ///< of all finite values, in the file's own
-    std::string blackSource;
-};
 
 /// The most phases that a reader takes. No scanner writes more.
 constexpr std::int64_t mostPhases = 4096;
@@ -32,67 +16,12 @@ constexpr std::int64_t mostPhases = 4096;
 /// of the number. Call it before taking memory for the phases.
 [[nodiscard]] Result<void> requirePhases(const std::string& file, const std::string& element, std::int64_t phases);
 
-/// The findings of a reader. In the study, the reader's own `facts` and `warnings` come first.
-struct StudyParts {
-    std::string path;                ///< as the person gave it
-    std::vector<std::string> files;  ///< every file that was read (Study::files)
-    // The source of each number, for the import report: a key, a tag or a rule. No source may be empty unless its
-    // comment says so.
-    std::string sizeSource;    ///< of the size: "DimSize"
-    std::string typeSource;    ///< of the stored type: "ElementType"
-    std::string phasesSource;  ///< of the number of phases; it may be empty if sizeSource covers it
-    VolumeGeometry geometry;   ///< of a right-handed grid
-    /// The axis of the file's grid that the reader turned round, in voxels and geometry, to make it right-handed.
-    std::optional<GridAxis> turnedAxis;
-    std::string spacingSource;  ///< key or tag of the spacing; empty if the spacing is assumed
-    /// Whether spacingSource gives the spacing within slices, and their distance is a guess
-    /// (VolumeGeometry::spacingKnown is false).
-    bool inPlaneSpacingKnown = false;
-    int sliceAxis = 2;  ///< axis of the grid, 0 to 2, along which such slices lie
-    /// How the voxels were reduced while reading; geometry is then reducedGeometry().
-    std::optional<ChosenReduction> reduction;
-    ConvertedVoxels voxels;
-    std::optional<double> whiteLevel;  ///< the file's value of white
-    std::string whiteLevelSource;      ///< key or tag of whiteLevel
-    std::optional<double> blackLevel;  ///< the file's value of black, if it states one
-    std::string blackLevelSource;      ///< key or tag of blackLevel
-    /// The smallest value that the stored bits can mean, if whiteLevel is the largest one. It is black if 0 would hide
-    /// much.
-    std::optional<double> lowestLevel;
-    std::optional<ShownValues> shown;   ///< set by keepVoxels()
-    std::optional<WindowWhite> window;  ///< used if whiteLevel is not given and voxels have more than 8 bits
-    /// Which voxels are data (one byte a voxel, 1 is data), for all phases, if the format knows what was scanned. No
-    /// guess is made then. Else null.
-    Volume::SharedMask dataMask;
-    std::string dataMaskSource;  ///< source of dataMask: "geometry of the sweep"
-    /// Slices (along z) that could not be read, in rising order. Their voxels hold 0 and are no data; no guess reaches
-    /// through them.
-    std::vector<std::size_t> missingSlices;
-    std::string probeSource;  ///< tags or items of geometry.probe, if there is one
-    PhaseTimes phaseTimes{};
-    std::string phaseSource;  ///< key or tag of phaseTimes
-    LossyCompression lossyCompression = LossyCompression::unknown;
-    std::string lossSource;  ///< tags of lossyCompression; empty if the format has no entry for it
-    BurnedInText burnedInText = BurnedInText::no;
-    std::string burnedInTextSource;  ///< tags of burnedInText; empty if the format has no entry for it
-    std::vector<ImportFact> facts;
-    std::vector<std::string> warnings;
-};
-
 /// Builds the volumes (one white level for all phases), guesses where there is no data, and completes the report.
 /// Values of the reader's facts are cut to 300 bytes. Fails (unreadable) if spacing, origin or white level is one that
 /// no scanner makes, such as NaN, if there are too many phases, or if the volume is longer than 100,000 times its
 /// smallest spacing; (cancelled) if the person ended it. Throws std::invalid_argument for a left-handed
 /// grid.
 [[nodiscard]] Result<Study> assembleStudy(StudyParts parts, const ReadOptions& options, const Progress& progress);
-
-/// The share of no data among the voxels of all phases, [0,1].
-[[nodiscard]] double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases);
-
-/// A size as text, such as "152 x 156 x 110".
-[[nodiscard]] std::string sizeText(const std::array<std::int64_t, 3>& size);
-/// A spacing as text, such as "0.3 x 0.3 x 0.5 mm".
-[[nodiscard]] std::string spacingText(const Vec3& spacing);
 
 /// The name of the file or folder at `path`, without the folders above it.
 [[nodiscard]] std::string nameFromPath(const std::string& path);

@@ -1,5 +1,6 @@
 #include "io/study/study_facts.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -115,6 +116,24 @@ void addNotes(const StudyParts& parts, Study& study) {
 }
 
 }  // namespace
+
+std::string sizeText(const std::array<std::int64_t, 3>& size) {
+    return fmt::format("{} x {} x {}", size[0], size[1], size[2]);
+}
+
+std::string spacingText(const Vec3& spacing) {
+    return fmt::format("{:.6g} x {:.6g} x {:.6g} mm", spacing[0], spacing[1], spacing[2]);
+}
+
+double noDataShare(const std::vector<std::shared_ptr<const Volume>>& phases) {
+    double outside = 0.0;
+    double total = 0.0;
+    for (const auto& phase : phases) {
+        outside += static_cast<double>(std::count(phase->dataMask().begin(), phase->dataMask().end(), 0));
+        total += static_cast<double>(phase->geometry().voxelCount());
+    }
+    return outside / total;
+}
 
 void addAssembledFacts(const StudyParts& parts, const ReadOptions& options, const std::string& whiteSource,
                        Study& study) {

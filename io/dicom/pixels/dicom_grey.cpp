@@ -235,7 +235,15 @@ std::optional<PixelFormatProblem> readPixelFormat(DcmItem& item, DicomPixelForma
     if (auto problem = readColour(item, format)) return problem;
     if (format.isSigned && format.bitsStored < 2)
         return formatProblemAt(bitsStoredTag, "Bits Stored", "is 1 for signed values");
-    format.padding = readPadding(item, format, format.notes);
+    const bool dark = format.model == ColourModel::monochrome1;
+    if (dark || format.model == ColourModel::monochrome2)
+        format.padding = readPadding(item,
+                                     {.dark = dark,
+                                      .isSigned = format.isSigned,
+                                      .bitsAllocated = format.bitsAllocated,
+                                      .smallest = static_cast<int>(format.smallestValue()),
+                                      .largest = static_cast<int>(format.largestValue())},
+                                     format.notes);
     return std::nullopt;
 }
 

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "io/dicom/elements/dicom_attributes.h"
-#include "io/dicom/pixels/dicom_grey.h"
 #include "io/files/header_text.h"
 
 namespace echolucent {
@@ -19,35 +18,32 @@ constexpr const char* paddingName = "(0028,0120) Pixel Padding Value";
 constexpr const char* limitName = "(0028,0121) Pixel Padding Range Limit";
 
 /// The attribute as a value that the allocated bits can hold; no value if it is none.
-std::optional<int> sampleIn(DcmItem& dataset, DicomTag tag, const DicomPixelFormat& format) {
+std::optional<int> sampleIn(DcmItem& dataset, DicomTag tag, const GreySamples& samples) {
     const auto stated = dicomWholeNumber(dataset, tag);
     if (!stated || *stated < -0x8000 || *stated > 0xffff) return std::nullopt;
     auto value = static_cast<int>(*stated);
     // The attribute has 16 bits, with or without a sign. Programs, and implicit VR, mistake one for the other.
-    for (const int bits : {16, format.bitsAllocated}) {
+    for (const int bits : {16, samples.bitsAllocated}) {
         const int all = 1 << bits, half = all / 2;
         if (value < -half || value >= all) return std::nullopt;
-        if (format.isSigned && value >= half) value -= all;
-        if (!format.isSigned && value < 0 && bits == format.bitsAllocated) value += all;
+        if (samples.isSigned && value >= half) value -= all;
+        if (!samples.isSigned && value < 0 && bits == samples.bitsAllocated) value += all;
     }
     return value;
 }
 
 }  // namespace
 
-std::optional<PixelPadding> readPadding(DcmItem& dataset, const DicomPixelFormat& format,
-                                        std::vector<std::string>& notes) {
-    const bool dark = format.model == ColourModel::monochrome1;
-    if (!dark && format.model != ColourModel::monochrome2) return std::nullopt;
+std::optional<PixelPadding> readPadding(DcmItem& dataset, const GreySamples& samples, std::vector<std::string>& notes) {
     const std::string stated = dicomText(dataset, paddingTag), statedLimit = dicomText(dataset, limitTag);
     if (stated.empty()) return std::nullopt;
-    const auto value = sampleIn(dataset, paddingTag, format);
+    const auto value = sampleIn(dataset, paddingTag, samples);
     if (!value) {
         notes.push_back(
             fmt::format("{} is {}, which no pixel can hold; it was left out.", paddingName, quotedText(stated)));
         return std::nullopt;
     }
-    auto limit = statedLimit.empty() ? value : sampleIn(dataset, limitTag, format);
+    auto limit = statedLimit.empty() ? value : sampleIn(dataset, limitTag, samples);
     if (!limit) {
         notes.push_back(
             fmt::format("{} is {}, which no pixel can hold; it was left out.", limitName, quotedText(statedLimit)));
@@ -55,8 +51,8 @@ std::optional<PixelPadding> readPadding(DcmItem& dataset, const DicomPixelFormat
     }
     PixelPadding padding{std::min(*value, *limit), std::max(*value, *limit), fmt::format("{} {}", paddingName, *value)};
     if (*value != *limit) padding.words += fmt::format(" to {} {}", limitName, *limit);
-    if (!dark && !format.isSigned && padding.high == 0) return std::nullopt;
-    if (padding.low <= format.smallestValue() && padding.high >= format.largestValue()) {
+    if (!samples.dark && !samples.isSigned && padding.high == 0) return std::nullopt;
+    if (padding.low <= samples.smallest && padding.high >= samples.largest) {
         notes.push_back(padding.words + " would leave no value for the picture; it was left out.");
         return std::nullopt;
     }

@@ -22,7 +22,8 @@ Result<FramesOfParts> FramesOfParts::open(const std::vector<std::string>& paths,
     // If the frames of one part are rescaled, those of all must become floats.
     bool rescaled = false, differ = false;
     const auto take = [&](std::shared_ptr<const DicomFile> file) -> Result<void> {
-        auto frames = DicomFrames::open(file->dataset(), file->path(), file->scan(), rescaled);
+        auto frames =
+            DicomFrames::open(file->dataset(), file->path(), file->scan(), {.rescaled = rescaled, .padded = false});
         if (!frames) return tl::unexpected(frames.error());
         parts.push_back({std::move(file), std::move(*frames), first});
         first += parts.back().frames.frames();
