@@ -191,8 +191,8 @@ Result<void> Beginnings::unpackWhatIsPacked() {
         return {};
     }
     m_stored.extent.encoding = packing->encoding;
-    m_stored.warnings.push_back(fmt::format("{} holds {}, of which {} says nothing; it is unpacked.",
-                                            nameFromPath(file->path()), packing->name, m_stored.encodingKey));
+    m_stored.warnings.push_back(fmt::format("{} holds {}, of which the header says nothing; it is unpacked.",
+                                            nameFromPath(file->path()), packing->name));
     m_stored.encodingKey = "the first bytes of the voxels";
     return {};
 }

@@ -105,7 +105,7 @@ Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& made, 
                         FrameCaster& caster, const std::array<int, 2>& size) {
     std::vector<int> phases;
     for (const SweptOtf& otf : swept) phases.push_back(otf.frame.phase);
-    const HeldFrames held = heldFrames(made.document.motion, made.study.phaseTimes, phases);
+    const HeldFrames held = heldFrames(made.document.motion, made.study.phaseTimes, phases, 1.0 / largestFrameRate);
     const double rate =
         options.frameRate.value_or(std::clamp(1.0 / held.pictureSeconds, leastFrameRate, largestFrameRate));
     auto movie = MovieFile::begin(options.movie, size[0], size[1], rate);

@@ -198,7 +198,8 @@ Result<void> writeFrames(const FrameOrder& order, const Progress& progress) {
     auto movie =
         MovieFile::begin(order.choice.path.toStdString(), size.width(), size.height(), order.choice.framesPerSecond);
     if (!movie) return tl::unexpected<Failure>(movie.error());
-    const std::vector<int> held = heldFrames(order.document.motion, order.phaseTimes, phasesOf(frames)).pictures;
+    const std::vector<int> held =
+        heldFrames(order.document.motion, order.phaseTimes, phasesOf(frames), 1.0 / MovieDialog::largestRate).pictures;
     const auto taken = eachFrame(order, frames, progress, [&](int frame, const std::vector<std::uint8_t>& rgb) {
         Result<void> added;
         for (int i = 0; added && i < held[static_cast<std::size_t>(frame)]; ++i) added = movie->add(rgb);

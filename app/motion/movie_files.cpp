@@ -59,7 +59,7 @@ HeldFrames MovieFiles::heldInMovie() const {
     std::vector<int> phases;
     for (const MotionPosition& position : turnOf(document, firstPane, static_cast<int>(study.phases.size())))
         phases.push_back(position.phase);
-    return heldFrames(document.motion, study.phaseTimes, phases);
+    return heldFrames(document.motion, study.phaseTimes, phases, 1.0 / MovieDialog::largestRate);
 }
 
 int MovieFiles::frameCount() const { return static_cast<int>(heldInMovie().pictures.size()); }

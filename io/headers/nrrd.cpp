@@ -189,6 +189,8 @@ Result<void> NrrdHeader::checkVectors(const char* field, const std::vector<NrrdV
     for (const NrrdVector& vector : vectors) {
         if (!vector) continue;
         if (m_dimensions == 0) m_dimensions = vector->size();
+        // Programs that know no time write three numbers in a space with time.
+        if (m_dimensions == 4 && vector->size() == 3) continue;
         if (vector->size() != m_dimensions)
             return wrong(field,
                          fmt::format("must hold vectors of {} numbers in this space, not {}", m_dimensions,

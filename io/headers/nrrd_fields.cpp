@@ -74,8 +74,10 @@ Result<void> readLine(const std::string& path, std::string_view line, int number
         const std::string key = trimmed(line.substr(0, colon));
         const std::string value = trimmed(line.substr(colon + 2));
         const auto [known, isNew] = result.keys.emplace(key, value);
-        // These are the only keys whose values are read.
-        if (!isNew && (key == "WhiteLevel" || key == "BlackLevel") && known->second != value)
+        // Only the values of such keys are read.
+        const bool isRead = key == "WhiteLevel" || key == "BlackLevel" || key.starts_with("axis ") ||
+                            key.starts_with("MultiVolume.") || key.starts_with("Seq_Frame");
+        if (!isNew && isRead && known->second != value)
             return fail(FailureKind::unreadable, path, key, "appears twice in the header, with different values",
                         correctHeader);
         return {};

@@ -97,6 +97,7 @@ std::optional<StatedTimes> NrrdTimes::ofMultiVolume() const {
     // DICOM counts these in ms.
     const bool inMs = saysNoUnit(unit) && (name == "triggertime" || name == "frametime");
     const auto seconds = inMs ? std::optional(1e-3) : secondsOfUnit(unit);
+    if (!seconds && saysNoUnit(unit)) return noTimes(source, "has no unit");
     if (!seconds) return noTimes(source, fmt::format("is in {}, which is not a known time", quotedText(unit)));
     return timesAt(*values, *seconds, m_phases,
                    source + (inMs ? ", in ms by DICOM" : ", MultiVolume.FrameIdentifyingDICOMTagUnits"));

@@ -38,18 +38,20 @@ double frameSeconds(const MotionChoice& motion, const PhaseTimes& times, int fro
     return standard / motion.speed;
 }
 
-HeldFrames heldFrames(const MotionChoice& motion, const PhaseTimes& times, std::span<const int> phases) {
+HeldFrames heldFrames(const MotionChoice& motion, const PhaseTimes& times, std::span<const int> phases,
+                      double leastPictureSeconds) {
     std::vector<double> seconds;
     for (std::size_t frame = 0; frame < phases.size(); ++frame)
         seconds.push_back(frameSeconds(motion, times, phases[frame], phases[(frame + 1) % phases.size()]));
     HeldFrames held{.pictures = std::vector<int>(phases.size(), 1), .pictureSeconds = frameSeconds(motion, times)};
     if (seconds.empty() || times.starts.empty() || !movesObject(motion.scenario)) return held;
     constexpr double mostPictures = 100;
-    held.pictureSeconds = *std::ranges::min_element(seconds);
+    const auto [shortest, longest] = std::ranges::minmax(seconds);
+    held.pictureSeconds = std::max({shortest, longest / mostPictures, leastPictureSeconds});
     double end = 0;  // of the frames so far, in pictures
     double shown = 0;
     for (std::size_t frame = 0; frame < seconds.size(); ++frame) {
-        end += std::min(seconds[frame] / held.pictureSeconds, mostPictures);
+        end += seconds[frame] / held.pictureSeconds;
         held.pictures[frame] = static_cast<int>(std::max(1.0, std::round(end - shown)));
         shown += held.pictures[frame];
     }

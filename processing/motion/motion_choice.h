@@ -48,13 +48,15 @@ inline constexpr double assumedPhasesPerSecond = 20.0;
 [[nodiscard]] double frameSeconds(const MotionChoice& motion, const PhaseTimes& times, int from, int to);
 /// How many pictures of a movie show each of its frames, and how long each picture lasts. `phases` are the phases of
 /// the frames in order; the movie begins again after its last. If all frames last equally long, each has one picture.
-/// Otherwise the shortest has one and the others have as many as they are longer, rounded so that errors do not add up,
-/// at least 1 and at most 100.
+/// Otherwise a picture lasts as long as the shortest frame, but no less than `leastPictureSeconds` (>= 0) and than a
+/// hundredth of the longest frame. Each frame has as many pictures as it lasts, at least one, rounded so that errors do
+/// not add up.
 struct HeldFrames {
     std::vector<int> pictures;
     double pictureSeconds = 0;
 };
-[[nodiscard]] HeldFrames heldFrames(const MotionChoice& motion, const PhaseTimes& times, std::span<const int> phases);
+[[nodiscard]] HeldFrames heldFrames(const MotionChoice& motion, const PhaseTimes& times, std::span<const int> phases,
+                                    double leastPictureSeconds);
 
 struct MotionPosition {
     int angle = 0;  ///< whole degrees from the view in which the motion began

@@ -66,15 +66,13 @@ Result<Study> studyOf(Document& document, const std::string& path, const VolumeO
                       const std::vector<std::string>& outputs) {
     if (!volume.path.empty()) {
         VolumeOptions reading = volume;
-        // If it is the document's own volume, wherever it lies, curves keep their meaning.
+        // If it is the document's own volume, wherever it lies, curves keep their meaning and positions their places.
         const auto* file = std::get_if<StudyFile>(&document.study);
-        if (file != nullptr && nameFromPath(file->path) == nameFromPath(volume.path))
-            reading.read.blackAtZero = reading.read.blackAtZero || file->options.blackAtZero;
+        const bool own = file != nullptr && nameFromPath(file->path) == nameFromPath(volume.path);
+        if (own) reading.read.blackAtZero = reading.read.blackAtZero || file->options.blackAtZero;
         auto named = reading.readNamed(outputs);
         if (!named) return tl::unexpected<Failure>(named.error());
-        // The document keeps its own mark: its positions lie where they lay. A simulated scan has no other grid.
-        if (!std::holds_alternative<SimulatedScan>(document.study))
-            named->reference.turnedAxis = turnedAxisOf(document.study);
+        if (own) named->reference.turnedAxis = file->turnedAxis;
         document.study = std::move(named->reference);
         return std::move(named->study);
     }

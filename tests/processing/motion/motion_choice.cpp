@@ -69,21 +69,27 @@ TEST(MotionChoice, AMovieHoldsUnevenPhasesAsLongAsTheyLasted) {
     const PhaseTimes times = phaseTimesAt({0.0, 0.1, 0.35, 0.6, 0.7});  // gaps 1 : 2.5 : 2.5 : 1, then the mean, 1.75
     MotionChoice motion{.scenario = MotionScenario::object, .speed = 2.0};
     const std::vector<int> phases{0, 1, 2, 3, 4};
-    const HeldFrames held = heldFrames(motion, times, phases);
+    const HeldFrames held = heldFrames(motion, times, phases, 0);
     EXPECT_NEAR(held.pictureSeconds, 0.05, 1e-12);
     // The frames end at 1, 3.5, 6, 7 and 8.75 pictures: what is rounded away is not lost.
     EXPECT_EQ(held.pictures, (std::vector<int>{1, 3, 2, 1, 2}));
-    EXPECT_EQ(heldFrames(motion, PhaseTimes::every(0.1), phases).pictures, std::vector<int>(5, 1));
-    EXPECT_EQ(heldFrames(motion, PhaseTimes::every(0.1), phases).pictureSeconds, 0.05);
+    EXPECT_EQ(heldFrames(motion, PhaseTimes::every(0.1), phases, 0).pictures, std::vector<int>(5, 1));
+    EXPECT_EQ(heldFrames(motion, PhaseTimes::every(0.1), phases, 0).pictureSeconds, 0.05);
     motion.scenario = MotionScenario::probe;
-    EXPECT_EQ(heldFrames(motion, times, phases).pictures, std::vector<int>(5, 1));
-    EXPECT_TRUE(heldFrames(motion, times, {}).pictures.empty());
+    EXPECT_EQ(heldFrames(motion, times, phases, 0).pictures, std::vector<int>(5, 1));
+    EXPECT_TRUE(heldFrames(motion, times, {}, 0).pictures.empty());
 }
 
-TEST(MotionChoice, AMovieHoldsNoPhaseLongerThanAHundredPictures) {
+TEST(MotionChoice, AMovieKeepsItsLengthIfPhasesAreTooShortForAPicture) {
     const MotionChoice motion{.scenario = MotionScenario::object};
-    const HeldFrames held = heldFrames(motion, phaseTimesAt({0.0, 1e-9, 1e9}), std::vector<int>{0, 1, 2});
-    EXPECT_EQ(held.pictures, (std::vector<int>{1, 100, 100}));
+    const PhaseTimes times = phaseTimesAt({0.0, 0.001, 0.041, 0.081, 0.121});  // then the mean, 30.25 ms
+    const HeldFrames held = heldFrames(motion, times, std::vector<int>{0, 1, 2, 3, 4}, 0.01);
+    EXPECT_EQ(held.pictureSeconds, 0.01);
+    // The frames end at 0.1, 4.1, 8.1, 12.1 and 15.1 pictures; the first has one all the same.
+    EXPECT_EQ(held.pictures, (std::vector<int>{1, 3, 4, 4, 3}));
+    // Nor does any phase last longer than a hundred pictures.
+    const HeldFrames far = heldFrames(motion, phaseTimesAt({0.0, 1e-9, 1e9}), std::vector<int>{0, 1, 2}, 0);
+    EXPECT_EQ(far.pictures, (std::vector<int>{1, 99, 50}));
 }
 
 TEST(MotionChoice, WhatMakesNoSenseIsNamed) {
