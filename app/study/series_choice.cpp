@@ -29,7 +29,10 @@ SeriesRow rowOf(const SeriesEntry& entry, std::size_t number, const StudyNames& 
     shown.file.clear();
     if (shown.element.empty()) shown.element = SeriesChoice::tr("The series").toStdString();
     if (row.openable)
-        shown.remedy = SeriesChoice::tr("Opened, its pictures are taken as slices of unknown distance.").toStdString();
+        shown.remedy =
+            SeriesChoice::tr(
+                "Opened, its pictures are taken as slices; their distance stays unknown unless the file states it.")
+                .toStdString();
     row.hindrance = names.shownOfFile(QString::fromStdString(shown.sentence()));
     return row;
 }

@@ -118,8 +118,10 @@ void VolumeOptions::addTo(CLI::App& command) {
                     "MiB that the voxels of all phases may take; a larger volume is read reduced. A sixth of this "
                     "machine's memory where not given")
         ->check(CLI::Range(std::int64_t{1}, mostStudyMebibytes));
-    command.add_flag("--frames-as-slices", read.framesAsSlices,
-                     "Take the frames of a 2D cine or of a tracked sweep as slices; their distance stays unknown");
+    command.add_flag(
+        "--frames-as-slices", read.framesAsSlices,
+        "Take the frames of a 2D cine or of a tracked sweep as slices; their distance stays unknown unless "
+        "the file states it");
     command.add_flag(
         "--all-voxels", [this](std::int64_t) { read.guessNoData = false; },
         "Take every voxel as data: do not guess what lies outside the scanned sector");

@@ -71,8 +71,8 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
     constexpr DicomTag offsetsTag{0x3004, 0x000c};
     const auto refuse = [&](const std::string& element, const std::string& problem) {
         auto refused = fail(FailureKind::unreadable, path, element, problem,
-                            "Export it again, or add --frames-as-slices to take its pictures as slices of unknown "
-                            "distance.");
+                            "Export it again, or add --frames-as-slices to take its pictures as slices; their distance "
+                            "stays unknown unless the file states it.");
         refused.value().framesCouldBeSlices = true;
         return refused;
     };
@@ -107,6 +107,9 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
         if (between.empty()) return refuse(places.name, "is no number");
         if (between[0] == 0.0) return std::optional<ClassicPlaces>();
         places.between = between[0];
+        // Cines of scanners have regions and times, and often no pointer that names the times.
+        places.isBetweenGuess = !isStated(pixelSpacingTag) && statesFrameTime(dataset);
+        if (places.isBetweenGuess) places.warnings.push_back(distanceIsGuess(places.name, std::abs(between[0])));
     }
     if (isStated(pixelSpacingTag) && !dicomPixelSpacing(dataset))
         return refuse(tagText(pixelSpacingTag) + " Pixel Spacing", "is not two numbers above 0");
@@ -115,14 +118,26 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
     DcmItem* const detector =
         isStated(positionPatient) || isStated(orientationPatient) ? nullptr : dicomFirstItem(dataset, detectorSequence);
     DcmItem& holder = detector != nullptr ? *detector : dataset;
+    // Pictures that are not placed by their detector are often written with zeros for its directions.
+    const auto leaveOut = [&](const std::string& element, const std::string& problem) {
+        places.warnings.push_back(fmt::format("{} in {} Detector Information {}; it was left out.", element,
+                                              tagText(detectorSequence), problem));
+    };
     const auto orientation = dicomOrientation(holder, orientationPatient);
-    if (!orientation && isStatedIn(holder, orientationPatient))
-        return refuse(tagText(orientationPatient) + " Image Orientation (Patient)",
-                      "is no pair of perpendicular directions");
-    const auto position = dicomPoint(holder, positionPatient);
-    if (!position && isStatedIn(holder, positionPatient))
-        return refuse(tagText(positionPatient) + " Image Position (Patient)",
-                      "is no position: three numbers that are finite");
+    if (!orientation && isStatedIn(holder, orientationPatient)) {
+        const std::string element = tagText(orientationPatient) + " Image Orientation (Patient)";
+        const std::string problem = "is no pair of perpendicular directions";
+        if (detector == nullptr) return refuse(element, problem);
+        leaveOut(element, problem);
+    }
+    auto position = dicomPoint(holder, positionPatient);
+    if (detector != nullptr && position && !isPosition(*position)) position.reset();
+    if (!position && isStatedIn(holder, positionPatient)) {
+        const std::string element = tagText(positionPatient) + " Image Position (Patient)";
+        const std::string problem = "is no position: three numbers that are finite";
+        if (detector == nullptr) return refuse(element, problem);
+        leaveOut(element, problem);
+    }
     const auto directions = orientation.value_or(std::array{Vec3(1, 0, 0), Vec3(0, 1, 0)});
     places.start = {position.value_or(Vec3(0, 0, 0)), directions[0], directions[1]};
     if (!isPosition(places.start.position)) places.name = tagText(positionPatient) + " Image Position";

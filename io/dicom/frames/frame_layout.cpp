@@ -232,11 +232,10 @@ Result<FrameLayout> GroupLayout::layOut(std::int64_t columns, std::int64_t rows)
 
 /// Lays frames out by the old attributes at top level, in the phases of `vectors` if there are any.
 Result<FrameLayout> layOutStack(const ClassicPlaces& places, const std::string& path, const FrameExtent& extent,
-                                const std::optional<FrameVectors>& vectors) {
+                                const FrameVectors& vectors) {
     FrameLayout layout;
-    if (vectors) {
-        layout.phases = vectors->phases;
-    } else {
+    layout.phases = vectors.phases;
+    if (layout.phases.empty()) {
         layout.phases.emplace_back(extent.frames);
         std::iota(layout.phases[0].begin(), layout.phases[0].end(), std::size_t{0});
     }
@@ -284,12 +283,16 @@ Result<FrameLayout> layOutStack(const ClassicPlaces& places, const std::string& 
     layout.geometry.direction = stack->direction;
     layout.geometry.patientFrameKnown = places.orientationInPatient;
     layout.geometry.spacing = {places.scale.spacing[0], places.scale.spacing[1], stack->spacing};
-    layout.geometry.spacingKnown = places.scale.kind == PictureScale::Kind::stated;
+    const bool isScaleStated = places.scale.kind == PictureScale::Kind::stated;
+    layout.geometry.spacingKnown = isScaleStated && !places.isBetweenGuess;
+    layout.inPlaneSpacingKnown = isScaleStated && places.isBetweenGuess;
     if (!places.scale.warning.empty()) layout.warnings.push_back(places.scale.warning);
     const bool byPixelSpacing = places.scale.source == tagText(pixelSpacingTag);
     if (layout.geometry.spacingKnown)
         layout.spacingSource = places.scale.source + (byPixelSpacing ? " Pixel Spacing, " : ", ") + places.name;
-    if (vectors) takeVectorTimes(*vectors, layout);
+    else if (layout.inPlaneSpacingKnown)
+        layout.spacingSource = places.scale.source;
+    takeVectors(vectors, layout);
     return layout;
 }
 
@@ -309,7 +312,8 @@ bool lieInOnePlane(const std::vector<FrameGroups>& groups) {
 
 }  // namespace
 
-void takeVectorTimes(const FrameVectors& vectors, FrameLayout& layout) {
+void takeVectors(const FrameVectors& vectors, FrameLayout& layout) {
+    layout.warnings.insert(layout.warnings.end(), vectors.warnings.begin(), vectors.warnings.end());
     layout.phaseSource = vectors.source;
     if (vectors.times) takeTimes(*vectors.times, layout);
 }
@@ -337,8 +341,10 @@ Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, cons
 }
 
 tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem) {
-    auto refused = fail(FailureKind::unreadable, path, "", problem,
-                        "Add --frames-as-slices to take its pictures as slices of unknown distance.");
+    auto refused =
+        fail(FailureKind::unreadable, path, "", problem,
+             "Add --frames-as-slices to take its pictures as slices; their distance stays unknown unless the "
+             "file states it.");
     refused.value().framesCouldBeSlices = true;
     return refused;
 }

@@ -34,8 +34,8 @@ struct FrameExtent {
     std::int64_t columns = 0, rows = 0;
 };
 
-/// Puts the times of phases by vectors, and the vectors' names, into `layout`.
-void takeVectorTimes(const FrameVectors& vectors, FrameLayout& layout);
+/// Puts the times of phases by vectors, the vectors' names and the notes on them into `layout`.
+void takeVectors(const FrameVectors& vectors, FrameLayout& layout);
 
 /// Lays frames out as a volume, or as the phases of one: by their functional groups, else by the old attributes at top
 /// level (classicPlaces()) and the vectors of nuclear medicine (readFrameVectors()). If all frames of tissue have

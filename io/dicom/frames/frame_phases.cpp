@@ -280,6 +280,11 @@ Result<FramePhases> PhaseSplitter::split() {
             if (!found) continue;
             phases = *std::move(found);
             result.source = time.name;
+            if (phases.size() > 1)
+                result.warnings.push_back(
+                    fmt::format("Frames lie at each of {} places {} times: {} tells {} phases "
+                                "apart.",
+                                m_tissue.size() / phases.size(), phases.size(), time.name, phases.size()));
             break;
         }
     }

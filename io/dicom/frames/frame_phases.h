@@ -45,11 +45,11 @@ struct FramePhases {
 };
 /// Splits frames into phases: by the index values of the dimensions that count time, else by Temporal Position Time
 /// Offset, else by Temporal Position Index. If places repeat, trigger delays come next, then the order in which Frame
-/// Reference or Acquisition Date Time put the frames of each place. Each of these counts only if all frames state it.
-/// If none does, all frames are one phase. They are one phase too if every frame has its own time and its own place, as
-/// in a slow sweep. `tissue` names the frames to split, at least one. Fails (unreadable, about the file at `path`) if
-/// index values, dimensions and times contradict each other. It also fails if the frames differ along a dimension of
-/// unknown meaning, or if phases have different numbers of frames.
+/// Reference or Acquisition Date Time put the frames of each place, with a note. Each of these counts only if all
+/// frames state it. If none does, all frames are one phase. They are one phase too if every frame has its own time and
+/// its own place, as in a slow sweep. `tissue` names the frames to split, at least one. Fails (unreadable, about the
+/// file at `path`) if index values, dimensions and times contradict each other. It also fails if the frames differ
+/// along a dimension of unknown meaning, or if phases have different numbers of frames.
 [[nodiscard]] Result<FramePhases> splitIntoPhases(const std::string& path,
                                                   const std::vector<FrameDimension>& dimensions,
                                                   const std::vector<FrameGroups>& groups,

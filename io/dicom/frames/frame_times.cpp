@@ -1,11 +1,5 @@
 #include "io/dicom/frames/frame_times.h"
 
-#include <chrono>
-#include <cmath>
-#include <string_view>
-
-#include "io/files/header_text.h"
-
 namespace echolucent {
 
 namespace {
@@ -40,20 +34,15 @@ std::optional<DicomTimes> timesOfVector(DcmItem& item, std::size_t count) {
     return times;
 }
 
-/// Two or four digits of a text as a number; no value if they are none.
-std::optional<int> digits(std::string_view text, std::size_t at, std::size_t count) {
-    int number = 0;
-    for (std::size_t i = at; i < at + count; ++i) {
-        if (i >= text.size() || text[i] < '0' || text[i] > '9') return std::nullopt;
-        number = 10 * number + (text[i] - '0');
-    }
-    return number;
-}
-
 }  // namespace
 
 bool framesFollowInTime(DcmItem& dataset) {
     return namesAsIncrement(dataset, frameTimeTag) || namesAsIncrement(dataset, frameTimeVectorTag);
+}
+
+bool statesFrameTime(DcmItem& dataset) {
+    return aboveZero(dataset, frameTimeTag) || aboveZero(dataset, cineRateTag) ||
+           !dicomText(dataset, frameTimeVectorTag).empty();
 }
 
 bool namesAsIncrement(DcmItem& dataset, DicomTag tag) {
@@ -75,22 +64,6 @@ std::optional<DicomTimes> statedFrameRate(DcmItem& item, std::size_t count) {
     if (const auto rate = aboveZero(item, displayRateTag))
         return evenTimes(1 / *rate, count, tagText(displayRateTag) + " Recommended Display Frame Rate");
     return std::nullopt;
-}
-
-std::optional<double> dicomDateTime(DcmItem& item, DicomTag tag) {
-    const std::string text = dicomText(item, tag);
-    const auto year = digits(text, 0, 4), month = digits(text, 4, 2), day = digits(text, 6, 2);
-    const auto hour = digits(text, 8, 2), minute = digits(text, 10, 2), second = digits(text, 12, 2);
-    if (!year || !month || !day || !hour || !minute || !second) return std::nullopt;
-    const std::chrono::year_month_day date{std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
-                                           std::chrono::day(static_cast<unsigned>(*day))};
-    if (!date.ok()) return std::nullopt;
-    const auto days = static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
-    // Zones are left out: all frames of a file have the same.
-    const std::string rest = text.substr(14, text.find_first_of("+-&", 14) - 14);
-    const double fraction = rest.empty() ? 0.0 : realNumber("0" + rest).value_or(NAN);
-    if (!(fraction >= 0 && fraction < 1)) return std::nullopt;
-    return ((days * 24 + *hour) * 60 + *minute) * 60 + *second + fraction;
 }
 
 }  // namespace echolucent

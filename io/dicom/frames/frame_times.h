@@ -20,6 +20,8 @@ struct DicomTimes {
 
 /// Whether Frame Increment Pointer names Frame Time or Frame Time Vector.
 [[nodiscard]] bool framesFollowInTime(DcmItem& dataset);
+/// Whether Frame Time, Frame Time Vector or Cine Rate (0018,0040) is stated, whatever the pointer names.
+[[nodiscard]] bool statesFrameTime(DcmItem& dataset);
 /// Whether Frame Increment Pointer (0028,0009) names this attribute, alone or among others.
 [[nodiscard]] bool namesAsIncrement(DcmItem& dataset, DicomTag tag);
 
@@ -30,9 +32,5 @@ struct DicomTimes {
 /// The same by the rate at which they were acquired or shall be shown: Cine Rate (0018,0040), else Recommended Display
 /// Frame Rate (0008,2144).
 [[nodiscard]] std::optional<DicomTimes> statedFrameRate(DcmItem& item, std::size_t count);
-
-/// The time of an attribute that holds date and time (DT), in seconds from a day that is always the same; no value if
-/// it is missing or says less than the second.
-[[nodiscard]] std::optional<double> dicomDateTime(DcmItem& item, DicomTag tag);
 
 }  // namespace echolucent

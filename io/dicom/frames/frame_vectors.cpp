@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -58,13 +59,25 @@ bool isConstant(const std::vector<double>& values) {
     return std::ranges::all_of(values, [&](double value) { return value == values.front(); });
 }
 
+/// By how much the numbers of slices rise from each to the next; 0 if not evenly, 1 of a single slice.
+double evenStep(const std::map<double, std::size_t>& slices) {
+    if (slices.size() < 2) return 1;
+    const double step = std::next(slices.begin())->first - slices.begin()->first;
+    double expected = slices.begin()->first;
+    for (const auto& [slice, frame] : slices) {
+        if (slice != expected) return 0;
+        expected += step;
+    }
+    return step;
+}
+
 /// Splits the frames of one file.
 class VectorReader {
 public:
     VectorReader(DcmItem& dataset, const std::string& path, std::size_t frames)
         : m_dataset(dataset), m_path(path), m_frames(frames) {}
 
-    Result<std::optional<FrameVectors>> read();
+    Result<FrameVectors> read();
 
 private:
     using Key = std::vector<double>;
@@ -100,10 +113,21 @@ bool VectorReader::isNamed(DicomTag tag) const {
 /// Takes a vector that is named. One whose numbers are all the same orders nothing.
 Result<void> VectorReader::take(const FrameVector& vector) {
     if (!isNamed(vector.tag)) return {};
+    const bool isPointerStated = !dicomText(m_dataset, pointerOfVectors).empty();
+    if (dicomText(m_dataset, vector.tag).empty()) {
+        if (!isPointerStated) return {};
+        m_found.warnings.push_back(fmt::format("{} Frame Increment Pointer names {} {}, which is not in the file.",
+                                               tagText(pointerOfVectors), tagText(vector.tag), vector.name));
+        return {};
+    }
     auto values = dicomNumbers(m_dataset, vector.tag, m_frames);
-    if (values.empty())
-        return refuse(vector.tag, vector.name, fmt::format("is not one number for each of {} frames", m_frames),
-                      exportAgain);
+    if (values.empty()) {
+        const std::string problem = fmt::format("is not one number for each of {} frames", m_frames);
+        if (isPointerStated) return refuse(vector.tag, vector.name, problem, exportAgain);
+        m_found.warnings.push_back(
+            fmt::format("{} {} {}; it was left out.", tagText(vector.tag), vector.name, problem));
+        return {};
+    }
     m_any = true;
     if (isConstant(values)) return {};
     switch (vector.meaning) {
@@ -134,12 +158,15 @@ Result<void> VectorReader::split() {
                           exportAgain);
     }
     const auto& first = phases.begin()->second;
-    const auto places = static_cast<double>(first.size());
-    if (first.rbegin()->first - first.begin()->first != places - 1)
+    const double step = evenStep(first);
+    if (step == 0)
         return refuse(sliceTag, sliceName,
                       fmt::format("counts {} slices from {} to {}: some are missing", first.size(),
                                   first.begin()->first, first.rbegin()->first),
                       exportAgain);
+    if (step != 1)
+        m_found.warnings.push_back(fmt::format("{} {} counts slices in steps of {}; they were taken one after another.",
+                                               tagText(sliceTag), sliceName, step));
     for (const auto& [key, slices] : phases) {
         const auto samePlace = [](const auto& one, const auto& other) { return one.first == other.first; };
         if (!std::ranges::equal(slices, first, samePlace))
@@ -206,21 +233,25 @@ void VectorReader::setTimes() {
         m_found.times->seconds.push_back(static_cast<double>(phase) * duration[0] / 1000);
 }
 
-Result<std::optional<FrameVectors>> VectorReader::read() {
+Result<FrameVectors> VectorReader::read() {
     for (const FrameVector& vector : frameVectors)
         if (auto taken = take(vector); !taken) return tl::unexpected(taken.error());
-    if (!m_any || (m_slices.empty() && m_tags.empty())) return std::optional<FrameVectors>();
+    if (!m_any || (m_slices.empty() && m_tags.empty())) return std::move(m_found);
     if (m_slices.empty())
         return framesWithoutGeometry(
             m_path, fmt::format("is a 2D cine: its {} frames show one plane over time ({})", m_frames, m_found.source));
     if (auto done = split(); !done) return tl::unexpected(done.error());
+    if (m_found.phases.size() > 1)
+        m_found.warnings.push_back(fmt::format("Frames lie at each of {} places {} times: {} {} {} phases apart.",
+                                               m_found.phases.front().size(), m_found.phases.size(), m_found.source,
+                                               m_tags.size() > 1 ? "tell" : "tells", m_found.phases.size()));
     setTimes();
-    return std::optional(std::move(m_found));
+    return std::move(m_found);
 }
 
 }  // namespace
 
-Result<std::optional<FrameVectors>> readFrameVectors(DcmItem& dataset, const std::string& path, std::size_t frames) {
+Result<FrameVectors> readFrameVectors(DcmItem& dataset, const std::string& path, std::size_t frames) {
     return VectorReader(dataset, path, frames).read();
 }
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "io/dicom/frames/date_times.h"
 #include "io/dicom/frames/dicom_geometry.h"
-#include "io/dicom/frames/frame_times.h"
 #include "io/dicom/frames/picture_scale.h"
 #include "io/files/input_problems.h"
 
@@ -53,8 +53,8 @@ std::optional<double> oneNumber(DcmItem& item, DicomTag tag) {
 void takeTimesOf(DcmItem& item, FrameGroups& groups) {
     constexpr DicomTag contentGroup{0x0020, 0x9111}, cardiacGroup{0x0018, 0x9118}, respiratoryGroup{0x0020, 0x9253};
     if (DcmItem* content = dicomFirstItem(item, contentGroup)) {
-        if (const auto time = dicomDateTime(*content, {0x0018, 0x9151})) groups.referenceTime = time;
-        if (const auto time = dicomDateTime(*content, {0x0018, 0x9074})) groups.acquisitionTime = time;
+        if (const auto time = secondsOfDateTime(dicomText(*content, {0x0018, 0x9151}))) groups.referenceTime = time;
+        if (const auto time = secondsOfDateTime(dicomText(*content, {0x0018, 0x9074}))) groups.acquisitionTime = time;
     }
     const auto takeDelay = [&](DicomTag group, DicomTag nominal, DicomTag actual) {
         DcmItem* const synchronized = dicomFirstItem(item, group);

@@ -104,6 +104,13 @@ std::optional<double> statedSliceDistance(DcmItem& dataset) {
     return isScale(distance) ? std::optional(distance) : std::nullopt;
 }
 
+std::string distanceIsGuess(const std::string& source, double mm) {
+    return fmt::format(
+        "{} is {:.4g} mm; it is a guess that the frames are so far apart, because the file says that they follow each "
+        "other in time.",
+        source, mm);
+}
+
 SliceScale sliceScaleOf(DcmItem& dataset, std::optional<double> distance, const std::string& distanceSource) {
     const auto scale = pictureScaleOf(dataset);
     SliceScale found;
@@ -114,10 +121,7 @@ SliceScale sliceScaleOf(DcmItem& dataset, std::optional<double> distance, const 
         source = tagText(sliceDistanceTag);
         isDistanceKnown = distance && !framesFollowInTime(dataset);
         if (distance && !isDistanceKnown)
-            found.warnings.push_back(
-                fmt::format("{} Spacing Between Slices is {:.4g} mm; it is a guess that the frames are so far apart, "
-                            "because the file says that they follow each other in time.",
-                            source, *distance));
+            found.warnings.push_back(distanceIsGuess(source + " Spacing Between Slices", *distance));
     }
     found.inPlaneKnown = scale && scale->kind == PictureScale::Kind::stated;
     found.spacingKnown = found.inPlaneKnown && isDistanceKnown;

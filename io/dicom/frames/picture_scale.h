@@ -39,6 +39,9 @@ struct PictureScale {
 /// Spacing Between Slices (0018,0088) at top level without its sign, mm; no value if it is missing, 0 or no length.
 [[nodiscard]] std::optional<double> statedSliceDistance(DcmItem& dataset);
 
+/// That the distance `mm` which the attribute `source` states is a guess, as the frames follow each other in time.
+[[nodiscard]] std::string distanceIsGuess(const std::string& source, double mm);
+
 /// The spacing of slices, and what is known of it.
 struct SliceScale {
     Vec3 spacing{1, 1, 1};      ///< mm

@@ -267,6 +267,13 @@ void DicomFrames::sayWhite(StudyParts& parts) const {
     if (m_state->rescaled) parts.whiteLevelSource += ", (0028,1053) Rescale Slope";
 }
 
+void widenLevels(StudyParts& parts, const StudyParts& said) {
+    if (!parts.whiteLevel || !said.whiteLevel) return;
+    parts.whiteLevel = std::max(*parts.whiteLevel, *said.whiteLevel);
+    if (parts.lowestLevel || said.lowestLevel)
+        parts.lowestLevel = std::min(parts.lowestLevel.value_or(0.0), said.lowestLevel.value_or(0.0));
+}
+
 std::vector<ImportFact> DicomFrames::facts() const {
     const std::string& photometric = m_state->format.photometric;
     std::vector<ImportFact> facts{

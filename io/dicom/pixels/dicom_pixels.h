@@ -72,4 +72,9 @@ private:
     std::unique_ptr<State> m_state;
 };
 
+/// Widens white and lowest level of `parts` to those of other pictures of the same study, as sayWhite() put them into
+/// `said`: differently rescaled pictures reach different values. No lowest level means 0. Nothing changes if one of the
+/// two has no white level.
+void widenLevels(StudyParts& parts, const StudyParts& said);
+
 }  // namespace echolucent

@@ -25,7 +25,7 @@ tl::unexpected<PixelFormatProblem> problemAt(DicomTag tag, const char* name, std
 }
 
 /// Takes the attribute into `value`, which stays if the attribute is missing or empty. False if it is no finite number.
-bool take(DcmItem& item, DicomTag tag, double& value) {
+bool takeFactor(DcmItem& item, DicomTag tag, double& value) {
     const std::string text = dicomText(item, tag);
     if (text.empty()) return true;
     const auto number = decimalNumber(text);
@@ -36,9 +36,9 @@ bool take(DcmItem& item, DicomTag tag, double& value) {
 
 Read rescaleOf(DcmItem& item, const DicomPixelFormat& format) {
     Rescale rescale;
-    if (!take(item, slopeTag, rescale.slope))
+    if (!takeFactor(item, slopeTag, rescale.slope))
         return problemAt(slopeTag, "Rescale Slope", "is no number: " + quotedText(dicomText(item, slopeTag)));
-    if (!take(item, interceptTag, rescale.intercept))
+    if (!takeFactor(item, interceptTag, rescale.intercept))
         return problemAt(interceptTag, "Rescale Intercept",
                          "is no number: " + quotedText(dicomText(item, interceptTag)));
     if (rescale.slope == 0.0) return problemAt(slopeTag, "Rescale Slope", "is 0, which makes all values one");

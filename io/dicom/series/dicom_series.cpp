@@ -299,10 +299,7 @@ private:
         StudyParts said;
         frames.sayWhite(said);
         if (said.window) m_windows.push_back(std::move(*said.window));
-        // Differently rescaled slices reach different values.
-        if (m_parts.whiteLevel && said.whiteLevel) m_parts.whiteLevel = std::max(*m_parts.whiteLevel, *said.whiteLevel);
-        if (m_parts.lowestLevel && said.lowestLevel)
-            m_parts.lowestLevel = std::min(*m_parts.lowestLevel, *said.lowestLevel);
+        widenLevels(m_parts, said);
     }
 
     /// The slices share one window: the one whose white is the median.

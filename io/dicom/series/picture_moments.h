@@ -35,7 +35,7 @@ constexpr std::array momentAttributes{
 /// What one picture says of its moment.
 struct PictureMoments {
     /// The value of each of momentAttributes; no value if it is missing or makes no sense. Times of day count seconds
-    /// from 1 January of the year 0 if their date is stated, else from midnight.
+    /// from 1 January 2000 if their date is stated, else from midnight.
     std::array<std::optional<double>, momentAttributes.size()> values{};
     std::optional<double> resolution;  ///< (0020,0110) Temporal Resolution, seconds between phases; above 0
     /// What makes pictures of one place and moment different: image type, echo, diffusion, kernel. Only compared.
@@ -45,13 +45,5 @@ struct PictureMoments {
 };
 
 [[nodiscard]] PictureMoments momentsOf(DcmItem& dataset);
-
-/// A time of day (DICOM's TM: "HHMMSS.FFFFFF", shorter ones, or "HH:MM:SS") in seconds; no value if it is none.
-[[nodiscard]] std::optional<double> secondsOfDay(const std::string& text);
-/// A date (DICOM's DA: "YYYYMMDD", or "YYYY.MM.DD") in days since 1 January of the year 0; no value if it is none.
-[[nodiscard]] std::optional<double> daysOfDate(const std::string& text);
-/// A date with a time (DICOM's DT: "YYYYMMDDHHMMSS.FFFFFF&ZZXX") in seconds since that day, in UTC if it states its
-/// zone; no value if it is none.
-[[nodiscard]] std::optional<double> secondsOfDateTime(const std::string& text);
 
 }  // namespace echolucent

@@ -66,9 +66,8 @@ Result<FrameLayout> MultiframeReader::layOutAsSlices() {
     const auto groups = readFunctionalGroups(m_file.dataset(), m_file.path(), count, m_progress);
     auto tissue = groups && !groups->empty() ? tissueFramesOf(m_file.path(), *groups) : Result<TissueFrames>({});
     const auto vectors = readFrameVectors(m_file.dataset(), m_file.path(), count);
-    if (vectors && *vectors) {
-        layout.phases = (*vectors)->phases;
-        takeVectorTimes(**vectors, layout);
+    if (vectors && !vectors->phases.empty()) {
+        layout.phases = vectors->phases;
     } else if (tissue && tissue->frames.size() > 1) {
         layout.phases.push_back(std::move(tissue->frames));
         layout.warnings = std::move(tissue->warnings);
@@ -76,6 +75,7 @@ Result<FrameLayout> MultiframeReader::layOutAsSlices() {
         layout.phases.emplace_back(count);
         std::iota(layout.phases[0].begin(), layout.phases[0].end(), std::size_t{0});
     }
+    if (vectors) takeVectors(*vectors, layout);
     layout.geometry.size = {m_frames.columns(), m_frames.rows(), static_cast<std::int64_t>(layout.phases[0].size())};
     SliceScale scale = sliceScaleOf(m_file.dataset(), std::nullopt, "");
     layout.geometry.spacing = scale.spacing;

@@ -76,7 +76,7 @@ void FramesOfParts::sayWhite(StudyParts& parts) const {
         StudyParts said;
         part.frames.sayWhite(said);
         if (!parts.window) parts.window = std::move(said.window);
-        if (parts.whiteLevel && said.whiteLevel) parts.whiteLevel = std::max(*parts.whiteLevel, *said.whiteLevel);
+        widenLevels(parts, said);
     }
 }
 

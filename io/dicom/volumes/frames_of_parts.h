@@ -33,7 +33,8 @@ public:
     [[nodiscard]] std::int64_t rows() const { return m_parts.front().frames.rows(); }
     [[nodiscard]] std::int64_t frames() const;
     [[nodiscard]] StoredType type() const { return m_parts.front().frames.type(); }
-    /// As DicomFrames::sayWhite(). White is the largest of all parts; the window is that of the first part with one.
+    /// As DicomFrames::sayWhite(). White is the largest and the lowest level the smallest of all parts; the window is
+    /// that of the first part with one.
     void sayWhite(StudyParts& parts) const;
     /// Of the first part, and other transfer syntaxes of the others.
     [[nodiscard]] std::vector<ImportFact> facts() const;

@@ -211,7 +211,7 @@ Result<std::optional<PhilipsVolume>> scannerVolume(const DicomFile& file) {
         fmt::format("declares a 3D volume of {} voxels, which is kept in Philips's own coding", sizeText(volume.size)),
         pictures > 1
             ? "Export it from QLAB as a Cartesian volume, or add --frames-as-slices to take the pictures beside "
-              "it as slices of unknown distance."
+              "it as slices; their distance stays unknown unless the file states it."
             : "Export it from QLAB as a Cartesian volume.");
     refused.value().framesCouldBeSlices = pictures > 1;
     return refused;

@@ -23,6 +23,7 @@ struct Part {
     std::string whole = "1.2.8";
     std::string syntax = "1.2.840.10008.1.2.1";
     std::string object{};
+    std::string intercept{};
 
     [[nodiscard]] std::string bytes() const {
         const auto sequence = [](std::uint16_t group, std::uint16_t element, const DicomBytes& item) {
@@ -45,7 +46,9 @@ struct Part {
         if (number >= 0) file.word(0x0020, 0x9162, static_cast<std::uint16_t>(number));
         if (total > 0) file.word(0x0020, 0x9163, static_cast<std::uint16_t>(total));
         if (offset) file.put(0x0020, 0x9228, "UL", bytesFrom<std::uint32_t>({static_cast<std::uint32_t>(first)}));
-        file.picture(2, rows, frames).sequence(0x5200, 0x9229, {shared}).sequence(0x5200, 0x9230, groups);
+        file.picture(2, rows, frames);
+        if (!intercept.empty()) file.text(0x0028, 0x1052, "DS", intercept).text(0x0028, 0x1053, "DS", "1");
+        file.sequence(0x5200, 0x9229, {shared}).sequence(0x5200, 0x9230, groups);
         if (syntax == rleSyntax) {
             std::vector<std::string> fragments;
             for (int frame = 0; frame < frames; ++frame) {
@@ -187,6 +190,19 @@ TEST(Concatenation, PartsMayHaveOtherCodingsButNoOtherSizes) {
     folder.write("b", second.bytes());
     EXPECT_THAT(refusalOf(folder), HasSubstr("(0028,0030) Pixel Spacing changes from frame to frame"))
         << "each frame keeps the groups of its part";
+}
+
+TEST(Concatenation, PartsMayBeRescaledDifferently) {
+    const TemporaryFolder folder;
+    Part second = partOf(2, 2, 3, 2);
+    second.intercept = "-100";
+    folder.write("a", partOf(1, 0, 2, 2).bytes());
+    folder.write("b", second.bytes());
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->valueWindow(), (ValueWindow{-100, 255}));
+    EXPECT_EQ(study->phases[0]->fileValue(0), 1);
+    EXPECT_EQ(study->phases[0]->fileValue(16), -95);
 }
 
 TEST(Concatenation, TheSamePartTwiceIsACopyOrRefused) {

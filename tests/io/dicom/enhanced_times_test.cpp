@@ -68,21 +68,23 @@ TEST(EnhancedTimes, TriggerDelaysSplitFramesWhosePlacesRepeat) {
     EXPECT_EQ(framesOf(study), (Frames{{3, 4}, {5, 6}, {1, 2}}));
     EXPECT_DOUBLE_EQ(*study->phaseTimes.meanSeconds, 0.04);
     EXPECT_TRUE(study->phaseTimes.starts.empty());
+    EXPECT_TRUE(warnsOf(*study, "Nominal Cardiac Trigger Delay Time, or the like tells 3 phases apart"));
 }
 
 TEST(EnhancedTimes, DatesSplitTheFramesOfEachPlaceInTheirOrder) {
-    // Around midnight, each slice a little later than the one below.
-    const auto study = readFrames({{.z = 0, .acquired = "20240229235959.900000"},
-                                   {.z = 1, .acquired = "20240229235959.950000"},
+    // Around midnight and in several zones, each slice a little later than the one below.
+    const auto study = readFrames({{.z = 0, .acquired = "20240229235959.900000+0000"},
+                                   {.z = 1, .acquired = "20240229185959.950000-0500"},
                                    {.z = 1, .acquired = "20240301000000.250000"},
                                    {.z = 0, .acquired = "20240301000000.200000"},
-                                   {.z = 0, .acquired = "20240301000001.000000+0100"},
-                                   {.z = 1, .acquired = "20240301000001.050000+0100"}});
+                                   {.z = 0, .acquired = "20240301010001.000000+0100"},
+                                   {.z = 1, .acquired = "20240301010001.050000+0100"}});
     EXPECT_EQ(framesOf(study), (Frames{{1, 2}, {4, 3}, {5, 6}}));
     ASSERT_EQ(study->phaseTimes.starts.size(), 3U);
     EXPECT_NEAR(study->phaseTimes.starts[1], 0.3, 1e-4);
     EXPECT_NEAR(study->phaseTimes.starts[2], 1.1, 1e-4);
     EXPECT_EQ(sourceOf(*study, "time between phases"), "(0018,9074) Frame Acquisition Date Time");
+    EXPECT_TRUE(warnsOf(*study, "at each of 2 places 3 times: (0018,9074) Frame Acquisition Date Time tells 3 phases"));
 }
 
 TEST(EnhancedTimes, IndicesTakeTheirTimesFromDates) {

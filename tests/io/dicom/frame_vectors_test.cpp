@@ -94,6 +94,25 @@ TEST(FrameVectors, TimeSlotsArePhasesOfSlices) {
     EXPECT_TRUE(geometry.spacingKnown);
     EXPECT_EQ(sourceOf(*study, "phases"), "(0054,0070) Time Slot Vector");
     EXPECT_FALSE(study->phaseTimes.meanSeconds);
+    EXPECT_TRUE(warnsOf(*study, "Frames lie at each of 3 places 2 times: (0054,0070) Time Slot Vector tells 2 phases"));
+}
+
+TEST(FrameVectors, ThoseThatOrderNothingAreLeftOutAndNoted) {
+    const auto missing = readNuclear({{{sliceVector, {}}}});
+    ASSERT_TRUE(missing) << missing.error().sentence();
+    EXPECT_EQ(framesOf(*missing), (Frames{{1, 2, 3, 4, 5, 6}}));
+    EXPECT_TRUE(warnsOf(*missing, "Frame Increment Pointer names (0054,0080) Slice Vector, which is not in the file"));
+    const auto unnamed = readNuclear({.vectors = {{energyVector, {1}}, twoSlots, threeSlices}, .pointer = false});
+    ASSERT_TRUE(unnamed) << unnamed.error().sentence();
+    EXPECT_EQ(framesOf(*unnamed), (Frames{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_TRUE(warnsOf(*unnamed, "Energy Window Vector is not one number for each of 6 frames; it was left out"));
+}
+
+TEST(FrameVectors, SlicesMayBeCountedInSteps) {
+    const auto study = readNuclear({{twoSlots, {sliceVector, {1, 3, 5, 5, 3, 1}}}});
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(framesOf(*study), (Frames{{1, 2, 3}, {6, 5, 4}}));
+    EXPECT_TRUE(warnsOf(*study, "(0054,0080) Slice Vector counts slices in steps of 2"));
 }
 
 TEST(FrameVectors, TheOrderInTheFileMeansNothing) {
@@ -178,6 +197,17 @@ TEST(FrameVectors, TheDetectorStatesThePlaceInThePatient) {
     EXPECT_EQ(study->phases[0]->geometry().origin, Vec3(5, 6, 7));
     EXPECT_TRUE(study->phases[0]->geometry().patientFrameKnown);
     EXPECT_EQ(study->phases[0]->geometry().direction(1, 2), 1);
+}
+
+TEST(FrameVectors, APlaceOfTheDetectorThatMakesNoSenseIsLeftOut) {
+    Nuclear said{{twoSlots, threeSlices}};
+    said.detector.text(0x0020, 0x0032, "DS", "0\\0").text(0x0020, 0x0037, "DS", "0\\0\\0\\0\\0\\0");
+    const auto study = readNuclear(said);
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_FALSE(study->phases[0]->geometry().patientFrameKnown);
+    EXPECT_EQ(study->phases[0]->geometry().origin, Vec3(0, 0, 0));
+    EXPECT_TRUE(warnsOf(*study, "(0020,0032) Image Position (Patient) in (0054,0022) Detector Information is no"));
+    EXPECT_TRUE(warnsOf(*study, "(0020,0037) Image Orientation (Patient) in (0054,0022) Detector Information is no"));
 }
 
 TEST(FrameVectors, FramesThatAreNoVolumeAreRefusedByWhatTheyAre) {

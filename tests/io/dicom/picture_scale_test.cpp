@@ -36,13 +36,17 @@ struct Said {
     bool followInTime = false;
     int instance = 0;  ///< of a picture of a series; 0 if it is a file of three frames
     std::string position{};
+    std::string cineRate{}, frameTime{}, frameTimes{};  ///< that no pointer names
 };
 
 std::string fileOf(const Said& said) {
     DicomBytes file;
     file.text(0x0008, 0x0060, "CS", "US");
+    if (!said.cineRate.empty()) file.text(0x0018, 0x0040, "IS", said.cineRate);
     if (!said.between.empty()) file.text(0x0018, 0x0088, "DS", said.between);
     if (said.followInTime) file.text(0x0018, 0x1063, "DS", "40");
+    if (!said.frameTime.empty()) file.text(0x0018, 0x1063, "DS", said.frameTime);
+    if (!said.frameTimes.empty()) file.text(0x0018, 0x1065, "DS", said.frameTimes);
     if (!said.regions.empty()) {
         std::vector<DicomBytes> items;
         for (const Region& region : said.regions) items.push_back(itemOf(region));
@@ -94,6 +98,18 @@ TEST(PictureScale, SpacingBetweenSlicesBesideRegionsMakesAVolume) {
     expectSpacing(readFile({.between = "-0.8", .regions = {{.deltaX = -0.06}}}, false), {0.6, 0.7, 0.8}, true);
     EXPECT_FALSE(readFile({.between = "0", .regions = {{}}}, false));
     EXPECT_FALSE(readFile({.between = "0.8", .regions = {{}}, .followInTime = true}, false));
+}
+
+TEST(PictureScale, SpacingBetweenSlicesBesideRegionsAndTimesIsAGuess) {
+    for (const Said& said : {Said{.between = "-0.8", .regions = {{}}, .cineRate = "30"},
+                             Said{.between = "0.8", .regions = {{}}, .frameTime = "33"},
+                             Said{.between = "0.8", .regions = {{}}, .frameTimes = "0\\33\\34"}}) {
+        const auto study = readFile(said, false);
+        expectSpacing(study, {0.6, 0.7, 0.8}, false);
+        EXPECT_TRUE(warnsOf(*study, "(0018,0088) Spacing Between Slices is 0.8 mm; it is a guess that the frames are"));
+        EXPECT_TRUE(warnsOf(*study, "Within a slice the spacing is known"));
+    }
+    expectSpacing(readFile({.between = "0.8", .regions = {{}}, .cineRate = "0"}, false), {0.6, 0.7, 0.8}, true);
 }
 
 TEST(PictureScale, SpacingBetweenSlicesCountsForPicturesTakenAsSlices) {

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "dicom_bytes.h"
-#include "io/dicom/series/picture_moments.h"
+#include "io/dicom/frames/date_times.h"
 #include "io/study/series_list.h"
 #include "temporary_folder.h"
 
@@ -254,7 +254,7 @@ TEST(SlicesOverTime, AnUnreadableSliceIsNoDataInAllPhases) {
     EXPECT_EQ(study->phases[3]->storedValue(16), 33);
 }
 
-TEST(PictureMoments, ReadTimesOfDayDatesAndBoth) {
+TEST(DateTimes, AreReadFromTimesOfDayDatesAndBoth) {
     EXPECT_EQ(secondsOfDay("235959.5"), 86399.5);
     EXPECT_EQ(secondsOfDay("0102"), 3720);
     EXPECT_EQ(secondsOfDay("01"), 3600);
