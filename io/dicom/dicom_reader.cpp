@@ -27,9 +27,11 @@ Result<Study> readLoaded(const InputFile& input, const DicomFile& file, const Re
 Result<Study> readAlone(const InputFile& input, const ReadOptions& options, const Progress& progress) {
     const auto file = DicomFile::load(input, false, progress);
     if (!file) return tl::unexpected(file.error());
-    if (const auto part = concatenationPartOf(file->dataset()); part && !isWhole(*part))
-        return onlyAPart(input.path(), *part);
-    return readLoaded(input, *file, options, progress);
+    const auto part = concatenationPartOf(file->dataset());
+    if (part && !mayBeWhole(*part)) return onlyAPart(input.path(), *part);
+    auto study = readLoaded(input, *file, options, progress);
+    if (study && part && !isWhole(*part)) study->warnings.push_back(moreMayBeMissing(1));
+    return study;
 }
 
 }  // namespace

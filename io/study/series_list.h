@@ -60,8 +60,10 @@ struct SeriesEntry {
 };
 
 struct SeriesList {
-    std::string path;                 ///< the folder or DICOMDIR, as the person gave it
-    std::vector<SeriesEntry> series;  ///< the openable ones first, most slices first; never empty once listed
+    std::string path;  ///< the folder or DICOMDIR, as the person gave it
+    /// The openable ones first, of these first those of one Series Instance UID, most slices first; never empty once
+    /// listed.
+    std::vector<SeriesEntry> series;
     /// The DICOMDIR, and all files found but those that are packed or no DICOM; also empty and unreadable ones.
     std::vector<std::string> files;
     std::vector<std::string> warnings;

@@ -55,10 +55,18 @@ struct FrameTime {
     std::optional<double> FrameGroups::*member;
     const char* name;
 };
-constexpr std::array otherTimes{
-    FrameTime{&FrameGroups::triggerDelay, "(0020,9153) Nominal Cardiac Trigger Delay Time, or the like"},
-    FrameTime{&FrameGroups::referenceTime, "(0018,9151) Frame Reference Date Time"},
-    FrameTime{&FrameGroups::acquisitionTime, "(0018,9074) Frame Acquisition Date Time"}};
+constexpr std::array otherTimes{FrameTime{&FrameGroups::triggerDelay, "Trigger Delay Time"},
+                                FrameTime{&FrameGroups::referenceTime, "(0018,9151) Frame Reference Date Time"},
+                                FrameTime{&FrameGroups::acquisitionTime, "(0018,9074) Frame Acquisition Date Time"}};
+
+/// The attribute that a time was read from, as the frame says.
+std::string nameOf(const FrameTime& time, const FrameGroups& frame) {
+    if (time.member != &FrameGroups::triggerDelay) return time.name;
+    const bool cardiac = frame.delayTag == DicomTag{0x0020, 0x9153} || frame.delayTag == DicomTag{0x0020, 0x9252};
+    const bool actual = frame.delayTag == DicomTag{0x0020, 0x9252} || frame.delayTag == DicomTag{0x0020, 0x9257};
+    return fmt::format("{} {} {} {}", tagText(frame.delayTag), actual ? "Actual" : "Nominal",
+                       cardiac ? "Cardiac" : "Respiratory", time.name);
+}
 
 /// Splits the frames of one object. Each function looks for one kind of contradiction.
 class PhaseSplitter {
@@ -222,7 +230,7 @@ Result<void> PhaseSplitter::setTimes(FramePhases& result) const {
 /// The first time of each phase; no value unless all frames state it and it rises from phase to phase.
 std::optional<DicomTimes> PhaseSplitter::risingTimes(const FramePhases& result, const FrameTime& time) const {
     if (!allHave([&](const FrameGroups& frame) { return (frame.*time.member).has_value(); })) return std::nullopt;
-    DicomTimes times{{}, time.name};
+    DicomTimes times{{}, nameOf(time, m_groups[result.phases.front().front()])};
     for (const auto& frames : result.phases) {
         const std::size_t first =
             *std::ranges::min_element(frames, {}, [&](std::size_t frame) { return *(m_groups[frame].*time.member); });
@@ -279,12 +287,12 @@ Result<FramePhases> PhaseSplitter::split() {
             auto found = time.member == &FrameGroups::triggerDelay ? keyedBy(time) : rankedBy(time);
             if (!found) continue;
             phases = *std::move(found);
-            result.source = time.name;
+            result.source = nameOf(time, m_groups[m_tissue.front()]);
             if (phases.size() > 1)
                 result.warnings.push_back(
                     fmt::format("Frames lie at each of {} places {} times: {} tells {} phases "
                                 "apart.",
-                                m_tissue.size() / phases.size(), phases.size(), time.name, phases.size()));
+                                m_tissue.size() / phases.size(), phases.size(), result.source, phases.size()));
             break;
         }
     }

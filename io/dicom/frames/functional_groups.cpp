@@ -59,9 +59,12 @@ void takeTimesOf(DcmItem& item, FrameGroups& groups) {
     const auto takeDelay = [&](DicomTag group, DicomTag nominal, DicomTag actual) {
         DcmItem* const synchronized = dicomFirstItem(item, group);
         if (synchronized == nullptr) return;
-        auto delay = oneNumber(*synchronized, nominal);
-        if (!delay) delay = oneNumber(*synchronized, actual);
-        if (delay) groups.triggerDelay = *delay / 1000;
+        for (const DicomTag tag : {actual, nominal}) {
+            const auto delay = oneNumber(*synchronized, tag);
+            if (!delay) continue;
+            groups.triggerDelay = *delay / 1000;
+            groups.delayTag = tag;
+        }
     };
     takeDelay(respiratoryGroup, {0x0020, 0x9255}, {0x0020, 0x9257});
     takeDelay(cardiacGroup, {0x0020, 0x9153}, {0x0020, 0x9252});

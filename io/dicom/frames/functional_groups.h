@@ -43,6 +43,7 @@ struct FrameGroups {
     std::optional<double> timeOffset;                   ///< Temporal Position Time Offset, seconds
     std::optional<std::int64_t> temporalIndex;          ///< Temporal Position Index
     std::optional<double> triggerDelay;     ///< Nominal, else Actual Cardiac or Respiratory Trigger Delay Time, seconds
+    DicomTag delayTag{};                    ///< the attribute that triggerDelay is
     std::optional<double> referenceTime;    ///< Frame Reference Date Time, seconds as of secondsOfDateTime()
     std::optional<double> acquisitionTime;  ///< Frame Acquisition Date Time, the same
     std::string dataType;                   ///< (0018,9808): TISSUE_INTENSITY, FLOW_VELOCITY, ...

@@ -49,11 +49,7 @@ public:
                 openAllParts);
         }
         if (const auto whole = checkOffsets(placed); !whole) return tl::unexpected(whole.error());
-        if (m_total == 0)
-            m_arranged.notes.push_back(fmt::format(
-                "The files do not say of how many parts their object is: {} part(s) are here, and more may be "
-                "missing at the end.",
-                m_files.size()));
+        if (m_total == 0) m_arranged.notes.push_back(moreMayBeMissing(m_files.size()));
         return std::move(m_arranged);
     }
 
@@ -134,6 +130,7 @@ private:
         const auto ignore = [&](const char* why) {
             m_arranged.notes.push_back(fmt::format("{} {}; the parts were joined by their numbers.", offsetName, why));
         };
+        if (m_files.size() == 1 && !placed) return {};
         if (!placed) {
             ignore("is missing in some files");
             return {};
@@ -189,12 +186,19 @@ std::optional<ConcatenationPart> concatenationPartOf(DcmItem& dataset) {
     part.frames = std::clamp<std::int64_t>(dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1), 1, mostFrames);
     const bool named = !dicomText(dataset, wholeTag).empty();
     const bool counted = part.number.has_value() && part.total.value_or(0) > 1;
-    if (!named && !counted) return std::nullopt;
+    // Some programs give whole files a Concatenation UID.
+    const bool placed = part.number || part.offset || part.total.value_or(0) > 1;
+    if (!counted && !(named && placed)) return std::nullopt;
     return part;
 }
 
 bool isWhole(const ConcatenationPart& part) {
     return part.total == 1 && part.number.value_or(1) <= 1 && part.offset.value_or(0) == 0;
+}
+
+bool mayBeWhole(const ConcatenationPart& part) {
+    const std::int64_t number = part.number.value_or(1);
+    return part.total.value_or(1) <= 1 && (number == 0 || number == 1) && part.offset.value_or(0) == 0;
 }
 
 std::string partInWords(const ConcatenationPart& part) {
@@ -207,6 +211,13 @@ tl::unexpected<Failure> onlyAPart(const std::string& path, const ConcatenationPa
                 fmt::format("says that the file is {} of one object, which is kept in several files (a concatenation)",
                             partInWords(part)),
                 "Open the folder that holds all parts.");
+}
+
+std::string moreMayBeMissing(std::size_t parts) {
+    return fmt::format(
+        "The files do not say of how many parts their object is: {} part(s) are here, and more may be missing at the "
+        "end.",
+        parts);
 }
 
 bool isAboutParts(const Failure& failure) { return failure.element == numberName || failure.element == offsetName; }

@@ -1,6 +1,7 @@
 // Objects of many frames that are kept in several files: DICOM's concatenations (PS3.3 C.7.6.16.2.2.4).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,17 +24,24 @@ struct ConcatenationPart {
     friend bool operator==(const ConcatenationPart&, const ConcatenationPart&) = default;
 };
 
-/// What the file says; no value if it is no part.
+/// What the file says; no value if it is no part: unless it states its number, its offset or a total above 1 (those
+/// without a Concatenation UID: its number and such a total).
 [[nodiscard]] std::optional<ConcatenationPart> concatenationPartOf(DcmItem& dataset);
 
 /// Whether a part says that it is the only one.
 [[nodiscard]] bool isWhole(const ConcatenationPart& part);
+
+/// Whether nothing says that a part is not the only one: it may be the first of several.
+[[nodiscard]] bool mayBeWhole(const ConcatenationPart& part);
 
 /// "part 2 of 3".
 [[nodiscard]] std::string partInWords(const ConcatenationPart& part);
 
 /// The refusal of a part that was opened by itself.
 [[nodiscard]] tl::unexpected<Failure> onlyAPart(const std::string& path, const ConcatenationPart& part);
+
+/// The note on an object that does not say of how many parts it is, `parts` of which are here.
+[[nodiscard]] std::string moreMayBeMissing(std::size_t parts);
 
 /// Whether a failure is arrangeParts()'s, so that a file that cannot be read may be what is missing.
 [[nodiscard]] bool isAboutParts(const Failure& failure);

@@ -52,6 +52,19 @@ bool sameBytes(const InputFile& a, std::uint64_t fromA, const InputFile& b, std:
     return true;
 }
 
+/// Values as numbers, where they are such: programs write one number in several ways.
+std::string withPlainNumbers(const std::string& values) {
+    std::string plain;
+    for (std::size_t start = 0; start <= values.size();) {
+        const std::size_t end = std::min(values.find('\\', start), values.size());
+        const std::string value = values.substr(start, end - start);
+        const auto number = decimalNumber(value);
+        plain += number ? fmt::format("{}\\", *number + 0.0) : value + "\\";  // -0 becomes 0
+        start = end + 1;
+    }
+    return plain;
+}
+
 /// What a file says of the places and times of its frames, as text.
 std::string statedPlaces(DcmItem& dataset) {
     constexpr std::array tags{
@@ -59,7 +72,7 @@ std::string statedPlaces(DcmItem& dataset) {
         DicomTag{0x3004, 0x000c}, DicomTag{0x0018, 0x1063}, DicomTag{0x0018, 0x1065}, DicomTag{0x0028, 0x0009},
     };
     std::string text;
-    for (const DicomTag tag : tags) text += dicomText(dataset, tag) + "|";
+    for (const DicomTag tag : tags) text += withPlainNumbers(dicomText(dataset, tag)) + "|";
     return text;
 }
 
@@ -134,10 +147,10 @@ public:
                 continue;
             }
             switch (compareFiles(m_images[there->second], m_images[index], m_progress)) {
-                case Comparison::same:
-                case Comparison::secondBroken: m_dropped.push_back(index); break;
+                case Comparison::same: m_same.insert(index); break;
+                case Comparison::secondBroken: m_broken.insert(index); break;
                 case Comparison::firstBroken:
-                    m_dropped.push_back(there->second);
+                    m_broken.insert(there->second);
                     there->second = index;
                     break;
                 case Comparison::different:
@@ -148,7 +161,22 @@ public:
         m_places = shown.size();
     }
 
-    [[nodiscard]] const std::vector<std::size_t>& dropped() const { return m_dropped; }
+    [[nodiscard]] const std::set<std::size_t>& same() const { return m_same; }
+    [[nodiscard]] const std::set<std::size_t>& broken() const { return m_broken; }
+    /// The paths of the files that are no copies.
+    [[nodiscard]] std::vector<std::string> kept() const {
+        std::vector<std::string> paths;
+        for (const std::size_t index : m_indices)
+            if (!m_same.contains(index) && !m_broken.contains(index)) paths.push_back(m_images[index].file.path);
+        return paths;
+    }
+    /// Whether the places of all files are known and each holds one picture.
+    [[nodiscard]] bool arePlaced() const {
+        return std::ranges::all_of(m_indices, [&](std::size_t index) {
+            const ImageHeader& image = m_images[index];
+            return image.file.plane && image.frames == 1 && !image.volume;
+        });
+    }
     /// How many different pictures the files hold, at least.
     [[nodiscard]] std::size_t pictures() const { return m_places + m_differing; }
     /// Two files that show something else at the same place and moment.
@@ -160,13 +188,24 @@ private:
     Images& m_images;
     std::vector<std::size_t> m_indices;
     const Progress& m_progress;
-    std::vector<std::size_t> m_dropped;
+    std::set<std::size_t> m_same, m_broken;
     std::size_t m_places = 0, m_differing = 0;
     std::optional<std::pair<std::size_t, std::size_t>> m_different, m_other;
 };
 
+/// Indices of copies.
+struct Dropped {
+    std::set<std::size_t> same, broken;
+
+    void add(const Alike& alike) {
+        same.insert(alike.same().begin(), alike.same().end());
+        broken.insert(alike.broken().begin(), alike.broken().end());
+    }
+    [[nodiscard]] bool contains(std::size_t index) const { return same.contains(index) || broken.contains(index); }
+};
+
 /// Finds pictures that some program has given another identity: the same place, moment, number and content.
-void findRenamed(Images& images, std::set<std::size_t>& dropped, const Progress& progress) {
+void findRenamed(Images& images, Dropped& dropped, const Progress& progress) {
     std::map<std::string, std::vector<std::size_t>> places;
     for (std::size_t i = 0; i < images.size(); ++i)
         if (images[i].file.plane && !dropped.contains(i)) places[placeOf(images[i])].push_back(i);
@@ -174,7 +213,7 @@ void findRenamed(Images& images, std::set<std::size_t>& dropped, const Progress&
         if (indices.size() < 2 || progress.cancelled()) continue;
         Alike alike(images, std::move(indices), progress);
         alike.compare();
-        dropped.insert(alike.dropped().begin(), alike.dropped().end());
+        dropped.add(alike);
     }
 }
 
@@ -188,18 +227,22 @@ FoundCopies dropCopies(Images& images, const Progress& progress) {
         const std::string part = images[i].part ? partInWords(*images[i].part) : "";
         identities[{images[i].object, part}].push_back(i);
     }
-    std::set<std::size_t> dropped;
+    Dropped dropped;
     for (auto& [identity, indices] : identities) {
         if (indices.size() < 2 || progress.cancelled()) continue;
         const std::size_t count = indices.size();
         Alike alike(images, std::move(indices), progress);
         alike.compare();
-        dropped.insert(alike.dropped().begin(), alike.dropped().end());
+        dropped.add(alike);
         // Some programs give all pictures one UID.
         constexpr std::size_t fewest = 3;
         found.identityIsShared = count == images.size() && alike.pictures() >= fewest;
-        const auto& pair = alike.different() ? alike.different() : alike.elsewhere();
-        if (!pair || found.identityIsShared || found.contradiction) continue;
+        if (found.identityIsShared) continue;
+        const bool placed = alike.arePlaced();
+        if (placed && alike.elsewhere())
+            for (std::string& path : alike.kept()) found.elsewhere.push_back(std::move(path));
+        const auto& pair = alike.different() || placed ? alike.different() : alike.elsewhere();
+        if (!pair || found.contradiction) continue;
         found.contradicting = identity.first;
         found.contradiction =
             fail(FailureKind::unreadable, images[pair->second].file.path, "(0008,0018) SOP Instance UID",
@@ -209,7 +252,8 @@ FoundCopies dropCopies(Images& images, const Progress& progress) {
                 .value();
     }
     findRenamed(images, dropped, progress);
-    for (const std::size_t index : dropped) found.dropped.push_back(images[index].file.path);
+    for (const std::size_t index : dropped.same) found.dropped.same.push_back(images[index].file.path);
+    for (const std::size_t index : dropped.broken) found.dropped.broken.push_back(images[index].file.path);
     Images kept;
     for (std::size_t i = 0; i < images.size(); ++i)
         if (!dropped.contains(i)) kept.push_back(std::move(images[i]));

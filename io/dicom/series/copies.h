@@ -11,13 +11,27 @@
 
 namespace echolucent {
 
+/// Paths of copies that were taken out.
+struct LeftOutCopies {
+    std::vector<std::string> same;    ///< they show the same as the ones that stay
+    std::vector<std::string> broken;  ///< they cannot be decoded, unlike the ones that stay
+
+    void add(const LeftOutCopies& more) {
+        same.insert(same.end(), more.same.begin(), more.same.end());
+        broken.insert(broken.end(), more.broken.begin(), more.broken.end());
+    }
+};
+
 /// What dropCopies() found.
 struct FoundCopies {
-    std::vector<std::string> dropped;      ///< paths of the copies that were taken out
-    std::optional<Failure> contradiction;  ///< two files of one identity that differ; about the second of them
-    std::string contradicting;             ///< their SOP Instance UID
+    LeftOutCopies dropped;
+    std::optional<Failure>
+        contradiction;          ///< two files of one identity that differ at one place; about the second of them
+    std::string contradicting;  ///< their SOP Instance UID
     /// Whether all images, at least three different ones, have one identity, which then is none.
     bool identityIsShared = false;
+    /// Else paths of single pictures that have one identity, but lie at several places or moments.
+    std::vector<std::string> elsewhere;
 };
 
 /// Takes copies out of `images`: files of one SOP Instance UID (and, of a concatenation, of one part) that show the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -60,6 +61,15 @@ bool areMeantTogether(const Images& images) {
            });
 }
 
+/// The kinds of a group's pictures, as text: of several contrasts, none is a volume with another's.
+std::string kindsOf(const SliceGroup& group) {
+    std::set<std::string> kinds;
+    for (const ImageHeader& image : group.images) kinds.insert(image.moments.kind);
+    std::string text;
+    for (const std::string& kind : kinds) text += kind + "\n";
+    return text;
+}
+
 /// The entry of images of several series; no value if they do not belong together.
 std::optional<SeriesEntry> join(const std::string& folder, Images images) {
     const std::size_t count = countSeries(images);
@@ -81,11 +91,13 @@ std::optional<SeriesEntry> join(const std::string& folder, Images images) {
 }  // namespace
 
 std::vector<SeriesEntry> joinSeries(const std::string& folder, std::map<std::string, std::vector<SliceGroup>>& series) {
-    std::map<std::string, Images> studies;
+    std::map<std::pair<std::string, std::string>, Images> studies;  // by study and kinds
     for (const auto& [uid, groups] : series)
         for (const SliceGroup& group : groups)
-            if (isOfOnePlace(group))
-                for (const ImageHeader& image : group.images) studies[image.study].push_back(image);
+            if (isOfOnePlace(group)) {
+                const std::string kinds = kindsOf(group);
+                for (const ImageHeader& image : group.images) studies[{image.study, kinds}].push_back(image);
+            }
     std::vector<SeriesEntry> entries;
     std::set<std::string> joined;  // paths
     for (auto& [study, images] : studies) {

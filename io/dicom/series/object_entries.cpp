@@ -8,7 +8,6 @@
 #include <map>
 
 #include "io/dicom/frames/frame_layout.h"
-#include "io/dicom/series/copies.h"
 #include "io/dicom/series/slice_groups.h"
 #include "io/dicom/volumes/joined_parts.h"
 #include "io/files/files_below.h"
@@ -18,7 +17,7 @@ namespace echolucent {
 namespace {
 
 /// Why the joined parts are no volume, as far as their headers tell.
-std::optional<Failure> whyNoVolume(const SeriesEntry& entry, const Progress& progress) {
+std::optional<Failure> whyPartsAreNoVolume(const SeriesEntry& entry, const Progress& progress) {
     std::vector<std::string> paths;
     for (const SeriesFile& file : entry.files) paths.push_back(file.path);
     const auto header = joinedHeader(paths, progress);
@@ -63,16 +62,16 @@ SeriesEntry joined(const std::string& folder, Images parts, const Progress& prog
         entry.notes.insert(
             entry.notes.begin(),
             fmt::format("{} files are the parts of one object (a concatenation) and were joined.", entry.files.size()));
-    if (!entry.whyNot) entry.whyNot = whyNoVolume(entry, progress);
+    if (!entry.whyNot) entry.whyNot = whyPartsAreNoVolume(entry, progress);
     return entry;
 }
 
 }  // namespace
 
-std::vector<SeriesEntry> objectEntries(const std::string& folder, Images images, std::vector<std::string>& copies,
+std::vector<SeriesEntry> objectEntries(const std::string& folder, Images images, LeftOutCopies& copies,
                                        const Progress& progress) {
     const FoundCopies found = dropCopies(images, progress);
-    copies.insert(copies.end(), found.dropped.begin(), found.dropped.end());
+    copies.add(found.dropped);
     std::ranges::stable_sort(images, {}, [](const ImageHeader& image) { return image.file.path; });
     std::vector<SeriesEntry> entries;
     std::map<std::string, Images> parts;

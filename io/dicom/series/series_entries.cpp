@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -66,8 +67,7 @@ void sayApart(const std::vector<std::vector<std::string>>& reasons, std::vector<
 }
 
 /// Slices of each Series Instance UID in groups that may be volumes, without copies.
-std::map<std::string, std::vector<SliceGroup>> groupSlices(std::map<std::string, Images> slices,
-                                                           std::vector<std::string>& copies,
+std::map<std::string, std::vector<SliceGroup>> groupSlices(std::map<std::string, Images> slices, LeftOutCopies& copies,
                                                            std::vector<std::string>& warnings,
                                                            const Progress& progress) {
     std::map<std::string, std::vector<SliceGroup>> series;
@@ -78,16 +78,52 @@ std::map<std::string, std::vector<SliceGroup>> groupSlices(std::map<std::string,
         for (std::size_t i = 0; i < apart.groups.size(); ++i) {
             SliceGroup group{std::move(apart.groups[i]), {}, std::move(apart.distinctions[i])};
             FoundCopies found = dropCopies(group.images, progress);
-            copies.insert(copies.end(), found.dropped.begin(), found.dropped.end());
+            copies.add(found.dropped);
             group.contradiction = std::move(found.contradiction);
             if (found.identityIsShared)
                 group.notes.emplace_back(
                     "All pictures have the same (0008,0018) SOP Instance UID, which should tell them apart.");
+            if (!found.elsewhere.empty())
+                group.notes.push_back(fmt::format(
+                    "{} files share the (0008,0018) SOP Instance UID of another, though they lie elsewhere: {}.",
+                    found.elsewhere.size(), filesInWords(found.elsewhere)));
             series[uid].push_back(std::move(group));
         }
     }
     sayApart(reasons, warnings);
     return series;
+}
+
+/// Warns of copies.
+void sayCopies(LeftOutCopies copies, std::vector<std::string>& warnings) {
+    std::ranges::sort(copies.same);
+    std::ranges::sort(copies.broken);
+    if (!copies.same.empty())
+        warnings.push_back(
+            fmt::format("{} file(s) are copies of others, which show the same at the same place and time, and were "
+                        "left out: {}.",
+                        copies.same.size(), filesInWords(copies.same)));
+    if (!copies.broken.empty())
+        warnings.push_back(
+            fmt::format("{} file(s) that cannot be decoded were left out, as others stand for the same "
+                        "picture: {}.",
+                        copies.broken.size(), filesInWords(copies.broken)));
+}
+
+/// Sorts entries, the openable ones first, most slices first, and puts `joined` among them: behind each series that
+/// opens by itself, as it is certain that a series was meant.
+void takeInOrder(std::vector<SeriesEntry> joined, std::vector<SeriesEntry>& entries) {
+    const auto rank = [](const SeriesEntry& entry, bool isJoined) {
+        return std::tuple(entry.whyNot.has_value(), isJoined, -entry.size[2]);
+    };
+    std::vector<std::pair<bool, SeriesEntry>> all;
+    for (SeriesEntry& entry : joined) all.emplace_back(true, std::move(entry));
+    for (SeriesEntry& entry : entries) all.emplace_back(false, std::move(entry));
+    std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+        return rank(a.second, a.first && !a.second.whyNot) < rank(b.second, b.first && !b.second.whyNot);
+    });
+    entries.clear();
+    for (auto& [isJoined, entry] : all) entries.push_back(std::move(entry));
 }
 
 }  // namespace
@@ -96,14 +132,19 @@ SortedSeries sortIntoSeries(const std::string& folder, std::vector<ImageHeader> 
                             std::vector<DamagedFile> damaged, const Progress& progress) {
     SortedSeries sorted;
     std::map<std::string, Images> slices, objects;
+    std::set<std::pair<std::string, std::string>> framed;  // concatenations with a file of many frames
+    for (const ImageHeader& image : images)
+        if (image.part && image.frames > 1) framed.emplace(image.series, image.part->whole);
     for (ImageHeader& image : images) {
-        const bool object = image.volume || image.frames > 1 || (image.part && !isWhole(*image.part));
+        // Some programs call plain slices parts; their places tell more.
+        const bool slice = image.file.plane && image.part && !framed.contains({image.series, image.part->whole});
+        const bool object = image.volume || image.frames > 1 || (image.part && !isWhole(*image.part) && !slice);
         (object ? objects : slices)[image.series].push_back(std::move(image));
     }
-    std::vector<std::string> copies;
+    LeftOutCopies copies;
     auto series = groupSlices(std::move(slices), copies, sorted.warnings, progress);
     sorted.leftOut = giveToGroups(std::move(damaged), series);
-    sorted.entries = joinSeries(folder, series);
+    std::vector<SeriesEntry> joined = joinSeries(folder, series);
     for (auto& [uid, groups] : series)
         for (SliceGroup& group : groups) {
             SeriesEntry entry = entryOf(group.images.front());
@@ -115,15 +156,8 @@ SortedSeries sortIntoSeries(const std::string& folder, std::vector<ImageHeader> 
     for (auto& [uid, own] : objects)
         for (SeriesEntry& entry : objectEntries(folder, std::move(own), copies, progress))
             sorted.entries.push_back(std::move(entry));
-    std::ranges::sort(copies);
-    if (!copies.empty())
-        sorted.warnings.push_back(fmt::format(
-            "{} file(s) are copies of others, which show the same at the same place and time, and were left "
-            "out: {}.",
-            copies.size(), filesInWords(copies)));
-    std::stable_sort(sorted.entries.begin(), sorted.entries.end(), [](const SeriesEntry& a, const SeriesEntry& b) {
-        return std::pair(a.whyNot.has_value(), -a.size[2]) < std::pair(b.whyNot.has_value(), -b.size[2]);
-    });
+    sayCopies(std::move(copies), sorted.warnings);
+    takeInOrder(std::move(joined), sorted.entries);
     nameApart(sorted.entries);
     return sorted;
 }

@@ -46,14 +46,10 @@ std::optional<Places> placesOf(const Images& images) {
         depths.emplace_back(depth, i);
     }
     std::ranges::sort(depths);
-    std::vector<double> gaps;
-    for (std::size_t i = 1; i < depths.size(); ++i)
-        if (const double gap = depths[i].first - depths[i - 1].first; gap > samePlaceMm) gaps.push_back(gap);
-    if (gaps.empty()) return std::nullopt;
-    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-    std::nth_element(gaps.begin(), middle, gaps.end());
-    // Programs round positions; half of the gaps may be such.
-    const double spacing = *middle < 2 * samePlaceMm ? *std::max_element(gaps.begin(), gaps.end()) : *middle;
+    // Programs round positions, so that most gaps may be small ones; the largest is one between two places.
+    double spacing = 0.0;
+    for (std::size_t i = 1; i < depths.size(); ++i) spacing = std::max(spacing, depths[i].first - depths[i - 1].first);
+    if (!(spacing > samePlaceMm)) return std::nullopt;
     const double tolerance = std::max(samePlaceMm, sameShare * spacing);
     Places places{std::vector<std::size_t>(images.size()), 0, {}};
     const Vec3* start = nullptr;
@@ -73,11 +69,11 @@ std::optional<Places> placesOf(const Images& images) {
     return places;
 }
 
-/// Times of day that go over midnight without saying so.
+/// Times of day that go over midnight without saying so. Values with a date, which are larger, stay as they are.
 void passMidnight(Values& seconds) {
     constexpr double day = 86400, longestPause = 4 * 3600;
     const auto [least, most] = std::ranges::minmax(seconds);
-    if (most - least > day || most - least < day - longestPause) return;
+    if (most > day + 1 || most - least < day - longestPause) return;  // a day may end with a leap second
     for (double& one : seconds)
         if (one - least < day / 2) one += day;
 }
@@ -176,6 +172,7 @@ private:
         // time of its own.
         if (4 * m_images.size() >= 3 * different.size() * m_places.count) return tableByValue(values, order);
         if (areEvenlyMany()) return tableByRank(order);
+        if (m_most > 2 * m_images.size() / m_places.count) return {};  // most slices of most phases would be missing
         Table table = tableByRepetition(order);
         return table.size() == m_most ? table : Table();
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 
 #include "io/dicom/elements/dicom_attributes.h"
@@ -20,6 +21,7 @@ namespace {
 
 /// No object of scanners needs as many groups; copies of them take memory.
 constexpr std::size_t mostCopiedGroups = mostElements;
+constexpr unsigned long mostGroupsOfAFrame = 1000;
 
 struct SharedAttribute {
     DicomTag tag;
@@ -99,9 +101,30 @@ private:
     static DcmItem* sharedGroups(DcmItem& dataset) { return dicomFirstItem(dataset, sharedGroupsTag); }
 
     static bool sameGroups(DcmItem& one, DcmItem& other) {
-        const DcmItem* a = sharedGroups(one);
-        const DcmItem* b = sharedGroups(other);
-        return a == nullptr || b == nullptr ? a == b : a->compare(*b) == 0;
+        DcmItem* const a = sharedGroups(one);
+        DcmItem* const b = sharedGroups(other);
+        return a == nullptr || b == nullptr || a == b ? a == b : sameObjects(*a, *b);
+    }
+
+    /// Compares two objects in time in proportion to their size; DCMTK's own comparison is quadratic. The objects must
+    /// not be the same one.
+    static bool sameObjects(DcmObject& a, DcmObject& b) {
+        if (a.getTag() != b.getTag() || a.isLeaf() != b.isLeaf()) return false;
+        if (a.isLeaf()) return sameValues(static_cast<DcmElement&>(a), static_cast<DcmElement&>(b));
+        DcmObject *one = a.nextInContainer(nullptr), *other = b.nextInContainer(nullptr);
+        while (one != nullptr && other != nullptr && sameObjects(*one, *other)) {
+            one = a.nextInContainer(one);
+            other = b.nextInContainer(other);
+        }
+        return one == nullptr && other == nullptr;
+    }
+
+    static bool sameValues(DcmElement& a, DcmElement& b) {
+        const Uint32 bytes = a.getLengthField();
+        if (bytes != b.getLengthField()) return false;
+        std::vector<std::uint8_t> one(bytes), other(bytes);
+        return bytes == 0 || (a.getPartialValue(one.data(), 0, bytes).good() &&
+                              b.getPartialValue(other.data(), 0, bytes).good() && one == other);
     }
 
     static std::size_t elementsIn(DcmObject& object) {
@@ -119,6 +142,7 @@ private:
         const std::size_t frames = dicomSequenceLength(part.dataset(), perFrameGroupsTag);
         const std::size_t each = elementsIn(*shared);
         if (frames == 0) return {};
+        if (shared->card() > mostGroupsOfAFrame) m_copied = mostCopiedGroups;  // each is looked for in a list
         m_copied += each > mostCopiedGroups / frames ? mostCopiedGroups : each * frames;
         if (m_copied >= mostCopiedGroups)
             return fail(FailureKind::unreadable, part.path(), tagText(sharedGroupsTag) + " Shared Functional Groups",

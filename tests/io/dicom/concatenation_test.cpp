@@ -122,6 +122,43 @@ TEST(Concatenation, APartByItselfSaysThatItIsOne) {
     expectWhole(readStudy(path, withoutGuess()), 2);
 }
 
+TEST(Concatenation, WhatMayBeWholeOpens) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a", partOf(1, 0, 2).bytes());
+    for (const std::string& opened : {path, folder.path()}) {
+        const auto study = readStudy(opened, withoutGuess());
+        expectWhole(study, 2);
+        EXPECT_TRUE(warnsOf(*study, "1 part(s) are here, and more may be missing at the end"));
+    }
+    Part named = partOf(-1, 0, 2);
+    named.offset = false;
+    folder.write("a", named.bytes());
+    for (const std::string& opened : {path, folder.path()}) {
+        const auto study = readStudy(opened, withoutGuess());
+        expectWhole(study, 2);
+        EXPECT_FALSE(warnsOf(*study, "more may be missing")) << "a Concatenation UID by itself says nothing";
+    }
+}
+
+TEST(Concatenation, PlainSlicesThatCallThemselvesPartsStaySlices) {
+    const TemporaryFolder folder;
+    for (int depth = 0; depth < 4; ++depth) {
+        DicomBytes file;
+        file.text(0x0008, 0x0018, "UI", "1.2.3." + std::to_string(depth)).text(0x0020, 0x000e, "UI", "1.2.3");
+        file.text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(depth));
+        file.text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0").text(0x0020, 0x9161, "UI", "1.2.8");
+        file.word(0x0020, 0x9162, static_cast<std::uint16_t>(depth + 1)).word(0x0020, 0x9163, 4);
+        file.text(0x0028, 0x0030, "DS", "1\\1");
+        DicomBytes pixels;
+        pixels.picture(4, 2, 0).put(0x7fe0, 0x0010, "OW", std::string(8, static_cast<char>(1 + depth)));
+        folder.write(std::to_string(depth), file.file(pictureClass) + pixels.bytes());
+    }
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->geometry().size, (std::array<std::int64_t, 3>{4, 2, 4}));
+    EXPECT_EQ(study->phases[0]->storedValue(24), 4);
+}
+
 TEST(Concatenation, AMissingPartIsNamed) {
     const TemporaryFolder folder;
     folder.write("a", partOf(1, 0, 2, 4).bytes());

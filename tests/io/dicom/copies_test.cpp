@@ -13,12 +13,12 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 /// A slice of 4 x 2 pixels of `value` at this depth.
-std::string copiedSlice(int depth, char value, const std::string& uid = "") {
+std::string copiedSlice(int depth, char value, const std::string& uid = "", const std::string& spacing = "1\\1") {
     DicomBytes file;
     file.text(0x0008, 0x0018, "UI", uid.empty() ? "1.2.3." + std::to_string(depth) : uid);
     file.text(0x0020, 0x000e, "UI", "1.2.3").text(0x0020, 0x0013, "IS", std::to_string(depth));
     file.text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(depth)).text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0");
-    file.text(0x0028, 0x0030, "DS", "1\\1");
+    file.text(0x0028, 0x0030, "DS", spacing);
     DicomBytes pixels;
     pixels.picture(4, 2, 0).put(0x7fe0, 0x0010, "OW", std::string(8, value));
     return file.file(pictureClass) + pixels.bytes();
@@ -74,9 +74,27 @@ TEST(Copies, ThatDifferAreRefusedByName) {
               HasSubstr("Take away the one that does not belong here.")));
     folder.write("s1 (copy)", packedSlice(1, 'x'));
     EXPECT_THAT(readStudy(folder.path()).error().sentence(), HasSubstr("two files that differ"));
-    folder.write("s1 (copy)", copiedSlice(4, 'b', "1.2.3.1"));
-    EXPECT_THAT(readStudy(folder.path()).error().sentence(), HasSubstr("two files that differ"))
-        << "a picture of another place is another picture";
+}
+
+TEST(Copies, OfOtherPlacesAreOtherPictures) {
+    const TemporaryFolder folder;
+    writeFour(folder);
+    folder.write("s4", copiedSlice(4, 'b', "1.2.3.1"));
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    EXPECT_EQ(study->phases[0]->geometry().size[2], 5);
+    EXPECT_TRUE(warnsOf(*study,
+                        "2 files share the (0008,0018) SOP Instance UID of another, though they lie elsewhere: \"s1\", "
+                        "\"s4\"."));
+}
+
+TEST(Copies, MayWriteNumbersInAnotherWay) {
+    const TemporaryFolder folder;
+    writeFour(folder);
+    folder.write("exported again", copiedSlice(1, 'b', "", "1.0\\1.00"));
+    const auto study = readStudy(folder.path(), withoutGuess());
+    expectFour(study);
+    EXPECT_TRUE(warnsOf(*study, "1 file(s) are copies of others"));
 }
 
 TEST(Copies, AnIdentityThatAllPicturesShareIsNone) {
@@ -109,6 +127,9 @@ TEST(Copies, AWholeOneStandsInForOneThatDoesNotDecode) {
     folder.write("s", broken);
     const auto study = readStudy(folder.path(), withoutGuess());
     expectFour(study);
+    EXPECT_TRUE(warnsOf(
+        *study, "1 file(s) that cannot be decoded were left out, as others stand for the same picture: \"s\"."));
+    EXPECT_FALSE(warnsOf(*study, "show the same"));
 }
 
 TEST(Copies, OfObjectsOfManyFramesAreLeftOutToo) {

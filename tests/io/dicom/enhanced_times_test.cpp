@@ -68,7 +68,8 @@ TEST(EnhancedTimes, TriggerDelaysSplitFramesWhosePlacesRepeat) {
     EXPECT_EQ(framesOf(study), (Frames{{3, 4}, {5, 6}, {1, 2}}));
     EXPECT_DOUBLE_EQ(*study->phaseTimes.meanSeconds, 0.04);
     EXPECT_TRUE(study->phaseTimes.starts.empty());
-    EXPECT_TRUE(warnsOf(*study, "Nominal Cardiac Trigger Delay Time, or the like tells 3 phases apart"));
+    EXPECT_TRUE(warnsOf(*study, "(0020,9153) Nominal Cardiac Trigger Delay Time tells 3 phases apart"));
+    EXPECT_EQ(sourceOf(*study, "time between phases"), "(0020,9153) Nominal Cardiac Trigger Delay Time");
 }
 
 TEST(EnhancedTimes, DatesSplitTheFramesOfEachPlaceInTheirOrder) {

@@ -19,7 +19,7 @@ struct LoneSlice {
     int number = 0;
     double depth = 0;
     std::string series{}, study = "1.2.7", frame = "1.2.9", orientation = "1\\0\\0\\0\\1\\0", patient = "P-1";
-    std::string imageType{}, trigger{}, description = "3D volume";
+    std::string imageType{}, echoTime{}, trigger{}, description = "3D volume";
     std::uint16_t columns = 4;
     int value = 0;
 
@@ -28,6 +28,7 @@ struct LoneSlice {
         if (!imageType.empty()) file.text(0x0008, 0x0008, "CS", imageType);
         file.text(0x0008, 0x0018, "UI", "1.2.3.1." + std::to_string(number)).text(0x0008, 0x103e, "LO", description);
         file.text(0x0010, 0x0020, "LO", patient);
+        if (!echoTime.empty()) file.text(0x0018, 0x0081, "DS", echoTime);
         if (!trigger.empty()) file.text(0x0018, 0x1060, "DS", trigger);
         file.text(0x0020, 0x000d, "UI", study).text(0x0020, 0x000e, "UI", series);
         file.text(0x0020, 0x0013, "IS", "1").text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(depth));
@@ -81,6 +82,7 @@ TEST(JoinedSeries, WhatDoesNotBelongTogetherStaysAlone) {
         {"patient", [](LoneSlice& slice) { slice.patient = "P-2"; }},
         {"study", [](LoneSlice& slice) { slice.study = "1.2.71"; }},
         {"size", [](LoneSlice& slice) { slice.columns = 6; }},
+        {"contrast", [](LoneSlice& slice) { slice.echoTime = "90"; }},
         {"localizer", [](LoneSlice& slice) { slice.imageType = "ORIGINAL\\PRIMARY\\LOCALIZER"; }},
     };
     for (const auto& [what, change] : strangers) {
@@ -95,6 +97,24 @@ TEST(JoinedSeries, WhatDoesNotBelongTogetherStaysAlone) {
         EXPECT_EQ(list->series[0].size[2], 4) << what;
         EXPECT_EQ(list->series[1].files[0].path, folder.file("i4")) << what;
     }
+}
+
+TEST(JoinedSeries, StandsBehindASeriesThatOpensByItself) {
+    const TemporaryFolder folder;
+    writeLone(folder, 5, [](LoneSlice&) {});
+    for (int number = 10; number < 13; ++number) {
+        LoneSlice slice;
+        slice.number = slice.value = number;
+        slice.depth = number;
+        slice.series = "1.2.3.500";
+        folder.write("v" + std::to_string(number), slice.bytes());
+    }
+    const auto list = listSeries(folder.path());
+    ASSERT_TRUE(list) << list.error().sentence();
+    ASSERT_EQ(list->series.size(), 2u);
+    EXPECT_EQ(list->series[0].uid, "1.2.3.500");
+    EXPECT_EQ(list->series[1].size[2], 5);
+    EXPECT_FALSE(list->series[1].whyNot);
 }
 
 TEST(JoinedSeries, EachWithAFrameOfReferenceOfItsOwnIsNotJoined) {

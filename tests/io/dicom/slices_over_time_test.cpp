@@ -22,7 +22,7 @@ struct MomentSlice {
     int phase = 0, place = 0;
     int instance = 1;
     std::string identifier{}, trigger{}, resolution{}, acquired{}, acquiredOn{}, acquiredAt{}, content{}, imageType{},
-        number{};
+        number{}, decimals{};  ///< `decimals` stand behind the place in mm: ".01"
 
     [[nodiscard]] std::string bytes() const {
         DicomBytes file;
@@ -39,7 +39,7 @@ struct MomentSlice {
         text(0x0020, 0x000e, "UI", "1.2.3");
         text(0x0020, 0x0012, "IS", number);
         text(0x0020, 0x0013, "IS", std::to_string(instance));
-        text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(2 * place));
+        text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(2 * place) + decimals);
         text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0");
         text(0x0020, 0x0100, "IS", identifier);
         text(0x0020, 0x0110, "DS", resolution);
@@ -120,6 +120,31 @@ TEST(SlicesOverTime, TimesOfAcquisitionPassMidnight) {
         EXPECT_NEAR(*study->phaseTimes.meanSeconds, 1.0, 1e-5);
         EXPECT_TRUE(warnsOf(*study, "(0008,0032) Acquisition Time tells 4 phases apart"));
     }
+}
+
+TEST(SlicesOverTime, TimesWithDatesPassNoMidnightTwice) {
+    const TemporaryFolder folder;
+    const std::array<std::string, momentPhases> times{"080000", "080001", "060000", "060001"};
+    writePhases(folder, [&](MomentSlice& slice) {
+        slice.acquired = times[static_cast<std::size_t>(slice.phase)];
+        slice.acquiredOn = slice.phase < 2 ? "20191231" : "20200101";
+    });
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    expectPhases(*study);
+    ASSERT_EQ(study->phaseTimes.starts.size(), 4u);
+    EXPECT_NEAR(study->phaseTimes.starts[3], 22 * 3600 + 1, 1e-3);
+}
+
+TEST(SlicesOverTime, RoundedPlacesAreTheSame) {
+    const TemporaryFolder folder;
+    writePhases(folder, [](MomentSlice& slice) {
+        slice.identifier = std::to_string(slice.phase + 1);
+        if (slice.phase % 2 == 1) slice.decimals = ".01";
+    });
+    const auto study = readStudy(folder.path(), withoutGuess());
+    ASSERT_TRUE(study) << study.error().sentence();
+    expectPhases(*study);
 }
 
 TEST(SlicesOverTime, TimesOfContentCountIfNothingElseTells) {
