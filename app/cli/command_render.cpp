@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "app/cli/report/opening_report.h"
 #include "app/cli/report/picture_words.h"
 #include "io/study/import_report.h"
+#include "io/study/value_window.h"
 #include "io/writers/picture_file.h"
 #include "processing/pane_picture/pane_picture.h"
 #include "processing/picture/empty_picture.h"
@@ -56,13 +58,17 @@ Result<Vec3> backgroundFrom(const std::string& text) {
     return colour;
 }
 
-/// If no pixel of the picture shows anything and the classification is the reason, says so on stderr.
-void explainEmptiness(const Picture& picture, const Classification& classification, const Volume& volume) {
+/// If no pixel of the picture shows anything and the classification is the reason, says so on stderr, and that black is
+/// kept at 0 if the study has that note.
+void explainEmptiness(const Picture& picture, const Classification& classification, const Volume& volume,
+                      const Study& study) {
     constexpr float leastSeen = 1.0f / 255.0f;
     for (std::size_t alpha = 3; alpha < picture.rgba.size(); alpha += 4)
         if (picture.rgba[alpha] >= leastSeen) return;
     const std::string why = whyNothingShows(upperCurveOf(classification), intensityHistogram(volume));
-    if (!why.empty()) std::fprintf(stderr, "%s\n", why.c_str());
+    if (why.empty()) return;
+    std::fprintf(stderr, "%s\n", why.c_str());
+    if (std::ranges::count(study.warnings, blackKeptAtZero) > 0) sayNote(std::string(blackKeptAtZero));
 }
 
 /// The study of VOLUME, opened, and its document as the options edit it.
@@ -110,7 +116,8 @@ Result<void> render(const RenderOptions& options, const CLI::App& command) {
     const auto quality = options.quality == "quick" ? PictureQuality::quick : PictureQuality::converged;
     const auto shown = panePicture(made->document, made->pane, made->study.phases, width, height, {}, quality);
     sayNote(shown->message);
-    if (shown->cast.mode == RenderMode::direct) explainEmptiness(shown->picture, shown->classification, *shown->voxels);
+    if (shown->cast.mode == RenderMode::direct)
+        explainEmptiness(shown->picture, shown->classification, *shown->voxels, made->study);
     std::vector<std::uint8_t> rgb = overBackground(shown->picture, *background);
     if (options.words) writeWords(rgb, width, height, pictureWordsOf(geometry));
     return writePng(options.output, width, height, rgb);

@@ -250,8 +250,8 @@ void NiftiReader::readWindow() {
     }
     if (std::isfinite(m_header.calMax) && std::isfinite(m_header.calMin) && m_header.calMax > m_header.calMin) {
         m_stored.window =
-            WindowWhite{m_header.calMax, m_header.calMin,
-                        fmt::format("from {:.9g} to {:.9g}", m_header.calMin, m_header.calMax), "cal_min, cal_max"};
+            DisplayWindow{m_header.calMax, m_header.calMin,
+                          fmt::format("from {:.9g} to {:.9g}", m_header.calMin, m_header.calMax), "cal_min, cal_max"};
         return;
     }
     // Voxels of 8 bits are white where 255 is stored, also if the file rescales them.

@@ -51,8 +51,8 @@ struct StoredVolume {
     std::string whiteLevelSource;
     std::optional<double> blackLevel;  ///< as StudyParts::blackLevel
     std::string blackLevelSource;
-    std::optional<double> lowestLevel;  ///< as StudyParts::lowestLevel
-    std::optional<WindowWhite> window;  ///< as StudyParts::window
+    std::optional<double> lowestLevel;    ///< as StudyParts::lowestLevel
+    std::optional<DisplayWindow> window;  ///< as StudyParts::window
     PhaseTimes phaseTimes{};
     std::string phaseSource;
     std::vector<ImportFact> facts;

@@ -13,6 +13,7 @@
 #include "io/voxels/voxel_bytes.h"
 #include "processing/intensity/no_data.h"
 #include "processing/one_line.h"
+#include "processing/volume/value_digits.h"
 #include "processing/volume/white_level.h"
 
 namespace echolucent {
@@ -25,14 +26,17 @@ struct ChosenWhite {
     std::string source;
 };
 
-std::string windowNotTaken(const WindowWhite& window, DeclaredWhite judged, const WhiteLevel& measured,
+std::string windowNotTaken(const DisplayWindow& window, DeclaredWhite judged, const WhiteLevel& measured,
                            const ValueScale& scale) {
     const char* why = judged == DeclaredWhite::tooHigh
                           ? "the values in the data lie so far below it that the picture would be black"
                       : judged == DeclaredWhite::tooLow ? "most values in the data lie above it"
                                                         : "it is not above 0";
-    return fmt::format("The window of the file ({}) puts white at {:.6g}, which is not taken: {} (they reach {:.6g}).",
-                       window.words, window.white, why, scale.fileValue(measured.level));
+    const double reached = scale.fileValue(measured.level);
+    const int digits = digitsToTell({scale.black, reached}, 6);
+    return fmt::format(
+        "The window of the file ({}) puts white at {:.{}g}, which is not taken: {} (they reach {:.{}g}).", window.words,
+        window.white, digits, why, reached, digits);
 }
 
 ChosenWhite whiteFromData(const WhiteLevel& measured, const ValueScale& scale, std::vector<std::string>& warnings) {
@@ -47,10 +51,12 @@ ChosenWhite whiteFromData(const WhiteLevel& measured, const ValueScale& scale, s
         white.level = scale.storedValue(std::numeric_limits<double>::max());
     if (measured.above == 0) return white;
     white.source = "largest value in the data but for hot voxels";
+    const double level = scale.fileValue(measured.level);
+    const int digits = digitsToTell({scale.black, level}, 6);
     warnings.push_back(
-        fmt::format("{} voxels hold values up to {:.6g}, far above all others: the white level is {:.6g} without "
+        fmt::format("{} voxels hold values up to {:.{}g}, far above all others: the white level is {:.{}g} without "
                     "them, and they are shown as white.",
-                    measured.above, scale.fileValue(measured.largest), scale.fileValue(measured.level)));
+                    measured.above, scale.fileValue(measured.largest), digits, level, digits));
     return white;
 }
 

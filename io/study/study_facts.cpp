@@ -14,8 +14,9 @@ namespace {
 
 std::string maskSource(const StudyParts& parts, const ReadOptions& options) {
     if (parts.dataMask) return parts.dataMaskSource + "; or not finite";
-    return options.guessNoData ? "guess: 0 and connected to the border; or not finite"
-                               : "only voxels that are not finite";
+    if (!options.guessNoData) return "only voxels that are not finite";
+    return fmt::format("guess: {} and connected to the border; or not finite",
+                       parts.voxels.scale.black == 0.0 ? "0" : "black, or else 0,");
 }
 
 std::string vectorText(const Vec3& vector) {

@@ -13,7 +13,7 @@
 namespace echolucent {
 
 /// A file's display window. Its white counts if it suits the voxels (judgeDeclaredWhite()).
-struct WindowWhite {
+struct DisplayWindow {
     double white = 0.0;  ///< the file's value shown as white; finite
     double black = 0.0;  ///< the file's value shown as black; counts if 0 would hide much (value_window.h)
     std::string words;   ///< the window as the file gives it: "centre 79, width 158"
@@ -53,8 +53,8 @@ struct StudyParts {
     /// The smallest value that the stored bits can mean, if whiteLevel is the largest one. It is black if 0 would hide
     /// much.
     std::optional<double> lowestLevel;
-    std::optional<ShownValues> shown;   ///< set by keepVoxels()
-    std::optional<WindowWhite> window;  ///< used if whiteLevel is not given and voxels have more than 8 bits
+    std::optional<ShownValues> shown;     ///< set by keepVoxels()
+    std::optional<DisplayWindow> window;  ///< used if whiteLevel is not given and voxels have more than 8 bits
     /// Which voxels are data (one byte a voxel, 1 is data), for all phases, if the format knows what was scanned. No
     /// guess is made then. Else null.
     Volume::SharedMask dataMask;

@@ -8,6 +8,7 @@
 
 #include "io/voxels/stored_values.h"
 #include "processing/volume/black_level.h"
+#include "processing/volume/value_digits.h"
 #include "processing/volume/white_level.h"
 
 namespace echolucent {
@@ -20,7 +21,7 @@ struct ChosenBlack {
 };
 
 /// Whether the whole window of the file suits values that 0 would hide.
-bool windowSuits(const WindowWhite& window, const ValueBlocks& values, const BlackLevel& measured,
+bool windowSuits(const DisplayWindow& window, const ValueBlocks& values, const BlackLevel& measured,
                  const ValueExtent& extent) {
     if (!(window.black < window.white) || !suitsAsBlack(window.black, measured, extent)) return false;
     const ValueBlocks above = [&](const std::function<void(std::span<const double>)>& take) {
@@ -34,20 +35,21 @@ bool windowSuits(const WindowWhite& window, const ValueBlocks& values, const Bla
     return judgeDeclaredWhite(window.white - window.black, whiteLevelOf(above, false)) == DeclaredWhite::suits;
 }
 
-ChosenBlack blackOfData(const BlackLevel& measured, std::vector<std::string>& warnings) {
+ChosenBlack blackOfData(const BlackLevel& measured, const ValueExtent& extent, std::vector<std::string>& warnings) {
+    const int digits = digitsToTell({measured.level, extent.highest}, 6);
     ChosenBlack black{measured.level, "smallest value in the data"};
     if (measured.padding) {
         black.source = "smallest value in the data but for padding";
         warnings.push_back(
-            fmt::format("Many voxels hold {:.6g}, far below all others: that is taken for padding, and "
+            fmt::format("Many voxels hold {:.{}g}, far below all others: that is taken for padding, and "
                         "is shown as black.",
-                        *measured.padding));
+                        *measured.padding, digits));
     } else if (measured.below > 0) {
         black.source = "smallest value in the data but for cold voxels";
         warnings.push_back(
-            fmt::format("{} voxels hold values down to {:.6g}, far below all others: the black level is "
-                        "{:.6g} without them, and they are shown as black.",
-                        measured.below, measured.lowest, measured.level));
+            fmt::format("{} voxels hold values down to {:.{}g}, far below all others: the black level is "
+                        "{:.{}g} without them, and they are shown as black.",
+                        measured.below, measured.lowest, digits, measured.level, digits));
     }
     return black;
 }
@@ -55,10 +57,7 @@ ChosenBlack blackOfData(const BlackLevel& measured, std::vector<std::string>& wa
 ChosenBlack chooseBlack(StudyParts& parts, const ValueBlocks& values, bool wholeNumbers, const ValueExtent& extent,
                         const ReadOptions& options) {
     if (options.blackAtZero) {
-        if (parts.blackLevel.value_or(0.0) != 0.0 || blackLevelOf(values, wholeNumbers, extent).level != 0.0)
-            parts.warnings.emplace_back(
-                "Black is kept at 0, as an older document or --black-at-zero asks: most of the voxels may not be "
-                "seen.");
+        if (parts.blackLevel.value_or(0.0) != 0.0 || mayHideMuch(extent)) parts.warnings.emplace_back(blackKeptAtZero);
         return {0.0, "asked for"};
     }
     if (parts.blackLevel) return {*parts.blackLevel, parts.blackLevelSource};
@@ -69,13 +68,14 @@ ChosenBlack chooseBlack(StudyParts& parts, const ValueBlocks& values, bool whole
     if (parts.window && windowSuits(*parts.window, values, measured, extent))
         return {parts.window->black, parts.window->source + ": " + parts.window->words};
     if (parts.window) {
+        const int digits = digitsToTell({extent.lowest, extent.highest}, 6);
         parts.warnings.push_back(
             fmt::format("The window of the file ({}) is not taken: it does not suit values from "
-                        "{:.6g} to {:.6g}.",
-                        parts.window->words, extent.lowest, extent.highest));
+                        "{:.{}g} to {:.{}g}.",
+                        parts.window->words, extent.lowest, digits, extent.highest, digits));
         parts.window.reset();
     }
-    return blackOfData(measured, parts.warnings);
+    return blackOfData(measured, extent, parts.warnings);
 }
 
 /// The scale of the voxels; the identity if they are kept as they are.

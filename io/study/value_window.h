@@ -2,12 +2,17 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "io/study/study_assembly.h"
 #include "io/voxels/voxel_types.h"
 
 namespace echolucent {
+
+/// The note of a study whose black stays at 0 because `ReadOptions::blackAtZero` says so, where that may hide much.
+inline constexpr std::string_view blackKeptAtZero =
+    "Black is kept at 0, as an older document or --black-at-zero asks: most of the voxels may not be seen.";
 
 /// Converts the bytes of all phases (machine byte order) into parts.voxels, as convertVoxels() or
 /// convertRescaledVoxels() do if black is 0. Else the voxels are what lies above black. Black is, in this order:

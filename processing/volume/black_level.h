@@ -36,13 +36,18 @@ struct BlackLevel {
 /// changes nothing: both take several passes, which ordinary volumes are spared.
 [[nodiscard]] bool mayNeedWindow(const ValueExtent& extent);
 
+/// Whether 0 hides much, as far as the extent tells: blackLevelOf() is 0 if not, and may be 0 if so.
+[[nodiscard]] bool mayHideMuch(const ValueExtent& extent);
+
 /// Black is 0 unless 0 hides much:
 /// - More than a tenth of the voxels that are not 0 lie below 0, by more than 1 % of the whole range. Black is then the
 ///   low end of the data, found as whiteLevelOf() finds the high one: cold voxels, alone below a gap, move nothing.
 /// - All voxels that are not 0 lie within 1/64 below the highest value: they could not be told apart. Black is then the
 ///   lowest of them.
 /// One value that more than a few voxels hold, and that lies farther below all others than these reach, is padding and
-/// counts for nothing.
+/// counts for nothing. If 2 % of the voxels or more hold the lowest value, it is the outside and hides nothing; nor do
+/// the few values that interpolation or means of blocks make between it and the data. It is padding if it lies farther
+/// below the data than these reach. Black is then where the data begin to lie close together.
 [[nodiscard]] BlackLevel blackLevelOf(const ValueBlocks& values, bool wholeNumbers, const ValueExtent& extent);
 
 /// The scale of values that are shown from `black` on. Its factor is 1 if float32 holds the range from there to the

@@ -12,8 +12,13 @@ struct ValueScale {
     double factor = 1.0;  ///< how much a stored 1 is in the file; a power of two. It is 1 unless float32 is too small
 
     [[nodiscard]] bool isIdentity() const { return black == 0.0 && factor == 1.0; }
-    /// The file's value of a stored one. No sum on the way overflows.
-    [[nodiscard]] double fileValue(double stored) const { return std::fma(factor, stored, black); }
+    /// The file's value of a stored one. No sum on the way overflows. It is 0 if it lies within the rounding of stored
+    /// float32 beside 0.
+    [[nodiscard]] double fileValue(double stored) const {
+        constexpr double rounding = 1e-7;
+        const double value = std::fma(factor, stored, black);
+        return std::abs(value) < rounding * std::abs(black) ? 0.0 : value;
+    }
     /// The stored value of a file's one, before it is rounded to the type of the voxels.
     [[nodiscard]] double storedValue(double value) const { return value / factor - black / factor; }
     friend bool operator==(const ValueScale&, const ValueScale&) = default;

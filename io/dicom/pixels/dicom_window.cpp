@@ -77,9 +77,9 @@ DicomWindow readWindow(DcmItem& dataset, const DicomPixelFormat& format, std::si
         return window;
     }
     const double shownBlack = centre - (dark ? -width : width) / 2.0;
-    window.white = WindowWhite{dark ? ends - shownWhite : shownWhite, dark ? ends - shownBlack : shownBlack,
-                               fmt::format("centre {:.6g}, width {:.6g}", centre, width),
-                               tagText(centreTag) + " Window Center, " + tagText(widthTag) + " Width" + place.words};
+    window.white = DisplayWindow{dark ? ends - shownWhite : shownWhite, dark ? ends - shownBlack : shownBlack,
+                                 fmt::format("centre {:.6g}, width {:.6g}", centre, width),
+                                 tagText(centreTag) + " Window Center, " + tagText(widthTag) + " Width" + place.words};
     return window;
 }
 

@@ -13,8 +13,8 @@
 namespace echolucent {
 
 struct DicomWindow {
-    std::optional<WindowWhite> white;   ///< no value if no readable window is declared
-    std::vector<std::string> warnings;  ///< on a window that cannot be read, or a VOI LUT that is not applied
+    std::optional<DisplayWindow> white;  ///< no value if no readable window is declared
+    std::vector<std::string> warnings;   ///< on a window that cannot be read, or a VOI LUT that is not applied
 };
 
 /// Reads the first Window Center and Width at top level. If there is no center, it reads them in the functional groups

@@ -306,7 +306,7 @@ private:
     void shareWindow() {
         if (m_windows.empty()) return;
         std::sort(m_windows.begin(), m_windows.end(),
-                  [](const WindowWhite& a, const WindowWhite& b) { return a.white < b.white; });
+                  [](const DisplayWindow& a, const DisplayWindow& b) { return a.white < b.white; });
         if (m_windows.front().white < m_windows.back().white)
             m_parts.warnings.push_back(fmt::format(
                 "The slices declare windows with white from {:.6g} to {:.6g}; the one in their middle is asked.",
@@ -340,11 +340,11 @@ private:
     int m_bitsStored = 0;
     std::vector<SliceNote> m_notes;
     std::size_t m_notesLeftOut = 0;
-    std::vector<std::size_t> m_missing;   // unreadable slices
-    std::optional<Failure> m_whyMissing;  // of the first of them
-    std::vector<WindowWhite> m_windows;   // of the slices with a window
-    std::vector<VoxelBytes> m_phases;     // those before the one that is read
-    std::optional<PhaseSlices> m_slices;  // of the phase that is read
+    std::vector<std::size_t> m_missing;    // unreadable slices
+    std::optional<Failure> m_whyMissing;   // of the first of them
+    std::vector<DisplayWindow> m_windows;  // of the slices with a window
+    std::vector<VoxelBytes> m_phases;      // those before the one that is read
+    std::optional<PhaseSlices> m_slices;   // of the phase that is read
 };
 
 }  // namespace

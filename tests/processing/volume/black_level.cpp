@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -73,6 +74,60 @@ TEST(BlackLevel, ColdVoxelsAndPaddingMoveNothing) {
     hot.all[5] = 1e300;
     EXPECT_EQ(hot.black().level, -60.0);
     EXPECT_EQ(hot.scale().factor, 1.0);
+}
+
+/// A cube of 64 voxels an edge that holds `inside` of x/64 in a ball, and `outside` elsewhere.
+Values paddedBall(double outside, const std::function<double(double)>& inside) {
+    constexpr int edge = 64;
+    Values values;
+    for (int z = 0; z < edge; ++z)
+        for (int y = 0; y < edge; ++y)
+            for (int x = 0; x < edge; ++x)
+                values.all.push_back(std::hypot(x - 31.5, y - 31.5, z - 31.5) < 31 ? inside(x / 64.0) : outside);
+    return values;
+}
+
+/// The means of each voxel and its neighbours along all axes, `step` voxels apart.
+Values neighbourMeans(const Values& values, int step) {
+    constexpr int edge = 64;
+    Values means;
+    for (int z = 0; z < edge - 1; z += step)
+        for (int y = 0; y < edge - 1; y += step)
+            for (int x = 0; x < edge - 1; x += step) {
+                double sum = 0.0;
+                for (int corner = 0; corner < 8; ++corner) {
+                    const int at = x + corner % 2 + edge * (y + corner / 2 % 2 + edge * (z + corner / 4));
+                    sum += values.all[static_cast<std::size_t>(at)];
+                }
+                means.all.push_back(sum / 8);
+            }
+    return means;
+}
+
+TEST(BlackLevel, BordersBesidePaddingMoveNothing) {
+    for (const double outside : {-32768.0, -1000.0, -2.0}) {
+        const Values whole = paddedBall(outside, [](double x) { return 1 + 200 * x; });
+        for (const Values& values : {whole, neighbourMeans(whole, 1), neighbourMeans(whole, 2)})
+            EXPECT_EQ(values.black().level, 0.0) << outside << " " << values.all.size();
+    }
+    const auto decibels = [](double x) { return -60 * (1 - x); };
+    const Values whole = paddedBall(-999.0, decibels);
+    const double low = whole.black().level;
+    EXPECT_NEAR(low, -60, 2);
+    for (const Values& values : {neighbourMeans(whole, 1), neighbourMeans(whole, 2)}) {
+        const BlackLevel black = values.black();
+        EXPECT_NEAR(black.level, low, 9) << values.all.size();
+        EXPECT_EQ(black.padding, -999.0);
+    }
+    const Values clipped = paddedBall(-60.0, decibels);
+    EXPECT_EQ(clipped.black().level, -60.0) << "the outside is as low as the data begin";
+    EXPECT_FALSE(clipped.black().padding);
+}
+
+TEST(ValueScale, IsZeroWithinTheRoundingOfFloats) {
+    EXPECT_EQ((ValueScale{-60.000005349418, 1.0}).fileValue(60.0F), 0.0);
+    EXPECT_EQ((ValueScale{-60.0, 1.0}).fileValue(59.9999), 59.9999 - 60.0);
+    EXPECT_EQ((ValueScale{}).fileValue(1e-30), 1e-30);
 }
 
 TEST(ValueScale, GivesBackTheValuesWhateverTheirRange) {
