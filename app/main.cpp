@@ -50,14 +50,17 @@ QString pathNamed(const QString& file) {
     return file.startsWith(QLatin1String("file://")) ? QUrl(file).path(QUrl::FullyDecoded) : file;
 }
 
-/// Prints the help or the version, without a display.
+/// Prints the help or the version, without a display. Options beside these do not count: Qt has some of its own, which
+/// only an application with a display takes.
 int printWords(int count, char** arguments) {
     const QCoreApplication application(count, arguments);
     nameProgram();
     QCommandLineParser parser;
     addOptions(parser);
-    parser.process(application);  // ends the program
-    return 0;
+    parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);    // there is a "v" in "-reverse"
+    if (parser.parse(QCoreApplication::arguments())) parser.process(application);  // ends the program, as the next two
+    if (parser.isSet(QStringLiteral("version"))) parser.showVersion();
+    parser.showHelp();
 }
 
 }  // namespace

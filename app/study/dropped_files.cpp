@@ -57,11 +57,20 @@ bool isHeader(const QString& path) {
     return format != nullptr && format->name != std::string_view("DICOM");
 }
 
-/// Whether a file may be a DICOM slice: by its ending, or since it has none but a number ("IM0001", "1.2.840.17").
+/// Whether a file may be a DICOM slice: by its ending, or since it has none but a number ("IM0001", "1.2.840.17"). A
+/// name without ending and digits ("README", "anna") is rather that of another file or of a folder.
 bool maybeSlice(const QString& path) {
     if (const FileFormat* format = formatOf(path)) return format->name == std::string_view("DICOM");
-    const QString ending = QFileInfo(path).suffix();
-    return std::ranges::all_of(ending, [](QChar letter) { return letter.isDigit(); });
+    const auto isDigit = [](QChar letter) { return letter.isDigit(); };
+    const QFileInfo file(path);
+    const QString ending = file.suffix();
+    return ending.isEmpty() ? std::ranges::any_of(file.fileName(), isDigit) : std::ranges::all_of(ending, isDigit);
+}
+
+/// Whether a document is the side-car of a volume, as converters of DICOM write it: "v.nii.gz" has "v.json".
+bool isSideCarOf(const QString& volume, const QString& document) {
+    const QString stem = document.chopped(QStringLiteral(".json").size());
+    return volume == stem + QLatin1String(".nii") || volume == stem + QLatin1String(".nii.gz");
 }
 
 }  // namespace
@@ -92,6 +101,7 @@ DroppedFiles droppedFiles(const QList<QUrl>& urls) {
     const auto documents = std::ranges::count_if(paths, isDocument);
     if (documents == 1 && paths.size() == 2) {
         const bool first = isDocument(paths.front());
+        if (isSideCarOf(paths[first ? 1 : 0], paths[first ? 0 : 1])) return {.path = paths[first ? 1 : 0]};
         return {.path = paths[first ? 0 : 1], .study = paths[first ? 1 : 0]};
     }
     const QString folder = QFileInfo(paths.front()).path();
@@ -101,7 +111,8 @@ DroppedFiles droppedFiles(const QList<QUrl>& urls) {
         const auto headers = std::ranges::count_if(paths, isHeader);
         const auto slices = std::ranges::count_if(paths, maybeSlice);
         if (headers == 1 && slices == 0) return {.path = *std::ranges::find_if(paths, isHeader)};
-        if (slices == paths.size()) return {.path = folder};
+        const bool folders = std::ranges::any_of(urls, [](const QUrl& url) { return url.path().endsWith('/'); });
+        if (slices == paths.size() && !folders) return {.path = folder};
     }
     return refused(
         QT_TRANSLATE_NOOP("DroppedFiles",

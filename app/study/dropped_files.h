@@ -17,8 +17,8 @@ struct DroppedFiles {
 /// Looks at the names only: a drive that does not answer must not stall the window.
 ///
 /// One file or folder is opened. Of several, a session is opened with the volume beside it, and a header stands for its
-/// data files. Files of one folder that may be slices mean that folder. All else is refused, and so is what is not on
-/// this computer.
+/// data files, as does a NIfTI volume for its side-car ("v.nii.gz" and "v.json"). Files of one folder that may be
+/// slices mean that folder. All else is refused, and so is what is not on this computer.
 [[nodiscard]] DroppedFiles droppedFiles(const QList<QUrl>& urls);
 
 }  // namespace echolucent

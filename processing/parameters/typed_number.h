@@ -21,9 +21,8 @@ struct TypedNumber {
 ///
 /// A point is the decimal mark, as numbers are shown. So is a comma. If both stand there, the last one is, and the
 /// others separate thousands ("1.234,5" and "1,234.5" are 1234.5). A mark that stands there more than once separates
-/// thousands
-/// ("1,234,567"), as do blanks and apostrophes. A single comma behind one to three digits and before exactly three may
-/// be either; TypedNumber::otherwise then is the number of thousands.
+/// thousands ("1,234,567"), as do blanks and apostrophes. A single comma behind one to three digits and before exactly
+/// three may be either; TypedNumber::otherwise then is the number of thousands.
 [[nodiscard]] std::optional<TypedNumber> typedNumber(std::string_view text);
 
 /// The only reading of a typed text that lies in the range and, if `whole`, has no decimal mark. No value if there is

@@ -52,6 +52,13 @@ private slots:
                                                   << "/a/b.mha";
         QTest::newRow("slices") << QStringList{"/a/1.dcm", "/a/2.DCM"} << "/a" << none;
         QTest::newRow("slices without endings") << QStringList{"/a/IM0001", "/a/1.2.840.17"} << "/a" << none;
+        QTest::newRow("a volume and its side-car") << QStringList{"/a/v.json", "/a/v.nii.gz"} << "/a/v.nii.gz" << none;
+        QTest::newRow("a session of a NIfTI volume") << QStringList{"/a/v.nii", "/a/w.json"} << "/a/w.json"
+                                                     << "/a/v.nii";
+        QTest::newRow("two folders") << QStringList{"/media/case/anna", "/media/case/berta/"} << none << none;
+        QTest::newRow("two folders with digits") << QStringList{"/media/case1/", "/media/case2/"} << none << none;
+        QTest::newRow("words without endings") << QStringList{"/a/README", "/a/LICENSE"} << none << none;
+        QTest::newRow("a slice and a word") << QStringList{"/a/1.dcm", "/a/README"} << none << none;
         QTest::newRow("slices of two folders") << QStringList{"/a/1.dcm", "/b/2.dcm"} << none << none;
         QTest::newRow("two volumes") << QStringList{"/a/1.mha", "/a/2.nrrd"} << none << none;
         QTest::newRow("two raw files") << QStringList{"/a/1.raw", "/a/2.raw"} << none << none;

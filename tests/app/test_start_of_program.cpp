@@ -60,6 +60,12 @@ private slots:
         QCOMPARE(version.status, 0);
         QVERIFY2(version.output.startsWith("Echolucent "), qPrintable(version.output));
         QCOMPARE(version.errors, QString());
+        for (const char* qtOption : {"offscreen", "nowhere"}) {  // an application with a display takes these itself
+            const Ended beside = run({"-platform", qtOption, "--version"}, {}, {});
+            QCOMPARE(beside.status, 0);
+            QCOMPARE(beside.output, version.output);
+            QCOMPARE(beside.errors, QString());
+        }
         const Ended help = run({"-h"}, {}, {});
         QCOMPARE(help.status, 0);
         QVERIFY2(help.output.contains("[FILE]"), qPrintable(help.output));

@@ -44,6 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
         UsageRow{"otf VOLUME --form product --strength nan", 2, "strength"},
         UsageRow{"otf VOLUME --tube-spacing 1,234", 2, "\"1,234\" has two meanings. Write 1.234 or 1234."},
         UsageRow{"otf VOLUME --cell-size 1,5", 2, "cell-size"},
+        UsageRow{"otf VOLUME --cell-size 1,024", 2, "--cell-size must be 2 to 32"},
         UsageRow{"otf VOLUME --near 1,2,3", 2, "--near must be 0 mm or more"},
         UsageRow{"compare VOLUME", 2,
                  "is no document of the workstation. Compare OTFs of the volume in the window (F5)"},

@@ -1,9 +1,12 @@
 // Number fields under the languages of several desktops: the same text is the same number, and shown alike.
 #include <QAbstractSpinBox>
+#include <QDialog>
 #include <QLineEdit>
 #include <QLocale>
+#include <QPushButton>
 #include <QTest>
 #include <QToolTip>
+#include <QVBoxLayout>
 
 #include "tests/qt_program/test_classes.h"
 #include "widgets/controls/number_box.h"
@@ -67,7 +70,6 @@ private slots:
         NumberBox box;
         box.setRange(0, 10000);
         box.setDecimals(3);
-        box.setKeyboardTracking(false);
         box.setValue(7);
         box.show();
         typeInto(box, "1,234");
@@ -83,7 +85,6 @@ private slots:
         WholeNumberBox whole;
         whole.setRange(1, 400);
         whole.setValue(20);
-        whole.setKeyboardTracking(false);
         for (const char* text : {"1,5", "1.5", "4000", "-3", "1,000"}) {
             typeInto(whole, text);
             QCOMPARE(whole.value(), 20);
@@ -94,9 +95,56 @@ private slots:
         NumberBox box;
         box.setRange(0, 20);
         box.setValue(3);
-        box.setKeyboardTracking(false);
         typeInto(box, "25");  // more than there may be, and not 2
         QCOMPARE(box.value(), 3.0);
+        NumberBox bytes;
+        bytes.takeWholeNumbersOnly();
+        bytes.setRange(0, 1e12);
+        typeInto(bytes, "1,024");
+        QCOMPARE(bytes.value(), 1024.0);
+        typeInto(bytes, "1.5");
+        QCOMPARE(bytes.value(), 1024.0);
+    }
+
+    void aDialogIsAcceptedWithWhatWasTypedOrNotAtAll() {
+        QDialog dialog;
+        QVBoxLayout column(&dialog);
+        WholeNumberBox width;
+        width.setRange(16, 4096);
+        width.setValue(1280);
+        width.setSuffix(" px");
+        QPushButton save("Save");
+        save.setDefault(true);
+        column.addWidget(&width);
+        column.addWidget(&save);
+        int looks = 0;
+        followTyping(dialog, save, [&] {
+            ++looks;
+            save.setEnabled(true);
+        });
+        connect(&save, &QPushButton::clicked, &dialog, &QDialog::accept);
+        dialog.show();
+        width.setFocus();
+        typeInto(width, "5000");
+        QCOMPARE(width.value(), 1280);
+        QCOMPARE(dialog.result(), 0);
+        QCOMPARE(QToolTip::text(), QString("\"5000\" is not taken. Write a whole number from 16 to 4096."));
+        QToolTip::hideText();
+        QVERIFY(looks > 0 && save.isEnabled());
+        width.selectAll();
+        QTest::keyClicks(&width, "5000");
+        QVERIFY(!save.isEnabled());  // nobody saves 1280 by a click
+        QTest::keyClick(&width, Qt::Key_Backspace);
+        QVERIFY(save.isEnabled());
+        QCOMPARE(width.value(), 1280);
+        QTest::mouseClick(&save, Qt::LeftButton);
+        QCOMPARE(width.value(), 500);
+        QCOMPARE(dialog.result(), static_cast<int>(QDialog::Accepted));
+        dialog.show();
+        dialog.setResult(0);
+        typeInto(width, "600");
+        QCOMPARE(width.value(), 600);
+        QCOMPARE(dialog.result(), static_cast<int>(QDialog::Accepted));
     }
 
     void prefixAndSpecialValueAreKept() {

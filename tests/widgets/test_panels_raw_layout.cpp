@@ -2,7 +2,9 @@
 #include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
+#include <QFocusEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QObject>
@@ -24,7 +26,8 @@ namespace {
 void type(QAbstractSpinBox* spinBox, const QString& text) {
     spinBox->selectAll();
     QTest::keyClicks(spinBox, text);
-    QTest::keyClick(spinBox, Qt::Key_Tab);
+    QFocusEvent left(QEvent::FocusOut, Qt::TabFocusReason);  // a dialog that is not shown moves no focus by itself
+    QCoreApplication::sendEvent(spinBox, &left);
 }
 
 constexpr std::int64_t huge = std::int64_t{1} << 31;
@@ -90,6 +93,24 @@ private slots:
         QCOMPARE(dialog.values().headerBytes, 10);
         type(child<QDoubleSpinBox>(dialog, "rawLayout.headerBytes"), "11");
         QVERIFY(fit->text().contains("1 are missing"));
+        QVERIFY(!ok->isEnabled());
+    }
+
+    void noPieceOfATypedNumberIsTaken() {
+        RawLayoutDialog dialog("heart.raw", 58);
+        dialog.setValues({.size = {2, 3, 4}, .spacing = {0.3, 0.3, 0.3}, .spacingKnown = true});
+        auto* ok = child<QPushButton>(dialog, "rawLayout.ok");
+        type(child<QDoubleSpinBox>(dialog, "rawLayout.spacingX"), "1500");
+        type(child<QDoubleSpinBox>(dialog, "rawLayout.linesFirst"), "20000");
+        QCOMPARE(dialog.values().spacing[0], 0.3);
+        QVERIFY(ok->isEnabled());
+        type(child<QDoubleSpinBox>(dialog, "rawLayout.headerBytes"), "1,024");
+        QCOMPARE(dialog.values().headerBytes, 1024);
+        QVERIFY(!ok->isEnabled());
+        QTest::keyClicks(child<QSpinBox>(dialog, "rawLayout.sizeX"), "3");
+        QVERIFY(ok->isEnabled());  // to be pressed, which takes the number
+        ok->click();
+        QCOMPARE(dialog.result(), 0);
         QVERIFY(!ok->isEnabled());
     }
 

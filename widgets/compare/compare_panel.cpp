@@ -132,12 +132,10 @@ QGroupBox* ComparePanel::createPanes() {
             named(new WholeNumberBox, "compare.tube" + number, tr("Tube core left out of pane %1").arg(number),
                   tr("Number of the tube core, row by row from the upper left; it is never placed, so that ranks and "
                      "weights of the others follow"));
-        pane.tube->setKeyboardTracking(false);
         wheelNeedsFocus(pane.tube);
         pane.phase = named(new WholeNumberBox, "compare.phase" + number, tr("Phase of pane %1").arg(number),
                            tr("The phase of the 4D study that this pane shows"));
         pane.phase->setSpecialValueText(tr("as pane 1"));
-        pane.phase->setKeyboardTracking(false);
         wheelNeedsFocus(pane.phase);
         pane.motion = narrowCombo("compare.motion" + number, tr("OTF of pane %1 in the motion").arg(number),
                                   tr("Which OTF the frames of the motion show in this pane"));
@@ -173,7 +171,6 @@ QGroupBox* ComparePanel::createLayout() {
     m_amplification->setRange(leastAmplification, largestAmplification);
     m_amplification->setDecimals(1);
     m_amplification->setPrefix(QStringLiteral("× "));
-    m_amplification->setKeyboardTracking(false);
     wheelNeedsFocus(m_amplification);
     connect(m_layout, &QComboBox::activated, this, [this] { chooseComparison(tr("layout of the comparison")); });
     connect(m_first, &QComboBox::activated, this, [this] { chooseComparison(tr("pair of panes")); });

@@ -1,5 +1,7 @@
 #include "widgets/controls/number_box.h"
 
+#include <QAbstractButton>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
 #include <QToolTip>
@@ -56,16 +58,32 @@ QValidator::State stateOf(const Box& box, const QString& text, bool whole) {
 }
 
 template <typename Box>
-void sayDoubt(const Box& box, const QString& text, bool whole) {
+QString whyNotTaken(const Box& box, const QString& text, bool whole) {
     const std::string typed = typedIn(box, text);
-    if (!isDoubtful(typed, rangeOf(box), whole)) return;
-    QToolTip::showText(box.mapToGlobal(box.rect().bottomLeft()),
-                       QString::fromStdString("\"" + typed + "\" has two meanings. " + remedyOfDoubt(typed)));
+    if (isDoubtful(typed, rangeOf(box), whole))
+        return QString::fromStdString("\"" + typed + "\" has two meanings. " + remedyOfDoubt(typed));
+    const ParameterRange range = rangeOf(box);
+    const std::string remedy = std::string("Write a ") + (whole ? "whole number" : "number") + " from " +
+                               textOf(range.least) + " to " + textOf(range.largest) + ".";
+    return QString::fromStdString(typed.empty() ? remedy : "\"" + typed + "\" is not taken. " + remedy);
+}
+
+template <typename Box>
+void sayWhyNot(const Box& box, const QString& text, bool whole) {
+    if (stateOf(box, text, whole) != QValidator::Acceptable)
+        QToolTip::showText(box.mapToGlobal(box.rect().bottomLeft()), whyNotTaken(box, text, whole));
+}
+
+/// Whether a key is Enter with a text that the field does not take. The key must end there: a dialog would be accepted
+/// with the number before.
+bool isEnterInVain(const QAbstractSpinBox& box, const QKeyEvent& event) {
+    return (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) && !box.hasAcceptableInput();
 }
 
 void prepare(QAbstractSpinBox& box, QLineEdit& field) {
     box.setLocale(QLocale::c());
-    field.setAcceptDrops(false);  // else the name of a dropped file would be typed into it
+    box.setKeyboardTracking(false);  // else "500" would be what is taken of a "5000" that is too large
+    field.setAcceptDrops(false);     // else the name of a dropped file would be typed into it
 }
 
 }  // namespace
@@ -82,12 +100,23 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) { prepare(*this, 
 
 double NumberBox::valueFromText(const QString& text) const {
     if (isSpecial(*this, text)) return minimum();
-    const std::optional<double> typed = numberTyped(typedIn(*this, text), rangeOf(*this));
+    const std::optional<double> typed = numberTyped(typedIn(*this, text), rangeOf(*this), m_whole);
     return typed ? QString::number(*typed, 'f', decimals()).toDouble() : value();
 }
 
-QValidator::State NumberBox::validate(QString& text, int& /*position*/) const { return stateOf(*this, text, false); }
-void NumberBox::fixup(QString& text) const { sayDoubt(*this, text, false); }
+void NumberBox::takeWholeNumbersOnly() {
+    m_whole = true;
+    setDecimals(0);
+}
+
+QValidator::State NumberBox::validate(QString& text, int& /*position*/) const { return stateOf(*this, text, m_whole); }
+void NumberBox::fixup(QString& text) const { sayWhyNot(*this, text, m_whole); }
+
+void NumberBox::keyPressEvent(QKeyEvent* event) {
+    const bool inVain = isEnterInVain(*this, *event);
+    QDoubleSpinBox::keyPressEvent(event);
+    if (inVain) event->accept();
+}
 
 WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) { prepare(*this, *lineEdit()); }
 
@@ -100,6 +129,21 @@ int WholeNumberBox::valueFromText(const QString& text) const {
 QValidator::State WholeNumberBox::validate(QString& text, int& /*position*/) const {
     return stateOf(*this, text, true);
 }
-void WholeNumberBox::fixup(QString& text) const { sayDoubt(*this, text, true); }
+void WholeNumberBox::fixup(QString& text) const { sayWhyNot(*this, text, true); }
+
+void WholeNumberBox::keyPressEvent(QKeyEvent* event) {
+    const bool inVain = isEnterInVain(*this, *event);
+    QSpinBox::keyPressEvent(event);
+    if (inVain) event->accept();
+}
+
+void followTyping(QWidget& dialog, QAbstractButton& button, const std::function<void()>& look) {
+    for (QAbstractSpinBox* box : dialog.findChildren<QAbstractSpinBox*>()) {
+        QObject::connect(box->findChild<QLineEdit*>(), &QLineEdit::textEdited, &button,
+                         [box, &button] { button.setEnabled(box->hasAcceptableInput()); });
+        QObject::connect(box, &QAbstractSpinBox::editingFinished, &button, look);
+        QObject::connect(&button, &QAbstractButton::pressed, box, &QAbstractSpinBox::interpretText);
+    }
+}
 
 }  // namespace echolucent

@@ -86,7 +86,6 @@ ParameterControl spinBoxControl(SpinBox* box, const AnyParameter& row, const QSt
     const ParameterRange offered = row.offeredRange();
     box->setRange(static_cast<Shown>(offered.least), static_cast<Shown>(offered.largest));
     box->setSuffix(suffixOf(row.unit));
-    box->setKeyboardTracking(false);  // "25" is one value, not first 2
     QObject::connect(box, &SpinBox::valueChanged, listener.object,
                      [taken = listener.taken](Shown value) { taken(Number{value}); });
     return {box, labelFor(box, textOf(row.label)), [box](const ParameterValue& value) {

@@ -32,9 +32,9 @@ public:
     void clearOtf();
     /// Short statements about the data, for example "no lossy compression".
     void setNotes(const QStringList& notes);
-    /// Normalised intensity and opacity under the cursor, both in [0,1]; no values if the cursor points at nothing.
     /// The file's values, of which the pointed one stands beside its intensity.
     void setValueWindow(const ValueWindow& window) { m_values = window; }
+    /// Normalised intensity and opacity under the cursor, both in [0,1]; no values if the cursor points at nothing.
     void setPointed(std::optional<double> intensity, std::optional<double> opacity);
 
     /// Shows that something runs, named by a word ("loading"). Its share is unknown until setProgress. A second call

@@ -19,7 +19,6 @@ ValueSlider::ValueSlider(const QString& name, const QString& accessibleName, dou
       m_spinBox(named(new NumberBox, name + ".value", accessibleName)) {
     m_spinBox->setDecimals(decimals);
     m_spinBox->setSingleStep(step);
-    m_spinBox->setKeyboardTracking(false);  // "25" is one value, not first 2
     m_spinBox->setAlignment(Qt::AlignRight);
     m_slider->setMinimumWidth(60);
     wheelNeedsFocus(m_slider);

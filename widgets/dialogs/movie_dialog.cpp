@@ -103,7 +103,9 @@ void MovieDialog::arrange() {
     m_save = named(buttons->button(QDialogButtonBox::Save), "movieDialog.save", windowTitle());
     m_cancel = named(buttons->button(QDialogButtonBox::Cancel), "movieDialog.cancel", tr("Cancel"));
     for (QAbstractButton* button : buttons->buttons()) button->setIcon({});
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+        if (m_save->isEnabled()) accept();  // a number that was taken only now may stand in the way
+    });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     // Keep two lines for the sentence and a row for the tick below it, so that the dialog does not jump.
     m_sentence->setMinimumHeight(2 * m_sentence->fontMetrics().lineSpacing());
@@ -133,6 +135,7 @@ void MovieDialog::arrange() {
     if (!m_facts.note.isEmpty()) grid->addWidget(noteLabel(m_facts.note, "movieDialog.note"), 7, 0, 1, 2);
     grid->addWidget(buttons, 8, 0, 1, 2);
     grid->setColumnStretch(1, 1);
+    followTyping(*this, *m_save, [this] { look(); });
     resize(620, sizeHint().height());
 }
 

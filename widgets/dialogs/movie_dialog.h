@@ -61,6 +61,8 @@ public:
         std::function<QString(const QString& present)> choosePath;
     };
     MovieDialog(FrameOutput output, Facts facts, QWidget* parent = nullptr);
+    /// Hides the dialog first: a number that is being typed then is looked at while all members are there.
+    ~MovieDialog() override { hide(); }
 
     [[nodiscard]] MovieChoice choice() const;
 

@@ -67,8 +67,9 @@ void RawLayoutDialog::createControls() {
     m_byteOrder = named(new QComboBox, "rawLayout.byteOrder", tr("Byte order"));
     m_byteOrder->addItem(tr("Little endian"), 0);
     m_byteOrder->addItem(tr("Big endian"), 1);
-    m_headerBytes = createSpinBox<QDoubleSpinBox>(new NumberBox, "headerBytes", tr("Header bytes to skip"));
-    m_headerBytes->setDecimals(0);
+    auto* headerBytes = new NumberBox;
+    headerBytes->takeWholeNumbersOnly();
+    m_headerBytes = createSpinBox<QDoubleSpinBox>(headerBytes, "headerBytes", tr("Header bytes to skip"));
     m_headerBytes->setRange(0, largestHeader);
     m_headerBytes->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // not as wide as its largest value
     m_headerFit =
@@ -92,7 +93,9 @@ void RawLayoutDialog::createControls() {
     connect(m_spacingUnknown, &QCheckBox::toggled, this, [this](bool unknown) {
         for (QDoubleSpinBox* spacing : m_spacing) spacing->setDisabled(unknown);
     });
-    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, [this] {
+        if (fits()) accept();  // a number that was taken only now may not fit
+    });
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
@@ -137,6 +140,9 @@ void RawLayoutDialog::arrange(const QString& fileName) {
     grid->addWidget(m_polar, 6, 0, 1, 5);
     grid->addWidget(m_fit, 7, 0, 1, 5);
     grid->addWidget(m_buttons, 8, 0, 1, 5);
+    for (QAbstractButton* button : {static_cast<QAbstractButton*>(m_headerFit),
+                                    static_cast<QAbstractButton*>(m_buttons->button(QDialogButtonBox::Ok))})
+        followTyping(*this, *button, [this] { showFit(); });
     showGrid();
 }
 

@@ -31,6 +31,8 @@ public:
     /// `fileBytes`: the file's length in bytes; below 0 if the file is packed, as its length is unknown until it is
     /// opened.
     RawLayoutDialog(const QString& fileName, std::int64_t fileBytes, QWidget* parent = nullptr);
+    /// Hides the dialog first: a number that is being typed then is looked at while all members are there.
+    ~RawLayoutDialog() override { hide(); }
 
     /// The spacing is 1, 1, 1 if it is unknown, and for voxels along beams, which have no spacing.
     [[nodiscard]] RawLayout values() const;

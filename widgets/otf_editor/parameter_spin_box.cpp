@@ -12,7 +12,6 @@ constexpr int wheelBurstMilliseconds = 400;  // a turn of the wheel within this 
 }
 
 ParameterSpinBox::ParameterSpinBox(OtfEditorModel& model, QWidget* parent) : NumberBox(parent), m_model(model) {
-    setKeyboardTracking(false);  // takes a number when it is complete
     setDecimals(6);
     setSingleStep(0.01);
     setAlignment(Qt::AlignRight);
@@ -45,7 +44,7 @@ QString ParameterSpinBox::textFromValue(double value) const {
 
 void ParameterSpinBox::keyPressEvent(QKeyEvent* event) {
     if (!event->isAutoRepeat()) beginGesture();
-    QDoubleSpinBox::keyPressEvent(event);
+    NumberBox::keyPressEvent(event);
 }
 
 void ParameterSpinBox::keyReleaseEvent(QKeyEvent* event) {

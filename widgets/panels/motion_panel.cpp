@@ -152,7 +152,6 @@ void MotionPanel::createChoices() {
             "for another"));
     m_otfPhase = named(new WholeNumberBox, "motion.otfPhase", tr("Phase of the one OTF"),
                        tr("The phase whose OTF every frame shows (A takes the phase that is shown)"));
-    m_otfPhase->setKeyboardTracking(false);
     m_otfPhase->setAlignment(Qt::AlignRight);
     wheelNeedsFocus(m_otfPhase);
 }

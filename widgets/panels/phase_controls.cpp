@@ -97,7 +97,6 @@ void PhaseSlider::showPhase() { m_readOut->setText(textOf(phase())); }
 PhaseOrder::PhaseOrder(QWidget* parent) : QWidget(parent) {
     const auto number = [](const char* name, const QString& accessibleName, const QString& toolTip) {
         auto* box = named(new WholeNumberBox, name, accessibleName, toolTip);
-        box->setKeyboardTracking(false);
         box->setAlignment(Qt::AlignRight);
         wheelNeedsFocus(box);
         return box;

@@ -24,7 +24,6 @@ QDoubleSpinBox* createLength(const QString& name, const QString& accessibleName,
     box->setRange(least, 1000.0);
     box->setDecimals(1);
     box->setSuffix(QStringLiteral(" mm"));
-    box->setKeyboardTracking(false);
     wheelNeedsFocus(box);
     return box;
 }

@@ -30,8 +30,13 @@ std::optional<ParameterValue> valueFrom(const std::string& text, const Parameter
         if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
         return value;
     };
-    if (std::holds_alternative<std::int64_t>(like)) return number(std::int64_t{});
-    if (text.find(',') == std::string::npos) return number(double{});
+    const bool whole = std::holds_alternative<std::int64_t>(like);
+    if (text.find(',') == std::string::npos) return whole ? number(std::int64_t{}) : number(double{});
+    if (whole) {
+        constexpr double most = 1e15;  // doubles are exact up to here
+        const auto count = numberTyped(text, {-most, most}, true);
+        return count ? std::optional<ParameterValue>(static_cast<std::int64_t>(*count)) : std::nullopt;
+    }
     const auto typed = typedNumber(text);
     return typed && !typed->otherwise ? std::optional<ParameterValue>(typed->value) : std::nullopt;
 }

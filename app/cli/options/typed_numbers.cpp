@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,19 +16,25 @@ namespace echolucent::cli {
 
 namespace {
 
-/// Whether an option is one number, by the name of its kind. What follows a colon is its range.
-bool isOneNumber(const CLI::Option& option) {
-    constexpr std::array<std::string_view, 10> kindsOfNumbers{"NUMBER", "FLOAT",   "N",  "INT", "DEG",
-                                                              "MM",     "MM|auto", "DB", "A",   "RATE"};
+constexpr std::array<std::string_view, 3> kindsOfWholeNumbers{"N", "INT", "UINT"};
+constexpr std::array<std::string_view, 8> kindsOfNumbers{"NUMBER", "FLOAT", "DEG", "MM", "MM|auto", "DB", "A", "RATE"};
+
+/// Whether an option has one of the kinds, by its name. What follows a colon is its range.
+bool hasKind(std::span<const std::string_view> kinds, const CLI::Option& option) {
     const std::string kind = option.get_type_name();
-    return std::ranges::find(kindsOfNumbers, std::string_view(kind).substr(0, kind.find(':'))) != kindsOfNumbers.end();
+    return std::ranges::find(kinds, std::string_view(kind).substr(0, kind.find(':'))) != kinds.end();
 }
 
-/// Writes a number with a comma with a point. Returns what is wrong with it; empty if nothing is.
-std::string pointed(std::string& text) {
+/// Writes a number with a comma as the program reads it. Returns what is wrong with it; empty if nothing is.
+std::string withoutComma(std::string& text, bool whole) {
     if (text.find(',') == std::string::npos) return {};
     const auto typed = typedNumber(text);
     if (!typed) return {};
+    if (whole) {
+        constexpr double exact = 9007199254740992.0;  // 2^53: a double holds whole numbers up to here exactly
+        if (const auto number = numberTyped(text, {-exact, exact}, true)) text = fmt::format("{:.0f}", *number);
+        return {};
+    }
     if (typed->otherwise) return quotedText(text) + " has two meanings. " + remedyOfDoubt(text);
     text = fmt::format("{}", typed->value);
     return {};
@@ -37,7 +44,9 @@ std::string pointed(std::string& text) {
 
 void understandCommas(CLI::App& program) {
     for (CLI::Option* option : program.get_options())
-        if (isOneNumber(*option)) option->transform(CLI::Validator(pointed, ""));
+        for (const bool whole : {false, true})
+            if (hasKind(whole ? std::span<const std::string_view>(kindsOfWholeNumbers) : kindsOfNumbers, *option))
+                option->transform(CLI::Validator([whole](std::string& text) { return withoutComma(text, whole); }, ""));
     for (CLI::App* command : program.get_subcommands({})) understandCommas(*command);
 }
 
