@@ -10,6 +10,7 @@
 #include "io/document/session_file.h"
 #include "io/headers/raw_volume.h"
 #include "io/restricted/restricted_reader.h"
+#include "io/study/named_study.h"
 #include "io/study/simulated_study.h"
 #include "processing/document/turned_document.h"
 
@@ -48,12 +49,17 @@ void keepToPhases(SavedSession& session, std::size_t phases) {
     for (Snapshot& snapshot : session.snapshots) snapshot.document.motion.scenario = MotionScenario::probe;
 }
 
-/// Sets the positions of the session in the grid of the study as it was read.
-void setInGrid(SavedSession& session, const Study& study) {
-    const VolumeGeometry& geometry = study.phases.front()->geometry();
-    session.document = inGridOfStudy(std::move(session.document), study.turnedAxis, geometry);
-    for (Snapshot& snapshot : session.snapshots)
-        snapshot.document = inGridOfStudy(std::move(snapshot.document), study.turnedAxis, geometry);
+/// The document in the grid of the study as it was read, and with the name of that study.
+Document ofStudy(Document document, const Study& study) {
+    document = inGridOfStudy(std::move(document), study.turnedAxis, study.phases.front()->geometry());
+    if (auto* file = std::get_if<StudyFile>(&document.study)) *file = asOpened(std::move(*file), study);
+    return document;
+}
+
+/// The same for all documents of a session.
+void nameStudy(SavedSession& session, const Study& study) {
+    session.document = ofStudy(std::move(session.document), study);
+    for (Snapshot& snapshot : session.snapshots) snapshot.document = ofStudy(std::move(snapshot.document), study);
 }
 
 /// Turns fronts with the view, as the window does. A plane across another view becomes a part of the surface.
@@ -125,7 +131,7 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
     const fs::path absolute = fs::absolute(*place, error).lexically_normal();
     found.path = error ? *place : absolute.string();
     nameStudy(*session, found);
-    setInGrid(*session, study);
+    nameStudy(*session, study);
     keepToPhases(*session, study.phases.size());
     turnFronts(*session, study.phases.front()->geometry());
     read->opened = {file, std::move(*session)};

@@ -72,7 +72,7 @@ TEST(Parameters, JsonSaysWhatKindOfValueAndWhenItApplies) {
         return json();
     };
     EXPECT_EQ(rowOf(all["method"], "tube_columns")["kind"], "whole number");
-    EXPECT_EQ(rowOf(all["method"], "tube_columns")["offered"], json({1.0, 400.0}));
+    EXPECT_EQ(rowOf(all["method"], "tube_columns")["offered"], json({1.0, 4096.0}));
     EXPECT_EQ(rowOf(all["method"], "strength")["applies"], "if form is product");
     EXPECT_EQ(rowOf(all["look"], "depth_colouring")["kind"], "flag");
     EXPECT_EQ(rowOf(all["look"], "mode")["choices"][3], json({{"name", "mean"}, {"label", "Mean (x-ray)"}}));
