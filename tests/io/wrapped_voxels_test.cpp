@@ -137,7 +137,7 @@ TEST_F(WrappedVoxels, RawOnesThatArePackedAreUnpacked) {
     for (const std::string& bytes : {countedVoxels, niftiHeader({}) + countedVoxels}) {
         m_folder.write("f.raw.gz", deflated(bytes, 31));
         expectVoxels(nrrd("encoding: raw\ndata file: f.raw.gz\n"), "holds gzip, of which the header says nothing");
-        expectVoxels(metaImage("ElementDataFile = f.raw.gz\n"), "holds gzip, of which CompressedData");
+        expectVoxels(metaImage("ElementDataFile = f.raw.gz\n"), "holds gzip, of which the header says nothing");
     }
     expectVoxels(nrrd("encoding: raw\nbyte skip: -1\ndata file: f.raw.gz\n"), "holds gzip");
     // As many bytes as declared are voxels, however they begin; so are more that do not unpack.

@@ -19,10 +19,10 @@ namespace {
 constexpr std::array<std::string_view, 3> kindsOfWholeNumbers{"N", "INT", "UINT"};
 constexpr std::array<std::string_view, 8> kindsOfNumbers{"NUMBER", "FLOAT", "DEG", "MM", "MM|auto", "DB", "A", "RATE"};
 
-/// Whether an option has one of the kinds, by its name. What follows a colon is its range.
-bool hasKind(std::span<const std::string_view> kinds, const CLI::Option& option) {
+/// Whether an option has one of the wanted kinds, by its name. What follows a colon is its range.
+bool hasKind(std::span<const std::string_view> wanted, const CLI::Option& option) {
     const std::string kind = option.get_type_name();
-    return std::ranges::find(kinds, std::string_view(kind).substr(0, kind.find(':'))) != kinds.end();
+    return std::ranges::find(wanted, std::string_view(kind).substr(0, kind.find(':'))) != wanted.end();
 }
 
 /// Writes a number with a comma as the program reads it. Returns what is wrong with it; empty if nothing is.

@@ -59,10 +59,13 @@ bool isConstant(const std::vector<double>& values) {
     return std::ranges::all_of(values, [&](double value) { return value == values.front(); });
 }
 
-/// By how much the numbers of slices rise from each to the next; 0 if not evenly, 1 of a single slice.
+/// By how much the numbers of slices rise from each to the next; 0 if not evenly, or by more than any program counts; 1
+/// of a single slice.
 double evenStep(const std::map<double, std::size_t>& slices) {
+    constexpr double largestStep = 16;
     if (slices.size() < 2) return 1;
     const double step = std::next(slices.begin())->first - slices.begin()->first;
+    if (step > largestStep) return 0;
     double expected = slices.begin()->first;
     for (const auto& [slice, frame] : slices) {
         if (slice != expected) return 0;

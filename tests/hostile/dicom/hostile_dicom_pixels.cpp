@@ -254,8 +254,8 @@ void addVectors(std::vector<HostileFile>& rows) {
         rows.push_back(hostileFile("dicom-pixels/vectors-" + name, "a.dcm", file.file(cineClass), words, outcome));
     };
     add("of-two-times", 4, {1, 65535, 1, 65535}, {7, 7, 8, 8}, {"damaged"}, HostileOutcome::opens);
-    add("of-too-few-numbers", 4, {1, 2, 1}, {1, 1, 2, 2}, {"Time Slot Vector is not one number for each of 4 frames"});
-    add("of-no-numbers", 4, {}, {}, {"is not one number for each of 4 frames"});
+    add("of-too-few-numbers", 4, {1, 2, 1}, {1, 1, 2, 2}, {"puts frames 1 and 2 at one place and time"});
+    add("of-no-numbers", 4, {}, {}, {"damaged"}, HostileOutcome::opens);
     add("with-a-slice-twice", 4, {1, 2, 1, 2}, {1, 1, 1, 2}, {"puts frames 1 and 3 at one place and time"});
     add("far-apart", 4, {1, 2, 1, 2}, {0, 0, 65535, 65535}, {"counts 2 slices from 0 to 65535"});
     std::vector<std::uint16_t> slots, slices;

@@ -105,7 +105,7 @@ TEST(StatedTimes, OfAMultiVolumeAreItsLabelsIfTheyAreTimes) {
     expectNoTimes(labels("5,10,15,20", "FlipAngle", "degrees"), "phases apart by \"FlipAngle\"");
     expectNoTimes(labels("5,10,15,20", "EchoTime", "ms"), "phases apart by \"EchoTime\"");
     expectNoTimes(labels("0,40,80", "TriggerTime", "ms"), "3 times for 4 phases");
-    expectNoTimes(labels("0,40,80,120", "AcquisitionTime", ""), "not a known time");
+    expectNoTimes(labels("0,40,80,120", "AcquisitionTime", ""), "has no unit");
     expectNoTimes(labels("a,b,c,d", "TriggerTime", "ms"), "no list of numbers");
     expectNoTimes(labels("0,1,2,3", "", ""), "");
 }
