@@ -55,7 +55,9 @@ bool DicomWalk::readKretz(std::uint32_t tag, std::string_view vr, std::uint32_t 
         value.resize(count);
         return m_stream.read(reinterpret_cast<std::uint8_t*>(value.data()), count);
     };
-    const bool creator = element >= 0x10 && element <= 0xff && length >= kretzCreator.size() && length <= 64;
+    // Items of a sequence are walked through, whatever its tag: DCMTK reads them.
+    const bool creator =
+        element >= 0x10 && element <= 0xff && vr != "SQ" && length >= kretzCreator.size() && length <= 64;
     if (creator && m_kretzBlock == 0) {
         if (!readValue(length)) return false;
         if (trimmed(value.substr(0, value.find('\0'))) == kretzCreator) m_kretzBlock = element;

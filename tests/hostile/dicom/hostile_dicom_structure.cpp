@@ -128,6 +128,17 @@ void addNested(std::vector<HostileFile>& rows) {
     rows.push_back(refusedBytes(
         "un-of-undefined-length-in-the-meta-header",
         preamble + std::string("\2\0\3\1UN\0\0\xff\xff\xff\xff", 12) + openItem + nestedImplicit(), words));
+    // An element where GE names its private elements, but a sequence.
+    const auto creator = [](const std::string& inItem) {
+        return DicomBytes().put(0x7fe1, 0x0010, "SQ", dicomItem(inItem)).bytes();
+    };
+    const std::string huge = creator(privateElement("ZZ", two + std::string("\xf0\xff\xff\x7f", 4)));
+    const std::vector<std::string> declared{"declares 2147483632 bytes"};
+    rows.push_back(refusedBytes("2-gib-in-a-creator-of-vr-sq", meta(explicitLittle) + huge, declared));
+    rows.push_back(
+        refusedBytes("2-gib-in-a-creator-of-vr-sq-deflated", meta(deflatedSyntax) + deflated(huge, -15), declared));
+    rows.push_back(
+        tooDeep("in-a-creator-of-vr-sq", meta(explicitLittle) + creator(openSequence + openItem) + nested()));
     // What is no sequence to anybody.
     rows.push_back(noWhole("in-bytes-of-undefined-length",
                            meta(explicitLittle) + privateElement("OB", two + undefined) + openItem + nested()));
