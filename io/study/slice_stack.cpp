@@ -11,15 +11,8 @@ namespace echolucent {
 
 namespace {
 
-constexpr double parallelTolerance = 1e-3;
-constexpr double samePositionMm = 1e-3;
 constexpr double refusedUnevenness = 0.10;
 constexpr double mentionedUnevenness = 0.01;
-
-bool sameOrientation(const SlicePlane& a, const SlicePlane& b) {
-    return length(a.alongRow - b.alongRow) < parallelTolerance &&
-           length(a.alongColumn - b.alongColumn) < parallelTolerance;
-}
 
 std::string sidewaysWarning(const std::vector<SlicePlane>& planes, const SliceStack& stack, const Vec3& normal) {
     double sideways = 0.0;
@@ -34,6 +27,16 @@ std::string sidewaysWarning(const std::vector<SlicePlane>& planes, const SliceSt
 
 }  // namespace
 
+double turnBetween(const SlicePlane& a, const SlicePlane& b) {
+    return std::max(length(a.alongRow - b.alongRow), length(a.alongColumn - b.alongColumn));
+}
+
+bool areParallel(const SlicePlane& a, const SlicePlane& b) {
+    constexpr double parallelTurn = 1e-3;
+    // std::max() may pass over a number that is none.
+    return length(a.alongRow - b.alongRow) < parallelTurn && length(a.alongColumn - b.alongColumn) < parallelTurn;
+}
+
 Result<SliceStack> stackSlices(const std::string& file, const std::string& positionTag,
                                const std::vector<SlicePlane>& planes) {
     const SlicePlane& first = planes.front();
@@ -47,7 +50,7 @@ Result<SliceStack> stackSlices(const std::string& file, const std::string& posit
                                       plane.position[0], plane.position[1], plane.position[2]),
                           "Export the series again.");
     const auto turned = std::find_if_not(planes.begin(), planes.end(),
-                                         [&](const SlicePlane& plane) { return sameOrientation(plane, first); });
+                                         [&](const SlicePlane& plane) { return areParallel(plane, first); });
     if (turned != planes.end())
         return refuse(*turned, "belongs to slices that are not parallel: a rotated or freehand sweep is no volume yet",
                       "Have it resampled to a volume by the scanner or its software.");

@@ -18,6 +18,19 @@ struct SlicePlane {
     std::string file{};  ///< the picture's file, if each picture has its own
 };
 
+/// Positions that differ by less are one place, mm: a micrometre, the last of three decimals, with which programs write
+/// positions. Slices of true volumes lie much farther apart.
+inline constexpr double samePositionMm = 1e-3;
+
+/// How far the directions of two planes lie apart: the longer of the differences of their unit vectors. Of small angles
+/// that is the angle in radians.
+[[nodiscard]] double turnBetween(const SlicePlane& a, const SlicePlane& b);
+
+/// Whether the planes are turned by less than 0.001: as much as directions that are rounded to three decimals may seem
+/// to be. The far edge of a picture of 200 mm lies 0.2 mm off then. Directions that are no numbers are parallel to
+/// none.
+[[nodiscard]] bool areParallel(const SlicePlane& a, const SlicePlane& b);
+
 /// The order and the geometry of a volume's slices.
 struct SliceStack {
     std::vector<std::size_t> order;  ///< indices of the planes, ascending along the normal

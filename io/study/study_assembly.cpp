@@ -183,6 +183,10 @@ bool saysMoreThanItsAxes(const Mat3& direction) {
     return cv::norm(direction - Mat3::eye()) > 1e-6 && cv::norm(direction - axesOfRas) > 1e-6;
 }
 
+std::string saidOf(const std::string& sentence, std::size_t count, std::size_t parts, const char* partsInWords) {
+    return count == parts ? sentence : fmt::format("{} (Said of {} of {} {}.)", sentence, count, parts, partsInWords);
+}
+
 std::string skewWarning(const Mat3& direction) {
     const Mat3 products = direction.t() * direction;
     const double skew = std::max({std::abs(products(0, 1)), std::abs(products(0, 2)), std::abs(products(1, 2))});

@@ -41,6 +41,10 @@ constexpr std::int64_t mostPhases = 4096;
 /// Whether directions (LPS) of MetaImage and NRRD say anything of the patient. Programs that know no directions write
 /// the axes of LPS or of RAS.
 [[nodiscard]] bool saysMoreThanItsAxes(const Mat3& direction);
+/// A note on `count` of all `parts` of a study, which are `partsInWords` ("slices"): the sentence, and how many it is
+/// said of if these are not all.
+[[nodiscard]] std::string saidOf(const std::string& sentence, std::size_t count, std::size_t parts,
+                                 const char* partsInWords);
 /// A sentence if the columns of `direction` (unit vectors) are not perpendicular to each other; else empty.
 [[nodiscard]] std::string skewWarning(const Mat3& direction);
 

@@ -181,6 +181,11 @@ std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count)
     return values;
 }
 
+std::optional<double> dicomNumber(DcmItem& item, DicomTag tag) {
+    const auto values = dicomNumbers(item, tag, 1);
+    return values.empty() ? std::nullopt : std::optional(values[0]);
+}
+
 std::optional<std::int64_t> dicomWholeNumber(DcmItem& item, DicomTag tag) {
     DcmElement* element = valueOf(item, tag);
     if (element == nullptr) return std::nullopt;
@@ -204,6 +209,11 @@ void dicomVisitItems(DcmItem& item, DicomTag sequence, const std::function<bool(
     // getItem(index) would count from the first item each time.
     for (DcmObject* one = items->nextInContainer(nullptr); one != nullptr; one = items->nextInContainer(one))
         if (!visit(static_cast<DcmItem&>(*one))) return;
+}
+
+std::int64_t dicomFrameCount(DcmItem& item) {
+    constexpr std::int64_t mostFrames = std::int64_t{1} << 31;
+    return std::clamp<std::int64_t>(dicomWholeNumber(item, {0x0028, 0x0008}).value_or(1), 1, mostFrames);
 }
 
 std::size_t dicomSequenceLength(DcmItem& item, DicomTag sequence) {

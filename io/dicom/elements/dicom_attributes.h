@@ -23,12 +23,15 @@ struct DicomTag {
 
 // Each of these functions takes time in proportion to the attribute's length, however many values it holds. DCMTK's own
 // access by index is quadratic. A value may be stored as bytes (UN, OB, OW, ...) although the dictionary calls it text
-// or numbers. All but dicomWords() and dicomLongWords() then read it as the dictionary says, or as missing if it
-// is longer than 1 MiB. A text, a number or a pointer longer than 4 MiB counts as missing.
+// or numbers. All but dicomWords() and dicomLongWords() then read it as the dictionary says, or as missing if it is
+// longer than 1 MiB. A text, a number or a pointer longer than 4 MiB counts as missing.
 
 /// The number that a text holds; no value if it holds none. A comma stands for the point if it is the only one and no
 /// point stands beside it: DICOM's decimal strings know no comma, but some programs write them as their language does.
 [[nodiscard]] std::optional<double> decimalNumber(std::string text);
+
+/// Number of Frames (0028,0008); 1 if it is missing or below 1. At most 2^31: DICOM's texts hold no larger integers.
+[[nodiscard]] std::int64_t dicomFrameCount(DcmItem& item);
 
 /// The attribute's text: its values as stored up to the first zero byte, each trimmed, with backslashes between them.
 /// Values stored in binary are written as numbers. Empty if the attribute is missing or empty.
@@ -36,6 +39,8 @@ struct DicomTag {
 /// The attribute's values as numbers; empty unless it holds exactly `count` values and all are finite. Decimal strings
 /// are read by decimalNumber().
 [[nodiscard]] std::vector<double> dicomNumbers(DcmItem& item, DicomTag tag, std::size_t count);
+/// The only value of the attribute if it is a finite number; else no value.
+[[nodiscard]] std::optional<double> dicomNumber(DcmItem& item, DicomTag tag);
 /// The only value of the attribute if it is a whole number from -10^15 to 10^15. Else no value, also if the attribute
 /// holds several values.
 [[nodiscard]] std::optional<std::int64_t> dicomWholeNumber(DcmItem& item, DicomTag tag);

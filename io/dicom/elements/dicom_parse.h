@@ -24,10 +24,10 @@ struct DicomParsed {
     std::uint64_t position = 0;  ///< in the file; if it is deflated, unpacked bytes count
 };
 
-/// Parses the data set of an opened file into `dataset`, as `scan` found it: where it begins and ends, how it is
-/// written and what must be repaired. Without `withPixels` it stops at Pixel Data and leaves out elements that damage
-/// cut. DCMTK recurses into every level of nesting. Parsing stops after a few megabytes of stack, or after as many
-/// reads as the largest true objects need. `progress` is polled for cancel at every read; after a cancel
+/// Parses the data set of an opened file into `dataset`. `scan` says where the data set begins and ends, how it is
+/// written and what must be repaired. Without `withPixels` parsing stops at Pixel Data, and elements that damage cut
+/// are left out. DCMTK recurses into every level of nesting. Parsing stops after a few megabytes of stack, or after as
+/// many reads as the largest true objects need. `progress` is polled for cancel at every read; after a cancel
 /// DicomParsed::end has no meaning.
 [[nodiscard]] DicomParsed parseDicom(DcmDataset& dataset, const InputFile& input, const DicomScan& scan,
                                      bool withPixels, const Progress& progress);

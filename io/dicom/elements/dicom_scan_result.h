@@ -37,8 +37,8 @@ struct DicomScan {
     /// UID of how the pixels are coded: that of the meta header, or if the data set contradicts it, the one that fits
     /// the data set. Empty if the meta header has none and the pixels are not split into fragments.
     std::string transferSyntax;
-    /// UID of how the elements are written; as transferSyntax, but for fragments in a data set whose elements are
-    /// written as only uncompressed ones are. Empty if it must be guessed from the first element.
+    /// UID of how the elements are written. It differs from transferSyntax if pixels are in fragments although the
+    /// elements are written in implicit VR or big endian. Empty if the writing must be guessed from the first element.
     std::string elementSyntax;
     std::uint64_t datasetStart = 0;        ///< the first element behind the meta header begins here
     std::string sopClass;                  ///< UID from the meta header, else from the data set; else empty
@@ -59,8 +59,8 @@ struct DicomScan {
     /// these do.
     std::uint64_t endPosition = 0;
     std::uint64_t fileBytes = 0;  ///< the file's size
-    /// The end of the last element at top level that is whole, if the pixels are whole and what stands behind it is no
-    /// element or not whole. The rest must not be read. No value if the file is used to its end.
+    /// What stands from this byte on must not be read: it lies behind whole pixels and is no element, or not a whole
+    /// one. No value if the file is used to its end.
     std::optional<std::uint64_t> usedBytes;
     std::uint64_t unpackedBytes = 0;  ///< of the data set if it is deflated; else 0
     /// The repairs that a reader as strict as the standard needs. They concern delimiters missing at the end of the

@@ -23,9 +23,8 @@ struct DicomWriting {
 /// and the next two bytes.
 [[nodiscard]] DicomWriting guessedWriting(std::uint32_t tag, std::string_view letters);
 
-/// The transfer syntax (UID) of uncompressed pixels by which a data set must be read that begins at byte `start` and
-/// cannot be written as `stated` says. It goes by the first two elements. Empty if they can be read as stated, or in no
-/// other way.
+/// Looks at the first two elements of the data set that begins at byte `start`. Empty if they can be written as
+/// `stated` says. Else the transfer syntax (UID) of uncompressed pixels that fits them; empty too if none does.
 [[nodiscard]] std::string contradictingSyntax(const InputFile& file, std::uint64_t start, const DicomWriting& stated);
 
 }  // namespace echolucent

@@ -10,11 +10,8 @@ namespace echolucent {
 
 namespace {
 
-std::uint32_t littleEndian(std::span<const std::uint8_t> bytes) {
-    return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
-/// The transfer syntax of a JPEG file, by the marker of its first frame. Marks of baseline if the bytes hold no frame.
+/// The transfer syntax of a JPEG file, by the marker of its first frame. That of baseline JPEG if the bytes hold no
+/// frame.
 std::string syntaxOfJpeg(std::span<const std::uint8_t> bytes) {
     for (std::size_t at = 2; at + 4 <= bytes.size() && bytes[at] == 0xff;) {
         const std::uint8_t marker = bytes[at + 1];
@@ -30,14 +27,18 @@ std::string syntaxOfJpeg(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
+std::uint32_t littleEndian32(std::span<const std::uint8_t> bytes) {
+    return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
 bool beginsWithRleHeader(std::span<const std::uint8_t> bytes) {
     constexpr std::size_t header = 64, mostSegments = 15;
     if (bytes.size() <= header) return false;
-    const std::uint32_t segments = littleEndian(bytes);
-    if (segments < 1 || segments > mostSegments || littleEndian(bytes.subspan(4)) != header) return false;
+    const std::uint32_t segments = littleEndian32(bytes);
+    if (segments < 1 || segments > mostSegments || littleEndian32(bytes.subspan(4)) != header) return false;
     for (std::size_t segment = 1; segment < mostSegments; ++segment) {
-        const std::uint32_t before = littleEndian(bytes.subspan(4 * segment));
-        const std::uint32_t offset = littleEndian(bytes.subspan(4 + 4 * segment));
+        const std::uint32_t before = littleEndian32(bytes.subspan(4 * segment));
+        const std::uint32_t offset = littleEndian32(bytes.subspan(4 + 4 * segment));
         if (segment < segments ? offset <= before : offset != 0) return false;
     }
     return true;

@@ -16,7 +16,6 @@ namespace {
 constexpr DicomTag positionPatient{0x0020, 0x0032};
 constexpr DicomTag orientationPatient{0x0020, 0x0037};
 constexpr DicomTag locationsTag{0x0018, 0x2005};
-constexpr DicomTag betweenTag{0x0018, 0x0088};
 
 /// What Slice Location Vector says, if Frame Increment Pointer names it.
 struct SliceLocations {
@@ -82,11 +81,12 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
     auto scale = pictureScaleOf(dataset);
     const bool isScaled = scale && scale->kind != PictureScale::Kind::shapeOnly;
     SliceLocations locations = byOffsets ? SliceLocations() : sliceLocations(dataset, frames);
-    const bool byLocations = !locations.offsets.empty() || (locations.isWrong && !isStated(betweenTag));
-    if (framesFollowInTime(dataset) || !(byOffsets || byLocations || isStated(betweenTag)) ||
+    const bool byLocations = !locations.offsets.empty() || (locations.isWrong && !isStated(sliceDistanceTag));
+    if (framesFollowInTime(dataset) || !(byOffsets || byLocations || isStated(sliceDistanceTag)) ||
         !(isScaled || isStated(pixelSpacingTag)))
         return std::optional<ClassicPlaces>();
     ClassicPlaces places;
+    const auto between = dicomNumber(dataset, sliceDistanceTag);
     const std::string locationsName = tagText(locationsTag) + " Slice Location Vector";
     if (byOffsets) {
         places.name = tagText(offsetsTag) + " Grid Frame Offset Vector";
@@ -102,14 +102,13 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
         if (locations.isWrong)
             places.warnings.push_back(
                 fmt::format("{} is not one number for each of {} frames; it was left out.", locationsName, frames));
-        places.name = tagText(betweenTag) + " Spacing Between Slices";
-        const auto between = dicomNumbers(dataset, betweenTag, 1);
-        if (between.empty()) return refuse(places.name, "is no number");
-        if (between[0] == 0.0) return std::optional<ClassicPlaces>();
-        places.between = between[0];
+        places.name = tagText(sliceDistanceTag) + " Spacing Between Slices";
+        if (!between) return refuse(places.name, "is no number");
+        if (*between == 0.0) return std::optional<ClassicPlaces>();
+        places.between = between;
         // Cines of scanners have regions and times, and often no pointer that names the times.
         places.isBetweenGuess = !isStated(pixelSpacingTag) && statesFrameTime(dataset);
-        if (places.isBetweenGuess) places.warnings.push_back(distanceIsGuess(places.name, std::abs(between[0])));
+        if (places.isBetweenGuess) places.warnings.push_back(distanceIsGuess(places.name, std::abs(*between)));
     }
     if (isStated(pixelSpacingTag) && !dicomPixelSpacing(dataset))
         return refuse(tagText(pixelSpacingTag) + " Pixel Spacing", "is not two numbers above 0");
@@ -141,8 +140,7 @@ Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::
     const auto directions = orientation.value_or(std::array{Vec3(1, 0, 0), Vec3(0, 1, 0)});
     places.start = {position.value_or(Vec3(0, 0, 0)), directions[0], directions[1]};
     if (!isPosition(places.start.position)) places.name = tagText(positionPatient) + " Image Position";
-    if (const auto between = dicomNumbers(dataset, betweenTag, 1); !places.between && !between.empty())
-        places.otherBetween = between[0];
+    if (!places.between) places.otherBetween = between;
     places.orientationInPatient = orientation.has_value();
     places.scale = *std::move(scale);
     return std::optional(std::move(places));

@@ -48,13 +48,13 @@ struct ClassicPlaces {
 
 /// The places of all frames by the old attributes at top level: pixel spacing or the scale of ultrasound regions with
 /// grid frame offsets (3004,000C), with slice locations (0018,2005) that the increment pointer names, or with spacing
-/// between slices (0018,0088). Position and orientation may stand in
-/// the first item of Detector Information (0054,0022), and are left out with a note if they make no sense there. The
-/// spacing between slices is a guess if ultrasound regions give the scale and times of frames are stated. No value if
-/// the data set has no such geometry, if the spacing between slices is 0, or if the data set says that its frames
-/// follow each other in time. Fails (unreadable, about the file at `path`, with Failure::framesCouldBeSlices) if the
-/// geometry makes no sense: offsets for more or fewer frames, or a bad spacing, position or orientation. `frames` may
-/// be any number; the result is no larger than the file.
+/// between slices (0018,0088). Position and orientation may stand in the first item of Detector Information
+/// (0054,0022), and are left out with a note if they make no sense there. The spacing between slices is a guess if
+/// ultrasound regions give the scale and times of frames are stated. No value if the data set has no such geometry, if
+/// the spacing between slices is 0, or if the data set says that its frames follow each other in time. Fails
+/// (unreadable, about the file at `path`, with Failure::framesCouldBeSlices) if the geometry makes no sense: offsets
+/// for more or fewer frames, or a bad spacing, position or orientation. `frames` may be any number; the result is no
+/// larger than the file.
 [[nodiscard]] Result<std::optional<ClassicPlaces>> classicPlaces(DcmItem& dataset, const std::string& path,
                                                                  std::size_t frames);
 

@@ -32,6 +32,9 @@ constexpr const char* imagePositionName = "(0020,0032) Image Position";
 /// The note on slices of known distance whose pixels have no known size. The size is taken to be that distance.
 [[nodiscard]] std::string pixelSizeUnknown(double betweenSlices);
 
+/// The refusal of a picture that is alone.
+[[nodiscard]] tl::unexpected<Failure> singlePicture(const std::string& path);
+
 /// The refusal of pictures that are no volume, because of `problem`, with the remedy --frames-as-slices.
 [[nodiscard]] tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem);
 

@@ -20,7 +20,7 @@ namespace {
 const std::string positionVolumeName = "(0020,9301) Image Position (Volume)";
 const std::string positionPatientName = "(0020,0032) Image Position (Patient)";
 
-/// Takes the times of phases, and says where they stand.
+/// Puts the times of phases into `layout`, and names the attributes that state them.
 void takeTimes(const DicomTimes& times, FrameLayout& layout) {
     if (times.source != layout.phaseSource) layout.phaseSource = times.source + "; phases by " + layout.phaseSource;
     layout.phaseTimes = phaseTimesAt(times.seconds);
@@ -156,11 +156,7 @@ Result<void> GroupLayout::setSpacing() {
         m_layout.geometry.spacing = {(*spacing)[0], (*spacing)[1], m_betweenSlices};
         m_layout.spacingSource = "(0028,9110) Pixel Measures, slice positions";
     } else {
-        SliceScale scale = sliceScaleOf(m_dataset, m_betweenSlices, "slice positions");
-        m_layout.geometry.spacing = scale.spacing;
-        m_layout.geometry.spacingKnown = scale.spacingKnown;
-        m_layout.spacingSource = scale.source;
-        for (auto&& warning : scale.warnings) m_layout.warnings.push_back(std::move(warning));
+        takeScale(sliceScaleOf(m_dataset, m_betweenSlices, "slice positions"), m_layout);
     }
     if (first.betweenSlices && std::abs(*first.betweenSlices - m_betweenSlices) > 0.01 * m_betweenSlices)
         m_layout.warnings.push_back(fmt::format(
@@ -312,6 +308,14 @@ bool lieInOnePlane(const std::vector<FrameGroups>& groups) {
 
 }  // namespace
 
+void takeScale(const SliceScale& scale, FrameLayout& layout) {
+    layout.geometry.spacing = scale.spacing;
+    layout.geometry.spacingKnown = scale.spacingKnown;
+    layout.spacingSource = scale.source;
+    layout.inPlaneSpacingKnown = scale.inPlaneKnown && !scale.spacingKnown;
+    layout.warnings.insert(layout.warnings.end(), scale.warnings.begin(), scale.warnings.end());
+}
+
 void takeVectors(const FrameVectors& vectors, FrameLayout& layout) {
     layout.warnings.insert(layout.warnings.end(), vectors.warnings.begin(), vectors.warnings.end());
     layout.phaseSource = vectors.source;
@@ -338,6 +342,11 @@ Result<FrameLayout> layOutFrames(DcmItem& dataset, const std::string& path, cons
     if (!places) return tl::unexpected(places.error());
     if (*places) return layOutStack(**places, path, extent, *vectors);
     return framesWithoutGeometry(path, fmt::format("is a 2D cine of {} frames without volume geometry", extent.frames));
+}
+
+tl::unexpected<Failure> singlePicture(const std::string& path) {
+    return fail(FailureKind::unreadable, path, "", "is a single 2D picture, not a volume",
+                "Open the folder that holds all slices, or a multi-frame file.");
 }
 
 tl::unexpected<Failure> framesWithoutGeometry(const std::string& path, const std::string& problem) {

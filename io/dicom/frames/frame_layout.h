@@ -7,6 +7,7 @@
 
 #include "io/dicom/frames/frame_vectors.h"
 #include "io/dicom/frames/functional_groups.h"
+#include "io/dicom/frames/picture_scale.h"
 #include "io/dicom/frames/ultrasound_frame.h"
 #include "io/study/study.h"
 #include "processing/result.h"
@@ -36,6 +37,9 @@ struct FrameExtent {
 
 /// Puts the times of phases by vectors, the vectors' names and the notes on them into `layout`.
 void takeVectors(const FrameVectors& vectors, FrameLayout& layout);
+
+/// Takes the spacing of slices, its source and the notes on it into `layout`.
+void takeScale(const SliceScale& scale, FrameLayout& layout);
 
 /// Lays frames out as a volume, or as the phases of one: by their functional groups, else by the old attributes at top
 /// level (classicPlaces()) and the vectors of nuclear medicine (readFrameVectors()). If all frames of tissue have

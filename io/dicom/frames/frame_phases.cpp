@@ -217,8 +217,7 @@ Result<void> PhaseSplitter::setTimes(FramePhases& result) const {
         const double start = *m_groups[first].timeOffset;
         if (!times.seconds.empty() && !(start > latest))
             return refuse(timeOffsetName,
-                          fmt::format("puts phase {} at {:.6g} s, not after phase {}, against the order "
-                                      "of {}",
+                          fmt::format("puts phase {} at {:.6g} s, not after phase {}, against the order of {}",
                                       times.seconds.size() + 1, start, times.seconds.size(), result.source));
         times.seconds.push_back(start);
         latest = *m_groups[last].timeOffset;
@@ -290,8 +289,7 @@ Result<FramePhases> PhaseSplitter::split() {
             result.source = nameOf(time, m_groups[m_tissue.front()]);
             if (phases.size() > 1)
                 result.warnings.push_back(
-                    fmt::format("Frames lie at each of {} places {} times: {} tells {} phases "
-                                "apart.",
+                    fmt::format("Frames lie at each of {} places {} times: {} tells {} phases apart.",
                                 m_tissue.size() / phases.size(), phases.size(), result.source, phases.size()));
             break;
         }

@@ -1,5 +1,7 @@
 #include "io/dicom/frames/frame_times.h"
 
+#include <utility>
+
 namespace echolucent {
 
 namespace {
@@ -8,18 +10,11 @@ constexpr DicomTag frameTimeTag{0x0018, 0x1063};
 constexpr DicomTag frameTimeVectorTag{0x0018, 0x1065};
 constexpr DicomTag cineRateTag{0x0018, 0x0040};
 constexpr DicomTag displayRateTag{0x0008, 0x2144};
-constexpr DicomTag incrementPointerTag{0x0028, 0x0009};
-
-DicomTimes evenTimes(double step, std::size_t count, std::string source) {
-    DicomTimes times{{}, std::move(source)};
-    for (std::size_t i = 0; i < count; ++i) times.seconds.push_back(step * static_cast<double>(i));
-    return times;
-}
 
 /// The only number of an attribute if it is above 0.
 std::optional<double> aboveZero(DcmItem& item, DicomTag tag) {
-    const auto values = dicomNumbers(item, tag, 1);
-    return !values.empty() && values[0] > 0 ? std::optional(values[0]) : std::nullopt;
+    const auto value = dicomNumber(item, tag);
+    return value && *value > 0 ? value : std::nullopt;
 }
 
 /// The vector holds the milliseconds from each frame to the next; its first number is 0, as there is no frame before.
@@ -49,10 +44,15 @@ bool namesAsIncrement(DcmItem& dataset, DicomTag tag) {
     return dicomText(dataset, incrementPointerTag).find(tagText(tag)) != std::string::npos;
 }
 
+DicomTimes evenTimes(double step, std::size_t count, std::string source) {
+    DicomTimes times{{}, std::move(source)};
+    for (std::size_t i = 0; i < count; ++i) times.seconds.push_back(step * static_cast<double>(i));
+    return times;
+}
+
 std::optional<DicomTimes> statedFrameTimes(DcmItem& item, std::size_t count) {
     const auto step = aboveZero(item, frameTimeTag);
-    const bool stepIsNamed = namesAsIncrement(item, frameTimeTag);
-    if (!step || !stepIsNamed)
+    if (!step || !namesAsIncrement(item, frameTimeTag))
         if (auto times = timesOfVector(item, count)) return times;
     if (!step) return std::nullopt;
     return evenTimes(*step / 1000, count, tagText(frameTimeTag) + " Frame Time");

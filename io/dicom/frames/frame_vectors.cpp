@@ -15,7 +15,6 @@ namespace echolucent {
 
 namespace {
 
-constexpr DicomTag pointerOfVectors{0x0028, 0x0009};
 constexpr DicomTag actualDurationTag{0x0018, 0x1242};
 constexpr DicomTag gatedSequence{0x0054, 0x0062};
 
@@ -78,7 +77,10 @@ double evenStep(const std::map<double, std::size_t>& slices) {
 class VectorReader {
 public:
     VectorReader(DcmItem& dataset, const std::string& path, std::size_t frames)
-        : m_dataset(dataset), m_path(path), m_frames(frames) {}
+        : m_dataset(dataset),
+          m_path(path),
+          m_frames(frames),
+          m_isPointerStated(!dicomText(dataset, incrementPointerTag).empty()) {}
 
     Result<FrameVectors> read();
 
@@ -99,6 +101,7 @@ private:
     DcmItem& m_dataset;
     const std::string& m_path;
     std::size_t m_frames;
+    bool m_isPointerStated;
     bool m_any = false;
     std::vector<Key> m_times;      // of each frame: its numbers along the vectors of time; empty if none tells
     std::vector<DicomTag> m_tags;  // of these vectors
@@ -108,25 +111,22 @@ private:
 };
 
 bool VectorReader::isNamed(DicomTag tag) const {
-    const std::string pointer = dicomText(m_dataset, pointerOfVectors);
-    if (pointer.empty()) return dicomHas(m_dataset, tag);
-    return pointer.find(fmt::format("{:04x},{:04x}", tag.group, tag.element)) != std::string::npos;
+    return m_isPointerStated ? namesAsIncrement(m_dataset, tag) : dicomHas(m_dataset, tag);
 }
 
 /// Takes a vector that is named. One whose numbers are all the same orders nothing.
 Result<void> VectorReader::take(const FrameVector& vector) {
     if (!isNamed(vector.tag)) return {};
-    const bool isPointerStated = !dicomText(m_dataset, pointerOfVectors).empty();
     if (dicomText(m_dataset, vector.tag).empty()) {
-        if (!isPointerStated) return {};
+        if (!m_isPointerStated) return {};
         m_found.warnings.push_back(fmt::format("{} Frame Increment Pointer names {} {}, which is not in the file.",
-                                               tagText(pointerOfVectors), tagText(vector.tag), vector.name));
+                                               tagText(incrementPointerTag), tagText(vector.tag), vector.name));
         return {};
     }
     auto values = dicomNumbers(m_dataset, vector.tag, m_frames);
     if (values.empty()) {
         const std::string problem = fmt::format("is not one number for each of {} frames", m_frames);
-        if (isPointerStated) return refuse(vector.tag, vector.name, problem, exportAgain);
+        if (m_isPointerStated) return refuse(vector.tag, vector.name, problem, exportAgain);
         m_found.warnings.push_back(
             fmt::format("{} {} {}; it was left out.", tagText(vector.tag), vector.name, problem));
         return {};
@@ -193,10 +193,7 @@ std::optional<DicomTimes> VectorReader::timesOfPhases() const {
     };
     std::vector<PhaseSteps> steps;
     dicomVisitItems(m_dataset, phaseSequence, [&](DcmItem& item) {
-        const auto seconds = [&](DicomTag tag) {
-            const auto values = dicomNumbers(item, tag, 1);
-            return values.empty() ? 0.0 : values[0] / 1000;
-        };
+        const auto seconds = [&](DicomTag tag) { return dicomNumber(item, tag).value_or(0.0) / 1000; };
         steps.push_back({seconds(delayTag), seconds(actualDurationTag) + seconds(pauseTag)});
         return steps.size() <= m_frames;
     });
@@ -229,11 +226,9 @@ void VectorReader::setTimes() {
     if (!m_found.times) m_found.times = timesOfPhases();
     if (!m_found.times) m_found.times = statedFrameTimes(m_dataset, count);
     // Of a gated study this is the time of the whole acquisition.
-    const auto duration = gated == nullptr ? dicomNumbers(m_dataset, actualDurationTag, 1) : std::vector<double>();
-    if (m_found.times || duration.empty() || !(duration[0] > 0)) return;
-    m_found.times = DicomTimes{{}, tagText(actualDurationTag) + " Actual Frame Duration"};
-    for (std::size_t phase = 0; phase < count; ++phase)
-        m_found.times->seconds.push_back(static_cast<double>(phase) * duration[0] / 1000);
+    const auto duration = gated == nullptr ? dicomNumber(m_dataset, actualDurationTag) : std::nullopt;
+    if (m_found.times || !(duration.value_or(0.0) > 0)) return;
+    m_found.times = evenTimes(*duration / 1000, count, tagText(actualDurationTag) + " Actual Frame Duration");
 }
 
 Result<FrameVectors> VectorReader::read() {
@@ -253,6 +248,12 @@ Result<FrameVectors> VectorReader::read() {
 }
 
 }  // namespace
+
+std::vector<DicomTag> frameVectorTags() {
+    std::vector<DicomTag> tags;
+    for (const FrameVector& vector : frameVectors) tags.push_back(vector.tag);
+    return tags;
+}
 
 Result<FrameVectors> readFrameVectors(DcmItem& dataset, const std::string& path, std::size_t frames) {
     return VectorReader(dataset, path, frames).read();

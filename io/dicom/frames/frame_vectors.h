@@ -12,6 +12,9 @@ class DcmItem;
 
 namespace echolucent {
 
+/// The vectors of nuclear medicine: attributes that hold a number of 16 bits for each frame.
+[[nodiscard]] std::vector<DicomTag> frameVectorTags();
+
 /// The order of frames by the vectors that Frame Increment Pointer (0028,0009) names.
 struct FrameVectors {
     /// In the order of time; frames from 0, in that of Slice Vector. Empty if no vector orders the frames.

@@ -13,7 +13,6 @@ namespace {
 
 constexpr DicomTag orientationVolumeTag{0x0020, 0x9302};
 constexpr DicomTag orientationPatientTag{0x0020, 0x0037};
-constexpr DicomTag betweenSlicesTag{0x0018, 0x0088};
 
 /// Reads one item of functional groups into the groups of a frame. Stops at the first value that makes no sense.
 class GroupsReader {
@@ -44,11 +43,6 @@ private:
     std::optional<Failure> m_failure;
 };
 
-std::optional<double> oneNumber(DcmItem& item, DicomTag tag) {
-    const auto values = dicomNumbers(item, tag, 1);
-    return values.empty() ? std::nullopt : std::optional(values[0]);
-}
-
 /// Takes the times of a frame that no reader needs: one that makes no sense is left out.
 void takeTimesOf(DcmItem& item, FrameGroups& groups) {
     constexpr DicomTag contentGroup{0x0020, 0x9111}, cardiacGroup{0x0018, 0x9118}, respiratoryGroup{0x0020, 0x9253};
@@ -60,7 +54,7 @@ void takeTimesOf(DcmItem& item, FrameGroups& groups) {
         DcmItem* const synchronized = dicomFirstItem(item, group);
         if (synchronized == nullptr) return;
         for (const DicomTag tag : {actual, nominal}) {
-            const auto delay = oneNumber(*synchronized, tag);
+            const auto delay = dicomNumber(*synchronized, tag);
             if (!delay) continue;
             groups.triggerDelay = *delay / 1000;
             groups.delayTag = tag;
@@ -87,10 +81,10 @@ Result<void> GroupsReader::read(DcmItem& item) {
          m_groups.inPatient.orientation, dicomOrientation);
     take(item, measuresGroup, pixelSpacingTag, "Pixel Spacing", "is not two numbers above 0", m_groups.pixelSpacing,
          [](DcmItem& holder, DicomTag) { return dicomPixelSpacing(holder); });
-    take(item, measuresGroup, betweenSlicesTag, "Spacing Between Slices", "is no number", m_groups.betweenSlices,
-         oneNumber);
+    take(item, measuresGroup, sliceDistanceTag, "Spacing Between Slices", "is no number", m_groups.betweenSlices,
+         dicomNumber);
     take(item, temporalGroup, timeOffsetTag, "Temporal Position Time Offset", "is no number of seconds",
-         m_groups.timeOffset, oneNumber);
+         m_groups.timeOffset, dicomNumber);
     take(item, contentGroup, temporalIndexTag, "Temporal Position Index", "is no whole number", m_groups.temporalIndex,
          dicomWholeNumber);
     if (m_failure) return tl::unexpected(*m_failure);

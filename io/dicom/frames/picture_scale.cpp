@@ -13,17 +13,13 @@ namespace echolucent {
 namespace {
 
 constexpr DicomTag regionsTag{0x0018, 0x6011};
-constexpr DicomTag sliceDistanceTag{0x0018, 0x0088};
 
 bool isScale(double mm) { return std::isfinite(mm) && mm >= 1e-4 && mm <= 1e4; }
 
 /// Takes the mean of x and y along z, which is a guess.
 Vec3 spacingFrom(double x, double y) { return {x, y, (x + y) / 2}; }
 
-double numberOr(DcmItem& item, DicomTag tag, double missing) {
-    const auto values = dicomNumbers(item, tag, 1);
-    return values.empty() ? missing : values[0];
-}
+double numberOr(DcmItem& item, DicomTag tag, double missing) { return dicomNumber(item, tag).value_or(missing); }
 
 /// The number of pixels in a region; 0 if its corners are missing or make no sense.
 double areaOf(DcmItem& region) {

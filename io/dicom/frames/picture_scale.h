@@ -14,6 +14,8 @@ class DcmItem;
 namespace echolucent {
 
 inline constexpr DicomTag pixelSpacingTag{0x0028, 0x0030};
+/// Spacing Between Slices, mm; its sign tells the order of frames along the normal.
+inline constexpr DicomTag sliceDistanceTag{0x0018, 0x0088};
 
 /// Pixel Spacing (0028,0030) of an item: mm along x (between columns) and y (between rows), both above 0.
 [[nodiscard]] std::optional<std::array<double, 2>> dicomPixelSpacing(DcmItem& item);

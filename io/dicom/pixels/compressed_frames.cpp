@@ -19,6 +19,7 @@
 #include "io/dicom/pixels/jpeg2000.h"
 #include "io/dicom/pixels/jpeg_ls_bytes.h"
 #include "io/dicom/pixels/stored_limits.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent {
 
@@ -81,8 +82,8 @@ struct CompressedFrames::State {
         known->frames.insert(decoding);
     }
     void takeColours(const StreamColours& said, const char* what, DecodedFrame& frame);
-    /// Notes that frames have fewer bits than are stored.
-    void sayFewerBits(const char* what, int bits);
+    /// Notes that frames have another number of bits than Bits Stored.
+    void sayBits(const char* what, int bits);
     std::string decodeFrame(std::vector<std::uint8_t>& data, DecodedFrame& frame);
     std::string sayLimited(std::size_t limited);
     std::string decodeRleFrame(const std::vector<std::uint8_t>& data, DecodedFrame& frame);
@@ -134,9 +135,7 @@ std::vector<std::string> CompressedFrames::notes() const {
     if (!m_state->map.warning.empty()) sentences.push_back(m_state->map.warning);
     const auto decoded = static_cast<std::size_t>(std::ranges::count(m_state->decodedOnce, true));
     for (const FrameNote& note : m_state->notes)
-        sentences.push_back(note.frames.size() == decoded ? note.sentence
-                                                          : fmt::format("{} (Said of {} of {} frames.)", note.sentence,
-                                                                        note.frames.size(), decoded));
+        sentences.push_back(saidOf(note.sentence, note.frames.size(), decoded, "frames"));
     return sentences;
 }
 
@@ -183,10 +182,9 @@ void CompressedFrames::State::takeColours(const StreamColours& said, const char*
         format.photometric, what, rgb ? "red, green and blue" : "luma and colour differences", said.source));
 }
 
-void CompressedFrames::State::sayFewerBits(const char* what, int bits) {
-    if (bits < format.bitsStored)
-        note(fmt::format("The {} frames hold {} bits where (0028,0101) Bits Stored says {}.", what, bits,
-                         format.bitsStored));
+void CompressedFrames::State::sayBits(const char* what, int bits) {
+    note(fmt::format("The {} frames hold {} bits where (0028,0101) Bits Stored says {}.", what, bits,
+                     format.bitsStored));
 }
 
 /// Notes that `limited` values of a frame were limited. Says what is wrong if they are more than a hundredth of the
@@ -237,9 +235,7 @@ std::string CompressedFrames::State::decodeJpeg2000Frame(const std::vector<std::
         note(
             "The JPEG 2000 frames hold signed values where (0028,0103) Pixel Representation declares unsigned ones; "
             "what lies below 0 was raised to it.");
-    if (decoded.bits != format.bitsStored)
-        note(fmt::format("The JPEG 2000 frames hold {} bits where (0028,0101) Bits Stored says {}.", decoded.bits,
-                         format.bitsStored));
+    if (decoded.bits != format.bitsStored) sayBits("JPEG 2000", decoded.bits);
     if (decoded.colours.kind == StreamColours::Kind::unsaid &&
         (format.photometric == "YBR_RCT" || format.photometric == "YBR_ICT"))
         note(
@@ -264,7 +260,7 @@ std::string CompressedFrames::State::decodeJpegFrame(std::vector<std::uint8_t>& 
     if (!problem.empty()) return problem;
     const char* const what = isJpegLs ? "JPEG-LS" : "JPEG";
     takeColours(header.colours, what, frame);
-    sayFewerBits(what, header.bits);
+    if (header.bits < format.bitsStored) sayBits(what, header.bits);
     // Old overlays use the bits above those of the pixels, so no value is limited then.
     if (dicomWholeNumber(*dataset, {0x6000, 0x0102}).value_or(0) > 0) return {};
     return sayLimited(limitToStoredBits(format, frame.bytes, header.bits));

@@ -27,15 +27,14 @@ struct FrameFragments {
     std::string warning{};  ///< a sentence if the file contradicts itself; else empty
 };
 
-/// Codings that mark where a picture begins; JPEG-LS has the markers of JPEG. All but RLE mark where it ends too.
+/// Codings of which each picture has a known beginning, and if it is not RLE, a known end. JPEG stands for JPEG-LS too.
 enum class Codestream { none, jpeg, jpeg2000, rle };
 
 /// Finds the fragments of each of `frames` frames. A single frame has all fragments. If there are as many fragments as
-/// frames, each frame has one; empty fragments do not count then. Else the basic offset table tells, or if that is
-/// empty the extended one
-/// (`extendedOffsets`, (7FE0,0001); it may be empty too). If no table fits, a frame begins at each fragment that begins
-/// a picture after the picture before has ended. Fails with what is wrong if none of these fits, or if the fragments of
-/// a single frame hold several pictures.
+/// frames, each frame has one; if not, empty fragments do not count. Else the basic offset table tells, or if that is
+/// empty the extended one (`extendedOffsets`, (7FE0,0001); it may be empty too). If no table fits, a frame begins at
+/// each fragment that begins a picture after the picture before has ended. Fails with what is wrong if none of these
+/// fits, or if the fragments of a single frame hold several pictures.
 [[nodiscard]] tl::expected<FrameFragments, std::string> mapFragments(DcmPixelSequence& fragments, std::int64_t frames,
                                                                      Codestream kind,
                                                                      std::vector<std::uint64_t> extendedOffsets);

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "io/dicom/elements/fragment_coding.h"
+
 namespace echolucent {
 
 namespace {
-
-std::uint32_t littleEndian32(std::span<const std::uint8_t> bytes) {
-    return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
 
 /// Unpacks one segment into every stride-th byte of `out`. Returns how many bytes it gave (at most `pixels`).
 std::size_t unpackSegment(std::span<const std::uint8_t> data, std::size_t pixels, std::size_t stride,

@@ -15,8 +15,8 @@ using ReadPixelBytes = std::function<bool(std::uint64_t from, std::span<std::uin
 
 /// What is wrong if `held` bytes of uncompressed pixels are too few for `format`, or too many; else no value. Left over
 /// may be up to a 32nd of a frame, at least one byte. Less than a frame may be left over if all these bytes, which
-/// `read` gives, are 0 or all are 255, and if they are not as many as rows or columns that each of several frames lacks
-/// would be. If more than one byte is left over, a note is added to `format`.
+/// `read` gives, are 0, or all are 255. They may not be as many as if each of several frames lacked whole rows or
+/// columns. If more than one byte is left over, a note is added to `format`.
 /// The layout of YBR pixels is set as their length says, with a note if that is not what their name says: 4:4:4 under a
 /// name of 4:2:2, 4:2:2 under a name of 4:4:4, and rows of 4:2:2 of which each ends with half a pair.
 [[nodiscard]] std::optional<PixelFormatProblem> wrongPixelBytes(DicomPixelFormat& format, std::uint64_t held,

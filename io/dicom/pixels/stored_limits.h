@@ -12,7 +12,7 @@
 namespace echolucent {
 
 /// Limits right-aligned samples of format.bytesPerSample() bytes each, in this machine's byte order. `codedBits` is
-/// what the codestream declares of a sample; more bits above that repeat the sign or are 0. A sample beyond the stored
+/// how many bits of a sample the codestream declares; those above repeat the sign or are 0. A sample beyond the stored
 /// bits of `format` becomes the nearest value that they can hold. Returns how many did not fit.
 std::size_t limitToStoredBits(const DicomPixelFormat& format, std::span<std::uint8_t> samples, int codedBits);
 

@@ -182,8 +182,7 @@ std::optional<ConcatenationPart> concatenationPartOf(DcmItem& dataset) {
     part.number = dicomWholeNumber(dataset, numberTag);
     part.total = dicomWholeNumber(dataset, totalTag);
     part.offset = dicomWholeNumber(dataset, offsetTag);
-    constexpr std::int64_t mostFrames = std::int64_t{1} << 31;
-    part.frames = std::clamp<std::int64_t>(dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1), 1, mostFrames);
+    part.frames = dicomFrameCount(dataset);
     const bool named = !dicomText(dataset, wholeTag).empty();
     const bool counted = part.number.has_value() && part.total.value_or(0) > 1;
     // Some programs give whole files a Concatenation UID.

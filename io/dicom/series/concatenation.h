@@ -24,8 +24,8 @@ struct ConcatenationPart {
     friend bool operator==(const ConcatenationPart&, const ConcatenationPart&) = default;
 };
 
-/// What the file says; no value if it is no part: unless it states its number, its offset or a total above 1 (those
-/// without a Concatenation UID: its number and such a total).
+/// What the file says of itself as a part; no value if it is none. With a Concatenation UID it is one if it states its
+/// number, its offset or a total above 1. Without that UID it must state its number and such a total.
 [[nodiscard]] std::optional<ConcatenationPart> concatenationPartOf(DcmItem& dataset);
 
 /// Whether a part says that it is the only one.

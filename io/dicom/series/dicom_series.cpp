@@ -17,6 +17,7 @@
 #include "io/files/files_below.h"
 #include "io/files/input_file.h"
 #include "io/study/series_list.h"
+#include "io/study/study_assembly.h"
 #include "io/study/value_window.h"
 #include "io/voxels/large_volumes.h"
 #include "io/voxels/phase_slices.h"
@@ -288,9 +289,7 @@ private:
     void sayNotes() {
         const std::size_t slices = m_order.files.size() - m_missing.size();
         for (const SliceNote& one : m_notes)
-            m_parts.warnings.push_back(
-                one.slices == slices ? one.sentence
-                                     : fmt::format("{} (Said of {} of {} slices.)", one.sentence, one.slices, slices));
+            m_parts.warnings.push_back(saidOf(one.sentence, one.slices, slices, "slices"));
         if (m_notesLeftOut > 0)
             m_parts.warnings.push_back(fmt::format("{} more notes on single slices are left out.", m_notesLeftOut));
     }

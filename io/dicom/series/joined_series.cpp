@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "io/study/slice_stack.h"
+
 namespace echolucent {
 
 namespace {
@@ -14,20 +16,13 @@ constexpr std::size_t fewestSeries = 3;  // two pictures always lie at an even d
 
 /// Whether all pictures of a group show one place, which may belong to a volume.
 bool isOfOnePlace(const SliceGroup& group) {
-    constexpr double samePlaceMm = 1e-3;
     const auto& first = group.images.front().file.plane;
     return first && group.damaged.empty() && !group.contradiction &&
            std::ranges::all_of(group.images, [&](const ImageHeader& image) {
                const auto& plane = image.file.plane;
-               return plane && length(plane->position - first->position) <= samePlaceMm &&
+               return plane && length(plane->position - first->position) <= samePositionMm &&
                       image.moments.kind.find("LOCALIZER") == std::string::npos;
            });
-}
-
-bool areParallel(const ImageHeader& a, const ImageHeader& b) {
-    constexpr double tolerance = 1e-3;
-    return length(a.file.plane->alongRow - b.file.plane->alongRow) < tolerance &&
-           length(a.file.plane->alongColumn - b.file.plane->alongColumn) < tolerance;
 }
 
 /// Parallel images of each orientation.
@@ -35,8 +30,8 @@ std::vector<Images> byOrientation(Images images) {
     constexpr std::size_t mostOrientations = 64;  // more are no stacks
     std::vector<Images> groups;
     for (ImageHeader& image : images) {
-        const auto own =
-            std::ranges::find_if(groups, [&](const Images& group) { return areParallel(group.front(), image); });
+        const auto own = std::ranges::find_if(
+            groups, [&](const Images& group) { return areParallel(*group.front().file.plane, *image.file.plane); });
         if (own != groups.end())
             own->push_back(std::move(image));
         else if (groups.size() < mostOrientations)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "io/dicom/frames/dicom_study.h"
 #include "io/dicom/frames/frame_layout.h"
 #include "io/dicom/series/slice_groups.h"
 #include "io/dicom/volumes/joined_parts.h"
@@ -22,10 +23,7 @@ std::optional<Failure> whyPartsAreNoVolume(const SeriesEntry& entry, const Progr
     for (const SeriesFile& file : entry.files) paths.push_back(file.path);
     const auto header = joinedHeader(paths, progress);
     if (!header) return header.error();
-    if (entry.size[2] < 2)
-        return fail(FailureKind::unreadable, paths.front(), "", "is a single 2D picture, not a volume",
-                    "Open the folder that holds all slices, or a multi-frame file.")
-            .value();
+    if (entry.size[2] < 2) return singlePicture(paths.front()).value();
     const auto layout = layOutFrames(header->dataset(), paths.front(),
                                      {static_cast<std::size_t>(entry.size[2]), entry.size[0], entry.size[1]}, progress);
     return layout ? std::nullopt : std::optional(layout.error());

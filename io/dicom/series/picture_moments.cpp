@@ -10,12 +10,6 @@ namespace echolucent {
 
 namespace {
 
-/// A number of DICOM's decimal or whole kinds, or stored in binary.
-std::optional<double> number(DcmItem& dataset, DicomTag tag) {
-    const auto values = dicomNumbers(dataset, tag, 1);
-    return values.empty() ? std::nullopt : std::optional(values[0]);
-}
-
 std::optional<double> timeOn(DcmItem& dataset, DicomTag dateTag, DicomTag timeTag) {
     const auto time = secondsOfDay(dicomText(dataset, timeTag));
     if (!time) return std::nullopt;
@@ -26,19 +20,19 @@ std::optional<double> timeOn(DcmItem& dataset, DicomTag dateTag, DicomTag timeTa
 
 PictureMoments momentsOf(DcmItem& dataset) {
     PictureMoments moments;
-    moments.values = {number(dataset, {0x0020, 0x0100}),
-                      number(dataset, {0x0020, 0x9128}),
-                      number(dataset, {0x0018, 0x1060}),
-                      number(dataset, {0x0020, 0x9153}),
-                      number(dataset, {0x0020, 0x9241}),
-                      number(dataset, {0x0020, 0x9245}),
-                      number(dataset, {0x0054, 0x1300}),
+    moments.values = {dicomNumber(dataset, {0x0020, 0x0100}),
+                      dicomNumber(dataset, {0x0020, 0x9128}),
+                      dicomNumber(dataset, {0x0018, 0x1060}),
+                      dicomNumber(dataset, {0x0020, 0x9153}),
+                      dicomNumber(dataset, {0x0020, 0x9241}),
+                      dicomNumber(dataset, {0x0020, 0x9245}),
+                      dicomNumber(dataset, {0x0054, 0x1300}),
                       secondsOfDateTime(dicomText(dataset, {0x0008, 0x002a})),
                       timeOn(dataset, {0x0008, 0x0022}, {0x0008, 0x0032}),
                       timeOn(dataset, {0x0008, 0x0023}, {0x0008, 0x0033}),
-                      number(dataset, {0x0020, 0x0012}),
-                      number(dataset, {0x0054, 0x1330})};
-    if (const auto milliseconds = number(dataset, {0x0020, 0x0110}); milliseconds && *milliseconds > 0)
+                      dicomNumber(dataset, {0x0020, 0x0012}),
+                      dicomNumber(dataset, {0x0054, 0x1330})};
+    if (const auto milliseconds = dicomNumber(dataset, {0x0020, 0x0110}); milliseconds && *milliseconds > 0)
         moments.resolution = *milliseconds / 1000;
     constexpr std::array kinds{
         DicomTag{0x0008, 0x0008},  // Image Type

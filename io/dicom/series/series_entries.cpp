@@ -105,23 +105,21 @@ void sayCopies(LeftOutCopies copies, std::vector<std::string>& warnings) {
                         copies.same.size(), filesInWords(copies.same)));
     if (!copies.broken.empty())
         warnings.push_back(
-            fmt::format("{} file(s) that cannot be decoded were left out, as others stand for the same "
-                        "picture: {}.",
+            fmt::format("{} file(s) that cannot be decoded were left out, as others stand for the same picture: {}.",
                         copies.broken.size(), filesInWords(copies.broken)));
 }
 
 /// Sorts entries, the openable ones first, most slices first, and puts `joined` among them: behind each series that
 /// opens by itself, as it is certain that a series was meant.
 void takeInOrder(std::vector<SeriesEntry> joined, std::vector<SeriesEntry>& entries) {
-    const auto rank = [](const SeriesEntry& entry, bool isJoined) {
-        return std::tuple(entry.whyNot.has_value(), isJoined, -entry.size[2]);
+    const auto rank = [](const std::pair<bool, SeriesEntry>& one) {
+        const bool isRefused = one.second.whyNot.has_value();
+        return std::tuple(isRefused, one.first && !isRefused, -one.second.size[2]);
     };
     std::vector<std::pair<bool, SeriesEntry>> all;
     for (SeriesEntry& entry : joined) all.emplace_back(true, std::move(entry));
     for (SeriesEntry& entry : entries) all.emplace_back(false, std::move(entry));
-    std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
-        return rank(a.second, a.first && !a.second.whyNot) < rank(b.second, b.first && !b.second.whyNot);
-    });
+    std::ranges::stable_sort(all, {}, rank);
     entries.clear();
     for (auto& [isJoined, entry] : all) entries.push_back(std::move(entry));
 }

@@ -62,17 +62,14 @@ std::vector<std::string> scaleGroups(const Images& images) {
 /// little.
 std::vector<std::string> orientationGroups(const Images& images) {
     constexpr std::size_t mostGroups = 3, leastOfOne = 3;
-    constexpr double parallel = 1e-3, apart = 0.2;
+    constexpr double apart = 0.2;  // about 11 degrees, more than two slices of a sweep are turned by
     std::vector<std::string> groups(images.size());
     std::vector<std::pair<SlicePlane, std::size_t>> found;  // the first plane of each group, and its pictures
-    const auto distance = [](const SlicePlane& a, const SlicePlane& b) {
-        return std::max(length(a.alongRow - b.alongRow), length(a.alongColumn - b.alongColumn));
-    };
     for (std::size_t i = 0; i < images.size(); ++i) {
         const auto& plane = images[i].file.plane;
         if (!plane) continue;
         std::size_t group = 0;
-        while (group < found.size() && distance(found[group].first, *plane) >= parallel) ++group;
+        while (group < found.size() && !areParallel(found[group].first, *plane)) ++group;
         if (group == mostGroups) return std::vector<std::string>(images.size());
         if (group == found.size()) found.emplace_back(*plane, 0);
         ++found[group].second;
@@ -80,7 +77,7 @@ std::vector<std::string> orientationGroups(const Images& images) {
     }
     bool clear = std::ranges::any_of(found, [](const auto& group) { return group.second >= leastOfOne; });
     for (std::size_t a = 0; a < found.size(); ++a)
-        for (std::size_t b = 0; b < a; ++b) clear = clear && distance(found[a].first, found[b].first) > apart;
+        for (std::size_t b = 0; b < a; ++b) clear = clear && turnBetween(found[a].first, found[b].first) > apart;
     return clear ? groups : std::vector<std::string>(images.size());
 }
 

@@ -18,7 +18,7 @@ struct Apart {
 };
 
 /// Splits slices that differ in patient, frame of reference, size, modality, photometric interpretation or pixel
-/// spacing. A value that a slice lacks makes a group of its own.
+/// spacing, or of which a few stand at clear angles to the others. A value that a slice lacks makes a group of its own.
 [[nodiscard]] Apart listApart(Images images);
 
 /// Whether each of several images has a frame of reference of its own.

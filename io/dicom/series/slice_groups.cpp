@@ -31,10 +31,7 @@ void putInOrder(std::vector<SeriesFile>& files, const SliceStack& stack) {
 /// Why the readable pictures `files` cannot be stacked; no value if each has a place and the places can be compared.
 std::optional<Failure> whyNoStack(const std::string& folder, const SliceGroup& group,
                                   const std::vector<SeriesFile>& files) {
-    if (files.size() < 2)
-        return fail(FailureKind::unreadable, files.front().path, "", "is a single 2D picture, not a volume",
-                    "Open the folder that holds all slices, or a multi-frame file.")
-            .value();
+    if (files.size() < 2) return singlePicture(files.front().path).value();
     if (noneShareTheirFrame(group.images))
         return fail(FailureKind::unreadable, folder, "(0020,0052) Frame of Reference UID",
                     fmt::format("is another one in each of {} pictures, so that their places cannot be compared",

@@ -6,10 +6,12 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "io/dicom/frames/date_times.h"
 #include "io/dicom/frames/dicom_study.h"
 #include "io/study/slice_stack.h"
 
@@ -33,24 +35,23 @@ struct Places {
 
 /// No value if the images are not parallel or not all at the places of a stack.
 std::optional<Places> placesOf(const Images& images) {
-    constexpr double parallel = 1e-3, samePlaceMm = 1e-3, sameShare = 0.01, sidewaysShare = 0.1;
+    // Of the distance of slices: stackSlices() warns of distances and of shifts sideways that differ by more.
+    constexpr double sameShare = 0.01, sidewaysShare = 0.1;
     const SlicePlane& first = *images.front().file.plane;
     const Vec3 normal = first.alongRow.cross(first.alongColumn);
     std::vector<std::pair<double, std::size_t>> depths;
     for (std::size_t i = 0; i < images.size(); ++i) {
         const SlicePlane& plane = *images[i].file.plane;
         const double depth = plane.position.dot(normal);
-        if (!std::isfinite(depth) || !(length(plane.alongRow - first.alongRow) < parallel) ||
-            !(length(plane.alongColumn - first.alongColumn) < parallel))
-            return std::nullopt;
+        if (!std::isfinite(depth) || !areParallel(plane, first)) return std::nullopt;
         depths.emplace_back(depth, i);
     }
     std::ranges::sort(depths);
     // Programs round positions, so that most gaps may be small ones; the largest is one between two places.
     double spacing = 0.0;
     for (std::size_t i = 1; i < depths.size(); ++i) spacing = std::max(spacing, depths[i].first - depths[i - 1].first);
-    if (!(spacing > samePlaceMm)) return std::nullopt;
-    const double tolerance = std::max(samePlaceMm, sameShare * spacing);
+    if (!(spacing > samePositionMm)) return std::nullopt;
+    const double tolerance = std::max(samePositionMm, sameShare * spacing);
     Places places{std::vector<std::size_t>(images.size()), 0, {}};
     const Vec3* start = nullptr;
     double begun = 0.0;
@@ -61,7 +62,7 @@ std::optional<Places> placesOf(const Images& images) {
             begun = depth;
             places.images.push_back(0);
         }
-        if (!(length(position - *start) <= std::max(samePlaceMm, sidewaysShare * spacing))) return std::nullopt;
+        if (!(length(position - *start) <= std::max(samePositionMm, sidewaysShare * spacing))) return std::nullopt;
         ++places.images.back();
         places.of[image] = places.images.size() - 1;
     }
@@ -71,11 +72,19 @@ std::optional<Places> placesOf(const Images& images) {
 
 /// Times of day that go over midnight without saying so. Values with a date, which are larger, stay as they are.
 void passMidnight(Values& seconds) {
-    constexpr double day = 86400, longestPause = 4 * 3600;
+    constexpr double day = secondsOfADay;
+    constexpr double longestPause = 4 * 3600;  // around midnight the earliest and the latest seem nearly a day apart
     const auto [least, most] = std::ranges::minmax(seconds);
     if (most > day + 1 || most - least < day - longestPause) return;  // a day may end with a leap second
     for (double& one : seconds)
         if (one - least < day / 2) one += day;
+}
+
+/// The place of the attribute with this tag in momentAttributes.
+constexpr std::size_t momentAt(std::string_view tag) {
+    std::size_t place = 0;
+    while (!std::string_view(momentAttributes[place].name).starts_with(tag)) ++place;
+    return place;
 }
 
 class PhaseFinder {
@@ -139,8 +148,7 @@ private:
             m_told = i;
             m_found.phases.source = momentAttributes[i].name;
             m_found.notes.push_back(
-                fmt::format("Pictures lie at each of {} places up to {} times: {} tells {} phases "
-                            "apart.",
+                fmt::format("Pictures lie at each of {} places up to {} times: {} tells {} phases apart.",
                             m_places.count, m_most, m_found.phases.source, m_table.size()));
             return true;
         }
@@ -168,8 +176,8 @@ private:
             last = &values[image];
             different.insert(values[image]);
         }
-        // Values that most places share belong to a phase each, even if slices are missing. If not, each slice has a
-        // time of its own.
+        // Values that most places share (three quarters) belong to a phase each, even if slices are missing. If not,
+        // each slice has a time of its own.
         if (4 * m_images.size() >= 3 * different.size() * m_places.count) return tableByValue(values, order);
         if (areEvenlyMany()) return tableByRank(order);
         if (m_most > 2 * m_images.size() / m_places.count) return {};  // most slices of most phases would be missing
@@ -306,8 +314,10 @@ private:
     }
 
     // Places in momentAttributes.
-    static constexpr std::size_t lastIdentifier = 1, triggerTime = 2, triggerDelay = 3, referenceTime = 6,
-                                 acquisitionDateTime = 7, acquisitionTime = 8, contentTime = 9;
+    static constexpr std::size_t lastIdentifier = momentAt("(0020,9128)"), triggerTime = momentAt("(0018,1060)"),
+                                 triggerDelay = momentAt("(0020,9153)"), referenceTime = momentAt("(0054,1300)"),
+                                 acquisitionDateTime = momentAt("(0008,002a)"),
+                                 acquisitionTime = momentAt("(0008,0032)"), contentTime = momentAt("(0008,0033)");
 
     const std::string& m_folder;
     const Images& m_images;

@@ -77,12 +77,7 @@ Result<FrameLayout> MultiframeReader::layOutAsSlices() {
     }
     if (vectors) takeVectors(*vectors, layout);
     layout.geometry.size = {m_frames.columns(), m_frames.rows(), static_cast<std::int64_t>(layout.phases[0].size())};
-    SliceScale scale = sliceScaleOf(m_file.dataset(), std::nullopt, "");
-    layout.geometry.spacing = scale.spacing;
-    layout.geometry.spacingKnown = scale.spacingKnown;
-    layout.spacingSource = scale.source;
-    layout.inPlaneSpacingKnown = scale.inPlaneKnown && !scale.spacingKnown;
-    for (auto&& warning : scale.warnings) layout.warnings.push_back(std::move(warning));
+    takeScale(sliceScaleOf(m_file.dataset(), std::nullopt, ""), layout);
     layout.warnings.emplace_back("The frames of a 2D cine are taken as slices: this is no true volume.");
     return layout;
 }
@@ -186,9 +181,7 @@ Result<Study> readMultiframe(const DicomFile& file, const ReadOptions& options, 
     if (auto kretz = kretzVolumeIn(file)) return readKretz(std::move(*kretz), options, progress);
     auto frames = FramesOfParts::open(file);
     if (!frames) return tl::unexpected(frames.error());
-    if (frames->frames() < 2)
-        return fail(FailureKind::unreadable, file.path(), "", "is a single 2D picture, not a volume",
-                    "Open the folder that holds all slices, or a multi-frame file.");
+    if (frames->frames() < 2) return singlePicture(file.path());
     return MultiframeReader(file, *frames, {file.path()}, options, progress).read();
 }
 
@@ -198,9 +191,7 @@ Result<Study> readConcatenation(const std::vector<std::string>& paths, const Rea
     if (!header) return tl::unexpected(header.error());
     auto frames = FramesOfParts::open(paths, progress);
     if (!frames) return tl::unexpected(frames.error());
-    if (frames->frames() < 2)
-        return fail(FailureKind::unreadable, header->path(), "", "is a single 2D picture, not a volume",
-                    "Open the folder that holds all slices, or a multi-frame file.");
+    if (frames->frames() < 2) return singlePicture(header->path());
     return MultiframeReader(*header, *frames, paths, options, progress).read();
 }
 

@@ -11,7 +11,9 @@
 
 #include "io/dicom/elements/dicom_attributes.h"
 #include "io/dicom/frames/dicom_geometry.h"
+#include "io/dicom/frames/frame_vectors.h"
 #include "io/dicom/frames/functional_groups.h"
+#include "io/dicom/frames/picture_scale.h"
 #include "io/files/files_below.h"
 #include "io/files/input_problems.h"
 
@@ -41,14 +43,6 @@ constexpr std::array sharedAttributes{
 
 constexpr DicomTag frameTimesTag{0x0018, 0x1065};
 constexpr DicomTag frameOffsetsTag{0x3004, 0x000c};
-constexpr DicomTag betweenTag{0x0018, 0x0088};
-
-/// Attributes that hold an index for each frame, of 16 bits.
-constexpr std::array indicesOfFrames{
-    DicomTag{0x0054, 0x0010}, DicomTag{0x0054, 0x0020}, DicomTag{0x0054, 0x0030},
-    DicomTag{0x0054, 0x0050}, DicomTag{0x0054, 0x0060}, DicomTag{0x0054, 0x0070},
-    DicomTag{0x0054, 0x0080}, DicomTag{0x0054, 0x0090}, DicomTag{0x0054, 0x0100},
-};
 
 class PartJoiner {
 public:
@@ -61,7 +55,7 @@ public:
             m_parts, [&](const DicomFile& part) { return !sameGroups(part.dataset(), m_parts.front().dataset()); });
         std::int64_t frames = 0;
         for (const DicomFile& part : m_parts) {
-            const std::int64_t own = framesOf(part);
+            const std::int64_t own = dicomFrameCount(part.dataset());
             const std::size_t described = dicomSequenceLength(part.dataset(), perFrameGroupsTag);
             if (described != 0 && static_cast<std::int64_t>(described) != own)
                 return fail(
@@ -80,11 +74,6 @@ public:
     }
 
 private:
-    static std::int64_t framesOf(const DicomFile& part) {
-        constexpr std::int64_t mostFrames = std::int64_t{1} << 31;
-        return std::clamp<std::int64_t>(dicomWholeNumber(part.dataset(), {0x0028, 0x0008}).value_or(1), 1, mostFrames);
-    }
-
     [[nodiscard]] Result<void> checkAlike(const DicomFile& part) const {
         const DicomFile& first = m_parts.front();
         for (const SharedAttribute& one : sharedAttributes) {
@@ -169,7 +158,7 @@ private:
             return !own.empty();
         });
         if (timed) first.putAndInsertString(DcmTag(frameTimesTag.group, frameTimesTag.element), times.c_str());
-        for (const DicomTag tag : indicesOfFrames) {
+        for (const DicomTag tag : frameVectorTags()) {
             std::vector<std::uint16_t> joined;
             const bool all = std::ranges::all_of(m_parts, [&](const DicomFile& part) {
                 const std::vector<std::uint16_t> own = dicomWords(part.dataset(), tag);
@@ -195,17 +184,17 @@ private:
         bool moved = false;
         std::string joined;
         for (const DicomFile& part : m_parts) {
-            const auto frames = static_cast<std::size_t>(framesOf(part));
+            const auto frames = static_cast<std::size_t>(dicomFrameCount(part.dataset()));
             const auto position = dicomPoint(part.dataset(), positionPatientTag);
             const double shift = start && position ? (*position - *start).dot(normal) : 0.0;
             moved = moved || shift != 0.0;
-            const std::vector<double> between = dicomNumbers(part.dataset(), betweenTag, 1);
+            const auto between = dicomNumber(part.dataset(), sliceDistanceTag);
             const std::vector<double> offsets =
                 byOffsets ? dicomNumbers(part.dataset(), frameOffsetsTag, frames) : std::vector<double>();
-            if (byOffsets ? offsets.empty() : between.empty() || frames > mostCopiedGroups) return;
+            if (byOffsets ? offsets.empty() : !between || frames > mostCopiedGroups) return;
             for (std::size_t frame = 0; frame < frames; ++frame)
                 joined += fmt::format("{}{:.9g}", joined.empty() ? "" : "\\",
-                                      shift + (byOffsets ? offsets[frame] : between[0] * static_cast<double>(frame)));
+                                      shift + (byOffsets ? offsets[frame] : *between * static_cast<double>(frame)));
         }
         if (byOffsets || moved)
             first.putAndInsertString(DcmTag(frameOffsetsTag.group, frameOffsetsTag.element), joined.c_str());

@@ -59,12 +59,11 @@ bool isOrAbsent(DcmItem& dataset, DicomTag tag, std::int64_t value) {
 }
 
 void takeQlabSpacing(DcmItem& dataset, PhilipsVolume& volume) {
-    const auto x = dicomNumbers(dataset, {0x0018, 0x602c}, 1);
-    const auto y = dicomNumbers(dataset, {0x0018, 0x602e}, 1);
-    const auto z = dicomNumbers(dataset, sliceSpacingTag, 1);
+    const auto x = dicomNumber(dataset, {0x0018, 0x602c}), y = dicomNumber(dataset, {0x0018, 0x602e});
+    const auto z = dicomNumber(dataset, sliceSpacingTag);
     const bool centimetre = isOrAbsent(dataset, {0x0018, 0x6024}, 3) && isOrAbsent(dataset, {0x0018, 0x6026}, 3);
-    if (x.empty() || y.empty() || z.empty() || !centimetre) return;
-    const Vec3 centimetres(std::abs(x[0]), std::abs(y[0]), std::abs(z[0]));
+    if (!x || !y || !z || !centimetre) return;
+    const Vec3 centimetres(std::abs(*x), std::abs(*y), std::abs(*z));
     if (!isSpacing(centimetres * 10.0)) return;
     volume.spacing = centimetres * 10.0;
     volume.spacingSource = "(0018,602c), (0018,602e), (3001,1003) in cm";
