@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 
 /// A part of an object of frames of 2 x 2 pixels.
 struct HostilePart {
-    std::string number = "1", whole = "1.2.8", groups;
+    std::string number = "1", whole = "1.2.8";
+    std::vector<DicomBytes> shared{};  ///< items of a group of all frames
     std::uint16_t total = 2;
     std::uint32_t offset = 0;
     int frames = 2;
@@ -28,28 +29,26 @@ struct HostilePart {
             own.push_back(
                 sequence(0x0020, 0x9113,
                          DicomBytes().text(0x0020, 0x0032, "DS", "0\\0\\" + std::to_string(offset % 1000 + frame))));
-        DicomBytes shared = sequence(0x0020, 0x9116, DicomBytes().text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0"));
-        if (!groups.empty()) {
-            std::vector<DicomBytes> many(20000, DicomBytes().text(0x0018, 0x9151, "DT", groups));
-            shared.sequence(0x0018, 0x9152, many);
-        }
+        DicomBytes groups = sequence(0x0020, 0x9116, DicomBytes().text(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0"));
+        if (!shared.empty()) groups.sequence(0x0018, 0x9152, shared);
         DicomBytes file;
         file.text(0x0008, 0x0018, "UI", "1.2.3." + number + std::to_string(offset)).text(0x0020, 0x000e, "UI", "1.2.3");
         file.text(0x0020, 0x9161, "UI", whole).text(0x0020, 0x9162, "IS", number).word(0x0020, 0x9163, total);
         file.put(0x0020, 0x9228, "UL", {reinterpret_cast<const char*>(&offset), sizeof(offset)});
-        file.picture(2, 2, frames).sequence(0x5200, 0x9229, {shared}).sequence(0x5200, 0x9230, own);
+        file.picture(2, 2, frames).sequence(0x5200, 0x9229, {groups}).sequence(0x5200, 0x9230, own);
         return file.put(0x7fe0, 0x0010, "OB", std::string(4 * static_cast<std::size_t>(std::min(frames, 100)), 'p'))
             .file("1.2.840.10008.5.1.4.1.1.2.1");
     }
 };
 
-/// A row with a folder of two parts, the second of which `spoil` changes.
+/// A row with a folder of two parts, which `change` makes what they are; `spoil` changes the second.
 HostileFile parts(const std::string& name, std::function<void(HostilePart&)> spoil, std::vector<std::string> words,
-                  HostileOutcome outcome = HostileOutcome::refused) {
+                  HostileOutcome outcome = HostileOutcome::refused, std::function<void(HostilePart&)> change = {}) {
     return hostileFolder(
         "parts-" + name,
-        [spoil = std::move(spoil)](const fs::path& folder) {
+        [spoil = std::move(spoil), change = std::move(change)](const fs::path& folder) {
             HostilePart part;
+            if (change) change(part);
             writeBytes(folder / "a", part.bytes());
             part.number = "2";
             part.offset = 2;
@@ -82,10 +81,14 @@ std::vector<HostileFile> hostileParts() {
               {"describes 4 frames where Number of Frames says 2"}),
         parts("with-groups-too-many-to-keep",
               [](HostilePart& part) {
-                  part.groups = "20200101";
+                  part.shared.assign(20000, DicomBytes().text(0x0018, 0x9151, "DT", "20200101"));
                   part.frames = part.described = 20;
               },
               {"differ from part to part and are too many to be kept"}),
+        // Comparing them item by item would be quadratic if each were looked up by its index.
+        parts(
+            "with-100000-empty-items-for-all-frames", [](HostilePart&) {}, {"2 files are the parts of one object"},
+            HostileOutcome::opensWithNote, [](HostilePart& part) { part.shared.resize(100000); }),
         parts("of-another-object-with-its-numbers", [](HostilePart& part) { part.whole = "1.2.9"; }, {missing}),
     };
 }
@@ -114,7 +117,7 @@ std::vector<HostileFile> hostileCopies() {
                 bytes.replace(140, 4, "\xff\xff\xff\x7f");
                 writeBytes(folder / "t", bytes);
             },
-            {""}, HostileOutcome::opensWithNote),
+            {"1 file(s) are copies of others"}, HostileOutcome::opensWithNote),
         row(
             "with-another-pixel",
             [](const fs::path& folder) {
@@ -126,11 +129,26 @@ std::vector<HostileFile> hostileCopies() {
     };
 }
 
+/// Slices of which half lie at one place, each of its own moment. A table of all moments and places would be quadratic
+/// in their number.
+HostileFile halfAtOnePlace() {
+    constexpr int slices = 4000;
+    HostileFile row = hostileSeries("half-of-4000-at-one-place", slices,
+                                    [](int number, HostileSlice& slice) {
+                                        slice.position = "0\\0\\" + std::to_string(std::max(0, number - slices / 2));
+                                        slice.acquisition = slice.instance;
+                                    },
+                                    HostileOutcome::refused, {"is the same for two slices"});
+    row.mostBytesAtOnce = std::size_t{16} << 20;  // the table would have 32 MB
+    return row;
+}
+
 }  // namespace
 
 std::vector<HostileFile> hostileDicomParts() {
     std::vector<HostileFile> rows = hostileParts();
     for (HostileFile& row : hostileCopies()) rows.push_back(std::move(row));
+    rows.push_back(halfAtOnePlace());
     return rows;
 }
 

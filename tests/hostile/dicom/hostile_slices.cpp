@@ -21,6 +21,7 @@ std::string bytesOf(const HostileSlice& slice) {
     text(0x0010, 0x0020, "LO", slice.patientId);
     text(0x0010, 0x0030, "DA", slice.birthDate);
     text(0x0020, 0x000e, "UI", slice.series);
+    text(0x0020, 0x0012, "IS", slice.acquisition);
     text(0x0020, 0x0013, "IS", slice.instance);
     text(0x0020, 0x0032, "DS", slice.position);
     text(0x0020, 0x0037, "DS", slice.orientation);

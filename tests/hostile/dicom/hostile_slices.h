@@ -17,7 +17,7 @@ struct HostileSlice {
     std::string series = "1.2.3", instance = "1", position = "0\\0\\0", orientation = "1\\0\\0\\0\\1\\0";
     std::string spacing = "0.5\\0.5", frame = "1.2.9", modality = "US", photometric = "MONOCHROME2";
     std::string patientName = "Muster^Anna", patientId = "P-4711", birthDate = "19800517";
-    std::string slope, intercept, description;
+    std::string slope, intercept, description, acquisition;
     std::uint16_t columns = 4, rows = 2, bits = 8, representation = 0;
     bool sized = true;       ///< whether it has Rows and Columns
     bool hasPixels = true;   ///< whether it has Pixel Data

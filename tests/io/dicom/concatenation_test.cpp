@@ -253,7 +253,7 @@ TEST(Concatenation, TheSamePartTwiceIsACopyOrRefused) {
     Part other = partOf(2, 2, 2, 2);
     other.object = "1.2.3.9";
     folder.write("b again", other.bytes());
-    EXPECT_THAT(refusalOf(folder), AllOf(HasSubstr("is 2 in two different files: \"b\", \"b again\"")));
+    EXPECT_THAT(refusalOf(folder), HasSubstr("is 2 in two different files: \"b\", \"b again\""));
 }
 
 TEST(Concatenation, TwoObjectsOfOneSeriesStayApart) {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "dicom_bytes.h"
 #include "temporary_folder.h"
@@ -78,7 +77,7 @@ TEST(DicomOddValues, ADecimalCommaIsReadInAWindowAndInOneFileOfManyFrames) {
     texts.width = "41,0";
     const auto study = readSlices(withPoints, texts);
     ASSERT_TRUE(study) << study.error().sentence();
-    EXPECT_THAT(fmt::format("{}", fmt::join(study->warnings, " ")), AllOf(HasSubstr(commaNote)));
+    EXPECT_TRUE(warnsOf(*study, commaNote));
     EXPECT_FALSE(warnsOf(*study, "its numbers are no window"));
     DicomBytes file;
     file.text(0x0018, 0x0088, "DS", "1,25").picture(4, 2, 2).text(0x0028, 0x0030, "DS", "0,5\\0,75");
