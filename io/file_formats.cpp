@@ -7,13 +7,13 @@
 
 #include "io/dicom/dicom_reader.h"
 #include "io/dicom/elements/dicom_scan.h"
-#include "io/files/header_text.h"
 #include "io/headers/meta_image.h"
 #include "io/headers/nrrd.h"
 #include "io/kretz/kretz_items.h"
 #include "io/kretz/kretz_reader.h"
 #include "io/nifti/nifti_header.h"
 #include "io/nifti/nifti_reader.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

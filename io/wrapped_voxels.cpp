@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/file_formats.h"
+#include "io/files/archives.h"
 #include "io/files/header_text.h"
 #include "io/files/input_problems.h"
 #include "io/files/reading_memory.h"
@@ -16,6 +17,7 @@
 #include "io/stored/stored_bytes.h"
 #include "io/study/study_assembly.h"
 #include "io/voxels/gzip_file.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 
@@ -85,9 +87,7 @@ constexpr std::size_t longestSignature = 10;
 
 std::optional<HiddenPacking> packingIn(std::string_view beginning) {
     if (looksLikeGzip(beginning)) return HiddenPacking{VoxelEncoding::zlib, "gzip", true};
-    constexpr std::string_view blockOfBzip2 = "1AY&SY";
-    if (beginning.size() == longestSignature && beginning.starts_with("BZh") && beginning.substr(4) == blockOfBzip2)
-        return HiddenPacking{VoxelEncoding::bzip2, "bzip2", true};
+    if (looksLikeBzip2(beginning)) return HiddenPacking{VoxelEncoding::bzip2, "bzip2", true};
     if (beginning.size() < 2) return std::nullopt;
     const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(beginning[at]); };
     // A window of 32 KiB or less with deflate, and a checksum of the two bytes.

@@ -9,9 +9,11 @@ namespace echolucent {
 /// Looks at the beginning of the voxels in every data file of `stored` and sets its encoding and skipBytes so that
 /// reading begins with voxels. With a note for each thing found:
 /// - A header of another format is skipped if the voxels fill exactly the rest.
-/// - Raw voxels that begin like gzip or bzip2 and are not as many bytes as declared are unpacked. So are those that
-/// begin
-///   like gzip, bzip2 or zlib and unpack to exactly the declared bytes, with their checksum.
+/// - Raw voxels that begin like gzip or bzip2 and are not as many bytes as declared are unpacked.
+/// - Raw voxels that begin like gzip, bzip2 or zlib are unpacked, however long, if they give exactly the declared
+/// bytes,
+///   with their checksum.
+///
 /// Compressed voxels at the end of their stream (dataAtEnd) are found by counting. Fails (unreadable) if a header of
 /// another format stands where voxels should and cannot be skipped, or if a file cannot be read or decoded; (cancelled)
 /// if the person ended it.

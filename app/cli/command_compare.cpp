@@ -31,12 +31,9 @@ std::string paneCells(const Document& document, std::size_t place) {
 }
 
 Result<void> compare(const CompareOptions& options) {
-    if (auto possible = requireDocument(options.document,
-                                        "Compare OTFs of the volume in the window (F5), save the session, and name "
-                                        "that file here.");
-        !possible)
-        return possible;
-    const auto read = readDocumentStudy(options.document, VolumeOptions{}, {options.csv}, 1);
+    const auto read =
+        readDocumentStudy(options.document, VolumeOptions{}, {options.csv}, 1,
+                          "Compare OTFs of the volume in the window (F5), save the session, and name that file here.");
     if (!read) return tl::unexpected<Failure>(read.error());
     const Document& document = read->document;
     const std::size_t panes = document.panes.size();

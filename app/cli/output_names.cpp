@@ -9,6 +9,7 @@
 #include "io/file_formats.h"
 #include "io/files/header_text.h"
 #include "io/writers/movie_file.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent::cli {
 

@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include "app/cli/options/option_text.h"
-#include "io/files/header_text.h"
 #include "io/writers/enhanced_us_writer.h"
 #include "io/writers/meta_image_writer.h"
 #include "io/writers/nifti_writer.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent::cli {
 

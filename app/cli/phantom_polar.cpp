@@ -4,11 +4,11 @@
 
 #include "app/cli/options/option_text.h"
 #include "app/cli/options/polar_options.h"
-#include "io/files/header_text.h"
 #include "io/headers/raw_volume.h"
 #include "io/output/atomic_file.h"
 #include "io/study/study.h"
 #include "io/writers/kretz_writer.h"
+#include "processing/ascii_letters.h"
 #include "processing/phantom/phantom.h"
 #include "processing/phantom/polar_sampling.h"
 

@@ -3,10 +3,12 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QSet>
 #include <QStringDecoder>
 #include <QStringList>
 #include <QSysInfo>
 #include <algorithm>
+#include <utility>
 
 #include "io/file_formats.h"
 #include "io/headers/raw_volume.h"
@@ -67,10 +69,16 @@ bool maybeSlice(const QString& path) {
     return ending.isEmpty() ? std::ranges::any_of(file.fileName(), isDigit) : std::ranges::all_of(ending, isDigit);
 }
 
-/// Whether a document is the side-car of a volume, as converters of DICOM write it: "v.nii.gz" has "v.json".
-bool isSideCarOf(const QString& volume, const QString& document) {
-    const QString stem = document.chopped(QStringLiteral(".json").size());
-    return volume == stem + QLatin1String(".nii") || volume == stem + QLatin1String(".nii.gz");
+/// The names of files that belong to a volume and are not opened by themselves: the layout of raw voxels lies beside
+/// them and is found, and converters of DICOM write side-cars ("v.nii.gz" has "v.json", "v.bval", "v.bvec").
+QStringList namesBeside(const QString& volume) {
+    QStringList names{QString::fromStdString(rawLayoutPath(volume.toStdString()))};
+    for (const char* ending : {".nii", ".nii.gz"}) {
+        if (!volume.endsWith(QLatin1String(ending))) continue;
+        const QString stem = volume.chopped(QLatin1String(ending).size());
+        names << stem + QLatin1String(".json") << stem + QLatin1String(".bval") << stem + QLatin1String(".bvec");
+    }
+    return names;
 }
 
 }  // namespace
@@ -87,21 +95,18 @@ DroppedFiles droppedFiles(const QList<QUrl>& urls) {
                                              "%1 is named in another coding than UTF-8, which the window cannot open. "
                                              "Rename it, or use echolucent-cli."),
                            shownOf(url));
-        if (const QString path = pathOf(url); !paths.contains(path)) paths << path;
+        paths << pathOf(url);
     }
-    // The layout of a raw file lies beside it and is found by itself.
-    const QStringList all = paths;
-    paths.removeIf([&all](const QString& path) {
-        return std::ranges::any_of(all, [&path](const QString& file) {
-            return QString::fromStdString(rawLayoutPath(file.toStdString())) == path;
-        });
-    });
+    paths.removeDuplicates();
+    QSet<QString> beside;
+    for (const QString& path : std::as_const(paths))
+        for (const QString& name : namesBeside(path)) beside.insert(name);
+    paths.removeIf([&beside](const QString& path) { return beside.contains(path); });
     if (paths.isEmpty()) return {.whyNot = {}};
     if (paths.size() == 1) return {.path = paths.front()};
     const auto documents = std::ranges::count_if(paths, isDocument);
     if (documents == 1 && paths.size() == 2) {
         const bool first = isDocument(paths.front());
-        if (isSideCarOf(paths[first ? 1 : 0], paths[first ? 0 : 1])) return {.path = paths[first ? 1 : 0]};
         return {.path = paths[first ? 0 : 1], .study = paths[first ? 1 : 0]};
     }
     const QString folder = QFileInfo(paths.front()).path();
@@ -111,8 +116,7 @@ DroppedFiles droppedFiles(const QList<QUrl>& urls) {
         const auto headers = std::ranges::count_if(paths, isHeader);
         const auto slices = std::ranges::count_if(paths, maybeSlice);
         if (headers == 1 && slices == 0) return {.path = *std::ranges::find_if(paths, isHeader)};
-        const bool folders = std::ranges::any_of(urls, [](const QUrl& url) { return url.path().endsWith('/'); });
-        if (slices == paths.size() && !folders) return {.path = folder};
+        if (slices == paths.size()) return {.path = folder, .slices = paths};
     }
     return refused(
         QT_TRANSLATE_NOOP("DroppedFiles",

@@ -26,6 +26,13 @@ Result<void> requireReadableName(const std::string& path) {
                 "Rename it, or use echolucent-cli.");
 }
 
+Result<void> requireNoFolder(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(path, error)) return {};
+    return fail(FailureKind::unreadable, path, {}, "is a folder, and more was dropped with it",
+                "The window shows one study: drop one file or one folder, or all slices of one folder.");
+}
+
 }  // namespace
 
 OpenStudy::OpenStudy(Works& works, QObject* parent)
@@ -61,6 +68,15 @@ void OpenStudy::open(const QString& path, const ReadOptions& options) {
              if (auto readable = requireReadableName(file.path); !readable) return tl::unexpected(readable.error());
              return looksLikeDocument(file.path) ? saved(progress) : study(progress);
          });
+}
+
+void OpenStudy::openSlices(const QString& folder, const QStringList& slices) {
+    const StudyFile file{.path = folder.toStdString(), .options = {}, .checksum = {}};
+    load(file, [slices, study = readerOf(file)](const Progress& progress) -> Result<Opening> {
+        for (const QString& slice : slices)
+            if (auto isFile = requireNoFolder(slice.toStdString()); !isFile) return tl::unexpected(isFile.error());
+        return study(progress);
+    });
 }
 
 StudyReader OpenStudy::readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const {

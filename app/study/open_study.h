@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -36,6 +37,8 @@ public:
     /// one cannot be read, emits seriesFound() instead. A file that says it is a document is opened as a session: its
     /// study is read, and saved() gives the rest.
     void open(const QString& path, const ReadOptions& options = {});
+    /// Loads the folder of DICOM slices of which `slices` are some. Fails (unreadable) if one of them is a folder.
+    void openSlices(const QString& folder, const QStringList& slices);
     /// Opens a session file with a person's answer to savedStudyAsked().
     void openSaved(const QString& file, const SavedStudyAnswer& answer);
     /// Sets where to look for a session's study if it is not in its place. `search` is called whenever a session is

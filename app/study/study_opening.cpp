@@ -115,6 +115,8 @@ void StudyOpening::openDropped(const QList<QUrl>& urls) {
         m_parts.messages.showMessage(MessageKind::warning, dropped.whyNot);
     else if (!dropped.study.isEmpty())
         m_parts.openStudy.openSaved(dropped.path, {dropped.study.toStdString(), false});
+    else if (!dropped.slices.isEmpty())
+        m_parts.openStudy.openSlices(dropped.path, dropped.slices);
     else
         open(dropped.path);
 }

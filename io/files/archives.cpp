@@ -57,19 +57,18 @@ bool isTar(std::string_view beginning) {
     return sum == *stated;
 }
 
-/// bzip2 says the size of its blocks and then begins a block, or ends.
-bool isBzip2(std::string_view beginning) {
+}  // namespace
+
+bool looksLikeBzip2(std::string_view beginning) {
     return beginning.starts_with("BZh") && beginning.size() >= 10 && beginning[3] >= '1' && beginning[3] <= '9' &&
            (beginning.substr(4, 6) == "1AY&SY" || beginning.substr(4, 6) == "\x17\x72\x45\x38\x50\x90");
 }
-
-}  // namespace
 
 std::string_view archiveInWords(std::string_view beginning) {
     const auto known =
         std::ranges::find_if(signatures, [&](const Signature& each) { return beginning.starts_with(each.bytes); });
     if (known != signatures.end()) return known->words;
-    if (isBzip2(beginning)) return "is compressed with bzip2";
+    if (looksLikeBzip2(beginning)) return "is compressed with bzip2";
     return isTar(beginning) ? "is a tar archive" : "";
 }
 

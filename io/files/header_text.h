@@ -15,8 +15,6 @@ constexpr std::size_t headerLimit = std::size_t{1} << 20;
 
 /// The text without white space at its ends.
 [[nodiscard]] std::string trimmed(std::string_view text);
-/// The text with A to Z in lower case. Bytes beyond ASCII stay.
-[[nodiscard]] std::string lowerCase(std::string_view text);
 /// The words between white space.
 [[nodiscard]] std::vector<std::string> wordsOf(std::string_view text);
 

@@ -6,17 +6,11 @@
 #include <fmt/format.h>
 
 #include "io/files/header_text.h"
+#include "io/headers/stated_times.h"
 
 namespace echolucent {
 
 namespace {
-
-bool isFrameSpacing(std::string_view key) {
-    constexpr std::string_view beginning = "Seq_Frame", ending = "_ElementSpacing";
-    if (!key.starts_with(beginning) || !key.ends_with(ending) || key.size() <= beginning.size() + ending.size())
-        return false;
-    return wholeNumber(key.substr(beginning.size(), key.size() - beginning.size() - ending.size())).has_value();
-}
 
 std::optional<Vec3> spacingIn(const std::string& text) {
     const auto points = withDecimalPoints(text);
@@ -44,7 +38,7 @@ void takeFrameSpacing(const std::map<std::string, std::string>& keys, StoredVolu
     std::optional<Vec3> common;
     VolumeGeometry& geometry = stored.geometry;
     for (const auto& [key, text] : keys) {
-        if (!isFrameSpacing(key)) continue;
+        if (!frameOfKey(key, "_ElementSpacing")) continue;
         const auto spacing = spacingIn(text);
         if (spacing && (!common || areSame(*spacing, *common))) {
             if (!common) first = quotedText(key);

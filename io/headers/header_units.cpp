@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/files/header_text.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

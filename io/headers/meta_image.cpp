@@ -17,6 +17,7 @@
 #include "io/headers/stated_times.h"
 #include "io/headers/value_levels.h"
 #include "io/study/study_assembly.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

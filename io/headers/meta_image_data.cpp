@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/files/header_text.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

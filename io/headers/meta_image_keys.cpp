@@ -8,6 +8,7 @@
 
 #include "io/files/header_text.h"
 #include "io/files/input_problems.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

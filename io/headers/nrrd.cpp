@@ -20,6 +20,7 @@
 #include "io/headers/nrrd_times.h"
 #include "io/headers/value_levels.h"
 #include "io/study/study_assembly.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

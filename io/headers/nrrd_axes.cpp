@@ -8,6 +8,7 @@
 #include "io/files/input_problems.h"
 #include "io/headers/frames_over_time.h"
 #include "io/headers/header_units.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

@@ -1,6 +1,6 @@
 #include "io/headers/nrrd_space.h"
 
-#include "io/files/header_text.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

@@ -36,15 +36,18 @@ std::optional<StatedTimes> timesEvery(double step, std::string_view unit, const 
     return StatedTimes{PhaseTimes::every(step * *seconds), source + ", units", {}};
 }
 
+std::optional<std::int64_t> frameOfKey(std::string_view key, std::string_view ending) {
+    constexpr std::string_view beginning = "Seq_Frame";
+    if (!key.starts_with(beginning) || !key.ends_with(ending) || key.size() <= beginning.size() + ending.size())
+        return std::nullopt;
+    return wholeNumber(key.substr(beginning.size(), key.size() - beginning.size() - ending.size()));
+}
+
 std::optional<StatedTimes> timesOfSequence(const std::map<std::string, std::string>& keys, std::int64_t phases) {
-    constexpr std::string_view beginning = "Seq_Frame", ending = "_Timestamp";
     std::map<std::int64_t, double> times;
     std::string first;
     for (const auto& [key, text] : keys) {
-        if (!key.starts_with(beginning) || !key.ends_with(ending) || key.size() <= beginning.size() + ending.size())
-            continue;
-        const auto digits = key.size() - beginning.size() - ending.size();
-        const auto number = wholeNumber(std::string_view(key).substr(beginning.size(), digits));
+        const auto number = frameOfKey(key, "_Timestamp");
         if (!number) continue;
         if (first.empty()) first = quotedText(key);
         const auto points = withDecimalPoints(text);

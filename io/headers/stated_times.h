@@ -29,6 +29,10 @@ struct StatedTimes {
 /// then seconds are assumed, but for a step of 1, which programs write that know no time. No value if the step is none.
 [[nodiscard]] std::optional<StatedTimes> timesEvery(double step, std::string_view unit, const std::string& source);
 
+/// The number of the frame that a key of a sequence is about: 12 of "Seq_Frame0012_Timestamp", whose `ending` is
+/// "_Timestamp". No value for any other key.
+[[nodiscard]] std::optional<std::int64_t> frameOfKey(std::string_view key, std::string_view ending);
+
 /// The times of a sequence by its keys Seq_Frame0000_Timestamp and so on, in seconds (MetaImage, NRRD). No value if the
 /// header has no such key.
 [[nodiscard]] std::optional<StatedTimes> timesOfSequence(const std::map<std::string, std::string>& keys,

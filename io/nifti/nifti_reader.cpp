@@ -15,6 +15,7 @@
 #include "io/nifti/nifti_voxel_place.h"
 #include "io/study/study_assembly.h"
 #include "io/voxels/gzip_file.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

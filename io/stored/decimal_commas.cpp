@@ -46,18 +46,39 @@ private:
     bool m_inWord = false, m_commaAfterDigit = false, m_hasTwoMarks = false;
 };
 
-}  // namespace
-
-Result<TextNumbers> countNumbers(const InputFile& file, const VoxelExtent& extent, const Progress& progress) {
+/// Calls take(span of bytes) with the bytes of an extent, until it returns false.
+template <typename Take>
+Result<void> readPieces(const InputFile& file, const VoxelExtent& extent, const Progress& progress, const Take& take) {
     constexpr std::uint64_t pieceBytes = std::uint64_t{1} << 20;
-    NumberCounter counter;
     std::vector<std::uint8_t> piece;
     for (std::uint64_t done = 0; done < extent.length; done += piece.size()) {
         if (progress.cancelled()) return fail(FailureKind::cancelled, file.path(), "", "was not read: cancelled");
         piece.resize(static_cast<std::size_t>(std::min(pieceBytes, extent.length - done)));
         if (const auto read = file.readAt(extent.offset + done, piece); !read) return tl::unexpected(read.error());
-        for (const std::uint8_t byte : piece) counter.take(byte);
+        if (!take(std::span<const std::uint8_t>(piece))) break;
     }
+    return {};
+}
+
+}  // namespace
+
+Result<bool> holdsComma(const InputFile& file, const VoxelExtent& extent, const Progress& progress) {
+    bool found = false;
+    const auto read = readPieces(file, extent, progress, [&](std::span<const std::uint8_t> piece) {
+        found = std::ranges::find(piece, std::uint8_t{','}) != piece.end();
+        return !found;
+    });
+    if (!read) return tl::unexpected(read.error());
+    return found;
+}
+
+Result<TextNumbers> countNumbers(const InputFile& file, const VoxelExtent& extent, const Progress& progress) {
+    NumberCounter counter;
+    const auto read = readPieces(file, extent, progress, [&](std::span<const std::uint8_t> piece) {
+        for (const std::uint8_t byte : piece) counter.take(byte);
+        return true;
+    });
+    if (!read) return tl::unexpected(read.error());
     return counter.found();
 }
 

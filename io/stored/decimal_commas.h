@@ -25,6 +25,10 @@ struct TextNumbers {
     }
 };
 
+/// Whether a comma stands in an extent of text. It reads up to the first one, far faster than numbers are counted or
+/// decoded. Fails as countNumbers().
+[[nodiscard]] Result<bool> holdsComma(const InputFile& file, const VoxelExtent& extent, const Progress& progress);
+
 /// Reads an extent of text once. Fails (unreadable) if the file cannot be read; (cancelled) if the person ended it.
 [[nodiscard]] Result<TextNumbers> countNumbers(const InputFile& file, const VoxelExtent& extent,
                                                const Progress& progress);

@@ -132,6 +132,18 @@ void StoredBytes::noteRest(const InputFile& file, const VoxelExtent& extent) {
                                      file.size() - extent.offset - m_part));
 }
 
+template <typename Visit>
+Result<void> StoredBytes::forEachFile(const Visit& visit) const {
+    for (const DataFile& data : m_stored.data) {
+        const auto file = data.open();
+        if (!file) return tl::unexpected(file.error());
+        const auto extent = extentIn(*file);
+        if (!extent) return tl::unexpected(extent.error());
+        if (auto visited = visit(*file, *extent); !visited) return visited;
+    }
+    return {};
+}
+
 Result<void> StoredBytes::check(const Progress& progress) {
     std::uint64_t storedBytes = m_stored.packedBytes;
     for (const DataFile& data : m_stored.data) {
@@ -150,31 +162,33 @@ Result<void> StoredBytes::check(const Progress& progress) {
         return modest;
     if (m_stored.extent.encoding == VoxelEncoding::text) return settleCommas(progress);
     if (!isCompressed(m_stored.extent.encoding)) return {};
-    for (const DataFile& data : m_stored.data) {
-        const auto file = data.open();
-        if (!file) return tl::unexpected(file.error());
-        const auto extent = extentIn(*file);
-        if (!extent) return tl::unexpected(extent.error());
-        if (auto decoded = checkDecoded(*file, *extent, progress); !decoded) return decoded;
-    }
-    return {};
+    return forEachFile(
+        [&](const InputFile& file, const VoxelExtent& extent) { return checkDecoded(file, extent, progress); });
 }
 
 Result<void> StoredBytes::settleCommas(const Progress& progress) {
+    bool hasCommas = false;
+    const auto looked = forEachFile([&](const InputFile& file, const VoxelExtent& extent) -> Result<void> {
+        if (hasCommas) return {};
+        const auto found = holdsComma(file, extent, progress);
+        if (!found) return tl::unexpected(found.error());
+        hasCommas = *found;
+        return {};
+    });
+    if (!looked || !hasCommas) return looked;
+
     const std::uint64_t values = m_part / static_cast<std::uint64_t>(bytesOf(m_stored.type));
     std::uint64_t commas = 0;
     bool fitAsWords = true, seemSplit = false;
-    for (const DataFile& data : m_stored.data) {
-        const auto file = data.open();
-        if (!file) return tl::unexpected(file.error());
-        const auto extent = extentIn(*file);
-        if (!extent) return tl::unexpected(extent.error());
-        const auto found = countNumbers(*file, *extent, progress);
+    const auto counted = forEachFile([&](const InputFile& file, const VoxelExtent& extent) -> Result<void> {
+        const auto found = countNumbers(file, extent, progress);
         if (!found) return tl::unexpected(found.error());
         commas += found->commasWithin;
         fitAsWords = fitAsWords && found->fitAsWords(values);
         seemSplit = seemSplit || found->seemSplit(values);
-    }
+        return {};
+    });
+    if (!counted) return counted;
     m_decimalCommas = commas > 0 && fitAsWords;
     if (m_decimalCommas)
         m_warnings.emplace_back("The voxels are text with decimal commas, which are read as points.");

@@ -22,9 +22,10 @@ public:
     StoredBytes(const StoredVolume& stored, const ByteCounts& counts);
 
     /// Checks, before memory is taken, that every data file can hold its part. Fails (unreadable) if one holds less, or
-    /// if reading would take far more memory than such files may (requireReadingMemory()). Text is read once: it fails
-    /// too if there are more numbers than voxels and commas within them that may be decimal ones. If compressed bytes
-    /// claim to unpack to more than 32 times as many, they are unpacked once to count them.
+    /// if reading would take far more memory than such files may (requireReadingMemory()). Text is searched for commas
+    /// and, if it has some, read once: it fails too if there are more numbers than voxels and commas within them that
+    /// may be decimal ones. If compressed bytes claim to unpack to more than 32 times as many, they are unpacked once
+    /// to count them.
     [[nodiscard]] Result<void> check(const Progress& progress);
     /// Sentences of check() and read() about ignored bytes, decimal commas, and a last number that may have been cut.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return m_warnings; }
@@ -43,6 +44,9 @@ private:
     [[nodiscard]] Result<VoxelExtent> extentOfEncoded(const InputFile& file, VoxelExtent extent) const;
     [[nodiscard]] Result<void> checkDecoded(const InputFile& file, const VoxelExtent& extent,
                                             const Progress& progress) const;
+    /// Calls visit(file, extent) for each data file, until it fails.
+    template <typename Visit>
+    [[nodiscard]] Result<void> forEachFile(const Visit& visit) const;
     /// Finds out whether commas in text are decimal ones. Fails (unreadable) if they may be either.
     [[nodiscard]] Result<void> settleCommas(const Progress& progress);
     /// Whether an extent ends in a number written as text. Digits of that number may be missing.

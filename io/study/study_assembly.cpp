@@ -44,7 +44,7 @@ ChosenWhite whiteFromData(const WhiteLevel& measured, const ValueScale& scale, s
     if (measured.level > 0) {
         white.level = measured.level;
     } else if (scale.black != 0) {
-        // No value lies above black. White is 0, or as far above 0 again as doubles reach.
+        // No value lies above black. White lies as far above it as 0 lies from it.
         white = {std::abs(scale.black) / scale.factor, "above all values"};
     }
     if (white.level && !std::isfinite(scale.fileValue(*white.level)))

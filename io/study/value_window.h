@@ -12,7 +12,7 @@ namespace echolucent {
 
 /// The note of a study whose black stays at 0 because `ReadOptions::blackAtZero` says so, where that may hide much.
 inline constexpr std::string_view blackKeptAtZero =
-    "Black is kept at 0, as an older document or --black-at-zero asks: most of the voxels may not be seen.";
+    "Black is kept at 0, as an older document or --black-at-zero asks: what lies below it cannot be seen.";
 
 /// Converts the bytes of all phases (machine byte order) into parts.voxels, as convertVoxels() or
 /// convertRescaledVoxels() do if black is 0. Else the voxels are what lies above black. Black is, in this order:

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "io/files/header_text.h"
 #include "io/voxels/voxel_source.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

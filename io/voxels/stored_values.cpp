@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <span>
 #include <type_traits>
@@ -11,34 +10,11 @@
 
 #include <fmt/format.h>
 
+#include "io/voxels/typed_bytes.h"
+
 namespace echolucent {
 
 namespace {
-
-/// Calls `visit` with a value of the type that is stored.
-template <typename Visit>
-auto withStoredType(StoredType type, const Visit& visit) {
-    switch (type) {
-        case StoredType::uint8: return visit(std::uint8_t{});
-        case StoredType::int8: return visit(std::int8_t{});
-        case StoredType::uint16: return visit(std::uint16_t{});
-        case StoredType::int16: return visit(std::int16_t{});
-        case StoredType::uint32: return visit(std::uint32_t{});
-        case StoredType::int32: return visit(std::int32_t{});
-        case StoredType::uint64: return visit(std::uint64_t{});
-        case StoredType::int64: return visit(std::int64_t{});
-        case StoredType::float32: return visit(float{});
-        case StoredType::float64: break;
-    }
-    return visit(double{});
-}
-
-template <typename T>
-T storedAt(const VoxelBytes& bytes, std::size_t index) {
-    T value;
-    std::memcpy(&value, bytes.data() + index * sizeof(T), sizeof(T));
-    return value;
-}
 
 /// Calls visit(span of doubles) with the file's values in blocks.
 template <typename Visit>
@@ -105,22 +81,6 @@ bool arePlainFloats(const std::vector<VoxelBytes>& phases) {
         }
         return odd == 0;
     });
-}
-
-/// Converts each value with `become`. The values stay in their memory if a To is no larger than a From.
-template <typename From, typename To, typename Become>
-VoxelArray<To> valuesBecoming(VoxelBytes bytes, const Become& become) {
-    const std::size_t count = bytes.size() / sizeof(From);
-    VoxelBytes larger;
-    if (sizeof(To) > sizeof(From)) larger.resize(count * sizeof(To));
-    VoxelBytes& kept = sizeof(To) > sizeof(From) ? larger : bytes;
-    for (std::size_t i = 0; i < count; ++i) {
-        const To value = become(storedAt<From>(bytes, i));
-        std::memcpy(kept.data() + i * sizeof(To), &value, sizeof(To));
-    }
-    kept.resize(count * sizeof(To));
-    kept.shrink_to_fit();
-    return voxelsIn<To>(std::move(kept));
 }
 
 /// The stored value nearest to `end` that still gives a finite value of the file.

@@ -9,8 +9,8 @@
 
 namespace echolucent {
 
-/// Stored values of all phases, in this machine's byte order, and the line that makes them the file's. It keeps
-/// references: all three must outlive it.
+/// Values of all phases as they are stored in the file (not in memory, as Volume::storedValue()), in this machine's
+/// byte order, and the line that makes them the file's. It keeps references: all three must outlive it.
 struct StoredValues {
     const std::vector<VoxelBytes>& phases;
     StoredType type;

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "io/voxels/typed_bytes.h"
+
 namespace echolucent {
 
 static_assert(std::endian::native == std::endian::little, "files are written and decoded for little-endian machines");
@@ -35,13 +37,6 @@ constexpr std::array<TypeFacts, 10> typeFacts{{{StoredType::uint8, "uint8", 1},
 using Bytes = VoxelBytes;
 
 template <typename T>
-T valueAt(const Bytes& bytes, std::size_t index) {
-    T value;
-    std::memcpy(&value, bytes.data() + index * sizeof(T), sizeof(T));
-    return value;
-}
-
-template <typename T>
 struct Range {
     T low = 0;
     T high = 0;
@@ -52,33 +47,11 @@ Range<T> rangeOf(const std::vector<Bytes>& phases) {
     Range<T> range;
     for (const Bytes& bytes : phases)
         for (std::size_t i = 0; i < bytes.size() / sizeof(T); ++i) {
-            const T value = valueAt<T>(bytes, i);
+            const T value = storedAt<T>(bytes, i);
             range.low = std::min(range.low, value);
             range.high = std::max(range.high, value);
         }
     return range;
-}
-
-/// Converts each value with `become`. The values stay in their memory if a To is no larger than a From.
-template <typename From, typename To, typename Become>
-VoxelArray<To> mapped(Bytes bytes, const Become& become) {
-    const std::size_t count = bytes.size() / sizeof(From);
-    const auto map = [&](const Bytes& from, Bytes& to) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const To value = become(valueAt<From>(from, i));
-            std::memcpy(to.data() + i * sizeof(To), &value, sizeof(To));
-        }
-    };
-    if constexpr (sizeof(To) > sizeof(From)) {
-        Bytes values(count * sizeof(To));
-        map(bytes, values);
-        return voxelsIn<To>(std::move(values));
-    } else {
-        map(bytes, bytes);
-        bytes.resize(count * sizeof(To));
-        bytes.shrink_to_fit();
-        return voxelsIn<To>(std::move(bytes));
-    }
 }
 
 template <typename From, typename To>
@@ -88,7 +61,7 @@ void convertAll(std::vector<Bytes>& phases, ConvertedVoxels& result) {
             result.phases.emplace_back(voxelsIn<To>(std::move(bytes)));
         else
             result.phases.emplace_back(
-                mapped<From, To>(std::move(bytes), [](From value) { return static_cast<To>(value); }));
+                valuesBecoming<From, To>(std::move(bytes), [](From value) { return static_cast<To>(value); }));
     }
 }
 
@@ -128,9 +101,8 @@ std::string warningOfNegatives(const std::vector<Voxels>& phases) {
 template <typename From>
 void rescaleAll(std::vector<Bytes>& phases, const Rescale& rescale, ConvertedVoxels& result) {
     for (Bytes& bytes : phases) {
-        result.phases.emplace_back(mapped<From, float>(std::move(bytes), [&](From value) {
-            return static_cast<float>(rescale.slope * static_cast<double>(value) + rescale.intercept);
-        }));
+        result.phases.emplace_back(valuesBecoming<From, float>(
+            std::move(bytes), [&](From value) { return static_cast<float>(rescale.of(static_cast<double>(value))); }));
     }
 }
 
@@ -140,7 +112,7 @@ std::optional<std::array<double, 2>> finiteRange(const std::vector<Bytes>& phase
     T low = std::numeric_limits<T>::infinity(), high = -low;
     for (const Bytes& bytes : phases)
         for (std::size_t i = 0; i < bytes.size() / sizeof(T); ++i) {
-            const T value = valueAt<T>(bytes, i);
+            const T value = storedAt<T>(bytes, i);
             if (!std::isfinite(value)) continue;
             low = std::min(low, value);
             high = std::max(high, value);
@@ -166,8 +138,8 @@ template <typename T>
 void reduceToLumaOf(Bytes& bytes) {
     const std::size_t count = bytes.size() / (3 * sizeof(T));
     for (std::size_t i = 0; i < count; ++i) {
-        const double luma = 0.299 * valueAt<T>(bytes, 3 * i) + 0.587 * valueAt<T>(bytes, 3 * i + 1) +
-                            0.114 * valueAt<T>(bytes, 3 * i + 2);
+        const double luma = 0.299 * storedAt<T>(bytes, 3 * i) + 0.587 * storedAt<T>(bytes, 3 * i + 1) +
+                            0.114 * storedAt<T>(bytes, 3 * i + 2);
         const T value = static_cast<T>(std::lround(luma));
         std::memcpy(bytes.data() + i * sizeof(T), &value, sizeof(T));
     }
@@ -278,18 +250,7 @@ ConvertedVoxels convertVoxels(std::vector<VoxelBytes> phases, StoredType type) {
 
 ConvertedVoxels convertRescaledVoxels(std::vector<VoxelBytes> phases, StoredType type, const Rescale& rescale) {
     ConvertedVoxels result;
-    switch (type) {
-        case StoredType::uint8: rescaleAll<std::uint8_t>(phases, rescale, result); break;
-        case StoredType::int8: rescaleAll<std::int8_t>(phases, rescale, result); break;
-        case StoredType::uint16: rescaleAll<std::uint16_t>(phases, rescale, result); break;
-        case StoredType::int16: rescaleAll<std::int16_t>(phases, rescale, result); break;
-        case StoredType::uint32: rescaleAll<std::uint32_t>(phases, rescale, result); break;
-        case StoredType::int32: rescaleAll<std::int32_t>(phases, rescale, result); break;
-        case StoredType::uint64: rescaleAll<std::uint64_t>(phases, rescale, result); break;
-        case StoredType::int64: rescaleAll<std::int64_t>(phases, rescale, result); break;
-        case StoredType::float32: rescaleAll<float>(phases, rescale, result); break;
-        case StoredType::float64: rescaleAll<double>(phases, rescale, result); break;
-    }
+    withStoredType(type, [&]<typename T>(T) { rescaleAll<T>(phases, rescale, result); });
     result.story = fmt::format("{}, rescaled and kept as float32", nameOf(type));
     result.warning = warningOfNegatives(result.phases);
     return result;

@@ -1,4 +1,4 @@
-// The voxel types that files store, and their conversion to the three types in memory.
+// What is known of the voxel types that files store, and their conversion to the three types in memory.
 #pragma once
 
 #include <array>
@@ -8,12 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "io/voxels/stored_type.h"
 #include "io/voxels/voxel_bytes.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
-
-enum class StoredType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
 
 /// The name of a type for storedTypeFromName(): "uint8".
 [[nodiscard]] std::string_view nameOf(StoredType type);

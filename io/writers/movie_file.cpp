@@ -8,10 +8,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "io/files/header_text.h"
 #include "io/movie_encoder/movie_encoder.h"
 #include "io/output/output_place.h"
 #include "io/output/unfinished_file.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

@@ -10,12 +10,12 @@
 
 #include <fmt/format.h>
 
-#include "io/files/header_text.h"
 #include "io/nifti/nifti_header.h"
 #include "io/output/atomic_file.h"
 #include "io/study/study_assembly.h"
 #include "io/writers/deflate_stream.h"
 #include "io/writers/file_values.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

@@ -4,15 +4,9 @@
 #include <array>
 #include <charconv>
 
+#include "processing/ascii_letters.h"
+
 namespace echolucent {
-
-namespace {
-
-// Of ASCII letters only. Those of the C library leave the i of a Turkish desktop as it is.
-char upper(char letter) { return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter; }
-char lower(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; }
-
-}  // namespace
 
 std::string textOf(double number) {
     std::array<char, 32> text{};
@@ -30,7 +24,7 @@ std::string camelCase(std::string_view name) {
     std::string camel;
     bool begins = false;
     for (const char letter : name) {
-        if (letter != '_') camel += begins ? upper(letter) : letter;
+        if (letter != '_') camel += begins ? upperCase(letter) : letter;
         begins = letter == '_';
     }
     return camel;
@@ -40,7 +34,7 @@ std::string labelOf(const ParameterChoice& choice) {
     if (!choice.label.empty()) return std::string(choice.label);
     std::string label(choice.name);
     std::ranges::replace(label, '_', ' ');
-    if (!label.empty()) label[0] = upper(label[0]);
+    if (!label.empty()) label[0] = upperCase(label[0]);
     return label;
 }
 
@@ -62,7 +56,7 @@ std::string problemOfValue(const AnyParameter& row, const ParameterValue& value)
     const auto number = numberOf(value);
     if (!number || inRange(*number, row.range)) return {};
     std::string label(row.label);
-    if (!label.empty()) label[0] = lower(label[0]);
+    if (!label.empty()) label[0] = lowerCase(label[0]);
     return "the " + label + " must be " + textOf(row.range.least) + " to " + textOf(row.range.largest);
 }
 

@@ -13,6 +13,8 @@ using Float = std::numeric_limits<float>;
 
 /// The share of the highest value above which values of a narrow range lie.
 constexpr double narrowFrom = 63.0 / 64.0;
+/// A lowest value that so few voxels hold is no padding and no outside.
+constexpr std::int64_t fewAtLowest = 8;
 
 /// The values but for `padding`, each turned into another by `become`.
 template <typename Become>
@@ -34,8 +36,7 @@ bool holdsRange(double range) {
 
 /// A value that many voxels hold, farther below all others than they reach.
 std::optional<double> paddingOf(const ValueExtent& extent) {
-    constexpr std::int64_t fewVoxels = 8;
-    if (extent.lowest >= 0.0 || extent.atLowest <= fewVoxels) return std::nullopt;
+    if (extent.lowest >= 0.0 || extent.atLowest <= fewAtLowest) return std::nullopt;
     const double reach = extent.highest - extent.leastAboveLowest;
     if (!(reach > 0.0) || !(extent.leastAboveLowest - extent.lowest > reach)) return std::nullopt;
     return extent.lowest;
@@ -75,7 +76,8 @@ struct AboveOutside {
     std::int64_t below = 0, above = 0;  ///< how many values of a sample count, and lie below or above 0
 };
 
-/// The least of the sample that is reached from its lower quarter through values that lie close together.
+/// The least of the sample that is reached from its lower quarter through values that lie close together: each step
+/// down of a 16th of the range meets a 200th of the sample or more.
 double denseLowEnd(const std::vector<double>& sample, double high) {
     constexpr std::ptrdiff_t steps = 16, sparse = 200;
     const auto count = static_cast<std::ptrdiff_t>(sample.size());
@@ -90,9 +92,9 @@ double denseLowEnd(const std::vector<double>& sample, double high) {
 }
 
 std::optional<AboveOutside> aboveOutside(const ValueBlocks& values, const ValueExtent& extent) {
-    constexpr std::int64_t fewVoxels = 8, fiftieth = 50, hundredth = 100, rareInSample = 1000;
+    constexpr std::int64_t fiftieth = 50, hundredth = 100, rareInSample = 1000;
     const std::int64_t all = extent.below + extent.above;
-    if (extent.lowest >= 0.0 || extent.atLowest <= fewVoxels || extent.atLowest * fiftieth < all ||
+    if (extent.lowest >= 0.0 || extent.atLowest <= fewAtLowest || extent.atLowest * fiftieth < all ||
         (all - extent.atLowest) * hundredth <= extent.atLowest)
         return std::nullopt;
     const std::vector<double> sample = sampleWithout(extent.lowest, values);

@@ -6,7 +6,8 @@
 namespace echolucent {
 
 /// In memory, black is 0. A volume whose file puts black elsewhere, or holds values that float32 cannot, keeps
-/// (file's value - black) / factor, and gives back the file's value by this line.
+/// (file's value - black) / factor, and gives back the file's value by this line. Here and in Volume, the *stored*
+/// value is that in memory.
 struct ValueScale {
     double black = 0.0;   ///< the file's value of a stored 0, shown as normalised intensity 0; finite
     double factor = 1.0;  ///< how much a stored 1 is in the file; a power of two. It is 1 unless float32 is too small

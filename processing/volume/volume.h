@@ -119,7 +119,7 @@ public:
     [[nodiscard]] bool hasData(std::int64_t offset) const {
         return m_dataMask->empty() || (*m_dataMask)[static_cast<std::size_t>(offset)] != 0;
     }
-    /// The stored value as double; NaN stays NaN.
+    /// The value as it is stored in memory, as double; NaN stays NaN. The file may hold another: fileValue().
     [[nodiscard]] double storedValue(std::int64_t offset) const;
     /// The stored value over the white level, clamped to [0,1]; 0 if the value is NaN.
     [[nodiscard]] double normalisedIntensity(std::int64_t offset) const;

@@ -5,6 +5,7 @@
 
 #include "app/study/dropped_files.h"
 #include "tests/app/window_fixture.h"
+#include "tests/io/written_files/dicom_files.h"
 #include "widgets/controls/message_bar.h"
 
 using namespace echolucent;
@@ -32,6 +33,20 @@ class TestDroppedFiles : public QObject, private WindowFixture {
         return enter.isAccepted() && dropped.isAccepted();
     }
 
+    /// A DICOM slice that lies at `place`, 1 mm apart, in a file without ending.
+    static QString slice(const QString& folder, int place) {
+        TestImage image;
+        image.instance = place + 1;
+        image.position = Vec3(0, 0, place);
+        image.orientation = {1, 0, 0, 0, 1, 0};
+        image.pixelSpacing = {1, 1};
+        for (int pixel = 0; pixel < image.columns * image.rows; ++pixel)
+            image.pixels8.push_back(static_cast<std::uint8_t>(20 * pixel + place));
+        const QString path = QStringLiteral("%1/IM%2").arg(folder).arg(place);
+        writeDicom(path.toStdString(), image);
+        return path;
+    }
+
 private slots:
     void initTestCase() { lookAtNoPicture(); }
 
@@ -53,10 +68,11 @@ private slots:
         QTest::newRow("slices") << QStringList{"/a/1.dcm", "/a/2.DCM"} << "/a" << none;
         QTest::newRow("slices without endings") << QStringList{"/a/IM0001", "/a/1.2.840.17"} << "/a" << none;
         QTest::newRow("a volume and its side-car") << QStringList{"/a/v.json", "/a/v.nii.gz"} << "/a/v.nii.gz" << none;
+        QTest::newRow("a volume and all its side-cars")
+            << QStringList{"/a/v.bval", "/a/v.nii.gz", "/a/v.json", "/a/v.bvec"} << "/a/v.nii.gz" << none;
         QTest::newRow("a session of a NIfTI volume") << QStringList{"/a/v.nii", "/a/w.json"} << "/a/w.json"
                                                      << "/a/v.nii";
         QTest::newRow("two folders") << QStringList{"/media/case/anna", "/media/case/berta/"} << none << none;
-        QTest::newRow("two folders with digits") << QStringList{"/media/case1/", "/media/case2/"} << none << none;
         QTest::newRow("words without endings") << QStringList{"/a/README", "/a/LICENSE"} << none << none;
         QTest::newRow("a slice and a word") << QStringList{"/a/1.dcm", "/a/README"} << none << none;
         QTest::newRow("slices of two folders") << QStringList{"/a/1.dcm", "/b/2.dcm"} << none << none;
@@ -108,6 +124,7 @@ private slots:
         QVERIFY2(window().windowTitle().contains(shown), qPrintable(window().windowTitle()));
         waitUntilIdle();
         auto* message = child<MessageBar>("message");
+        QVERIFY(folder.mkpath("case1") && folder.mkpath("case2"));
         const QString archive = folder.filePath("visit.zip");
         QFile zip(archive);
         QVERIFY(zip.open(QIODevice::WriteOnly));
@@ -120,11 +137,15 @@ private slots:
               {urlsOf({gone}), "gone %1.mha: does not exist"},
               {urlsOf({unreadable}), "UTF-8"},
               {QList<QUrl>{QUrl("http://elsewhere.example/b.mha")}, "is no file of this computer"},
+              {urlsOf({folder.filePath("case1"), folder.filePath("case2")}), "case1: is a folder"},
               {urlsOf({"/a/1.mha", "/a/2.mha"}), "one study"}}) {
             QVERIFY(drop(urls));
             QTRY_VERIFY2_WITH_TIMEOUT(message->text().contains(words), qPrintable(message->text()), patience);
             QCOMPARE(window().openStudy().path(), path);
         }
+        QVERIFY(drop(urlsOf({slice(folder.filePath("case1"), 0), slice(folder.filePath("case1"), 1)})));
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 2, patience);
+        QCOMPARE(window().openStudy().path(), folder.filePath("case1"));
         QMimeData text;
         text.setText("words");
         QDragEnterEvent enter({5, 5}, Qt::CopyAction, &text, Qt::LeftButton, {});

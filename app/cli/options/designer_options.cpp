@@ -33,8 +33,7 @@ std::optional<ParameterValue> valueFrom(const std::string& text, const Parameter
     const bool whole = std::holds_alternative<std::int64_t>(like);
     if (text.find(',') == std::string::npos) return whole ? number(std::int64_t{}) : number(double{});
     if (whole) {
-        constexpr double most = 1e15;  // doubles are exact up to here
-        const auto count = numberTyped(text, {-most, most}, true);
+        const auto count = numberTyped(text, exactWholeNumbers, true);
         return count ? std::optional<ParameterValue>(static_cast<std::int64_t>(*count)) : std::nullopt;
     }
     const auto typed = typedNumber(text);

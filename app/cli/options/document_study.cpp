@@ -14,12 +14,12 @@
 
 #include "app/cli/options/option_text.h"
 #include "io/document/session_file.h"
-#include "io/files/header_text.h"
 #include "io/output/overwriting.h"
 #include "io/restricted/restricted_reader.h"
 #include "io/study/simulated_study.h"
 #include "io/study/study_assembly.h"
 #include "io/study/study_checksum.h"
+#include "processing/ascii_letters.h"
 #include "processing/document/turned_document.h"
 #include "processing/near_cut/near_cut.h"
 
@@ -85,6 +85,16 @@ Result<Study> studyOf(Document& document, const std::string& path, const VolumeO
                 "Give the volume on the command line.");
 }
 
+/// Fails if there is clearly no document at the path (readDocumentStudy()).
+Result<void> requireDocument(const std::string& path, const std::string& remedy) {
+    std::error_code error;
+    const bool calledSo = lowerCase(std::filesystem::path(path).extension().string()) == ".json";
+    const bool folder = std::filesystem::is_directory(path, error);
+    const bool file = std::filesystem::is_regular_file(path, error);
+    if ((!folder && !file) || (file && calledSo) || looksLikeDocument(path)) return {};
+    return fail(FailureKind::wrongUsage, path, "", "is no document of the workstation", remedy);
+}
+
 }  // namespace
 
 void DocumentOptions::addTo(CLI::App& command, const std::string& makes) {
@@ -121,20 +131,10 @@ Result<void> DocumentOptions::check(const CLI::App& command, const std::vector<s
     return {};
 }
 
-Result<void> requireDocument(const std::string& path, const std::string& remedy) {
-    std::error_code error;
-    const bool calledSo = lowerCase(std::filesystem::path(path).extension().string()) == ".json";
-    const bool folder = std::filesystem::is_directory(path, error);
-    const bool file = std::filesystem::is_regular_file(path, error);
-    if ((!folder && !file) || (file && calledSo) || looksLikeDocument(path)) return {};
-    return fail(FailureKind::wrongUsage, path, "", "is no document of the workstation", remedy);
-}
-
 Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOptions& volume,
-                                        const std::vector<std::string>& outputs, std::optional<int> number) {
-    if (auto possible = requireDocument(path, "Name a session that the window saved, or give the volume without it.");
-        !possible)
-        return tl::unexpected<Failure>(possible.error());
+                                        const std::vector<std::string>& outputs, std::optional<int> number,
+                                        const std::string& remedy) {
+    if (auto possible = requireDocument(path, remedy); !possible) return tl::unexpected<Failure>(possible.error());
     keepFromOverwriting({path});
     if (auto possible = checkOutputs(outputs); !possible) return tl::unexpected<Failure>(possible.error());
     auto read = readDocumentPane(path, number);

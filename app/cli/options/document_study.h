@@ -38,19 +38,20 @@ struct DocumentStudy {
     double findingMilliseconds = 0.0;     ///< wall time of the search for `finds`
 };
 
-/// Fails (wrong usage, with that remedy) if there is something at `path` that is clearly no document: a folder, or a
-/// file that neither calls itself one nor is named so.
-[[nodiscard]] Result<void> requireDocument(const std::string& path, const std::string& remedy);
+/// The remedy if a volume was given as a document.
+constexpr const char* giveVolumeAlone = "Name a session that the window saved, or give the volume without it.";
 
 /// Reads a document and its study. `number` is that of --view. If `volume` has a path, that is the study. Else the
 /// document names it: a relative path is looked for from the document's folder, then from the working folder; then a
 /// file with the study's bytes is looked for in the document's folder. The document that is returned names the study
 /// by the place it was read from. If the document named another place, or if the study's bytes have changed, the
-/// standard error says so. Fails if document or study cannot be read, if the document names no study, if one of the
-/// `outputs` is one of the files read, or if pane or phase is not there.
+/// standard error says so. Fails (wrong usage, with `remedy`) if there is clearly no document at the path: a folder, or
+/// a file that neither calls itself one nor is named so. Fails if document or study cannot be read, if the document
+/// names no study, if one of the `outputs` is one of the files read, or if pane or phase is not there.
 [[nodiscard]] Result<DocumentStudy> readDocumentStudy(const std::string& document, const VolumeOptions& volume,
                                                       const std::vector<std::string>& outputs,
-                                                      std::optional<int> number);
+                                                      std::optional<int> number,
+                                                      const std::string& remedy = giveVolumeAlone);
 
 /// Opens the study of `volume`. Its document is the one with which the window begins if its settings are fresh, for a
 /// picture of width / height `aspect`. `look` replaces the look. The options of `view` replace what opening found: the

@@ -31,8 +31,7 @@ std::string withoutComma(std::string& text, bool whole) {
     const auto typed = typedNumber(text);
     if (!typed) return {};
     if (whole) {
-        constexpr double exact = 9007199254740992.0;  // 2^53: a double holds whole numbers up to here exactly
-        if (const auto number = numberTyped(text, {-exact, exact}, true)) text = fmt::format("{:.0f}", *number);
+        if (const auto number = numberTyped(text, exactWholeNumbers, true)) text = fmt::format("{:.0f}", *number);
         return {};
     }
     if (typed->otherwise) return quotedText(text) + " has two meanings. " + remedyOfDoubt(text);

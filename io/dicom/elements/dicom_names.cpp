@@ -9,7 +9,7 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include "io/files/header_text.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 
@@ -89,7 +89,7 @@ std::string objectInWords(std::string_view name) {
     for (const Name& abbreviation : abbreviations) writeOut(words, abbreviation);
     for (std::size_t i = 0; i < words.size(); ++i)
         if ((i == 0 || words[i - 1] == ' ') && i + 1 < words.size() && isLower(words[i + 1]))
-            words[i] = lowerCase(words.substr(i, 1)).front();
+            words[i] = lowerCase(words[i]);
     if (words.ends_with('s') || words.ends_with("data")) return "an object of " + words;
     const std::string_view vowels = isSpelled(words) ? "AEFHILMNORSX" : "aeiou";
     return (vowels.find(words[0]) != std::string_view::npos ? "an " : "a ") + words;

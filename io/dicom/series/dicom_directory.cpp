@@ -12,7 +12,7 @@
 #include "io/dicom/elements/dicom_file.h"
 #include "io/dicom/elements/dicom_names.h"
 #include "io/files/file_access.h"
-#include "io/files/header_text.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

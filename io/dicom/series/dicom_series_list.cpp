@@ -19,6 +19,7 @@
 #include "io/files/input_problems.h"
 #include "io/study/series_list.h"
 #include "io/study/study_assembly.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

@@ -19,6 +19,7 @@
 #include "io/files/header_text.h"
 #include "io/files/input_problems.h"
 #include "io/voxels/gzip_file.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

@@ -5,6 +5,7 @@
 
 #include "io/dicom/elements/dicom_attributes.h"
 #include "io/files/header_text.h"
+#include "processing/ascii_letters.h"
 
 namespace echolucent {
 

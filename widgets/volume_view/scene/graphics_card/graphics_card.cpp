@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "processing/ascii_letters.h"
+
 namespace echolucent {
 
 namespace {
@@ -47,11 +49,7 @@ GraphicsCard graphicsCardOf(vtkOpenGLRenderWindow& window) {
 }
 
 bool isSoftwareOpenGl(std::string_view renderer) {
-    std::string lower(renderer);
-    std::transform(
-        lower.begin(), lower.end(), lower.begin(),
-        // Not by the C library: it leaves the I of a Turkish desktop as it is.
-        [](char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; });
+    const std::string lower = lowerCase(renderer);
     constexpr std::array names{"llvmpipe",    "softpipe",    "swr",      "software rasterizer",
                                "swiftshader", "gdi generic", "mesa x11", "microsoft basic render"};
     return std::any_of(names.begin(), names.end(),
