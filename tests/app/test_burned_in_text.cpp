@@ -29,9 +29,7 @@ class TestBurnedInText : public QObject, private WindowFixture {
                 image.pixels8.push_back(static_cast<std::uint8_t>(inside ? 200 : 20 + place % 7));
             }
             image.instance = slice + 1;
-            image.position = Vec3(0, 0, slice);
-            image.orientation = {1, 0, 0, 0, 1, 0};
-            image.pixelSpacing = {1, 1};
+            makeSlice(image, slice, 1);
             image.burnedInAnnotation = stated;
             writeDicom(temporaryFolder().filePath(QStringLiteral("%1/s%2.dcm").arg(name).arg(slice)).toStdString(),
                        image);

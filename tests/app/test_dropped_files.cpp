@@ -37,9 +37,7 @@ class TestDroppedFiles : public QObject, private WindowFixture {
     static QString slice(const QString& folder, int place) {
         TestImage image;
         image.instance = place + 1;
-        image.position = Vec3(0, 0, place);
-        image.orientation = {1, 0, 0, 0, 1, 0};
-        image.pixelSpacing = {1, 1};
+        makeSlice(image, place, 1);
         for (int pixel = 0; pixel < image.columns * image.rows; ++pixel)
             image.pixels8.push_back(static_cast<std::uint8_t>(20 * pixel + place));
         const QString path = QStringLiteral("%1/IM%2").arg(folder).arg(place);

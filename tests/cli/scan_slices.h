@@ -12,9 +12,7 @@ inline TestImage scanSlice(int number) {
     TestImage image;
     image.columns = image.rows = 20;
     image.pixels8.assign(400, static_cast<std::uint8_t>(100 + number));
-    image.position = Vec3(0, 0, number);
-    image.orientation = {1, 0, 0, 0, 1, 0};
-    image.pixelSpacing = {1, 1};
+    makeSlice(image, number, 1);
     return image;
 }
 

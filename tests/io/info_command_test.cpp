@@ -105,9 +105,7 @@ void writeTwoSeries(const TemporaryFolder& folder) {
             image.columns = columns;
             image.rows = 2;
             image.pixels8.assign(static_cast<std::size_t>(2 * columns), 7);
-            image.position = Vec3(0, 0, i);
-            image.orientation = {1, 0, 0, 0, 1, 0};
-            image.pixelSpacing = {0.5, 0.5};
+            makeSlice(image, i, 0.5);
             writeDicom(folder.file(series + std::string("-") + std::to_string(i)), image);
         }
 }

@@ -115,11 +115,8 @@ TEST(Rescale, SlicesWithDifferentSlopesAreAllApplied) {
     const TemporaryFolder folder;
     for (int i = 0; i < 3; ++i) {
         TestImage image = grey({}, i == 0 ? "" : std::to_string(i), i == 0 ? "" : "0.5");
-        image.frames = 0;
         image.pixels8 = {10, 20};
-        image.position = Vec3(0, 0, i);
-        image.orientation = {1, 0, 0, 0, 1, 0};
-        image.pixelSpacing = {0.5, 0.5};
+        makeSlice(image, i, 0.5);
         writeDicom(folder.file(std::to_string(i)), image);
     }
     const auto study = readStudy(folder.path(), withoutGuess());

@@ -148,10 +148,7 @@ TEST(PixelPadding, OfSlicesMayStandInSomeOfThem) {
         TestImage image = paddedImage({60000, 100 + i, 7, 8}, 60000);
         if (i == 0) image.padding.reset();
         if (i == 0) image.pixels16[0] = 9;
-        image.frames = 0;
-        image.position = Vec3(0, 0, i);
-        image.orientation = {1, 0, 0, 0, 1, 0};
-        image.pixelSpacing = {0.5, 0.5};
+        makeSlice(image, i, 0.5);
         writeDicom(folder.file(std::to_string(i)), image);
     }
     const auto study = readStudy(folder.path(), withoutGuess());

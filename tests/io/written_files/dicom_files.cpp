@@ -193,6 +193,13 @@ void putPalette(DcmDataset& dataset, const TestPalette& palette) {
 
 }  // namespace
 
+void makeSlice(TestImage& image, double zMm, double pixelMm) {
+    image.frames = 0;
+    image.position = Vec3(0, 0, zMm);
+    image.orientation = {1, 0, 0, 0, 1, 0};
+    image.pixelSpacing = {pixelMm, pixelMm};
+}
+
 void writeDicom(const std::string& path, const TestImage& image, TestSyntax syntax) {
     DcmFileFormat file;
     DcmDataset& dataset = *file.getDataset();

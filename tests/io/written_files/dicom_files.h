@@ -69,6 +69,9 @@ struct TestImage {
     bool frameTime = false;                      ///< whether the file says that frames follow each other in time
 };
 
+/// Makes the image a slice of a stack along z: single, at `zMm`, with square pixels of `pixelMm`.
+void makeSlice(TestImage& image, double zMm, double pixelMm);
+
 /// Throws std::runtime_error if DCMTK cannot write it.
 void writeDicom(const std::string& path, const TestImage& image, TestSyntax syntax = TestSyntax::explicitLittle);
 
