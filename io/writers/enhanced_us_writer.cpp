@@ -296,7 +296,9 @@ Result<void> check(const std::string& path, const Phases& phases) {
     if (std::holds_alternative<VoxelArray<float>>(first.voxels()))
         return refuse("cannot hold float32 voxels: an Enhanced US Volume has 8 or 16 bits", "Write it as .mha.");
     if (!first.valueScale().isIdentity())
-        return refuse("cannot hold values that begin below 0: an Enhanced US Volume has unsigned bits",
+        return refuse(std::string("cannot hold values that begin ") +
+                          (first.blackValue() < 0.0 ? "below" : "far above") +
+                          " 0: an Enhanced US Volume has 8 or 16 bits without a sign",
                       "Write it as .mha.");
     if (!first.geometry().spacingKnown)
         return refuse("cannot hold a volume of unknown spacing: an Enhanced US Volume states it", "Write it as .mha.");
