@@ -36,10 +36,11 @@ class TestDroppedFiles : public QObject, private WindowFixture {
     /// A DICOM slice that lies at `place`, 1 mm apart, in a file without ending.
     static QString slice(const QString& folder, int place) {
         TestImage image;
+        image.columns = image.rows = 16;
         image.instance = place + 1;
         makeSlice(image, place, 1);
         for (int pixel = 0; pixel < image.columns * image.rows; ++pixel)
-            image.pixels8.push_back(static_cast<std::uint8_t>(20 * pixel + place));
+            image.pixels8.push_back(static_cast<std::uint8_t>((7 * pixel + 3 * place) % 200));
         const QString path = QStringLiteral("%1/IM%2").arg(folder).arg(place);
         writeDicom(path.toStdString(), image);
         return path;
@@ -136,12 +137,14 @@ private slots:
               {urlsOf({unreadable}), "UTF-8"},
               {QList<QUrl>{QUrl("http://elsewhere.example/b.mha")}, "is no file of this computer"},
               {urlsOf({folder.filePath("case1"), folder.filePath("case2")}), "case1: is a folder"},
-              {urlsOf({"/a/1.mha", "/a/2.mha"}), "one study"}}) {
+              {urlsOf({"/a/1.mha", "/a/2.mha"}), "Several things"}}) {
             QVERIFY(drop(urls));
             QTRY_VERIFY2_WITH_TIMEOUT(message->text().contains(words), qPrintable(message->text()), patience);
             QCOMPARE(window().openStudy().path(), path);
         }
-        QVERIFY(drop(urlsOf({slice(folder.filePath("case1"), 0), slice(folder.filePath("case1"), 1)})));
+        QStringList slices;
+        for (int place = 0; place < 16; ++place) slices << slice(folder.filePath("case1"), place);
+        QVERIFY(drop(urlsOf(slices)));
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 2, patience);
         QCOMPARE(window().openStudy().path(), folder.filePath("case1"));
         QMimeData text;
