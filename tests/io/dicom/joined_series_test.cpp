@@ -85,10 +85,11 @@ TEST(JoinedSeries, WhatDoesNotBelongTogetherStaysAlone) {
         {"contrast", [](LoneSlice& slice) { slice.echoTime = "90"; }},
         {"localizer", [](LoneSlice& slice) { slice.imageType = "ORIGINAL\\PRIMARY\\LOCALIZER"; }},
     };
-    for (const auto& [what, change] : strangers) {
+    for (const auto& stranger : strangers) {
+        const auto& what = stranger.first;
         const TemporaryFolder folder;
         writeLone(folder, 5, [&](LoneSlice& slice) {
-            if (slice.number == 4) change(slice);
+            if (slice.number == 4) stranger.second(slice);
         });
         const auto list = listSeries(folder.path());
         ASSERT_TRUE(list) << list.error().sentence();
