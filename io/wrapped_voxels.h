@@ -10,9 +10,8 @@ namespace echolucent {
 /// reading begins with voxels. With a note for each thing found:
 /// - A header of another format is skipped if the voxels fill exactly the rest.
 /// - Raw voxels that begin like gzip or bzip2 and are not as many bytes as declared are unpacked.
-/// - Raw voxels that begin like gzip, bzip2 or zlib are unpacked, however long, if they give exactly the declared
-/// bytes,
-///   with their checksum.
+/// - Raw voxels that begin like gzip, bzip2 or zlib are unpacked, however long, if they give exactly the bytes that are
+///   declared, with their checksum.
 ///
 /// Compressed voxels at the end of their stream (dataAtEnd) are found by counting. Fails (unreadable) if a header of
 /// another format stands where voxels should and cannot be skipped, or if a file cannot be read or decoded; (cancelled)

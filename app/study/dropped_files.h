@@ -13,7 +13,7 @@ struct DroppedFiles {
     QString path{};        ///< the file or folder to open; empty if nothing is opened
     QString study{};       ///< the volume that was dropped with the session at `path`; empty if there is none
     QStringList slices{};  ///< what was dropped of the folder at `path`, and must be files; empty for all else
-    QString whyNot{};      ///< a sentence for the person why nothing is opened; empty if `path` is
+    QString whyNot{};      ///< why nothing is opened, a sentence for the person; empty if nothing was dropped, too
 };
 
 /// Looks at the names only: a drive that does not answer must not stall the window.

@@ -72,9 +72,11 @@ void OpenStudy::open(const QString& path, const ReadOptions& options) {
 
 void OpenStudy::openSlices(const QString& folder, const QStringList& slices) {
     const StudyFile file{.path = folder.toStdString(), .options = {}, .checksum = {}};
-    load(file, [slices, study = readerOf(file)](const Progress& progress) -> Result<Opening> {
-        for (const QString& slice : slices)
+    load(file, [file, slices, study = readerOf(file)](const Progress& progress) -> Result<Opening> {
+        for (const QString& slice : slices) {
+            if (progress.cancelled()) return fail(FailureKind::cancelled, file.path, {}, "was not read: cancelled");
             if (auto isFile = requireNoFolder(slice.toStdString()); !isFile) return tl::unexpected(isFile.error());
+        }
         return study(progress);
     });
 }

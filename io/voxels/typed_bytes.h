@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "io/voxels/stored_type.h"
@@ -31,7 +32,7 @@ auto withStoredType(StoredType type, const Visit& visit) {
 
 /// The value at a place among values of T, in this machine's byte order.
 template <typename T>
-[[nodiscard]] T storedAt(const VoxelBytes& bytes, std::size_t index) {
+[[nodiscard]] T storedAt(std::span<const std::uint8_t> bytes, std::size_t index) {
     T value;
     std::memcpy(&value, bytes.data() + index * sizeof(T), sizeof(T));
     return value;

@@ -303,9 +303,12 @@ TEST(ValueWindow, WritersWriteTheFilesOwnValues) {
     ASSERT_TRUE(writeMetaImage(folder.file("v.mha"), studies[0].phases, MetaImageVoxels::plain));
     const std::string bytes = contentsOf(folder.file("v.mha"));
     EXPECT_THAT(bytes, testing::HasSubstr("BlackLevel = -1018\nWhiteLevel = -818\nElementType = MET_INT\n"));
-    const auto refused = writeEnhancedUs(folder.file("v.dcm"), studies[0].phases, EnhancedUsDetails{});
-    ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().sentence(), testing::HasSubstr("values that begin below 0"));
+    for (const auto& [study, where] :
+         {std::pair(0, "values that begin below 0"), {3, "values that begin far above 0"}}) {
+        const auto refused = writeEnhancedUs(folder.file("v.dcm"), studies.at(study).phases, EnhancedUsDetails{});
+        ASSERT_FALSE(refused);
+        EXPECT_THAT(refused.error().sentence(), testing::HasSubstr(where));
+    }
 }
 
 }  // namespace

@@ -79,9 +79,7 @@ FragmentMap mapByCodestreams(const std::vector<DcmPixelItem*>& items, Codestream
 std::vector<std::uint64_t> basicOffsets(DcmPixelItem& item) {
     const auto bytes = bytesOfItem(item);
     std::vector<std::uint64_t> offsets(bytes.size() / 4);
-    for (std::size_t i = 0; i < offsets.size(); ++i)
-        for (std::size_t byte = 0; byte < 4; ++byte)
-            offsets[i] |= static_cast<std::uint64_t>(bytes[4 * i + byte]) << (8 * byte);
+    for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = littleEndian32(bytes.subspan(4 * i, 4));
     return offsets;
 }
 

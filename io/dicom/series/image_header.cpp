@@ -1,7 +1,5 @@
 #include "io/dicom/series/image_header.h"
 
-#include <algorithm>
-
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
@@ -129,7 +127,7 @@ ImageHeader headerOf(const DicomFile& file) {
         header.wrongPlace = wrongPlaceOf(dataset);
     header.rows = dicomWholeNumber(dataset, rowsTag).value_or(0);
     header.columns = dicomWholeNumber(dataset, columnsTag).value_or(0);
-    header.frames = std::max<std::int64_t>(1, dicomWholeNumber(dataset, {0x0028, 0x0008}).value_or(1));
+    header.frames = dicomFrameCount(dataset);
     header.series = dicomText(dataset, {0x0020, 0x000e});
     header.object = dicomText(dataset, {0x0008, 0x0018});
     header.study = dicomText(dataset, {0x0020, 0x000d});

@@ -1,7 +1,6 @@
 // The small pictures in the list of series.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -14,6 +13,7 @@
 #include "io/dicom/volumes/philips_volume.h"
 #include "io/files/input_file.h"
 #include "io/study/series_list.h"
+#include "io/voxels/typed_bytes.h"
 
 namespace echolucent {
 
@@ -24,17 +24,8 @@ namespace {
 constexpr std::int64_t mostPixels = std::int64_t{1} << 24;
 
 double valueAt(const GreySlice& slice, std::size_t index) {
-    const auto read = [&]<typename T>(T value) {
-        std::memcpy(&value, slice.bytes.data() + index * sizeof(T), sizeof(T));
-        return static_cast<double>(value);
-    };
-    switch (slice.type) {
-        case StoredType::uint8: return slice.bytes[index];
-        case StoredType::int8: return read(std::int8_t{});
-        case StoredType::uint16: return read(std::uint16_t{});
-        case StoredType::int16: return read(std::int16_t{});
-        default: return static_cast<double>(read(float{}));
-    }
+    return withStoredType(slice.type,
+                          [&]<typename T>(T) { return static_cast<double>(storedAt<T>(slice.bytes, index)); });
 }
 
 /// Each pixel of the small picture is the mean of the data that fall into it, or black. The largest mean becomes white.

@@ -18,7 +18,8 @@ struct Apart {
 };
 
 /// Splits slices that differ in patient, frame of reference, size, modality, photometric interpretation or pixel
-/// spacing, or of which a few stand at clear angles to the others. A value that a slice lacks makes a group of its own.
+/// spacing, or that lie in two or three stacks at clear angles, or of which a few stand so to the others. A value that
+/// a slice lacks makes a group of its own.
 [[nodiscard]] Apart listApart(Images images);
 
 /// Whether each of several images has a frame of reference of its own.

@@ -210,7 +210,7 @@ void addPadding(std::vector<HostileFile>& rows) {
     add("of-a-limit-beyond-the-bits", "US", word(7), word(1000), {"which no pixel can hold"}, note);
     add("of-two-values", "US", word(1) + word(2), "", {"which no pixel can hold"}, note);
     add("of-text", "LO", "seven ", "", {"which no pixel can hold"}, note);
-    add("as-unknown", "UN", word('b'), word('c'), {"Padding", "damaged"}, HostileOutcome::opens);
+    add("as-unknown", "UN", word('a'), "", {"Pixel Padding Value 97 are no data"}, note);
     add("of-30000-values", "US", std::string(60000, 'a'), "", {"which no pixel can hold"}, note);
     add("empty", "US", "", word(255), {"Padding"}, HostileOutcome::opens);
 }
