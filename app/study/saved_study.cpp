@@ -135,7 +135,8 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
     keepToPhases(*session, study.phases.size());
     turnFronts(*session, study.phases.front()->geometry());
     read->opened = {file, std::move(*session)};
-    return read;
+    // Out of its Result first: tl::expected, made from one of another type, never frees the value that it held before.
+    return SavedReading(std::move(*read));
 }
 
 std::vector<KeptFiles> filesRead(const Study& study, const std::optional<OpenedSession>& saved) {

@@ -198,8 +198,9 @@ BlackLevel blackLevelOf(const ValueBlocks& values, bool wholeNumbers, const Valu
 ValueScale scaleFrom(double black, const ValueBlocks& values, bool wholeNumbers, const ValueExtent& extent) {
     // The range of doubles may be larger than the largest of them; its half is not.
     const bool halved = std::isinf(extent.highest - black);
-    // Ranges of whole numbers are whole; and no end lies beyond the values. That spares two passes.
-    if (wholeNumbers && !halved) return {black, 1.0};
+    // Ranges of whole numbers are whole; and no end lies beyond the values. That spares two passes. A black that a file
+    // states may lie far from all of them.
+    if (wholeNumbers && holdsRange(std::max(extent.highest - black, std::abs(black)))) return {black, 1.0};
     if (black == 0.0 && holdsRange(extent.highest) && holdsRange(extent.leastAboveZero)) return {0.0, 1.0};
     const double part = halved ? 0.5 : 1.0;
     const auto above = [black, part](double value) { return value * part - black * part; };

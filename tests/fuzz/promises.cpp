@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "fuzz_target.h"
+#include "io/study/study_assembly.h"
 
 namespace echolucent {
 
@@ -47,7 +48,7 @@ void requireSoundPhase(const Volume& volume, const Volume& first) {
     require(volume.dataMask().empty() || volume.dataMask().size() == count, "a mask has a byte a voxel");
     require(geometry.size == first.geometry().size, "all phases have one size");
     require(volume.voxels().index() == first.voxels().index(), "all phases have one type");
-    require(std::isfinite(volume.whiteLevel()) && volume.whiteLevel() > 0, "a white level is finite and above 0");
+    require(isSensibleWhite(volume.whiteLevel()), "a white level is above 0, and float32 holds it");
     require(std::isfinite(volume.blackValue()) && std::isfinite(volume.whiteValue()), "black and white are finite");
     require(volume.blackValue() < volume.whiteValue(), "black lies below white");
     require(volume.valueScale() == first.valueScale(), "all phases have one scale");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -154,6 +155,18 @@ TEST(ValueScale, GivesBackTheValuesWhateverTheirRange) {
                 << low << " " << high;
         }
     }
+}
+
+TEST(ValueScale, HoldsWholeNumbersFarFromAStatedBlack) {
+    const Values values{{0.0, 1.0, 23.0}};
+    for (const double black : {-1e308, -1.69e308, 1.69e308, -1e40, -1e30, 1e20, -0.5, 23.0}) {
+        const ValueScale scale = scaleFrom(black, values.blocks(), true, values.extent());
+        EXPECT_TRUE(isSensible(scale)) << black;
+        const double reach = std::max(scale.storedValue(23.0), std::abs(black) / scale.factor);
+        EXPECT_LE(reach, static_cast<double>(std::numeric_limits<float>::max())) << black;
+        EXPECT_GT(reach, 0.0) << black;
+    }
+    EXPECT_EQ(scaleFrom(-1e30, values.blocks(), true, values.extent()).factor, 1.0);
 }
 
 TEST(ValueWindow, TurnsIntensitiesIntoValuesAndBack) {
