@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
