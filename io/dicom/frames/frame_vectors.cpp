@@ -251,7 +251,7 @@ Result<FrameVectors> VectorReader::read() {
 
 std::vector<DicomTag> frameVectorTags() {
     std::vector<DicomTag> tags;
-    for (const FrameVector& vector : frameVectors) tags.push_back(vector.tag);
+    std::ranges::transform(frameVectors, std::back_inserter(tags), &FrameVector::tag);
     return tags;
 }
 
