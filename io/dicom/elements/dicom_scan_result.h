@@ -22,7 +22,7 @@ enum class DicomScanEnd {
     whole,    ///< to the file's end, or as far as asked for
     inMeta,   ///< the file ends within its meta header or right behind it
     cut,      ///< the file ends in the middle of an element or a sequence
-    damaged,  ///< the bytes there are no element
+    damaged,  ///< the bytes there are no element, or (in a DICOMDIR) one that runs out of its item to the end
     deflate,  ///< the deflated data are cut or damaged
 };
 

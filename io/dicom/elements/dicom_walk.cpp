@@ -67,9 +67,14 @@ void DicomWalk::measureEnd(bool enough) {
         return;
     }
     if (enough) return;
-    if (m_lost)
+    const bool cut = !m_lost && (m_stepStart != m_stream.end() || !closeAtEnd());
+    // DCMTK gets a DICOMDIR that is cut, unless it is deflated or the last element runs out of an item that ends
+    // before: DCMTK might read as records what the walk took for a part of this element.
+    const bool runsOver = cut && m_scan.sopClass == directorySopClass && !m_stream.inflates() &&
+                          std::ranges::any_of(m_levels, [&](const Level& one) { return one.end < m_stream.end(); });
+    if (m_lost || runsOver)
         m_scan.end = DicomScanEnd::damaged;
-    else if (m_stepStart != m_stream.end() || !closeAtEnd())
+    else if (cut)
         m_scan.end = DicomScanEnd::cut;
     if (m_scan.end == DicomScanEnd::whole) return;
     // Bytes behind the pixels that are no DICOM may look like an element of any length. GE's volume stands there too.
@@ -77,7 +82,7 @@ void DicomWalk::measureEnd(bool enough) {
     const bool behindPixels = m_scan.pixelsEnd && m_topStart > m_pixelsElement;
     if (behindPixels && !m_stream.inflates() && !kretz)
         m_scan.usedBytes = m_topStart;
-    else if (m_scan.end == DicomScanEnd::cut)
+    else if (cut)
         measureWhatLacks();
 }
 

@@ -179,6 +179,17 @@ std::string directory(const std::vector<std::string>& names, std::uint16_t inUse
     return DicomBytes().sequence(0x0004, 0x1220, records).file("1.2.840.10008.1.3.10");
 }
 
+/// A record with an unknown value, in which an item holds an element that runs to the end of the file; and behind it a
+/// record with too long a type. DCMTK does not look into the value, and finds that record.
+std::string directoryThatRunsOver() {
+    const std::string tagsOfItem("\xfe\xff\x00\xe0\xff\xff\xff\xff", 8), longElement("\x09\0\x01\x10\x50\xc3\0\0", 8);
+    DicomBytes first, second;
+    first.text(0x0004, 0x1430, "CS", "IMAGE").text(0x0004, 0x1500, "CS", "S00");
+    first.put(0x0009, 0x1001, "UN", tagsOfItem + longElement + std::string(32, ' '));
+    second.text(0x0004, 0x1430, "CS", std::string(40, 'I')).text(0x0004, 0x1500, "CS", "S01");
+    return DicomBytes().sequence(0x0004, 0x1220, {first, second}).file("1.2.840.10008.1.3.10");
+}
+
 HostileFile hostileDirectory(const std::string& name, const std::string& bytes, HostileOutcome outcome,
                              std::vector<std::string> words, std::function<void(const fs::path&)> more = {}) {
     HostileFile row = hostileFolder(
@@ -227,6 +238,8 @@ std::vector<HostileFile> hostileDirectories() {
                          {"none of the 3000 " + none}),
         hostileDirectory("with-a-record-type-of-40-letters", directory(all, 0xffff, std::string(40, 'I')),
                          HostileOutcome::refused, {"(0004,1430) Directory Record Type", "is 40 bytes long"}),
+        hostileDirectory("with-a-value-that-runs-over-its-record", directoryThatRunsOver(), HostileOutcome::refused,
+                         {"is damaged: what stands at byte"}),
         hostileDirectory("without-records", directory({}), HostileOutcome::refused, {"names no files"}),
         hostileDirectory("with-records-without-files", directory({"", ""}), HostileOutcome::refused,
                          {"names no files"}),
