@@ -31,6 +31,7 @@ std::string windowNotTaken(const DisplayWindow& window, DeclaredWhite judged, co
     const char* why = judged == DeclaredWhite::tooHigh
                           ? "the values in the data lie so far below it that the picture would be black"
                       : judged == DeclaredWhite::tooLow ? "most values in the data lie above it"
+                      : judged == DeclaredWhite::suits  ? "no voxel can show it"
                                                         : "it is not above 0";
     const double reached = scale.fileValue(measured.level);
     const int digits = digitsToTell({scale.black, reached}, 6);
@@ -69,9 +70,10 @@ ChosenWhite chooseWhite(const StudyParts& parts, std::vector<std::string>& warni
         return {std::nullopt, "8-bit voxels"};
     const WhiteLevel measured = whiteLevelOf(parts.voxels.phases);
     if (parts.window) {
-        const DeclaredWhite judged = judgeDeclaredWhite(scale.storedValue(parts.window->white), measured);
-        if (judged == DeclaredWhite::suits)
-            return {scale.storedValue(parts.window->white), parts.window->source + ": " + parts.window->words};
+        const double level = scale.storedValue(parts.window->white);
+        const DeclaredWhite judged = judgeDeclaredWhite(level, measured);
+        if (judged == DeclaredWhite::suits && isSensibleWhite(level))
+            return {level, parts.window->source + ": " + parts.window->words};
         warnings.push_back(windowNotTaken(*parts.window, judged, measured, scale));
     }
     return whiteFromData(measured, scale, warnings);

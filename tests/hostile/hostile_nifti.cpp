@@ -88,6 +88,15 @@ std::vector<HostileFile> places() {
 }
 
 std::vector<HostileFile> scales() {
+    // Voxels of 16 bits that are all black suit every white. NIfTI-2 states it in doubles.
+    const auto blackTo = [](double white) {
+        return [white](NiftiFields& f) {
+            f.version = 2;
+            f.datatype = 512;
+            f.bitpix = 16;
+            f.calMax = white;
+        };
+    };
     const auto scaled = [](int type, int bits, double slope, double inter = 0) {
         return [=](NiftiFields& f) {
             f.datatype = type;
@@ -123,6 +132,10 @@ std::vector<HostileFile> scales() {
         nifti("bytes-times-inf", scaled(2, 8, infinite), {"scl_slope is no number"}, HostileOutcome::opensWithNote),
         nifti("bytes-plus-nan", scaled(2, 8, 2, noNumber), {"scl_inter is no number"}),
         nifti("bytes-times-1e-300", scaled(2, 8, 1e-300), {"black is 0, white 2.55e-298"}, note),
+        nifti("a-window-beyond-float32-of-black-voxels", blackTo(3.5e38), {"no voxel can show it"},
+              HostileOutcome::opensWithNote, std::string(48, '\0')),
+        nifti("a-window-below-float32-of-black-voxels", blackTo(1e-300), {"no voxel can show it"},
+              HostileOutcome::opensWithNote, std::string(48, '\0')),
         nifti("bytes-made-one-value", scaled(2, 8, 1, 1e30), {"scl_slope is 1 with intercept 1e+30"}),
         nifti("floats-of-one-value-in-a-slope", scaled(16, 32, 1e-30, 1), {"scl_slope"}, HostileOutcome::refused,
               floats()),

@@ -118,6 +118,19 @@ TEST(DicomWindow, GivesBlackTooWhereZeroHidesMuch) {
     EXPECT_TRUE(warnsOf(none, "The window of the file (centre 40, width 400) is not taken"));
 }
 
+TEST(DicomWindow, OfBlackPixelsIsTakenIfFloatsHoldIt) {
+    TestImage image = small("75", "120");
+    std::ranges::fill(image.pixels16, std::uint16_t{0});
+    EXPECT_EQ(whiteOf(windowedStudy(image)), 135);
+    for (const char* width : {"1e39", "1e-300"}) {
+        image.windowCentre = "0";
+        image.windowWidth = width;
+        const Study study = windowedStudy(image);
+        EXPECT_EQ(whiteOf(study), 1) << width << ": no voxel lies above 0";
+        EXPECT_TRUE(warnsOf(study, "no voxel can show it")) << width;
+    }
+}
+
 TEST(DicomWindow, ALutIsNotAppliedAndSaid) {
     TestImage image = small("75", "120");
     image.lutFunction = "SIGMOID";
