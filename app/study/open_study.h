@@ -37,7 +37,7 @@ public:
     /// one cannot be read, emits seriesFound() instead. A file that says it is a document is opened as a session: its
     /// study is read, and saved() gives the rest.
     void open(const QString& path, const ReadOptions& options = {});
-    /// Loads the folder of DICOM slices of which `slices` are some. Fails (unreadable) if one of them is a folder.
+    /// Loads a folder of DICOM slices. `slices` are those of it that were named. Fails (unreadable) if one is a folder.
     void openSlices(const QString& folder, const QStringList& slices);
     /// Opens a session file with a person's answer to savedStudyAsked().
     void openSaved(const QString& file, const SavedStudyAnswer& answer);

@@ -135,7 +135,7 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
     keepToPhases(*session, study.phases.size());
     turnFronts(*session, study.phases.front()->geometry());
     read->opened = {file, std::move(*session)};
-    // Out of its Result first: tl::expected, made from one of another type, never frees the value that it held before.
+    // Made from the value: a tl::expected that is made from one of another type leaks.
     return SavedReading(std::move(*read));
 }
 

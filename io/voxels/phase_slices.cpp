@@ -1,7 +1,6 @@
 #include "io/voxels/phase_slices.h"
 
-#include <stdexcept>
-
+#include "io/voxels/typed_bytes.h"
 #include "processing/volume/block_mean.h"
 
 namespace echolucent {
@@ -34,19 +33,8 @@ struct PhaseSlices::Means::Of : Means {
 
 std::unique_ptr<PhaseSlices::Means> PhaseSlices::Means::make(StoredType type, const Reduction& reduction,
                                                              std::span<std::uint8_t> reduced) {
-    switch (type) {
-        case StoredType::uint8: return std::make_unique<Of<std::uint8_t>>(reduction, reduced);
-        case StoredType::int8: return std::make_unique<Of<std::int8_t>>(reduction, reduced);
-        case StoredType::uint16: return std::make_unique<Of<std::uint16_t>>(reduction, reduced);
-        case StoredType::int16: return std::make_unique<Of<std::int16_t>>(reduction, reduced);
-        case StoredType::uint32: return std::make_unique<Of<std::uint32_t>>(reduction, reduced);
-        case StoredType::int32: return std::make_unique<Of<std::int32_t>>(reduction, reduced);
-        case StoredType::uint64: return std::make_unique<Of<std::uint64_t>>(reduction, reduced);
-        case StoredType::int64: return std::make_unique<Of<std::int64_t>>(reduction, reduced);
-        case StoredType::float32: return std::make_unique<Of<float>>(reduction, reduced);
-        case StoredType::float64: return std::make_unique<Of<double>>(reduction, reduced);
-    }
-    throw std::invalid_argument("PhaseSlices: no stored type");
+    return withStoredType(
+        type, [&]<typename T>(T) -> std::unique_ptr<Means> { return std::make_unique<Of<T>>(reduction, reduced); });
 }
 
 PhaseSlices::PhaseSlices(StoredType type, const std::array<std::int64_t, 3>& size,

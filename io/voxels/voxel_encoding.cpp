@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "io/files/header_text.h"
+#include "io/voxels/typed_bytes.h"
 
 namespace echolucent {
 
@@ -242,19 +243,9 @@ private:
 };
 
 std::unique_ptr<VoxelDecoder> textDecoder(StoredType type, bool decimalCommas) {
-    switch (type) {
-        case StoredType::uint8: return std::make_unique<TextDecoder<std::uint8_t>>(decimalCommas);
-        case StoredType::int8: return std::make_unique<TextDecoder<std::int8_t>>(decimalCommas);
-        case StoredType::uint16: return std::make_unique<TextDecoder<std::uint16_t>>(decimalCommas);
-        case StoredType::int16: return std::make_unique<TextDecoder<std::int16_t>>(decimalCommas);
-        case StoredType::uint32: return std::make_unique<TextDecoder<std::uint32_t>>(decimalCommas);
-        case StoredType::int32: return std::make_unique<TextDecoder<std::int32_t>>(decimalCommas);
-        case StoredType::uint64: return std::make_unique<TextDecoder<std::uint64_t>>(decimalCommas);
-        case StoredType::int64: return std::make_unique<TextDecoder<std::int64_t>>(decimalCommas);
-        case StoredType::float32: return std::make_unique<TextDecoder<float>>(decimalCommas);
-        case StoredType::float64: return std::make_unique<TextDecoder<double>>(decimalCommas);
-    }
-    return nullptr;
+    return withStoredType(type, [&]<typename T>(T) -> std::unique_ptr<VoxelDecoder> {
+        return std::make_unique<TextDecoder<T>>(decimalCommas);
+    });
 }
 
 }  // namespace

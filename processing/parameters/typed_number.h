@@ -25,8 +25,7 @@ struct TypedNumber {
 /// three may be either; TypedNumber::otherwise then is the number of thousands.
 [[nodiscard]] std::optional<TypedNumber> typedNumber(std::string_view text);
 
-/// The whole numbers of which a double tells each from the next: below 2^53. At 2^53 it already stands for 2^53 + 1
-/// too.
+/// Whole numbers below 2^53. A double cannot tell 2^53 from 2^53 + 1.
 inline constexpr ParameterRange exactWholeNumbers{-9007199254740991.0, 9007199254740991.0};
 
 /// The only reading of a typed text that lies in the range and, if `whole`, has no decimal mark. No value if there is

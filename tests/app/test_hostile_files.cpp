@@ -46,7 +46,8 @@ private slots:
         QTimer beat;
         connect(&beat, &QTimer::timeout, this, [&] { longest = std::max(longest, since.restart()); });
         std::vector<std::pair<qint64, QString>> longestOfRows;
-        int asked = 0;  // rows that end in a choice of series
+        // The only row with two series: the window lists them, and says of each why it cannot be opened.
+        const QString ofTwoSeries("dicom-series/parts-of-another-object-with-its-numbers");
         since.start();
         beat.start(1);
         const auto shown = window().openStudy().volume();
@@ -63,13 +64,13 @@ private slots:
             window().openStudy().open(path, row.options);
             const auto isAsked = [this] { return choice() != nullptr && choice()->isVisible(); };
             QTRY_VERIFY2_WITH_TIMEOUT(!failed.isEmpty() || isAsked(), row.name.c_str(), 20000);
-            if (isAsked()) {  // of series that cannot be opened, and why
+            if (isAsked()) {
+                QCOMPARE(QString::fromStdString(row.name), ofTwoSeries);
                 QTRY_VERIFY2(window().idle(), row.name.c_str());
                 QVERIFY2(!choice()->findChild<QPushButton*>("series.open")->isEnabled(), row.name.c_str());
                 QVERIFY2(!choice()->findChild<QLabel*>("series.why")->text().isEmpty(), row.name.c_str());
                 QTest::keyClick(choice(), Qt::Key_Escape);
                 QTRY_VERIFY2(choice() == nullptr, row.name.c_str());
-                ++asked;
                 continue;
             }
             QTRY_VERIFY2(window().idle(), row.name.c_str());
@@ -85,7 +86,6 @@ private slots:
         std::ranges::sort(longestOfRows, std::greater());
         QCOMPARE(window().openStudy().volume(), shown);
         QVERIFY(longestOfRows.size() > rows.size() / 2);
-        QVERIFY(asked <= 2);
         const auto late = std::ranges::count_if(longestOfRows, [](const auto& row) { return row.first > 50; });
         std::printf(
             "%zu hostile files in one window, %lld of them with more than 50 ms between two beats; the longest:\n",

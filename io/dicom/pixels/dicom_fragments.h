@@ -27,7 +27,7 @@ struct FrameFragments {
     std::string warning{};  ///< a sentence if the file contradicts itself; else empty
 };
 
-/// Codings of which each picture has a known beginning, and if it is not RLE, a known end. JPEG stands for JPEG-LS too.
+/// The coding of pictures that begin in a known way. They end in a known way too, but for RLE. `jpeg` is JPEG-LS too.
 enum class Codestream { none, jpeg, jpeg2000, rle };
 
 /// Finds the fragments of each of `frames` frames. A single frame has all fragments. If there are as many fragments as

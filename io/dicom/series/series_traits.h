@@ -18,8 +18,8 @@ struct Apart {
 };
 
 /// Splits slices that differ in patient, frame of reference, size, modality, photometric interpretation or pixel
-/// spacing, or that lie in two or three stacks at clear angles, or of which a few stand so to the others. A value that
-/// a slice lacks makes a group of its own.
+/// spacing. A value that a slice lacks makes a group of its own. Slices of two or three orientations are split too, if
+/// these stand at clear angles to each other and one of them has three slices or more.
 [[nodiscard]] Apart listApart(Images images);
 
 /// Whether each of several images has a frame of reference of its own.

@@ -129,8 +129,8 @@ std::vector<HostileFile> hostileCopies() {
     };
 }
 
-/// Slices of which half lie at one place, each of its own moment. A table of all moments and places would be quadratic
-/// in their number, so none is made: the refusal speaks of two slices of one place, not of slices missing from a table.
+/// Half of the slices lie at one place. Each slice has its own moment. A table of moments and places would need memory
+/// quadratic in their number, so the reader makes none: it names two slices of one place, and no missing slices.
 HostileFile halfAtOnePlace() {
     constexpr int slices = 4000;
     return hostileSeries("half-of-4000-at-one-place", slices,
