@@ -36,8 +36,8 @@ void CompareHand::moveCamera(
     const Document& document = m_model.document();
     const Pose shown = shownPose(document);
     const double aspect = static_cast<double>(size.width()) / size.height();
-    const CameraPose before = cameraPoseOf(shown, document.beam.axis, document.scene.front.depthMm, volume->dataBox(),
-                                           document.scene.look.projection, aspect);
+    const CameraPose before =
+        cameraPoseOf(shown, document.beam.axis, volume->dataBox(), document.scene.look.projection, aspect);
     const CameraPose after = move(before, zoomLimits(volume->geometry()));
     const Pose moved = movedPose(shown, before, after, volume->dataBox(), aspect);
     if (moved == shown) return;

@@ -11,7 +11,7 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent)
       m_parts(parts),
       m_search(&findNearCut),
       m_thread(parts.works, QStringLiteral("near cut"),
-               {.words = tr("looking for the near cut"), .urgency = Urgency::nearCut}) {
+               {.words = tr("looking for the front"), .urgency = Urgency::nearCut}) {
     connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &NearCutFinder::cancel);
     // If a search runs, searches the cut volume instead.
     connect(&m_parts.openStudy, &OpenStudy::volumeCut, this, [this] {
@@ -37,29 +37,40 @@ void NearCutFinder::look() {
         } catch (const std::bad_alloc&) {
             return [this] {
                 m_parts.messages.showMessage(MessageKind::error,
-                                             tr("Looking for the near cut needs more memory than this machine has."));
+                                             tr("Looking for the front needs more memory than this machine has."));
             };
         }
     });
 }
 
-void NearCutFinder::toggle() {
+void NearCutFinder::fromHere() {
     const Document& document = m_parts.model.document();
-    if (document.scene.front == Front{}) return find();
-    cutAlong({}, document.scene.side);
+    const std::shared_ptr<const Volume> volume = m_parts.openStudy.volume();
+    if (!volume) return;
+    const Front& front = document.scene.front;
+    if (!cuts(front)) return find();
+    const Pose pose = shownPose(document);
+    const Vec3 middle = volume->dataBox().centreMm() + pose.offsetMm;
+    setFront(acrossView(front, viewpointOf(document.beam.axis, pose.direction), middle, volume->geometry()),
+             document.scene.side);
+}
+
+void NearCutFinder::takeAway() {
+    if (cuts(m_parts.model.document().scene.front)) setFront({}, m_parts.model.document().scene.side);
 }
 
 void NearCutFinder::take(const NearCutFinding& finding) {
     const Front before = m_parts.model.document().scene.front;
     const QString said = QString::fromStdString(finding.message);
     if (finding.answer == NearCutAnswer::noFluid) {
-        tell(MessageKind::warning, tr("The near cut stays as it is. %1").arg(said));
+        tell(MessageKind::warning, tr("The front stays as it is. %1").arg(said));
         return;
     }
-    const Front cut{.depthMm = std::round(10 * finding.nearCutMm) / 10};  // in tenths of mm, as people set it
-    // Without a cut no direction is needed: an OTF computed for another view stays.
-    cutAlong(cut, cut.depthMm > 0 ? directionOf(m_looksFrom) : m_parts.model.document().scene.side);
-    tell(MessageKind::info, said, waysOn(finding, cut == before ? std::nullopt : std::optional(before)));
+    // In tenths of mm, as people set it.
+    const Front front = frontAcross(directionOf(m_looksFrom), std::round(10 * finding.nearCutMm) / 10);
+    // Without a front no direction is needed: an OTF computed for another view stays.
+    setFront(front, cuts(front) ? directionOf(m_looksFrom) : m_parts.model.document().scene.side);
+    tell(MessageKind::info, said, waysOn(finding, front == before ? std::nullopt : std::optional(before)));
 }
 
 void NearCutFinder::tellOpening(const NearCutFinding& finding) {
@@ -70,16 +81,16 @@ void NearCutFinder::tellOpening(const NearCutFinding& finding) {
     tell(MessageKind::info, QString::fromStdString(finding.message), waysOn(finding, Front{}));
 }
 
-/// Offers the curved cut if there is one, and the way back if `back` has a value.
+/// Offers the bowed front if there is one, and the way back if `back` has a value.
 QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const std::optional<Front>& back) {
     QList<MessageAction> actions;
     if (finding.surface)
-        actions << MessageAction{tr("Curved cut"), [this, surface = finding.surface] {
-                                     cutAlong({.surface = surface}, directionOf(m_looksFrom));
+        actions << MessageAction{tr("Bow it"), [this, surface = finding.surface] {
+                                     setFront({.surface = surface}, directionOf(m_looksFrom));
                                  }};
     if (back)
         actions << MessageAction{tr("Take it back"),
-                                 [this, back] { cutAlong(*back, m_parts.model.document().scene.side); }};
+                                 [this, back] { setFront(*back, m_parts.model.document().scene.side); }};
     return actions;
 }
 
@@ -91,7 +102,7 @@ void NearCutFinder::tell(MessageKind kind, const QString& text, const QList<Mess
 
 NearCutFinder::CutPicture NearCutFinder::presentPicture() const {
     const Document& document = m_parts.model.document();
-    return {document.study, phaseOf(document, firstPane), document.scene.front, viewpointOf(document)};
+    return {document.study, phaseOf(document, firstPane), document.scene.front};
 }
 
 void NearCutFinder::takeBackWhatIsNoLongerTrue() {
@@ -99,11 +110,11 @@ void NearCutFinder::takeBackWhatIsNoLongerTrue() {
     m_parts.messages.takeBack(std::exchange(m_told, {}));
 }
 
-void NearCutFinder::cutAlong(const Front& cut, const ViewDirection& direction) {
+void NearCutFinder::setFront(const Front& front, const ViewDirection& side) {
     Document next = m_parts.model.document();
-    next.scene.front = cut;
-    next.scene.side = direction;
-    m_parts.model.edit(next, tr("near cut"));
+    next.scene.front = front;
+    next.scene.side = side;
+    m_parts.model.edit(next, tr("front"));
 }
 
 }  // namespace echolucent

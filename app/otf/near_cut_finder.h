@@ -1,4 +1,4 @@
-// Looks for the near cut that opens the fluid, makes it, tells of it, and offers the way back.
+// Looks for the place at which a front opens the fluid, makes the front, tells of it, and offers the way back.
 #pragma once
 
 #include <QObject>
@@ -28,9 +28,11 @@ public:
 
     /// Looks in the view that the document shows at the time of the call. Does nothing if no study is open.
     void find();
-    /// Takes the present cut back. If there is none, looks for one.
-    void toggle();
-    /// Tells of the cut made on opening, with the way back. Tells nothing if the front is not the one found, or if
+    /// Tilts the front so that it lies across the view shown, and keeps its depth in the middle of the picture. If
+    /// there is none, looks for one: find().
+    void fromHere();
+    void takeAway();
+    /// Tells of the front made on opening, with the way back. Tells nothing if the front is not the one found, or if
     /// another message is shown.
     void tellOpening(const NearCutFinding& finding);
     /// Whether a search runs, in its own thread.
@@ -46,17 +48,16 @@ private:
     void take(const NearCutFinding& finding);
     [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Front>& back);
     void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
-    /// What a message about a cut is true of: it is taken back once any of these values changes.
+    /// What a message about a front is true of: it is taken back once any of these values changes.
     struct CutPicture {
         StudyReference study;
         int phase = 0;
-        Front cut;
-        Viewpoint seenFrom;  ///< belongs here because the cut turns with the view
+        Front front;
         friend bool operator==(const CutPicture&, const CutPicture&) = default;
     };
     [[nodiscard]] CutPicture presentPicture() const;
     void takeBackWhatIsNoLongerTrue();
-    void cutAlong(const Front& cut, const ViewDirection& direction);
+    void setFront(const Front& front, const ViewDirection& side);
 
     Parts m_parts;
     Viewpoint m_looksFrom;

@@ -194,7 +194,7 @@ void PaneOtfs::followView() {
     const Followed before = std::exchange(m_followed, now);
     // Front and box limit a frame of the motion, but do not change its direction.
     const auto limit = [&now](Viewpoint view) {
-        view.nearCutMm = now.fromSide.nearCutMm;
+        view.frontPlane = now.fromSide.frontPlane;
         view.cutSurface = now.fromSide.cutSurface;
         view.box = now.fromSide.box;
         return view;

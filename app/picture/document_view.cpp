@@ -38,9 +38,7 @@ void DocumentView::showPose() {
     const Document& document = m_model.document();
     m_widget.setLook(document.scene.look);
     m_widget.setPose(shownPose(document), document.beam.axis);
-    m_widget.setNearCut(document.scene.front.depthMm);
-    m_widget.setCutSurface(document.scene.front.surface);
-    m_widget.setBox(viewpointOf(document).box);
+    m_widget.setLimits(viewpointOf(document));
 }
 
 void DocumentView::takePose() {

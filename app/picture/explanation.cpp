@@ -185,11 +185,14 @@ QString explainPicture(const PictureFacts& facts) {
                      .arg(textOf(nameOf(shown.beamAxis)))
                      .arg(shown.azimuthDegrees, 0, 'f', 0)
                      .arg(shown.elevationDegrees, 0, 'f', 0);
-    if (shown.nearCutMm > 0)
-        sentences << explanationText("The near cut removes the first %1 mm; the tube cores begin there too.")
-                         .arg(shown.nearCutMm, 0, 'f', 1);
-    if (facts.document.scene.front.surface)
-        sentences << explanationText("A curved cut removes what lies before it; the tube cores begin there too.");
+    const Front& front = facts.document.scene.front;
+    if (front.surface)
+        sentences << explanationText("A bowed front cuts away what lies before it; the tube cores begin there too.");
+    else if (cuts(front))
+        sentences << explanationText(
+                         "A front %1 mm deep cuts away what lies before it; the tube cores begin there too.")
+                         .arg(front.depthMm, 0, 'f', 1);
+    if (cuts(front)) sentences << explanationText("It stays in the body while the view turns.");
     sentences << whatIsSeen(facts);
     if (!facts.volume.dataMask().empty())
         sentences << explanationText("Voxels outside the scanned sector hold no data and are left out.");

@@ -31,9 +31,15 @@ PictureControls::PictureControls(const Parts& parts, QObject* parent) : QObject(
 
 void PictureControls::connectPanel() {
     const ViewPanel* panel = &m_parts.panel;
-    connect(panel, &ViewPanel::nearCutChanged, this, [this](double mm) {
+    connect(panel, &ViewPanel::frontChanged, this, [this](double mm) {
         if (!hasStudy()) return showDocument();
-        m_parts.model.change(tr("near cut"), [mm](Document& next) { next.scene.front = Front{.depthMm = mm}; });
+        const std::shared_ptr<const Volume>& volume = m_parts.picture.volume();
+        if (!volume) return showDocument();
+        m_parts.model.change(tr("front"), [&](Document& next) {
+            Front& front = next.scene.front;
+            front = cuts(front) ? movedTo(std::move(front), mm, volume->geometry())
+                                : frontAcross(shownPose(next).direction, mm);
+        });
     });
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
     connect(panel, &ViewPanel::lookChanged, this, &PictureControls::setLook);
@@ -117,13 +123,12 @@ void PictureControls::resetAll(const Document& opened) {
     keep();
 }
 
-void PictureControls::resetCut(const Document& opened) {
-    m_parts.model.change(tr("reset cut"), [&opened](Document& next) { next.scene.front = opened.scene.front; });
+void PictureControls::resetFront(const Document& opened) {
+    m_parts.model.change(tr("reset front"), [&opened](Document& next) { next.scene.front = opened.scene.front; });
 }
 
 void PictureControls::showDocument() {
     const Document& document = m_parts.model.document();
-    m_parts.panel.setNearCutMm(document.scene.front.depthMm);
     m_parts.panel.setBeamAxis(document.beam.axis);
     m_parts.panel.setLook(document.scene.look);
 }

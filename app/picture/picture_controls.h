@@ -36,10 +36,10 @@ public:
     void keep();
     /// Shows the whole volume, seen along the beam, as one step.
     void resetView();
-    /// Sets beam, look, cut, side, curves, box, planes and strokes as in `opened`, the document that opening gave. The
-    /// first pane gets the curve that it had, and the whole data fill the picture, seen along the beam. One step.
+    /// Sets beam, look, front, side, curves, box, planes and strokes as in `opened`, the document that opening gave.
+    /// The first pane gets the curve that it had, and the whole data fill the picture, seen along the beam. One step.
     void resetAll(const Document& opened);
-    void resetCut(const Document& opened);
+    void resetFront(const Document& opened);
     /// Raises the speckle reduction by `levels`, or lowers it if `levels` is negative. Stops at the weakest and the
     /// strongest.
     void reduceSpeckle(int levels);

@@ -14,6 +14,9 @@ namespace echolucent {
 
 namespace {
 
+constexpr double stemShare = 0.08;    // of the data's extent along the front's forward
+constexpr double handleRadius = 7.0;  // plain pixels
+constexpr double leastDepthMm = 0.1;  // at 0 there would be no front left to hold
 constexpr double faceRadius = 5.0, edgeRadius = 3.5, cornerRadius = 3.5, centreRadius = 4.0;  // plain pixels
 
 /// Where the faces of a grip meet: the middle of a face or of an edge, a corner, or the centre.
@@ -47,7 +50,8 @@ BoxIn3d::BoxIn3d(DocumentModel& model, OpenStudy& openStudy, VolumeViewWidget& p
     connect(&m_picture, &VolumeViewWidget::measuredChanged, this, &BoxIn3d::show);
     GripPointer& grips = m_picture.grips();
     connect(&grips, &GripPointer::dragStarted, this, [this](std::size_t grip) {
-        m_held = m_grips.at(grip);
+        m_holdsFront = m_hasHandle && grip == 0;
+        m_held = m_holdsFront ? Grip{} : m_grips.at(grip - (m_hasHandle ? 1 : 0));
         m_before = m_model.document();
         m_picture.setFocus(Qt::MouseFocusReason);
     });
@@ -67,6 +71,11 @@ void BoxIn3d::setDrawing(const std::optional<PictureLine>& drawing) {
     show();
 }
 
+void BoxIn3d::showFront(bool shown) {
+    m_frontIsShown = shown;
+    show();
+}
+
 void BoxIn3d::setMarking(const Overlay& marking) {
     if (marking == m_marking) return;
     m_marking = marking;
@@ -77,7 +86,11 @@ void BoxIn3d::show() {
     Overlay overlay;
     if (m_openStudy.volume()) {
         if (m_model.document().scene.planes.linesIn3d) addPlanes(overlay);
-        addBox(overlay);
+        std::vector<Vec3> places = addBox(overlay);
+        const std::optional<Vec3> handle = addFront(overlay);
+        m_hasHandle = handle.has_value();
+        if (handle) places.insert(places.begin(), *handle);
+        m_picture.grips().setGrips(std::move(places));
         addMeasurements(overlay);
     }
     if (m_drawing) overlay.pictureLines.push_back(*m_drawing);
@@ -103,16 +116,14 @@ void BoxIn3d::addPlanes(Overlay& overlay) const {
     }
 }
 
-void BoxIn3d::addBox(Overlay& overlay) {
+/// The box. The result is where the hand holds it, in the order of m_grips; empty if there is no box.
+std::vector<Vec3> BoxIn3d::addBox(Overlay& overlay) {
     const Document& document = m_model.document();
     const Box& set = document.scene.box;
-    if (!set.on) {
-        m_grips.clear();
-        m_picture.grips().setGrips({});
-        return;
-    }
+    m_grips.clear();
+    if (!set.on) return {};
     const OrientedBox box = orientedBoxOf(set, document.beam.axis);
-    const BoxFace front = faceOf(set.side);
+    const BoxFace side = faceOf(set.side);
     const Vec3 looking = frameOf(viewpointOf(document)).forward;
     const auto facesViewer = [&](const BoxFace& face) { return outwardNormal(box, face).dot(looking) < 0.0; };
     m_grips = allGrips();
@@ -122,28 +133,79 @@ void BoxIn3d::addBox(Overlay& overlay) {
     for (const Grip& grip : m_grips) {
         const Vec3 place = placeOf(box, grip);
         places.push_back(place);
-        const bool ofFront = std::ranges::find(grip, front) != grip.end();
+        const bool ofSide = std::ranges::find(grip, side) != grip.end();
         const bool seen = grip.empty() || std::ranges::any_of(grip, facesViewer);
         const double radius = grip.empty()       ? centreRadius
                               : grip.size() == 1 ? faceRadius
                               : grip.size() == 2 ? edgeRadius
                                                  : cornerRadius;
-        if (seen) overlay.discs.push_back({place, sceneColourOf(ofFront ? boxFrontColour() : boxColour()), radius});
+        if (seen) overlay.discs.push_back({place, sceneColourOf(boxColour()), radius});
         if (grip.size() != 2) continue;
         // The edge of this grip goes along the axis that none of its faces has.
         const int along = 3 - grip[0].axis - grip[1].axis;
         const Vec3 half = outwardNormal(box, {along, 1}) * (0.5 * box.sizeMm[along]);
-        overlay.spaceLines.push_back({place - half, place + half,
-                                      sceneColourOf(ofFront ? boxFrontColour()
-                                                    : seen  ? boxColour()
-                                                            : boxBehindColour()),
-                                      ofFront ? 3.0 : 1.5});
+        overlay.spaceLines.push_back(
+            {place - half, place + half, sceneColourOf(seen ? boxColour() : boxBehindColour()), ofSide ? 3.0 : 1.5});
     }
-    m_picture.grips().setGrips(places);
+    return places;
+}
+
+/// The outline of a flat front within the data, or the middle lines of a bowed one; and its handle, a disc on a stem
+/// that stands on the front. The result is where the hand holds it; no value if no front is shown.
+std::optional<Vec3> BoxIn3d::addFront(Overlay& overlay) const {
+    const Document& document = m_model.document();
+    const Front& front = document.scene.front;
+    if (!m_frontIsShown || !cuts(front)) return std::nullopt;
+    const Volume& volume = *m_openStudy.volume();
+    const OrientedBox data = orientedBoxOf(volume.dataBox());
+    const Colour colour = sceneColourOf(frontColour());
+    const Vec3 forward = forwardOf(front, document.beam.axis);
+    const CutSurface surface = surfaceOfFront(document, volume);
+    const auto onFront = [&](const Vec3& place) {
+        return place + forward * (surface.depthAt(place) - forward.dot(place));
+    };
+    const Vec3 middle = onFront(data.centreMm);
+    if (!front.surface) {
+        const std::vector<Vec3> corners = sectionOf(data, middle, forward).corners;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            overlay.spaceLines.push_back({corners[i], corners[(i + 1) % corners.size()], colour, 1.5});
+    } else {
+        for (const Vec3& across : {surface.frame.right, surface.frame.down}) {
+            SpacePath line{.places = {}, .colour = colour};
+            const double reach = data.extentAlong(across) / 2.0;
+            constexpr int steps = 32;
+            for (int i = 0; i <= steps; ++i)
+                line.places.push_back(onFront(data.centreMm + across * (reach * (2.0 * i / steps - 1.0))));
+            overlay.spacePaths.push_back(std::move(line));
+        }
+    }
+    const Vec3 handle = middle - forward * (stemShare * data.extentAlong(forward));
+    overlay.spaceLines.push_back({middle, handle, colour, 3.0});
+    overlay.discs.push_back({handle, colour, handleRadius});
+    return handle;
+}
+
+/// Moves the front along its own forward until the handle's picture follows the hand. If one looks along that way, the
+/// front goes deeper as the hand goes down.
+void BoxIn3d::dragFront(const Vec3& mm) {
+    const Document& before = *m_before;
+    const Front& front = before.scene.front;
+    const VolumeGeometry& geometry = m_openStudy.volume()->geometry();
+    const ViewFrame view = frameOf(viewpointOf(before));
+    const Vec3 forward = forwardOf(front, before.beam.axis);
+    const Vec3 seen = forward - view.forward * view.forward.dot(forward);
+    constexpr double leastSeen = 0.06;
+    const double moved = seen.dot(seen) > leastSeen ? mm.dot(seen) / seen.dot(seen) : mm.dot(view.down);
+    const auto depths = geometry.depthsAlong(forward);
+    Document next = m_model.document();
+    const double depth = std::clamp(depthOf(front, geometry) + moved, leastDepthMm, depths.farthest - depths.nearest);
+    next.scene.front = movedTo(front, depth, geometry);
+    m_model.preview(next, tr("front"));
 }
 
 void BoxIn3d::drag(const Vec3& mm) {
     if (!m_before) return;
+    if (m_holdsFront) return dragFront(mm);
     const Document& before = *m_before;
     const OrientedBox start = orientedBoxOf(before.scene.box, before.beam.axis);
     const Vec3 looking = frameOf(viewpointOf(before)).forward;

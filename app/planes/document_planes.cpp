@@ -17,6 +17,7 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works
             pane->dragging() ? m_model.preview(with(next), what) : take(next, what, m_model.gesture());
         });
         connect(pane, &PlanePane::boxDragged, this, &DocumentPlanes::takeBox);
+        connect(pane, &PlanePane::frontWheeled, this, &DocumentPlanes::wheelFront);
         connect(pane, &PlanePane::dragEnded, this, [this](const QString& what) {
             m_beforeBoxDrag.reset();
             if (m_model.previewing()) take(m_model.document().scene.planes, what, m_model.gesture());
@@ -77,15 +78,11 @@ PlaneScene DocumentPlanes::sceneFor(const Volume& volume, PlaneName plane) const
 BoxScene DocumentPlanes::boxScene(const Volume& volume) const {
     const Document& document = m_model.document();
     const Box& box = document.scene.box;
-    const Front& cut = document.scene.front;
     BoxScene scene;
     scene.leastMm = volume.geometry().unit();
     if (box.on) scene.box = orientedBoxOf(box, document.beam.axis);
-    scene.front = faceOf(box.side);
-    // A flat near cut turns with the camera. The planes show it only while the camera looks from the document's side.
-    const bool flatCut = cut.depthMm > 0.0 && shownPose(document).direction == document.scene.side;
-    scene.startIsCut = cut.surface.has_value() || flatCut;
-    if (scene.startIsCut || box.on) scene.start = startSurface(document, volume);
+    scene.side = faceOf(box.side);
+    if (cuts(document.scene.front)) scene.front = surfaceOfFront(document, volume);
     return scene;
 }
 
@@ -107,22 +104,27 @@ void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const 
     if (!m_beforeBoxDrag) m_beforeBoxDrag = m_model.document();
     const Document& before = *m_beforeBoxDrag;
     Document next = m_model.document();
-    Front& cut = next.scene.front;
-    const Front& cutBefore = before.scene.front;
     switch (grip.kind) {
-        case BoxGrip::Kind::bow: cut = {.surface = dragged.start}; break;
-        case BoxGrip::Kind::start:
-            if (cutBefore.surface) {
-                cut = {.surface = dragged.start};
-            } else {
-                const double deepest =
-                    depthAlongViewMm(otfViewpointOf(before, firstPane), m_openStudy.volume()->geometry());
-                cut = {.depthMm = std::clamp(cutBefore.depthMm + dragged.startMm, 0.0, deepest)};
-            }
-            break;
+        case BoxGrip::Kind::bow: next.scene.front = {.surface = dragged.front}; break;
+        case BoxGrip::Kind::front: next.scene.front = movedFront(before, dragged.frontMm); break;
         default: next = withBox(std::move(next), movedBox(before.scene.box, dragged.box, before.beam.axis));
     }
     m_model.preview(next, what);
+}
+
+/// The front of a document, moved along its own forward as far as the volume reaches.
+Front DocumentPlanes::movedFront(const Document& document, double mm) const {
+    const VolumeGeometry& geometry = m_openStudy.volume()->geometry();
+    const Front& front = document.scene.front;
+    const auto depths = geometry.depthsAlong(forwardOf(front, document.beam.axis));
+    const double depth = std::clamp(depthOf(front, geometry) + mm, 0.0, depths.farthest - depths.nearest);
+    return movedTo(front, depth, geometry);
+}
+
+void DocumentPlanes::wheelFront(double mm, const QString& what) {
+    Document next = m_model.document();
+    next.scene.front = movedFront(next, mm);
+    m_model.edit(next, what, m_model.gesture());
 }
 
 Document DocumentPlanes::with(const Planes& next) const {

@@ -39,6 +39,8 @@ private:
     [[nodiscard]] BoxScene boxScene(const Volume& volume) const;
     [[nodiscard]] PlaneScene sceneFor(const Volume& volume, PlaneName plane) const;
     void take(const Planes& next, const QString& what, DocumentModel::Gesture gesture);
+    void wheelFront(double mm, const QString& what);
+    [[nodiscard]] Front movedFront(const Document& document, double mm) const;
     void takeBox(const BoxGrip& grip, const BoxDrag& dragged, const QString& what);
     [[nodiscard]] Document with(const Planes& next) const;
 

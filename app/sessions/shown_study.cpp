@@ -48,8 +48,7 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showNumbers);
     connect(&m_parts.model, &DocumentModel::lookChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::boxChanged, this, &ShownStudy::showRemarkAtRest);
-    connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showNearCutRange);
-    connect(&m_parts.model, &DocumentModel::sideChanged, this, &ShownStudy::showNearCutRange);
+    connect(&m_parts.model, &DocumentModel::changed, this, &ShownStudy::showFront);
 }
 
 /// Shows the study's name in the title and in the facts.
@@ -148,7 +147,7 @@ void ShownStudy::beginDocument() {
         m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be undone
     }
     m_parts.motion.beginAtRest();
-    showNearCutRange();
+    showFront();
 }
 
 void ShownStudy::takeOtf(std::size_t place) {
@@ -204,13 +203,16 @@ QStringList ShownStudy::remarks() const {
     return remarks;
 }
 
-void ShownStudy::showNearCutRange() {
+/// The panel's slider moves the front along its own forward. Without a front it would make one across the view.
+void ShownStudy::showFront() {
     if (!m_parts.openStudy.volume()) return;
     const Document& document = m_parts.model.document();
+    const Front& front = document.scene.front;
     const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
-    m_parts.controls.setNearCutRange(depthAlongViewMm(otfViewpointOf(document, firstPane), geometry),
-                                     geometry.spacingKnown);
-    m_parts.controls.setNearCutMm(document.scene.front.depthMm);
+    const Vec3 forward = cuts(front) ? forwardOf(front, document.beam.axis) : frameOf(viewpointOf(document)).forward;
+    const auto depths = geometry.depthsAlong(forward);
+    m_parts.controls.setFrontRange(depths.farthest - depths.nearest, geometry.spacingKnown);
+    m_parts.controls.setFrontMm(depthOf(front, geometry));
 }
 
 }  // namespace echolucent

@@ -66,7 +66,7 @@ private:
     void showRemark();
     [[nodiscard]] QStringList remarks() const;
     void showRemarkAtRest();
-    void showNearCutRange();
+    void showFront();
 
     Parts m_parts;
     Document m_opened;

@@ -144,10 +144,16 @@ void MainWindow::connectUnits() {
     });
     connect(m_widgets.picture, &VolumeViewWidget::filesDropped, this,
             [this](const QList<QUrl>& files) { m_opening->openDropped(files); });
-    connect(m_widgets.controls, &ViewPanel::nearCutSuggestionRequested, this, [this] {
+    connect(m_widgets.controls, &ViewPanel::frontSuggestionRequested, this, [this] {
         m_motionPlayer.pause();
         m_nearCutFinder->find();
     });
+    connect(m_widgets.controls, &ViewPanel::frontFromHereRequested, this, [this] {
+        m_motionPlayer.pause();
+        m_nearCutFinder->fromHere();
+    });
+    connect(m_widgets.controls, &ViewPanel::noFrontRequested, this, [this] { m_nearCutFinder->takeAway(); });
+    connect(m_widgets.controls, &ViewPanel::frontShownIn3d, m_room.get(), &ReviewRoom::showFrontIn3d);
     connect(m_widgets.controls, &ViewPanel::savePictureRequested, m_files.get(),
             &CurveAndPictureFiles::chooseAndSavePicture);
     const QString nothingToCut = tr("Nothing shows where you drew, so nothing was cut. Draw over the picture.");
@@ -168,8 +174,8 @@ void MainWindow::connectResets() {
         m_motion->rewind();
         m_pictureControls->resetAll(m_shownStudy->opened());
     });
-    connect(m_widgets.controls, &ViewPanel::nearCutResetRequested, this,
-            [this] { m_pictureControls->resetCut(m_shownStudy->opened()); });
+    connect(m_widgets.controls, &ViewPanel::frontResetRequested, this,
+            [this] { m_pictureControls->resetFront(m_shownStudy->opened()); });
 }
 
 /// The bar of messages shows names as names or as numbers, whoever says the sentence.
@@ -247,10 +253,8 @@ void MainWindow::createActions() {
     commands.toggleFullScreen = [this] { m_fullScreen->toggle(); };
     commands.resetView = [this] { emit m_widgets.controls->resetRequested(); };
     commands.reduceSpeckle = [this](int levels) { m_pictureControls->reduceSpeckle(levels); };
-    commands.toggleNearCut = [this] {
-        m_motionPlayer.pause();
-        m_nearCutFinder->toggle();
-    };
+    commands.frontFromHere = [this] { emit m_widgets.controls->frontFromHereRequested(); };
+    commands.noFront = [this] { emit m_widgets.controls->noFrontRequested(); };
     commands.nextLighting = [this] { m_pictureControls->nextLighting(); };
     commands.computeForThisView = [this] { m_otfs->computeForThisView(); };
     commands.playOrPause = [this] { m_motionPlayer.togglePlaying(); };

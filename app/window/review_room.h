@@ -46,6 +46,7 @@ public:
     void createMenu(QMainWindow& window);
     /// Adds what Escape ends in the room: drags in planes, the tool in the hand, a pane that has the whole room.
     void addTo(EscapeOrder& escapes);
+    void showFrontIn3d(bool shown) { m_boxIn3d.showFront(shown); }
     void restore();
     void keep();
 

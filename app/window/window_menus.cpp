@@ -75,7 +75,8 @@ void createViewMenu(QMainWindow& window, const WindowCommands& commands) {
     addAction(view, tr("Reduce speckle &more"), "view.moreReduction", [reduce = commands.reduceSpeckle] { reduce(1); });
     addAction(view, tr("Reduce speckle &less"), "view.lessReduction",
               [reduce = commands.reduceSpeckle] { reduce(-1); });
-    addAction(view, tr("&Near cut: find, or take back"), "view.toggleNearCut", commands.toggleNearCut);
+    addAction(view, tr("Fro&nt from here"), "view.frontFromHere", commands.frontFromHere);
+    addAction(view, tr("N&o front"), "view.noFront", commands.noFront);
     addAction(view, tr("Next l&ight"), "view.nextLighting", commands.nextLighting);
     addAction(view, tr("&Full screen"), "view.fullScreen", commands.toggleFullScreen);
     addSwitch(view, tr("Show n&umbers instead of names"), "view.numbersForNames", commands.numbersForNames);

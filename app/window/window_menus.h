@@ -16,7 +16,7 @@ class OtfEditor;
 struct WindowCommands {
     std::function<void()> openFile, openFolder, openRawFile, chooseSeries, openSimulatedScan, savePicture, saveMovie,
         savePictureSeries, saveReport, copyPicture, resetView, resetAll, computeForThisView, playOrPause, explain,
-        nextLighting, toggleNearCut, toggleFullScreen;
+        nextLighting, frontFromHere, noFront, toggleFullScreen;
     std::function<void()> saveSession, saveSessionAs, showHistory;
     std::function<void(int levels)> reduceSpeckle;  ///< by `levels` more; less if negative
     std::function<void(int degrees)> turnMotion;

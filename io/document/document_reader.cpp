@@ -16,13 +16,11 @@ namespace {
 
 constexpr const char* remedyOfDocument = "Correct the file, or save the document again from the program.";
 
-/// A front whose direction is that of `pose` turns with the pose, unless the file says that the front is fixed.
-Front frontIn(JsonFields fields, const Pose& pose) {
+Front frontIn(JsonFields fields) {
     Front front{.depthMm = fields.number("depth_mm", 0), .direction = directionIn(fields.object("direction"))};
+    if (front.depthMm == 0.0) front.direction = ViewDirection{};
     front.source = fields.choice("source", &frontSourceFromName);
     if (!fields.isNull("surface")) front.surface = surfaceIn(fields.object("surface"));
-    const bool isFixed = fields.has("fixed") && fields.flag("fixed");
-    if (!isFixed && front.direction == pose.direction) front.direction.reset();
     return front;
 }
 
@@ -31,7 +29,7 @@ Scene sceneIn(JsonFields fields) {
     JsonFields pose = fields.object("pose");
     scene.pose = poseIn(pose);
     scene.side = directionIn(fields.object("side"));
-    scene.front = frontIn(fields.object("front"), scene.pose);
+    scene.front = frontIn(fields.object("front"));
     JsonFields look = fields.object("look");
     scene.look = lookIn(look);
     JsonFields box = fields.object("box");

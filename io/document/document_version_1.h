@@ -15,7 +15,8 @@ struct ViewOfVersion1 {
 };
 /// The document with one of its views as a pane: the view with `id`; without an id view 1 if `windows` is set and there
 /// is one, else the first view. If that view is compared with others, each of them becomes a pane. A flat cut becomes a
-/// front across the view. What is wrong in the file is told to the problems of `root`. No value if no view has the id.
+/// front across the view shown, and is fixed there. What is wrong in the file is told to the problems of `root`. No
+/// value if no view has the id.
 [[nodiscard]] std::optional<DocumentPane> paneInVersion1(JsonFields root, const ViewOfVersion1& which);
 
 }  // namespace echolucent

@@ -63,13 +63,11 @@ ordered_json surfaceJson(const CutSurface& surface) {
             {"depth_mm", surface.depthMm.values()}};
 }
 
-ordered_json frontJson(const Front& front, const Pose& pose) {
-    ordered_json json{{"depth_mm", front.depthMm},
-                      {"direction", directionJson(front.direction.value_or(pose.direction))},
-                      {"source", nameOf(front.source)},
-                      {"surface", front.surface ? surfaceJson(*front.surface) : ordered_json()}};
-    if (front.direction == pose.direction) json["fixed"] = true;
-    return json;
+ordered_json frontJson(const Front& front) {
+    return {{"depth_mm", front.depthMm},
+            {"direction", directionJson(front.direction)},
+            {"source", nameOf(front.source)},
+            {"surface", front.surface ? surfaceJson(*front.surface) : ordered_json()}};
 }
 
 ordered_json boxJson(const Box& box) {
@@ -119,7 +117,7 @@ ordered_json strokesJson(const std::vector<ScalpelStroke>& strokes) {
 ordered_json sceneJson(const Scene& scene) {
     return {{"pose", poseJson(scene.pose)},
             {"side", directionJson(scene.side)},
-            {"front", frontJson(scene.front, scene.pose)},
+            {"front", frontJson(scene.front)},
             {"look", lookJson(scene.look)},
             {"box", boxJson(scene.box)},
             {"planes", planesJson(scene.planes)},

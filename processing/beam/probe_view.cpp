@@ -18,7 +18,7 @@ double withoutRounding(double degrees) { return std::abs(degrees) < 1e-6 ? 0.0 :
 }  // namespace
 
 Viewpoint viewFromProbe(const StatedProbe& probe) {
-    Viewpoint view = viewAlong(probe.forward, probe.down, axisNearest(probe.forward), 0.0);
+    Viewpoint view = viewAlong(probe.forward, probe.down, axisNearest(probe.forward));
     view.azimuthDegrees = withoutRounding(view.azimuthDegrees);
     view.elevationDegrees = withoutRounding(view.elevationDegrees);
     view.rollDegrees = withoutRounding(view.rollDegrees);

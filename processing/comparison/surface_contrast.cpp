@@ -51,12 +51,12 @@ private:
     }
 };
 
-/// The depth of the ray's first interface, if it leads into `into`.
-std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointMm, const Vec3& forward,
-                                   double nearPlane, double unit, InterfaceInto into) {
+/// The depth of the ray's first interface from `entry` on, if it leads into `into`.
+std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointMm, const Vec3& forward, double entry,
+                                   double unit, InterfaceInto into) {
     // Far enough behind the boundary to be certainly behind it, and near enough to be in what it bounds.
     constexpr double justBehind = 1e-3;  // units
-    const auto surface = truth.firstInterfacePoint(pointMm, forward, nearPlane);
+    const auto surface = truth.firstInterfacePoint(pointMm, forward, entry);
     if (!surface) return std::nullopt;
     if (into == InterfaceInto::object &&
         truth.materialAt(*surface + forward * (justBehind * unit)) != PhantomMaterial::object)
@@ -64,17 +64,20 @@ std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointM
     return forward.dot(*surface);
 }
 
-/// The samples of a ray and the depth of the first. Near plane, box and the ray's shown range limit them.
+/// The samples of a ray and the depth of the first. Flat front, box and the ray's shown range limit them.
 class SampledRay {
 public:
-    SampledRay(const RaySampler& sampler, const SurfaceRay& ray, const Vec3& forward, double nearPlane)
+    SampledRay(const RaySampler& sampler, const SurfaceRay& ray, const Viewpoint& view)
         : m_surfaceDepth(ray.surfaceDepthMm), m_unit(sampler.volume().geometry().unit()) {
         const VolumeGeometry& geometry = sampler.volume().geometry();
+        const Vec3 forward = frameOf(view).forward;
+        const double nearPlane = nearPlaneDepthMm(view, geometry);
         const auto span = spanInBox(geometry, ray.pointMm, forward);
         if (!span) return;
         constexpr double rounding = 1e-9;  // units
         const double pointDepth = forward.dot(ray.pointMm);
-        const double from = std::max(pointDepth + span->from, ray.fromDepthMm);
+        const double from =
+            std::max({pointDepth + span->from, ray.fromDepthMm, entryDepthMm(view, geometry, ray.pointMm)});
         const double to = std::min(pointDepth + span->to, ray.toDepthMm);
         // Samples lie in the middle of steps counted from the near plane.
         const double first = std::max(0.0, std::ceil((from - nearPlane) / m_unit - 0.5 - rounding));
@@ -134,13 +137,14 @@ std::vector<SurfaceRay> objectRays(const VolumeGeometry& geometry, const Phantom
                                    InterfaceInto into) {
     const ViewFrame frame = frameOf(view);
     const RayLattice lattice(geometry, frame);
-    const double nearPlane = nearPlaneDepthMm(view, geometry), unit = geometry.unit();
+    const double unit = geometry.unit();
     std::vector<std::vector<SurfaceRay>> ofRow(static_cast<std::size_t>(lattice.rows));
     parallelFor(0, lattice.rows, [&](int row) {
         for (int column = 0; column < lattice.columns; ++column) {
             const Vec3 point =
                 frame.right * (lattice.firstRight + column * unit) + frame.down * (lattice.firstDown + row * unit);
-            if (const auto depth = surfaceDepth(truth, point, frame.forward, nearPlane, unit, into))
+            const double entry = entryDepthMm(view, geometry, point);
+            if (const auto depth = surfaceDepth(truth, point, frame.forward, entry, unit, into))
                 ofRow[static_cast<std::size_t>(row)].push_back({.pointMm = point, .surfaceDepthMm = *depth});
         }
     });
@@ -157,12 +161,10 @@ std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<co
 
 std::vector<SurfaceContrast> surfaceContrasts(const RaySampler& sampler, std::span<const SurfaceRay> rays,
                                               const Viewpoint& view, std::span<const OpacityTable> tables) {
-    const Vec3 forward = frameOf(view).forward;
-    const double nearPlane = nearPlaneDepthMm(view, sampler.volume().geometry());
     std::vector<RayLight> lights(rays.size() * tables.size());
     parallelFor(LoopRange<std::size_t>(0, rays.size(), 64), [&](const auto& some) {
         for (std::size_t r = some.begin(); r < some.end(); ++r) {
-            const SampledRay ray(sampler, rays[r], forward, nearPlane);
+            const SampledRay ray(sampler, rays[r], view);
             for (std::size_t c = 0; c < tables.size(); ++c) lights[r * tables.size() + c] = ray.lightOf(tables[c]);
         }
     });

@@ -61,11 +61,12 @@ SurfaceLight surfaceLightOf(const std::vector<TubeLight>& lights, std::size_t fi
     return light;
 }
 
-/// How many samples of each tube core a view's box or cut surface leaves; without either, no limit.
+/// How many samples of each tube core a view's box and front leave; no limit if tube cores end with the volume only.
 std::vector<std::size_t> samplesShown(const VolumeGeometry& geometry, const AdaptiveOtf& otf,
                                       std::span<const TubeAxis> axes) {
     std::vector<std::size_t> shown(axes.size(), std::numeric_limits<std::size_t>::max());
-    if (!otf.view.box && !otf.view.cutSurface) return shown;
+    const bool frontIsAcross = otf.view.frontPlane && otf.view.frontPlane->forward == frameOf(otf.view).forward;
+    if (!otf.view.box && !otf.view.cutSurface && (!otf.view.frontPlane || frontIsAcross)) return shown;
     const auto samples = samplesOf(axes, geometry, otf.view, otf.config.cells.size);
     for (std::size_t t = 0; t < shown.size(); ++t) shown[t] = static_cast<std::size_t>(samples[t].slabs);
     return shown;

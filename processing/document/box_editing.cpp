@@ -28,7 +28,7 @@ Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam) {
     next.centreMm = moved.centreMm;
     next.sizeMm = moved.sizeMm;
     if (moved.axes != orientedBoxOf(box, beam).axes)
-        next.direction = directionOf(viewAlong(moved.axes.forward, moved.axes.down, beam, 0.0));
+        next.direction = directionOf(viewAlong(moved.axes.forward, moved.axes.down, beam));
     return next;
 }
 
@@ -48,7 +48,7 @@ Document withBeam(Document document, const Beam& beam) {
     Box& box = document.scene.box;
     if (!neverSet(box)) {
         const ViewFrame axes = orientedBoxOf(box, document.beam.axis).axes;
-        box.direction = directionOf(viewAlong(axes.forward, axes.down, beam.axis, 0.0));
+        box.direction = directionOf(viewAlong(axes.forward, axes.down, beam.axis));
     }
     document.scene.planes.direction = ViewDirection{};
     document.scene.planes.crops = {};
@@ -78,7 +78,7 @@ Document withSlab(Document document, PlaneName plane, double thicknessMm, const 
     const Planes& planes = document.scene.planes;
     const ViewFrame seen = frameOf(plane, planes, document.beam.axis);
     Box box{.on = true, .direction = {}, .side = BoxSide::top};
-    box.direction = directionOf(viewAlong(seen.forward, seen.down, document.beam.axis, 0.0));
+    box.direction = directionOf(viewAlong(seen.forward, seen.down, document.beam.axis));
     box = wholeBox(box, document.beam.axis, data);
     const Vec3 forward = orientedBoxOf(box, document.beam.axis).axes.forward;
     box.centreMm += forward * forward.dot(referencePointOf(planes, data) - box.centreMm);
@@ -92,12 +92,12 @@ Document withSlab(Document document, PlaneName plane, double thicknessMm, const 
     return next;
 }
 
-CutSurface startSurface(const Document& document, const Volume& volume) {
+CutSurface surfaceOfFront(const Document& document, const Volume& volume) {
     const Front& cut = document.scene.front;
     if (cut.surface) return *cut.surface;
     const BeamAxis beam = document.beam.axis;
     const Box& set = document.scene.box;
-    const Viewpoint looksIn = otfViewpointOf(document, firstPane);
+    const Viewpoint looksIn = viewpointOf(beam, cut.depthMm > 0.0 ? cut.direction : document.scene.side);
     // The surface must cover this box.
     const OrientedBox place = orientedBoxOf(set.on ? set : wholeBox({}, beam, volume.dataBox()), beam);
     CutSurface surface;
@@ -111,7 +111,8 @@ CutSurface startSurface(const Document& document, const Volume& volume) {
     surface.firstRightMm = surface.frame.right.dot(place.centreMm) - surface.spacingMm * (surface.columns - 1) / 2.0;
     surface.firstDownMm = surface.frame.down.dot(place.centreMm) - surface.spacingMm * (surface.rows - 1) / 2.0;
     double front = surface.frame.forward.dot(place.centreMm) - place.extentAlong(surface.frame.forward) / 2.0;
-    if (cut.depthMm > 0.0) front = std::max(front, nearPlaneDepthMm(looksIn, volume.geometry()));
+    if (cut.depthMm > 0.0)
+        front = std::max(front, nearPlaneDepthMm(withFrontAcross(looksIn, cut.depthMm), volume.geometry()));
     const auto nodesInAll = static_cast<std::size_t>(surface.columns) * static_cast<std::size_t>(surface.rows);
     surface.depthMm = std::vector<float>(nodesInAll, static_cast<float>(front));
     return surface;

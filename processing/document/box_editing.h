@@ -28,10 +28,10 @@ namespace echolucent {
 /// is. The pose looks in the same way, the front is taken away, and the motion's angle becomes 0.
 [[nodiscard]] Document withSlab(Document document, PlaneName plane, double thicknessMm, const DataBox& data);
 
-/// The surface at which a view's picture begins, ready to be bowed. If the front has a surface, that one. Else a flat
-/// one across the way that the adaptive OTF looks in, at the near cut or the front of the box, whichever is deeper. If
-/// the box is off, the box around all data counts.
-[[nodiscard]] CutSurface startSurface(const Document& document, const Volume& volume);
+/// The document's front as a surface, ready to be bowed. If the front is bowed, its own. A flat front becomes a surface
+/// over the box, or over the box around all data if that is off. Without a front the surface lies where the box begins,
+/// across the scene's side.
+[[nodiscard]] CutSurface surfaceOfFront(const Document& document, const Volume& volume);
 /// Bows a surface by `mm` along its forward in the middle of its nodes. Towards their border the bow falls as
 /// (1 - u^2)(1 - v^2), with u and v from -1 to 1 over the nodes.
 [[nodiscard]] CutSurface bowed(CutSurface surface, double mm);

@@ -14,7 +14,7 @@ int phaseOf(const Document& document, std::size_t pane) {
 Pose shownPose(const Document& document) {
     const Scene& scene = document.scene;
     if (scene.motionAngle == 0.0) return scene.pose;
-    const Viewpoint start = viewpointOf(document.beam.axis, scene.pose.direction, 0.0);
+    const Viewpoint start = viewpointOf(document.beam.axis, scene.pose.direction);
     return turnedTo(scene.pose, document.beam.axis,
                     directionOf(turned(start, document.motion.axis, scene.motionAngle)));
 }
@@ -24,8 +24,7 @@ namespace {
 /// The view along a direction (relative to the beam), behind the front and within the box.
 Viewpoint limitedView(const Document& document, const ViewDirection& direction) {
     const Scene& scene = document.scene;
-    Viewpoint viewpoint = viewpointOf(document.beam.axis, direction, scene.front.depthMm);
-    viewpoint.cutSurface = scene.front.surface;
+    Viewpoint viewpoint = behindFront(viewpointOf(document.beam.axis, direction), scene.front);
     if (scene.box.on) viewpoint.box = orientedBoxOf(scene.box, document.beam.axis);
     return viewpoint;
 }

@@ -24,7 +24,7 @@ ViewDirection sideOf(const OpeningFinds& finds) { return finds.side.value_or(fin
 /// All data, seen from the scene's side.
 Document shownWhole(Document document, const DataBox& box, double aspect) {
     Scene& scene = document.scene;
-    scene.pose = wholeVolumePose(box, viewpointOf(document.beam.axis, scene.side, 0.0), scene.look.projection, aspect);
+    scene.pose = wholeVolumePose(box, viewpointOf(document.beam.axis, scene.side), scene.look.projection, aspect);
     return document;
 }
 
@@ -43,7 +43,7 @@ std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& 
         if (const auto& probe = volume.geometry().probe) finds.lean = directionOf(viewFromProbe(*probe));
     }
     if (said.front || (!finds.beam.sure && !said.side)) return finds;
-    finds.cut = search(volume, viewpointOf(finds.beam.axis, sideOf(finds), 0.0), progress);
+    finds.cut = search(volume, viewpointOf(finds.beam.axis, sideOf(finds)), progress);
     if (!finds.cut) return std::nullopt;
     return finds;
 }
@@ -57,7 +57,8 @@ Document withFinds(Document document, const OpeningFinds& finds) {
     if (finds.beam.sure) document.beam = {finds.beam.axis, sourceOf(finds.beam.evidence), finds.lean};
     document.scene.side = sideOf(finds);
     if (makesFront(finds))
-        document.scene.front = {.depthMm = std::round(10 * finds.cut->nearCutMm) / 10, .source = FrontSource::found};
+        document.scene.front =
+            frontAcross(sideOf(finds), std::round(10 * finds.cut->nearCutMm) / 10, FrontSource::found);
     return document;
 }
 

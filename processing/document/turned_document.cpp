@@ -131,7 +131,7 @@ Document turnedRound(Document document, GridAxis axis, const VolumeGeometry& geo
     scene.pose.direction = turn.view(scene.pose.direction, before);
     scene.pose.offsetMm = turn.direction(scene.pose.offsetMm);
     scene.side = turn.view(scene.side, before);
-    if (scene.front.direction) scene.front.direction = turn.view(*scene.front.direction, before);
+    if (scene.front.depthMm > 0.0) scene.front.direction = turn.view(scene.front.direction, before);
     if (scene.front.surface) scene.front.surface = turnedSurface(*scene.front.surface, turn);
     scene.box = turnedBox(scene.box, before, turn);
     scene.planes = turnedPlanes(scene.planes, before, turn);

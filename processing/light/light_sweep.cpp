@@ -37,8 +37,7 @@ LightScene lightSceneOf(const RayCastSettings& settings, const VolumeGeometry& g
     LightScene scene;
     scene.towardsKey = frame.right * light[0] + frame.down * light[1] + frame.forward * light[2];
     scene.towardsViewer = -frame.forward;
-    scene.rendered = {frame.forward, settings.nearPlaneDepthMm, settings.box, settings.clippingPlanes,
-                      settings.cutSurface};
+    scene.rendered = {settings.front, settings.box, settings.clippingPlanes, settings.cutSurface};
     scene.keyHalfAngleDegrees = shading.keyHalfAngleDegrees;
     const std::int64_t edge = usualVolumeEdge / settings.lightCoarseness;
     scene.coarseness = coarsenessWithin(geometry, edge * edge * edge);

@@ -14,7 +14,7 @@ double thicknessAlong(const Vec3& normal, const Vec3& placeMm) {
 }  // namespace
 
 RenderedShares::RenderedShares(const RenderedPart& part, const Vec3& placeMm) {
-    if (std::isfinite(part.nearPlaneDepthMm)) addFace(normalized(part.forward), part.nearPlaneDepthMm, placeMm);
+    if (part.front) addFace(part.front->inwards, part.front->depthMm, placeMm);
     for (const ClippingPlane& plane : part.clippingPlanes) {
         const Vec3 normal = normalized(plane.normal);
         addFace(normal, normal.dot(plane.point), placeMm);

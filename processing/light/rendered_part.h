@@ -1,7 +1,6 @@
 // The part of a volume that is rendered. Light asks for it, because what is cut away attenuates no light.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,8 +11,7 @@ namespace echolucent {
 
 /// The part of a volume that is rendered, as RayCastSettings says it.
 struct RenderedPart {
-    Vec3 forward{0, 0, 1};  ///< grid mm, length above 0: the near plane's depth is counted along this direction
-    double nearPlaneDepthMm = -std::numeric_limits<double>::infinity();  ///< from the grid origin along `forward`
+    std::optional<CuttingFace> front;
     std::optional<RenderBox> box;
     std::vector<ClippingPlane> clippingPlanes;
     std::optional<CutSurface> cutSurface;
@@ -25,7 +23,7 @@ struct RenderedPart {
 class RenderedShares {
 public:
     /// `placeMm` is the size of a place of the light's grid along x, y, z, each above 0. Throws std::invalid_argument
-    /// if the normal of a clipping plane is 0, or if there is a near plane and part.forward is 0.
+    /// if the normal of a clipping plane is 0.
     RenderedShares(const RenderedPart& part, const Vec3& placeMm);
 
     [[nodiscard]] bool everywhere() const { return m_faces.empty() && !m_surface; }

@@ -25,15 +25,14 @@ bool sameOtf(const SweepFrame& left, const SweepFrame& right) {
 }
 
 /// For each frame the first one with the same phase and view. There may be thousands of frames, so the frames are
-/// sorted, and only neighbours are compared. The key leaves out box and cut surface: frames that differ in these alone
+/// sorted, and only neighbours are compared. The key leaves out box and front: frames that differ in these alone
 /// may come between equal ones, which are then not found.
 std::vector<std::size_t> firstOfEqual(std::span<const SweepFrame> frames) {
     std::vector<std::size_t> order(frames.size()), first(frames.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto key = [&](std::size_t i) {
         const Viewpoint& view = frames[i].view;
-        return std::tuple(frames[i].phase, view.beamAxis, view.azimuthDegrees, view.elevationDegrees, view.rollDegrees,
-                          view.nearCutMm);
+        return std::tuple(frames[i].phase, view.beamAxis, view.azimuthDegrees, view.elevationDegrees, view.rollDegrees);
     };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t left, std::size_t right) { return key(left) < key(right); });
@@ -62,6 +61,7 @@ bool computeFrames(std::span<const SweepFrame> frames, std::span<const std::size
             const auto otf = tbb::this_task_arena::isolate([&] { return otfOf(frame, quiet); });
             if (!otf) return;
             results[wanted[i]] = {.frame = frame, .unsmoothed = otf->curve, .shown = {}};
+            results[wanted[i]].tubesMeetingVolume = otf->tubesMeetingVolume;
             results[wanted[i]].tubesWithWeight = otf->tubesWithWeight;
             for (const TubeCore& tube : otf->tubes) results[wanted[i]].sumOfD += tube.d;
             count.oneDone();

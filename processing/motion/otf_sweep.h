@@ -18,7 +18,7 @@
 
 namespace echolucent {
 
-/// The view turned by an angle from the view in which a motion began.
+/// The view turned by an angle from the view in which a motion began. Front and box stay in place in the volume.
 [[nodiscard]] Viewpoint turned(const Viewpoint& start, MotionAxis axis, double degrees);
 
 struct SweepFrame {
@@ -31,9 +31,10 @@ struct SweepFrame {
 struct SweptOtf {
     SweepFrame frame;
     SampledCurve unsmoothed;
-    SampledCurve shown;       ///< after smoothing
-    double sumOfD = 0.0;      ///< sum of d over the unsmoothed OTF's tube cores
-    int tubesWithWeight = 0;  ///< tube cores of the unsmoothed OTF that have a weight
+    SampledCurve shown;          ///< after smoothing
+    double sumOfD = 0.0;         ///< sum of d over the unsmoothed OTF's tube cores
+    int tubesMeetingVolume = 0;  ///< tube cores of the unsmoothed OTF that meet data
+    int tubesWithWeight = 0;     ///< those of them that have a weight
 };
 
 [[nodiscard]] std::vector<SweepFrame> framesOf(std::span<const SweptOtf> swept);
@@ -65,7 +66,7 @@ using FrameOtf = std::function<std::optional<AdaptiveOtf>(const SweepFrame& fram
 /// Computes every frame's OTF by `otfOf`. The result is empty only if the work was cancelled.
 ///
 /// Frames are computed side by side; the bits are the same for any number of threads. Frames of one phase and view are
-/// computed once. (Frames whose views differ in nothing but box or cut surface may be computed again.) A roll is
+/// computed once. (Frames whose views differ in nothing but box or front may be computed again.) A roll is
 /// another view, because it turns the grid of tube cores with the picture. Smoothing runs afterwards in frame order.
 /// Throws std::invalid_argument if a frame's time descends or is not finite.
 [[nodiscard]] std::optional<std::vector<SweptOtf>> sweepOtfs(std::span<const SweepFrame> frames, const FrameOtf& otfOf,

@@ -25,16 +25,12 @@ RayCastSettings castSettingsOf(const Document& document, const VolumeGeometry& g
                                int height) {
     const Look& look = document.scene.look;
     const Pose pose = shownPose(document);
-    const Front& front = document.scene.front;
     RayCastSettings settings = rayCastSettings(look);
     settings.width = width;
     settings.height = height;
-    settings.camera = cameraFor(cameraPoseOf(pose, document.beam.axis, front.depthMm, box, look.projection,
-                                             static_cast<double>(width) / height));
-    Viewpoint limits = viewpointOf(document.beam.axis, pose.direction, front.depthMm);
-    limits.cutSurface = front.surface;
-    limits.box = viewpointOf(document).box;
-    return limitedTo(limits, geometry, std::move(settings));
+    const double aspect = static_cast<double>(width) / height;
+    settings.camera = cameraFor(cameraPoseOf(pose, document.beam.axis, box, look.projection, aspect));
+    return limitedTo(viewpointOf(document), geometry, std::move(settings));
 }
 
 bool needsComputedOtf(const Document& document, std::size_t pane) {

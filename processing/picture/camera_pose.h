@@ -8,7 +8,7 @@ namespace echolucent {
 
 /// A camera kept as angles. So orbiting never rolls, and the view can be stated exactly.
 struct CameraPose {
-    Viewpoint view;            ///< direction, roll and near cut
+    Viewpoint view;            ///< direction and roll
     Vec3 focalPoint{0, 0, 0};  ///< grid mm; seen at the picture's centre
     double heightMm = 1.0;     ///< of the picture, in the plane of the focal point, for both projections; > 0
     Projection projection = Projection::parallel;

@@ -1,7 +1,6 @@
 // All that a picture depends on, apart from the volume and its opacity curve.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "processing/picture/shading.h"
 #include "processing/sampling/interpolation.h"
 #include "processing/viewpoint/cut_surface.h"
+#include "processing/viewpoint/oriented_box.h"
 #include "processing/volume/geometry.h"
 
 namespace echolucent {
@@ -39,9 +39,8 @@ struct ModeMixing {
 struct RayCastSettings {
     int width = 512, height = 512;  ///< pixels; rays pass through pixel centres
     Camera camera;
-    /// Nothing is shown before this distance, mm, from the grid origin along camera.frame.forward (nearPlaneDepthMm()).
-    double nearPlaneDepthMm = -std::numeric_limits<double>::infinity();
-    double step = 1.0;  ///< units (smallest spacing) between samples, > 0
+    std::optional<CuttingFace> front;  ///< nothing is shown before it; fixed to the volume, not to the camera
+    double step = 1.0;                 ///< units (smallest spacing) between samples, > 0
     Interpolation interpolation = Interpolation::trilinear;
     RenderMode mode = RenderMode::direct;
     ModeMixing mixing{};  ///< direct mode only

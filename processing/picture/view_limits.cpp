@@ -1,7 +1,12 @@
 #include "processing/picture/view_limits.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
+
+#include "processing/viewpoint/box_section.h"
 
 namespace echolucent {
 
@@ -36,7 +41,8 @@ RenderBox boxOf(const std::vector<CuttingFace>& faces, const VolumeGeometry& geo
 }  // namespace
 
 RayCastSettings limitedTo(const Viewpoint& view, const VolumeGeometry& geometry, RayCastSettings settings) {
-    settings.nearPlaneDepthMm = nearPlaneDepthMm(view, geometry);
+    settings.front.reset();
+    if (view.frontPlane) settings.front = cuttingFaceOf(*view.frontPlane, geometry);
     settings.cutSurface = view.cutSurface;
     settings.box.reset();
     settings.clippingPlanes.clear();
@@ -50,6 +56,21 @@ RayCastSettings limitedTo(const Viewpoint& view, const VolumeGeometry& geometry,
             return ClippingPlane{face.inwards * face.depthMm, face.inwards};
         });
     return settings;
+}
+
+double nearestDepthMm(const RayCastSettings& settings, const VolumeGeometry& geometry) {
+    const Vec3& forward = settings.camera.frame.forward;
+    const double foremost = geometry.depthsAlong(forward).nearest;
+    if (!settings.front) return foremost;
+    const CuttingFace& front = *settings.front;
+    if (front.inwards == forward) return std::max(foremost, front.depthMm);
+    const OrientedBox box = orientedBoxOf(DataBox(geometry));
+    std::vector<Vec3> corners = sectionOf(box, front.inwards * front.depthMm, front.inwards).corners;
+    std::ranges::copy_if(box.corners(), std::back_inserter(corners),
+                         [&](const Vec3& corner) { return front.inwards.dot(corner) >= front.depthMm; });
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec3& corner : corners) nearest = std::min(nearest, forward.dot(corner));
+    return std::isfinite(nearest) ? nearest : foremost;  // a front that leaves nothing colours nothing
 }
 
 }  // namespace echolucent

@@ -6,10 +6,14 @@
 
 namespace echolucent {
 
-/// The settings with the viewpoint's limits (near plane, cut surface, box) in place of their own. A box along the
+/// The settings with the viewpoint's limits (flat front, cut surface, box) in place of their own. A box along the
 /// grid's axes becomes RayCastSettings::box, another one becomes clipping planes. Faces that cut nothing off the volume
-/// are left out (facesThatCut()). The camera must look along the view.
+/// are left out (facesThatCut()).
 [[nodiscard]] RayCastSettings limitedTo(const Viewpoint& view, const VolumeGeometry& geometry,
                                         RayCastSettings settings);
+
+/// The least depth along the camera's view at which something of a volume's box lies behind the settings' front, mm
+/// from the grid origin. Depths are coloured from here on.
+[[nodiscard]] double nearestDepthMm(const RayCastSettings& settings, const VolumeGeometry& geometry);
 
 }  // namespace echolucent

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "processing/parallel.h"
+#include "processing/picture/view_limits.h"
 #include "processing/progress_count.h"
 #include "processing/ray_caster/kept_views.h"
 #include "processing/ray_caster/kernel_job.h"
@@ -50,9 +51,8 @@ DepthTint depthTint(const DepthColouring& colouring, const VolumeGeometry& geome
         tint.change[static_cast<std::size_t>(channel)] =
             static_cast<float>(colouring.farTint[channel] - colouring.nearTint[channel]);
     }
-    const auto box = geometry.depthsAlong(settings.camera.frame.forward);
-    tint.nearDepthMm = std::max(box.nearest, settings.nearPlaneDepthMm);
-    const double range = box.farthest - tint.nearDepthMm;
+    tint.nearDepthMm = nearestDepthMm(settings, geometry);
+    const double range = geometry.depthsAlong(settings.camera.frame.forward).farthest - tint.nearDepthMm;
     tint.perMm = range > 0.0 ? 1.0 / range : 0.0;
     return tint;
 }

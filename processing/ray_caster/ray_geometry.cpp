@@ -24,7 +24,9 @@ void requireSensible(const RayCastSettings& settings) {
     if (settings.width < 1 || settings.height < 1) throw std::invalid_argument("castRays: the picture has no pixel");
     if (!std::isfinite(settings.step) || !(settings.step > 0.0))
         throw std::invalid_argument("castRays: the step must be finite and above 0");
-    if (std::isnan(settings.nearPlaneDepthMm)) throw std::invalid_argument("castRays: the near plane is not a number");
+    if (settings.front && (!isFinite(settings.front->inwards) || length(settings.front->inwards) == 0.0 ||
+                           std::isnan(settings.front->depthMm)))
+        throw std::invalid_argument("castRays: the front needs a finite direction and a depth");
     const Camera& camera = settings.camera;
     if (!isFinite(camera.focalPoint) || !isFinite(camera.frame.right) || !isFinite(camera.frame.down) ||
         !isFinite(camera.frame.forward))
@@ -59,12 +61,12 @@ RayGeometry::RayGeometry(const VolumeGeometry& geometry, const RayCastSettings& 
       m_width(settings.width),
       m_height(settings.height),
       m_stepMm(settings.step * geometry.unit()),
-      m_nearDepth(settings.nearPlaneDepthMm),
       m_forward(settings.camera.frame.forward),
       m_right(settings.camera.frame.right),
       m_down(settings.camera.frame.down),
       m_cutSurface(settings.cutSurface) {
     requireSensible(settings);
+    if (settings.front && settings.front->inwards == m_forward) m_nearDepth = settings.front->depthMm;
     const Camera& camera = settings.camera;
     for (int axis = 0; axis < 3; ++axis) {
         m_inverseSpacing[axis] = 1.0 / geometry.spacing[axis];
@@ -101,6 +103,8 @@ void RayGeometry::limit(const VolumeGeometry& geometry, const RayCastSettings& s
         m_high[axis] = std::min(m_high[axis], settings.box->high[axis] * m_inverseSpacing[axis]);
         m_high[axis] = std::max(m_high[axis], m_low[axis]);  // a box without inside holds nothing
     }
+    if (settings.front && settings.front->inwards != m_forward)
+        m_halfSpaces.push_back({settings.front->inwards.mul(geometry.spacing), -settings.front->depthMm});
     for (const ClippingPlane& plane : settings.clippingPlanes)
         m_halfSpaces.push_back({plane.normal.mul(geometry.spacing), -plane.normal.dot(plane.point)});
 }

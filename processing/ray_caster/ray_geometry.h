@@ -123,7 +123,9 @@ private:
     double m_stepMm;
     double m_eyeDepth = 0.0;  ///< in perspective, the depth of the eye from the grid origin
     double m_startDepth;      ///< where rays begin: depth from the grid origin, in perspective distance from the eye
-    double m_nearDepth;       ///< the near plane's depth, from the grid origin, in perspective from the eye
+    /// The depth of a front across the view, from the grid origin, in perspective from the eye. Another front is one of
+    /// the half spaces.
+    double m_nearDepth = -std::numeric_limits<double>::infinity();
     /// Parallel: where the ray of pixel (0,0) begins, and how this place moves with column and row; grid mm. In
     /// perspective: the ray's direction, of any length, and how it changes.
     Vec3 m_first, m_perColumn, m_perRow;

@@ -19,14 +19,14 @@ std::string_view nameOf(BoxSide side) { return nameIn(boxSideNames, side); }
 std::optional<BoxSide> boxSideFromName(std::string_view name) { return choiceNamed<BoxSide>(boxSideNames, name); }
 
 OrientedBox orientedBoxOf(const Box& box, BeamAxis beam) {
-    return {box.centreMm, frameOf(viewpointOf(beam, box.direction, 0.0)), box.sizeMm};
+    return {box.centreMm, frameOf(viewpointOf(beam, box.direction)), box.sizeMm};
 }
 
 Box wholeBox(const Box& box, BeamAxis beam, const DataBox& data) {
     Box whole = box;
     whole.on = true;
     whole.centreMm = data.centreMm();
-    const ViewFrame axes = frameOf(viewpointOf(beam, box.direction, 0.0));
+    const ViewFrame axes = frameOf(viewpointOf(beam, box.direction));
     const OrientedBox around = orientedBoxOf(data);
     whole.sizeMm = {around.extentAlong(axes.right), around.extentAlong(axes.down), around.extentAlong(axes.forward)};
     return whole;
@@ -46,8 +46,8 @@ ViewFrame frameFrom(BoxSide side, const ViewFrame& boxAxes) {
 
 ViewDirection directionFrom(BoxSide side, const Box& box, BeamAxis beam) {
     if (side == BoxSide::top) return box.direction;  // to the bit; the way through a frame is not exact
-    const ViewFrame frame = frameFrom(side, frameOf(viewpointOf(beam, box.direction, 0.0)));
-    return directionOf(viewAlong(frame.forward, frame.down, beam, 0.0));
+    const ViewFrame frame = frameFrom(side, frameOf(viewpointOf(beam, box.direction)));
+    return directionOf(viewAlong(frame.forward, frame.down, beam));
 }
 
 std::string problemOf(const Box& box) {

@@ -16,7 +16,7 @@ constexpr ChoiceNames<3> planeNames{"A", "B", "C"};
 /// Share of the picture that the data box fills at magnification 1.
 constexpr double filledShare = 0.94;
 
-ViewFrame axesOf(const Planes& planes, BeamAxis beam) { return frameOf(viewpointOf(beam, planes.direction, 0.0)); }
+ViewFrame axesOf(const Planes& planes, BeamAxis beam) { return frameOf(viewpointOf(beam, planes.direction)); }
 
 ViewFrame frameOf(PlaneName plane, const ViewFrame& axes) {
     switch (plane) {
@@ -69,8 +69,8 @@ Planes turned(const Planes& planes, PlaneName plane, double degrees, BeamAxis be
     const double turn = -degrees;
     const ViewFrame before = axesOf(planes, beam);
     Planes next = planes;
-    next.direction = directionOf(
-        viewAlong(rotatedAbout(axis, turn, before.forward), rotatedAbout(axis, turn, before.down), beam, 0.0));
+    next.direction =
+        directionOf(viewAlong(rotatedAbout(axis, turn, before.forward), rotatedAbout(axis, turn, before.down), beam));
     for (const PlaneName each : allPlaneNames) {
         const ViewFrame from = frameOf(each, planes, beam), to = frameOf(each, next, beam);
         PlaneCrop& crop = next.crops[indexOf(each)];

@@ -59,7 +59,7 @@ Planes planesHolding(const Planes& planes, const std::vector<Vec3>& placesMm, Be
     if (least.degrees > sameDegrees) {
         const ViewFrame axes = frameOf(PlaneName::c, planes, beam);
         next.direction = directionOf(viewAlong(rotatedAbout(least.axis, least.degrees, axes.forward),
-                                               rotatedAbout(least.axis, least.degrees, axes.down), beam, 0.0));
+                                               rotatedAbout(least.axis, least.degrees, axes.down), beam));
     }
     const ViewFrame frame = frameOf(plane, next, beam);
     const auto missing = [&](const Planes& at) { return frame.forward.dot(middle - referencePointOf(at, data)); };

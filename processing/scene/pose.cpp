@@ -22,11 +22,11 @@ std::optional<BeamSource> beamSourceFromName(std::string_view name) {
     return choiceNamed<BeamSource>(beamSourceNames, name);
 }
 
-Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double nearCutMm) {
-    return {beam, direction.azimuth, direction.elevation, direction.roll, nearCutMm};
+Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction) {
+    return {beam, direction.azimuth, direction.elevation, direction.roll};
 }
 
-Viewpoint viewAlongBeam(const Beam& beam) { return viewpointOf(beam.axis, beam.lean, 0.0); }
+Viewpoint viewAlongBeam(const Beam& beam) { return viewpointOf(beam.axis, beam.lean); }
 
 ViewDirection directionOf(const Viewpoint& viewpoint) {
     const ViewDirection same{viewpoint.azimuthDegrees, viewpoint.elevationDegrees, viewpoint.rollDegrees};
@@ -39,8 +39,8 @@ ViewDirection directionOf(const Viewpoint& viewpoint) {
 }
 
 Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction) {
-    const ViewFrame before = frameOf(viewpointOf(beam, pose.direction, 0.0));
-    const ViewFrame after = frameOf(viewpointOf(beam, direction, 0.0));
+    const ViewFrame before = frameOf(viewpointOf(beam, pose.direction));
+    const ViewFrame after = frameOf(viewpointOf(beam, direction));
     Pose turned = pose;
     turned.direction = direction;
     turned.offsetMm = after.right * pose.offsetMm.dot(before.right) + after.down * pose.offsetMm.dot(before.down) +
@@ -48,9 +48,8 @@ Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction) {
     return turned;
 }
 
-CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, double nearCutMm, const DataBox& box, Projection projection,
-                        double aspect) {
-    return {viewpointOf(beam, pose.direction, nearCutMm), box.centreMm() + pose.offsetMm,
+CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, const DataBox& box, Projection projection, double aspect) {
+    return {viewpointOf(beam, pose.direction), box.centreMm() + pose.offsetMm,
             wholeBoxHeightMm(box, beam, aspect) / pose.magnification, projection};
 }
 

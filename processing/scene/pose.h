@@ -49,9 +49,8 @@ struct Pose {
 
 /// The view from the probe, whole and uncut.
 [[nodiscard]] Viewpoint viewAlongBeam(const Beam& beam);
-/// The direction of a view, its beam and its near cut in one value. The cut is in mm behind the volume's foremost point
-/// along the view, >= 0.
-[[nodiscard]] Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction, double nearCutMm);
+/// The view along a direction, of the whole volume.
+[[nodiscard]] Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction);
 /// The direction of a viewpoint. If a motion has turned the viewpoint over a pole, its elevation is beyond ±90 degrees.
 /// The direction then has other angles that show the same.
 [[nodiscard]] ViewDirection directionOf(const Viewpoint& viewpoint);
@@ -60,8 +59,8 @@ struct Pose {
 [[nodiscard]] Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction);
 
 /// The camera of a pose, for a picture of width / height `aspect` (> 0).
-[[nodiscard]] CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, double nearCutMm, const DataBox& box,
-                                      Projection projection, double aspect);
+[[nodiscard]] CameraPose cameraPoseOf(const Pose& pose, BeamAxis beam, const DataBox& box, Projection projection,
+                                      double aspect);
 /// The pose after the hand has moved its camera from `before` (as cameraPoseOf() gave it) to `after`, in a picture of
 /// width / height `aspect`. What the hand did not change keeps its bits.
 [[nodiscard]] Pose movedPose(const Pose& pose, const CameraPose& before, const CameraPose& after, const DataBox& box,

@@ -1,6 +1,7 @@
 #include "processing/scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "processing/choice_names.h"
@@ -21,15 +22,15 @@ Vec3 nodeOf(const CutSurface& surface, int column, int row) {
            surface.frame.down * (surface.firstDownMm + surface.spacingMm * row);
 }
 
-/// A plane over the whole volume, as a surface of two by two nodes.
-CutSurface planeAs(const ViewFrame& frame, double depthMm, const VolumeGeometry& geometry) {
-    CutSurface plane{.frame = frame, .columns = 2, .rows = 2};
-    const Vec3 middle = (geometry.boxMinMm() + geometry.boxMaxMm()) * 0.5;
-    plane.spacingMm = length(geometry.boxMaxMm() - geometry.boxMinMm());
-    plane.firstRightMm = frame.right.dot(middle) - plane.spacingMm / 2;
-    plane.firstDownMm = frame.down.dot(middle) - plane.spacingMm / 2;
-    plane.depthMm = std::vector<float>(4, static_cast<float>(depthMm));
-    return plane;
+/// The node of a surface that lies nearest to the volume's centre, as a place in CutSurface::depthMm.
+std::size_t middleNodeOf(const CutSurface& surface, const VolumeGeometry& geometry) {
+    const Vec3 middle = geometry.centreMm();
+    const auto nearest = [&](const Vec3& axis, double first, int count) {
+        return std::clamp(static_cast<int>(std::lround((axis.dot(middle) - first) / surface.spacingMm)), 0, count - 1);
+    };
+    const int column = nearest(surface.frame.right, surface.firstRightMm, surface.columns);
+    const int row = nearest(surface.frame.down, surface.firstDownMm, surface.rows);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.columns) + static_cast<std::size_t>(column);
 }
 
 }  // namespace
@@ -40,30 +41,79 @@ std::optional<FrontSource> frontSourceFromName(std::string_view name) {
     return choiceNamed<FrontSource>(frontSourceNames, name);
 }
 
-Scene withFrontAcrossPose(Scene scene, BeamAxis beam, const VolumeGeometry& geometry) {
-    Front& front = scene.front;
-    const auto across = std::exchange(front.direction, std::nullopt);
-    if (!across || front.depthMm == 0.0) return scene;
-    const Viewpoint view = viewpointOf(beam, *across, std::exchange(front.depthMm, 0.0));
-    const ViewFrame frame = frameOf(view);
-    const double behind = std::min(view.nearCutMm, depthAlongViewMm(view, geometry));  // deeper leaves nothing either
-    const double depth = nearPlaneDepthMm(view, geometry) - view.nearCutMm + behind;
-    if (!front.surface) {
-        front.surface = planeAs(frame, depth, geometry);
-        return scene;
-    }
+bool cuts(const Front& front) { return front.surface || front.depthMm > 0.0; }
+
+Front frontAcross(const ViewDirection& direction, double depthMm, FrontSource source) {
+    return depthMm > 0.0 ? Front{.depthMm = depthMm, .direction = direction, .source = source} : Front{};
+}
+
+double depthOf(const Front& front, const VolumeGeometry& geometry) {
+    if (!front.surface) return front.depthMm;
+    const CutSurface& surface = *front.surface;
+    return static_cast<double>(surface.depthMm[middleNodeOf(surface, geometry)]) -
+           geometry.depthsAlong(surface.frame.forward).nearest;
+}
+
+Front movedTo(Front front, double depthMm, const VolumeGeometry& geometry) {
+    if (!front.surface) return frontAcross(front.direction, depthMm);
+    const auto by = static_cast<float>(depthMm - depthOf(front, geometry));
+    front.surface->depthMm.change([by](std::vector<float>& depths) {
+        for (float& depth : depths) depth += by;
+    });
+    front.source = FrontSource::person;
+    return front;
+}
+
+Front acrossView(const Front& front, const Viewpoint& view, const Vec3& pointMm, const VolumeGeometry& geometry) {
+    constexpr double leastSlope = 0.1;
+    const Vec3 along = frameOf(view).forward, forward = forwardOf(front, view.beamAxis);
+    // A bowed front is taken as the plane through its place before or behind the point.
+    const double depth =
+        front.surface ? front.surface->depthAt(pointMm) : geometry.depthsAlong(forward).nearest + front.depthMm;
+    const double slope = forward.dot(along), behind = depth - forward.dot(pointMm);
+    const Vec3 place = pointMm + (slope > leastSlope ? along * (behind / slope) : forward * behind);
+    constexpr double step = 0.1;
+    const double most = std::floor(0.99 * depthAlongViewMm(view, geometry) / step) * step;
+    const double across = std::round((along.dot(place) - geometry.depthsAlong(along).nearest) / step) * step;
+    return frontAcross(directionOf(view), std::clamp(across, step, std::max(step, most)));
+}
+
+Vec3 forwardOf(const Front& front, BeamAxis beam) {
+    return front.surface ? front.surface->frame.forward : frameOf(viewpointOf(beam, front.direction)).forward;
+}
+
+Viewpoint behindFront(Viewpoint view, const Front& front) {
+    view.frontPlane.reset();
+    if (front.depthMm > 0.0)
+        view.frontPlane = FrontPlane{frameOf(viewpointOf(view.beamAxis, front.direction)).forward, front.depthMm};
+    view.cutSurface = front.surface;
+    return view;
+}
+
+bool canBeOne(const Front& front, BeamAxis beam) {
+    if (!front.surface || front.depthMm == 0.0) return true;
+    const Vec3 forward = frameOf(viewpointOf(beam, front.direction)).forward;
+    return forward.dot(front.surface->frame.forward) >= leastAcross;
+}
+
+Front withOneFront(Front front, BeamAxis beam, const VolumeGeometry& geometry) {
+    if (!front.surface || front.depthMm == 0.0) return front;
+    const Viewpoint view = viewpointOf(beam, std::exchange(front.direction, ViewDirection{}));
+    const Vec3 forward = frameOf(view).forward;
+    const double behind = std::min(std::exchange(front.depthMm, 0.0), depthAlongViewMm(view, geometry));
+    const double depth = nearPlaneDepthMm(view, geometry) + behind;
     CutSurface& surface = *front.surface;
     std::vector<float> depths = surface.depthMm;
-    const double rise = frame.forward.dot(surface.frame.forward);
+    const double rise = forward.dot(surface.frame.forward);
     for (int row = 0; row < surface.rows; ++row)
         for (int column = 0; column < surface.columns; ++column) {
             float& node = depths[static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.columns) +
                                  static_cast<std::size_t>(column)];
-            const double ofPlane = (depth - frame.forward.dot(nodeOf(surface, column, row))) / rise;
+            const double ofPlane = (depth - forward.dot(nodeOf(surface, column, row))) / rise;
             node = std::max(node, static_cast<float>(std::min(ofPlane, farthestMm)));
         }
     surface.depthMm = std::move(depths);
-    return scene;
+    return front;
 }
 
 std::string problemOf(const Scene& scene, BeamAxis beam) {
@@ -74,11 +124,7 @@ std::string problemOf(const Scene& scene, BeamAxis beam) {
     if (scene.front.surface)
         if (const std::string problem = problemOf(*scene.front.surface); !problem.empty())
             return "front.surface " + problem;
-    const Front& front = scene.front;
-    if (!front.surface || front.depthMm == 0.0 || !front.direction) return {};
-    const Vec3 forward = frameOf(viewpointOf(beam, *front.direction, 0.0)).forward;
-    if (forward.dot(front.surface->frame.forward) < leastAcross)
-        return "front.direction must look about the same way as front.surface";
+    if (!canBeOne(scene.front, beam)) return "front.direction must look about the same way as front.surface";
     return {};
 }
 

@@ -24,18 +24,36 @@ enum class FrontSource {
 [[nodiscard]] std::string_view nameOf(FrontSource source);
 [[nodiscard]] std::optional<FrontSource> frontSourceFromName(std::string_view name);
 
-/// Cuts away what lies before it, seen from the side it was made for. It is a plane, a bowed surface that is fixed in
-/// the volume, or both. The default cuts nothing.
+/// A surface fixed in the volume, flat or bowed. What lies before it, seen from the side it was made for, is cut away
+/// from wherever one looks. The default cuts nothing.
 struct Front {
-    /// Depth of the plane: mm behind the volume's foremost point along `direction`, >= 0. 0: no plane.
+    /// Of a flat front: mm behind the volume's foremost point along `direction`, >= 0. 0: there is no flat front.
     double depthMm = 0.0;
-    /// The plane lies across this direction and is fixed in the volume. No value: it lies across the pose and turns
-    /// with it.
-    std::optional<ViewDirection> direction{};
-    std::optional<CutSurface> surface{};  ///< the bowed surface
+    ViewDirection direction{};            ///< of a flat front, which lies across it; relative to the beam
+    std::optional<CutSurface> surface{};  ///< a bowed front. A file may state both: withOneFront() joins them
     FrontSource source = FrontSource::person;
     friend bool operator==(const Front&, const Front&) = default;
 };
+
+/// Whether there is a front.
+[[nodiscard]] bool cuts(const Front& front);
+/// A flat front across a direction, `depthMm` behind the volume's foremost point along it; none if that is 0 or less.
+[[nodiscard]] Front frontAcross(const ViewDirection& direction, double depthMm,
+                                FrontSource source = FrontSource::person);
+/// How deep the front lies: mm behind the volume's foremost point along its own forward. For a bowed front that is its
+/// node nearest to the volume's centre, and may be below 0. 0 if there is no front.
+[[nodiscard]] double depthOf(const Front& front, const VolumeGeometry& geometry);
+/// The front moved along its own forward until depthOf() is `depthMm`, as a person's front. A flat front stops at 0,
+/// and then there is none.
+[[nodiscard]] Front movedTo(Front front, double depthMm, const VolumeGeometry& geometry);
+/// A flat front across a view, as a person's front. It passes through the place at which the line through `pointMm`
+/// along the view meets the front. If the line runs along the front or comes from behind it, it passes through the
+/// place of the front nearest to `pointMm`. Its depth is a whole number of tenths of a millimetre, and at least
+/// something of the volume is left. The front must cut.
+[[nodiscard]] Front acrossView(const Front& front, const Viewpoint& view, const Vec3& pointMm,
+                               const VolumeGeometry& geometry);
+/// The way that the front's forward points, grid mm. For a front that does not cut: along the beam.
+[[nodiscard]] Vec3 forwardOf(const Front& front, BeamAxis beam);
 
 /// The default shows all of the study along the beam, with the look that the program starts with.
 struct Scene {
@@ -52,10 +70,14 @@ struct Scene {
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// The scene without a plane that is fixed in a direction: if its front still has a plane, the plane lies across the
-/// pose. A fixed plane becomes a surface that cuts away the same. If the front has a surface already, each of its nodes
-/// moves back to the plane if the plane lies deeper.
-[[nodiscard]] Scene withFrontAcrossPose(Scene scene, BeamAxis beam, const VolumeGeometry& geometry);
+/// The view behind the scene's front.
+[[nodiscard]] Viewpoint behindFront(Viewpoint view, const Front& front);
+/// Whether a front that is flat and bowed can be one surface: both must look about the same way. True if it is not
+/// both.
+[[nodiscard]] bool canBeOne(const Front& front, BeamAxis beam);
+/// The front as one surface. If it is flat and bowed, each node of the bowed one moves back to the flat one if that
+/// lies deeper. It must be canBeOne().
+[[nodiscard]] Front withOneFront(Front front, BeamAxis beam, const VolumeGeometry& geometry);
 
 /// What is wrong with a scene, with its key ("box has a size that is not above 0"): lower case, no full stop. Empty if
 /// nothing is wrong.

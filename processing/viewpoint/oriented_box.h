@@ -37,10 +37,12 @@ struct OrientedBox {
 /// The data box as an oriented box.
 [[nodiscard]] OrientedBox orientedBoxOf(const DataBox& box);
 
-/// A face of a box. The box lies at `depthMm` or more along `inwards`, counted from the grid origin.
+/// A plane that cuts away all before it. What is left lies at `depthMm` or more along `inwards`, counted from the grid
+/// origin.
 struct CuttingFace {
     Vec3 inwards{0, 0, 1};  ///< unit, grid mm
     double depthMm = 0.0;
+    friend bool operator==(const CuttingFace&, const CuttingFace&) = default;
 };
 
 /// The faces of a box that cut something off a volume's grid. A face that only touches the grid's box, to a billionth

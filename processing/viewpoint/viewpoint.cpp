@@ -1,5 +1,6 @@
 #include "processing/viewpoint/viewpoint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -38,10 +39,9 @@ ViewFrame frameOf(const Viewpoint& view) {
     return {Vec3(turn.col(0).val), Vec3(turn.col(1).val), Vec3(turn.col(2).val)};
 }
 
-Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm) {
+Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis) {
     Viewpoint view;
     view.beamAxis = beamAxis;
-    view.nearCutMm = nearCutMm;
     const Mat3 toBeamFrame = beamFrame(beamAxis).t();
     const Vec3 direction = normalized(toBeamFrame * forward);
     // R_y(azimuth) R_x(elevation) (0,0,1) = (sin az cos el, -sin el, cos az cos el)
@@ -54,6 +54,14 @@ Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, do
     return view;
 }
 
+Viewpoint withFrontAcross(Viewpoint view, double depthMm) {
+    view.frontPlane.reset();
+    if (depthMm > 0.0) view.frontPlane = FrontPlane{frameOf(view).forward, depthMm};
+    return view;
+}
+
+double frontDepthMm(const Viewpoint& view) { return view.frontPlane ? view.frontPlane->depthMm : 0.0; }
+
 Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry) {
     return normalized(geometry.voxelFromGridMm(frameOf(view).forward));
 }
@@ -63,8 +71,24 @@ double depthAlongViewMm(const Viewpoint& view, const VolumeGeometry& geometry) {
     return depths.farthest - depths.nearest;
 }
 
+CuttingFace cuttingFaceOf(const FrontPlane& front, const VolumeGeometry& geometry) {
+    return {front.forward, geometry.depthsAlong(front.forward).nearest + std::max(0.0, front.depthMm)};
+}
+
 double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry) {
-    return geometry.depthsAlong(frameOf(view).forward).nearest + std::max(0.0, view.nearCutMm);
+    const Vec3 forward = frameOf(view).forward;
+    const bool across = view.frontPlane && view.frontPlane->forward == forward;
+    return across ? cuttingFaceOf(*view.frontPlane, geometry).depthMm : geometry.depthsAlong(forward).nearest;
+}
+
+double entryDepthMm(const Viewpoint& view, const VolumeGeometry& geometry, const Vec3& pointMm) {
+    const double nearest = nearPlaneDepthMm(view, geometry);
+    const Vec3 forward = frameOf(view).forward;
+    if (!view.frontPlane || view.frontPlane->forward == forward) return nearest;
+    const CuttingFace face = cuttingFaceOf(*view.frontPlane, geometry);
+    const double slope = face.inwards.dot(forward);
+    if (!(slope > 0.0)) return nearest;
+    return std::max(nearest, forward.dot(pointMm) + (face.depthMm - face.inwards.dot(pointMm)) / slope);
 }
 
 }  // namespace echolucent

@@ -1,4 +1,5 @@
-// From where the volume is looked at: beam axis, angles, cuts. One viewpoint serves tube cores and rays.
+// From where the volume is looked at: beam axis, angles, and what is cut away. One viewpoint serves tube cores and
+// rays.
 #pragma once
 
 #include <optional>
@@ -19,35 +20,57 @@ enum class BeamAxis { plusX, minusX, plusY, minusY, plusZ, minusZ };
 [[nodiscard]] std::string_view nameOf(BeamAxis axis);
 [[nodiscard]] std::optional<BeamAxis> beamAxisFromName(std::string_view name);
 
-/// A view direction and its cuts. With beam axis +z the direction is R_y(azimuth) R_x(elevation) (0,0,1), right-handed,
-/// on the grid axes in mm. Another beam axis turns that frame first.
+/// A flat front. It is fixed in the volume: all that lies before it, seen along `forward`, is cut away from wherever
+/// one looks.
+struct FrontPlane {
+    Vec3 forward{0, 0, 1};  ///< unit, grid mm
+    double depthMm = 0.0;   ///< behind the volume's foremost point along `forward`, >= 0
+    friend bool operator==(const FrontPlane&, const FrontPlane&) = default;
+};
+
+/// A view direction, and what is cut away of the volume. With beam axis +z the direction is R_y(azimuth) R_x(elevation)
+/// (0,0,1), right-handed, on the grid axes in mm. Another beam axis turns that frame first.
 struct Viewpoint {
     BeamAxis beamAxis = BeamAxis::plusZ;
     double azimuthDegrees = 0.0;
     double elevationDegrees = 0.0;
     double rollDegrees = 0.0;  ///< turn of the picture about the view direction; tube cores keep their direction
-    double nearCutMm = 0.0;    ///< mm behind the volume's foremost point along the view: nothing nearer is shown; >= 0
-    std::optional<CutSurface> cutSurface{};  ///< cuts away all before it; does not turn with the view
-    std::optional<OrientedBox> box{};        ///< cuts away all outside it; does not turn with the view
+    // These are fixed in the volume and do not turn with the view.
+    std::optional<FrontPlane> frontPlane{};  ///< cuts away all before it
+    std::optional<CutSurface> cutSurface{};  ///< cuts away all before it
+    std::optional<OrientedBox> box{};        ///< cuts away all outside it
 
     friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
 };
 
 [[nodiscard]] ViewFrame frameOf(const Viewpoint& view);
 
-/// The view along `forward`, relative to `beamAxis`. Its roll brings the picture's down as near as possible to `down`.
-/// Both vectors have any length above 0 and are not parallel; a zero `forward` throws std::invalid_argument. Azimuth
-/// and roll are in [-180, 180] degrees, the elevation in [-90, 90].
-[[nodiscard]] Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis, double nearCutMm);
+/// The view along `forward`, relative to `beamAxis`, of the whole volume. Its roll brings the picture's down as near as
+/// possible to `down`. Both vectors have any length above 0 and are not parallel; a zero `forward` throws
+/// std::invalid_argument. Azimuth and roll are in [-180, 180] degrees, the elevation in [-90, 90].
+[[nodiscard]] Viewpoint viewAlong(const Vec3& forward, const Vec3& down, BeamAxis beamAxis);
+
+/// The view with a flat front across it, `depthMm` behind the volume's foremost point along the view; without one if
+/// `depthMm` is 0 or less.
+[[nodiscard]] Viewpoint withFrontAcross(Viewpoint view, double depthMm);
+/// FrontPlane::depthMm of the view's flat front; 0 if it has none.
+[[nodiscard]] double frontDepthMm(const Viewpoint& view);
 
 /// The unit view direction in voxel index space (divided by spacing per axis, then normalised).
 [[nodiscard]] Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry);
 
-/// Extent of the volume's box along the view, mm. A near cut at this depth leaves nothing.
+/// Extent of the volume's box along the view, mm. A flat front across the view at this depth leaves nothing.
 [[nodiscard]] double depthAlongViewMm(const Viewpoint& view, const VolumeGeometry& geometry);
 
-/// Depth of the near cut plane along `forward` of the view, mm from the grid origin: the foremost corner of the
-/// volume's box plus nearCutMm (0 if that is negative).
+/// The plane of a flat front in a volume, counted from the grid origin.
+[[nodiscard]] CuttingFace cuttingFaceOf(const FrontPlane& front, const VolumeGeometry& geometry);
+
+/// Nothing of the volume is left before this depth along the view, mm from the grid origin. If the view's flat front
+/// lies across the view, it is that of the front, else that of the foremost corner of the volume's box.
 [[nodiscard]] double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry);
+/// The depth along the view at which the line through a point (grid mm), along the view, comes out behind the view's
+/// flat front, mm from the grid origin; at least nearPlaneDepthMm(). A line that goes towards the front from behind has
+/// nearPlaneDepthMm().
+[[nodiscard]] double entryDepthMm(const Viewpoint& view, const VolumeGeometry& geometry, const Vec3& pointMm);
 
 }  // namespace echolucent

@@ -139,7 +139,7 @@ private slots:
         QTest::keyClicks(value, QLocale().toString(24.0, 'f', 1));
         QTest::keyClick(value, Qt::Key_Return);
         waitUntilIdle();
-        QCOMPARE(window().volumeView().view().nearCutMm, 24.0);
+        QCOMPARE(frontDepthMm(window().volumeView().view()), 24.0);
         QVERIFY(difference(shown(), before) > 1.0);
         int entered = 0;
         for (const TubeCore& tube : window().otfs().adaptive()->tubes) {

@@ -146,7 +146,7 @@ private slots:
         const ViewDirection before = document().scene.pose.direction;
         const int steps = window().document().steps().count();
         QTest::keyClick(&window().volumeView(), Qt::Key_Right, Qt::ControlModifier);
-        CameraPose expected{.view = viewpointOf(document().beam.axis, before, 0)};
+        CameraPose expected{.view = viewpointOf(document().beam.axis, before)};
         expected = orbited(expected, 1.0 / degreesPerHeight, 0);
         QVERIFY(std::abs(document().scene.pose.direction.azimuth - expected.view.azimuthDegrees) < 1e-9);
         QVERIFY(std::abs(std::abs(document().scene.pose.direction.azimuth - before.azimuth) - 1.0) < 1e-9);

@@ -48,14 +48,14 @@ private slots:
         QTRY_VERIFY(message()->isVisible());
         QCOMPARE(message()->text(), "A wall stands before the fluid.");
         m_fixture.waitUntilIdle();
-        QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 18.0);
-        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 18.0);
+        QCOMPARE(frontDepthMm(m_fixture.window().volumeView().view()), 18.0);
+        QCOMPARE(frontDepthMm(m_fixture.window().otfs().adaptive()->view), 18.0);
         QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "18.0 mm");
 
         m_fixture.click("message.action.0");
         m_fixture.waitUntilIdle();
-        QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 0.0);
-        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 0.0);
+        QCOMPARE(frontDepthMm(m_fixture.window().volumeView().view()), 0.0);
+        QCOMPARE(frontDepthMm(m_fixture.window().otfs().adaptive()->view), 0.0);
         QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
     }
 
@@ -67,9 +67,9 @@ private slots:
         lookFrom(m_fixture.window(), {.azimuthDegrees = 35});
         QTest::keyClick(&m_fixture.window(), Qt::Key_A);
         m_fixture.waitUntilIdle();
-        QTest::keyClick(&m_fixture.window(), Qt::Key_N);
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N, Qt::ShiftModifier);
         m_fixture.waitUntilIdle();
-        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 0.0);
+        QCOMPARE(frontDepthMm(m_fixture.window().otfs().adaptive()->view), 0.0);
         QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 35.0);
     }
 
@@ -86,12 +86,12 @@ private slots:
         lookFrom(m_fixture.window(), turned);
         m_fixture.waitUntilIdle();
         m_fixture.click("view.nearCut.suggest");
-        QTRY_COMPARE(m_fixture.window().volumeView().view().nearCutMm, 5.0);
+        QTRY_COMPARE(frontDepthMm(m_fixture.window().volumeView().view()), 5.0);
         m_fixture.waitUntilIdle();
         QCOMPARE(view->azimuthDegrees, 20.0);
         QVERIFY(thread != QThread::currentThread());
         QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 20.0);
-        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 5.0);
+        QCOMPARE(frontDepthMm(m_fixture.window().otfs().adaptive()->view), 5.0);
     }
 
     void aCurvedFrontIsOfferedWhereThereIsOne() {
@@ -111,9 +111,37 @@ private slots:
         QVERIFY(m_fixture.window().document().document().scene.front == Front{.surface = curved.surface});
         QVERIFY(m_fixture.window().otfs().adaptive()->view.cutSurface == curved.surface);
         QVERIFY(m_fixture.window().volumeView().caption().contains("curved"));
-        QTest::keyClick(&m_fixture.window(), Qt::Key_N);
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N, Qt::ShiftModifier);
         m_fixture.waitUntilIdle();
         QVERIFY(m_fixture.window().document().document().scene.front == Front{});
+    }
+
+    void itsTiltFollowsTheViewOnlyIfAsked() {
+        m_fixture.window().nearCutFinder().setSearch(found(wallBeforeFluid(18)));
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N);
+        QTRY_COMPARE(front().depthMm, 18.0);
+        QVERIFY(front().direction == ViewDirection{});
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 30});
+        QVERIFY(front().direction == ViewDirection{});
+        m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->stepUp();
+        QVERIFY(front().direction == ViewDirection{});
+        const double deeper = front().depthMm;
+        QVERIFY(deeper > 18.0);
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N);
+        QVERIFY((front().direction == ViewDirection{.azimuth = 30}));
+        QVERIFY(front().depthMm > 0.0);
+        QTest::keyClick(&m_fixture.window(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(front() == frontAcross({}, deeper));
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N, Qt::ShiftModifier);
+        QVERIFY(front() == Front{});
+        m_fixture.waitUntilIdle();
+    }
+
+    void theSliderMakesAFrontAcrossTheViewIfThereIsNone() {
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 25, .elevationDegrees = 10});
+        m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->stepUp();
+        QVERIFY((front().direction == ViewDirection{.azimuth = 25, .elevation = 10}));
+        m_fixture.waitUntilIdle();
     }
 
     void whyNotIsSaidAndNothingChanges() {
@@ -121,10 +149,10 @@ private slots:
             found({.answer = NearCutAnswer::noFluid, .message = "No fluid was found."}));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
-        QCOMPARE(message()->text(), "The near cut stays as it is. No fluid was found.");
+        QCOMPARE(message()->text(), "The front stays as it is. No fluid was found.");
         QCOMPARE(message()->kind(), MessageKind::warning);
         m_fixture.waitUntilIdle();
-        QCOMPARE(m_fixture.window().volumeView().view().nearCutMm, 0.0);
+        QCOMPARE(frontDepthMm(m_fixture.window().volumeView().view()), 0.0);
         QVERIFY(m_fixture.window().otfs().adaptive() != nullptr);
     }
 
@@ -149,7 +177,7 @@ private slots:
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
         m_fixture.waitUntilIdle();
-        const double cut = m_fixture.window().volumeView().view().nearCutMm;
+        const double cut = frontDepthMm(m_fixture.window().volumeView().view());
         QVERIFY(qAbs(cut - expected->nearCutMm) <= 0.05 + 1e-9);
     }
 
@@ -171,7 +199,7 @@ private slots:
         m_fixture.waitUntilIdle();
     }
 
-    void aMessageDoesNotStayOverPicturesOfOtherCuts() {
+    void aMessageDoesNotStayOverPicturesOfOtherFronts() {
         const auto suggest = [this](const NearCutFinding& finding) {
             m_fixture.window().nearCutFinder().setSearch(found(finding));
             m_fixture.click("view.nearCut.suggest");
@@ -179,16 +207,13 @@ private slots:
             m_fixture.waitUntilIdle();
             QVERIFY(message()->isVisible());
         };
-        // The cut goes with the view: seen from elsewhere it is another one.
+        // The front stays in the body: seen from elsewhere it is the same.
         suggest(wallBeforeFluid(18));
         QCOMPARE(message()->kind(), MessageKind::info);
         lookFrom(m_fixture.window(), {.azimuthDegrees = 35});
-        QVERIFY(!message()->isVisible());
-        suggest({.answer = NearCutAnswer::noFluid, .message = "No fluid was found."});
-        lookFrom(m_fixture.window(), {.azimuthDegrees = 10});
-        QVERIFY(!message()->isVisible());
-        suggest(wallBeforeFluid(12));
         m_fixture.window().motionPlayer().setAngle(7);
+        QVERIFY(message()->isVisible());
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N);
         QVERIFY(!message()->isVisible());
         // Moved and magnified it is the same.
         suggest(wallBeforeFluid(14));
@@ -209,9 +234,9 @@ private slots:
         m_fixture.window().motionPlayer().setAngle(7);
         m_fixture.waitUntilIdle();
         QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 7.0);
-        QTest::keyClick(&m_fixture.window(), Qt::Key_N);
+        QTest::keyClick(&m_fixture.window(), Qt::Key_N, Qt::ShiftModifier);
         m_fixture.waitUntilIdle();
-        QCOMPARE(m_fixture.window().otfs().adaptive()->view.nearCutMm, 0.0);
+        QCOMPARE(frontDepthMm(m_fixture.window().otfs().adaptive()->view), 0.0);
         QCOMPARE(m_fixture.window().otfs().adaptive()->view.azimuthDegrees, 7.0);
     }
 
@@ -248,6 +273,7 @@ private slots:
     }
 
 private:
+    const Front& front() { return m_fixture.window().document().document().scene.front; }
     MessageBar* message() { return m_fixture.child<MessageBar>("message"); }
 
     WindowFixture m_fixture;

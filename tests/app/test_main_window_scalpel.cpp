@@ -110,7 +110,7 @@ private slots:
         box = wholeBox({.direction = {.azimuth = 15}}, next.beam.axis, openStudy().volume()->dataBox());
         box.sizeMm = box.sizeMm * 0.7;
         next.scene.front = {.depthMm = 9};
-        if (bow) next.scene.front = {.surface = bowed(startSurface(next, *openStudy().volume()), 8)};
+        if (bow) next.scene.front = {.surface = bowed(surfaceOfFront(next, *openStudy().volume()), 8)};
         Look& look = next.scene.look;
         look.projection = perspective ? Projection::perspective : Projection::parallel;
         look.reduction = reduced ? SpeckleReduction::medium : SpeckleReduction::off;

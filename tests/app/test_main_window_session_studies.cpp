@@ -89,14 +89,10 @@ private slots:
         changed.document.scene.front = {.depthMm = 9, .direction = ViewDirection{.azimuth = 120}};
         changed.snapshots.push_back({"fixed", changed.document});
         QVERIFY(writeSession(session.toStdString(), changed).has_value());
-        const VolumeGeometry geometry = window().openStudy().volume()->geometry();
         again(session);
         waitUntilIdle();
-        const Document& saved = changed.document;
-        const Scene expected = withFrontAcrossPose(saved.scene, saved.beam.axis, geometry);
-        QVERIFY(expected.front.surface.has_value());
-        QVERIFY(document().scene == expected);
-        QVERIFY(window().sessionKeeping().snapshots().list().back().document.scene == expected);
+        QVERIFY(document().scene == changed.document.scene);
+        QVERIFY(window().sessionKeeping().snapshots().list().back().document.scene == changed.document.scene);
     }
 
     void aSessionThatMovesTheObjectOpensWithoutPhases() {

@@ -85,15 +85,15 @@ private slots:
         choose("view.colourMap", 2);
         choose("adaptive.form", 1);
         waitUntilIdle();
-        QCOMPARE(window().otfs().adaptive()->view.nearCutMm, 12.0);
+        QCOMPARE(frontDepthMm(window().otfs().adaptive()->view), 12.0);
         for (int i = 0; i < 3; ++i) QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
         waitUntilIdle();
         QCOMPARE(child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
         QCOMPARE(child<QComboBox>("view.colourMap")->currentIndex(), 0);
         QCOMPARE(child<QComboBox>("adaptive.form")->currentIndex(), 0);
         QCOMPARE(window().volumeView().look().colourMap, ColourMap::sepia);
-        QCOMPARE(window().volumeView().view().nearCutMm, 0.0);
-        QCOMPARE(window().otfs().adaptive()->view.nearCutMm, 0.0);
+        QCOMPARE(frontDepthMm(window().volumeView().view()), 0.0);
+        QCOMPARE(frontDepthMm(window().otfs().adaptive()->view), 0.0);
     }
 
     void phaseAndMotionAreNoStepsAndStay() {
@@ -108,7 +108,7 @@ private slots:
         waitUntilIdle();
         QCOMPARE(window().openStudy().phase(), 1);
         QCOMPARE(window().volumeView().view().azimuthDegrees, 10.0);
-        QCOMPARE(window().volumeView().view().nearCutMm, 0.0);
+        QCOMPARE(frontDepthMm(window().volumeView().view()), 0.0);
     }
 
     void theHandEndsTheMotionInOneStep() {

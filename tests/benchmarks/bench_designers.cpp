@@ -16,6 +16,7 @@
 #include "processing/median.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/look.h"
+#include "processing/picture/view_limits.h"
 #include "processing/ray_caster/ray_caster.h"
 #include "widgets/casting/qualities.h"
 
@@ -44,11 +45,11 @@ Opened opened(std::shared_ptr<const Volume> volume, const Plan& plan) {
     const Document plain;
     const Document document = withFinds(plain, *findOnOpening(*volume, {}));
     Opened made{.raw = std::move(volume), .quiet = {}, .reduction = look.reduction, .view = {}, .settings = {}};
-    made.view = {.beamAxis = document.beam.axis, .nearCutMm = document.scene.front.depthMm};
+    made.view = withFrontAcross({.beamAxis = document.beam.axis}, document.scene.front.depthMm);
     made.quiet = std::make_shared<const Volume>(*quietVolume(*made.raw, look.reduction));
     made.settings = rayCastSettings(look);
     made.settings.width = made.settings.height = plan.edge;
-    made.settings.nearPlaneDepthMm = nearPlaneDepthMm(made.view, made.raw->geometry());
+    made.settings = limitedTo(made.view, made.raw->geometry(), made.settings);
     return made;
 }
 

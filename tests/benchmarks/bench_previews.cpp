@@ -16,6 +16,7 @@
 #include "processing/document/opening_finds.h"
 #include "processing/phantom/phantom.h"
 #include "processing/picture/look.h"
+#include "processing/picture/view_limits.h"
 #include "processing/ray_caster/ray_caster.h"
 #include "widgets/casting/qualities.h"
 
@@ -38,7 +39,7 @@ Opened opened(const Volume& volume) {
     const Look look = lookAtStart();
     const Document plain;
     const Document document = withFinds(plain, *findOnOpening(volume, {}));
-    Viewpoint view{.beamAxis = document.beam.axis, .nearCutMm = document.scene.front.depthMm};
+    Viewpoint view = withFrontAcross({.beamAxis = document.beam.axis}, document.scene.front.depthMm);
     Opened made;
     made.quiet = std::make_shared<const Volume>(*quietVolume(volume, look.reduction));
     made.curve = adaptOpacity(volume, view, {}, {}, {made.quiet.get(), look.reduction})->curve;
@@ -47,7 +48,7 @@ Opened opened(const Volume& volume) {
     made.settings = rayCastSettings(look);
     made.settings.width = made.settings.height = edge;
     made.settings.camera = defaultCamera(volume.dataBox(), view, 1.0);
-    made.settings.nearPlaneDepthMm = nearPlaneDepthMm(view, volume.geometry());
+    made.settings = limitedTo(view, volume.geometry(), made.settings);
     return made;
 }
 

@@ -158,7 +158,8 @@ RayCastSettings benchSettings(const BenchVolume& volume, int size, double turnDe
         {0, 0, 0},
         geometry.gridMmFromVoxel({static_cast<double>(geometry.size[0] - 1), static_cast<double>(geometry.size[1] - 1),
                                   static_cast<double>(geometry.size[2] - 1)})};
-    settings.nearPlaneDepthMm = foremostDepth(*settings.box, settings.camera.frame.forward);
+    settings.front =
+        CuttingFace{settings.camera.frame.forward, foremostDepth(*settings.box, settings.camera.frame.forward)};
     return settings;
 }
 

@@ -52,7 +52,7 @@ std::string hashOf(const Volume& volume, const OpacityCurve& curve, const RayCas
     for (const Vec3& vector : {camera.focalPoint, camera.frame.right, camera.frame.down, camera.frame.forward,
                                settings.box->low, settings.box->high})
         hash.add(vector);
-    for (const double number : {camera.heightMm, settings.nearPlaneDepthMm, referenceStep, leastTransmittance})
+    for (const double number : {camera.heightMm, settings.front->depthMm, referenceStep, leastTransmittance})
         hash.add(number);
     if (settings.shading) {
         const Shading& shading = *settings.shading;

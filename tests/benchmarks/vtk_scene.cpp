@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "processing/picture/view_limits.h"
 #include "tests/benchmarks/staged_mapper.h"
 #include "widgets/volume_view/scene/graphics_card/vtk_volume_image.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
@@ -39,7 +40,8 @@ void placeClippingPlanes(vtkCamera& vtk, const RayCastSettings& settings, const 
     const double stepMm = settings.step * geometry.unit();
     const double wholeSteps = std::ceil(roomUnits * geometry.unit() / stepMm);
     const double eyeDepth = camera.frame.forward.dot(camera.focalPoint) - camera.distanceMm;
-    const double near = settings.nearPlaneDepthMm - eyeDepth + (0.5 + shiftSteps - wholeSteps) * stepMm;
+    const double nearest = nearestDepthMm(settings, geometry);
+    const double near = nearest - eyeDepth + (0.5 + shiftSteps - wholeSteps) * stepMm;
     const double far = hindmostDepth(geometry, camera.frame.forward) - eyeDepth + roomUnits * geometry.unit();
     vtk.SetClippingRange(near, far);
 }

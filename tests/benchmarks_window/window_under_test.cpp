@@ -212,7 +212,7 @@ Row WindowUnderTest::highQuality(const Amount& amount) {
             times.push_back(record.milliseconds());
         });
         record.begin();
-        view().setView({BeamAxis::plusZ, 180.0 * (2 * i + 1) / amount.views - 180.0, 20.0, 0, 0});
+        view().setView({BeamAxis::plusZ, 180.0 * (2 * i + 1) / amount.views - 180.0, 20.0, 0});
         await("the high-quality picture", [&] { return drawn; });
         waitUntilConverged();
         // What follows sooner would be taken for part of a movement.

@@ -94,7 +94,7 @@ struct Setup {
     /// A request with another camera for each level.
     PictureRequest turned(double level) const {
         PictureRequest made = request(level);
-        made.settings.camera.frame = frameOf({BeamAxis::plusZ, 90 * level, 0, 0, 0});
+        made.settings.camera.frame = frameOf({BeamAxis::plusZ, 90 * level, 0, 0});
         return made;
     }
     CommandedCaster commands;

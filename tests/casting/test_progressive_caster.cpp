@@ -75,9 +75,9 @@ private slots:
             case 0: b.panes[0].volume = std::make_shared<const Volume>(*a.panes[0].volume); break;
             case 1: b.panes[0].classification = PowerCurve{}; break;
             case 2: b.settings.camera.focalPoint[1] += 1e-9; break;
-            case 3: b.settings.camera.frame = frameOf({BeamAxis::plusZ, 1e-6, 0, 0, 0}); break;
+            case 3: b.settings.camera.frame = frameOf({BeamAxis::plusZ, 1e-6, 0, 0}); break;
             case 4: b.settings.camera.heightMm = 2; break;
-            case 5: b.settings.nearPlaneDepthMm = 3; break;
+            case 5: b.settings.front = CuttingFace{b.settings.camera.frame.forward, 3}; break;
             case 6: b.settings.shading = Shading{}; break;
             case 7: b.settings.colourMap = ColourMap::ice; break;
             case 8: b.settings.height = 91; break;

@@ -41,7 +41,8 @@ TEST(NearCutOfScans, TheChestIsCutThroughItsVentricles) {
     for (const double azimuth : {-8.0, 0.0, 8.0}) {
         // Slices show both ventricles from 14 mm to 27 mm along +y.
         const auto found = cutOf(*chest.phases[0], BeamAxis::plusY, azimuth);
-        const Viewpoint view{.beamAxis = BeamAxis::plusY, .azimuthDegrees = azimuth, .nearCutMm = found.nearCutMm};
+        const Viewpoint view =
+            withFrontAcross({.beamAxis = BeamAxis::plusY, .azimuthDegrees = azimuth}, found.nearCutMm);
         const auto& geometry = chest.phases[0]->geometry();
         const Vec3 ventricles(geometry.centreMm()[0], 22.0, geometry.centreMm()[2]);
         EXPECT_NEAR(nearPlaneDepthMm(view, geometry), frameOf(view).forward.dot(ventricles), 2.0) << azimuth;

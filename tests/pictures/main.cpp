@@ -99,8 +99,8 @@ void take(MainWindow& window, const Wanted& wanted, const QString& folder) {
         emit panel->beamAxisChanged(*axis);
     }
     if (wanted.nearMm > 0) {
-        panel->setNearCutMm(wanted.nearMm);
-        emit panel->nearCutChanged(wanted.nearMm);
+        panel->setFrontMm(wanted.nearMm);
+        emit panel->frontChanged(wanted.nearMm);
     }
     const std::pair<CurveKind, const char*> kinds[] = {
         {CurveKind::linear, "linear"}, {CurveKind::parabolic, "parabolic"}, {CurveKind::adaptive, "adaptive"}};

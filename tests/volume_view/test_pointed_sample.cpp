@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "processing/picture/camera_pose.h"
+#include "processing/picture/view_limits.h"
 #include "processing/ray_caster/ray_caster.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/test_volumes.h"
@@ -30,7 +31,7 @@ ShownPicture requestFor(std::shared_ptr<const Volume> volume, const OpacityCurve
     request.settings.width = 300;
     request.settings.height = 200;
     request.settings.camera = cameraFor(fittedPose(request.pane.volume->geometry(), view, projection, 1.5));
-    request.settings.nearPlaneDepthMm = nearPlaneDepthMm(view, request.pane.volume->geometry());
+    request.settings = limitedTo(view, request.pane.volume->geometry(), request.settings);
     return request;
 }
 
@@ -101,7 +102,8 @@ private slots:
         QFETCH(RenderMode, mode);
         const auto volume = volumeOf(geometryOf(24, 21, 26, {1, 1.2, 0.9}),
                                      [](double x, double y, double z) { return 90 + 6 * x - 3 * y + 2 * z; });
-        ShownPicture request = requestFor(volume, PowerCurve{1, 0.3}, {BeamAxis::plusZ, 31, -17, 4, 3.3}, projection);
+        ShownPicture request =
+            requestFor(volume, PowerCurve{1, 0.3}, withFrontAcross({BeamAxis::plusZ, 31, -17, 4}, 3.3), projection);
         request.settings.width = 30;
         request.settings.height = 20;
         request.settings.step = step;
@@ -129,7 +131,7 @@ private slots:
 
     void nearCutHidesWhatLiesBeforeIt() {
         const OpacityCurve opaque = ManualCurve{{{0.0, 1.0}}};
-        ShownPicture request = requestFor(slabs(), opaque, {BeamAxis::plusZ, 0, 0, 0, 30});
+        ShownPicture request = requestFor(slabs(), opaque, withFrontAcross({BeamAxis::plusZ, 0, 0, 0}, 30));
         const auto sample = pointedAt(request, 150, 100);
         QVERIFY(sample);
         QCOMPARE(sample->intensity, 200 / 255.0);

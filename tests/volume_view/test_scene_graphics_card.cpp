@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "processing/phantom/phantom.h"
+#include "processing/picture/view_limits.h"
 #include "processing/ray_caster/ray_caster.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/drawn_scene.h"
@@ -154,8 +155,7 @@ private slots:
         QFETCH(double, step);
         QFETCH(double, tolerance);
         const OpacityCurve curve = PowerCurve{2, 0.5};
-        const RayCastSettings settings =
-            settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, projection, step);
+        const RayCastSettings settings = settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0}, projection, step);
         compare(volume, curve, settings, tolerance);
     }
 
@@ -164,11 +164,10 @@ private slots:
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
             const char* name = projection == Projection::parallel ? "parallel" : "perspective";
             const auto volume = smallFetus();
-            const RayCastSettings whole =
-                settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, projection, 0.2);
+            const RayCastSettings whole = settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0}, projection, 0.2);
             const Vec3 centre = volume->geometry().centreMm();
             RayCastSettings settings = whole;
-            settings.nearPlaneDepthMm = whole.camera.frame.forward.dot(centre) - 4;
+            settings.front = CuttingFace{settings.camera.frame.forward, whole.camera.frame.forward.dot(centre) - 4};
             QTest::addRow("near cut %s", name) << settings;
             settings.clippingPlanes = {{centre, {1, 0.5, -0.3}}, {centre + Vec3{0, 20, 0}, {0, -2, 0}}};
             QTest::addRow("near cut and planes %s", name) << settings;
@@ -192,7 +191,7 @@ private slots:
         QFETCH(RenderMode, mode);
         const auto volume = smallFetus();
         RayCastSettings settings =
-            settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, Projection::parallel, 0.2);
+            settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0}, Projection::parallel, 0.2);
         settings.mode = mode;
         // Every ray that grazes the box is as bright as one through its middle: along the outline, where one renderer
         // has a sample and the other none, pixels differ by up to white.
@@ -218,7 +217,7 @@ private slots:
         QFETCH(Projection, projection);
         QFETCH(Vec3, towardsLight);
         // The ray caster leaves the light of samples out that add little to a pixel: at small steps these are many.
-        RayCastSettings settings = settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, projection, 1.0);
+        RayCastSettings settings = settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0}, projection, 1.0);
         settings.shading = Shading{};
         settings.shading->towardsLight = towardsLight;
         // The faces of cuts are unlit in the ray caster alone.
@@ -227,18 +226,18 @@ private slots:
 
     void depthColouringIsTheSame_data() {
         QTest::addColumn<bool>("shaded");
-        QTest::addColumn<double>("nearCutMm");
+        QTest::addColumn<double>("frontMm");
         QTest::newRow("plain") << false << 0.0;
         QTest::newRow("shaded") << true << 0.0;
         QTest::newRow("near cut") << false << 40.0;
     }
     void depthColouringIsTheSame() {
         QFETCH(bool, shaded);
-        QFETCH(double, nearCutMm);
+        QFETCH(double, frontMm);
         const auto volume = smallFetus();
-        const Viewpoint view{BeamAxis::plusZ, 25, 15, 0, nearCutMm};
+        const Viewpoint view = withFrontAcross({BeamAxis::plusZ, 25, 15, 0}, frontMm);
         RayCastSettings settings = settingsFor(*volume, view, Projection::parallel, shaded ? 1.0 : 0.2);
-        settings.nearPlaneDepthMm = nearPlaneDepthMm(view, volume->geometry());
+        settings = limitedTo(view, volume->geometry(), settings);
         settings.depthColouring = DepthColouring{};
         if (shaded) settings.shading = Shading{};
         compare(volume, PowerCurve{2, 0.5}, settings, shaded ? 8.0 : 1.0);
@@ -267,7 +266,7 @@ private slots:
     void aZoomedCameraInsideTheVolumeSeesAllOfIt() {
         const auto volume = smallFetus();
         CameraPose pose =
-            fittedPose(volume->geometry(), Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, Projection::parallel, 1.0);
+            fittedPose(volume->geometry(), Viewpoint{BeamAxis::plusZ, 25, 15, 0}, Projection::parallel, 1.0);
         pose.heightMm /= 6;  // parallel: VTK's camera stands inside the volume now
         RayCastSettings settings = settingsFor(*volume, pose.view, Projection::parallel, 0.2);
         settings.camera = cameraFor(pose);
@@ -286,7 +285,7 @@ private slots:
         const auto volume =
             volumeOf(geometryOf(voxels[0], voxels[1], voxels[2]), [](double, double, double) { return 180; });
         const RayCastSettings settings =
-            settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 30, 20, 0, 0}, Projection::parallel, 0.02);
+            settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 30, 20, 0}, Projection::parallel, 0.02);
         compare(volume, ManualCurve{{{0.0, 0.5}, {1.0, 0.5}}}, settings, 2.0);
     }
 

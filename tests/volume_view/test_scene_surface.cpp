@@ -146,9 +146,9 @@ private:
         QTest::addColumn<Viewpoint>("view");
         QTest::addColumn<Projection>("projection");
         QTest::newRow("parallel +z") << Viewpoint{} << Projection::parallel;
-        QTest::newRow("parallel turned") << Viewpoint{BeamAxis::minusY, 35, -20, 15, 0} << Projection::parallel;
-        QTest::newRow("perspective +x") << Viewpoint{BeamAxis::plusX, 0, 0, 0, 0} << Projection::perspective;
-        QTest::newRow("perspective turned") << Viewpoint{BeamAxis::minusX, 30, 40, 15, 0} << Projection::perspective;
+        QTest::newRow("parallel turned") << Viewpoint{BeamAxis::minusY, 35, -20, 15} << Projection::parallel;
+        QTest::newRow("perspective +x") << Viewpoint{BeamAxis::plusX, 0, 0, 0} << Projection::perspective;
+        QTest::newRow("perspective turned") << Viewpoint{BeamAxis::minusX, 30, 40, 15} << Projection::perspective;
     }
 
     static vtkProp* selectedAt(DrawnScene& drawn, int x, int y) {

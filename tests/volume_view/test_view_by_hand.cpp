@@ -22,9 +22,9 @@ private slots:
     void viewRoundTrip_data() {
         QTest::addColumn<Viewpoint>("view");
         QTest::newRow("beam") << Viewpoint{};
-        QTest::newRow("turned") << Viewpoint{BeamAxis::plusY, 33.5, -12.25, 0, 7.5};
-        QTest::newRow("rolled") << Viewpoint{BeamAxis::minusX, -170, 80, 45, 0};
-        QTest::newRow("pole") << Viewpoint{BeamAxis::plusZ, 25, 90, 10, 0};
+        QTest::newRow("turned") << withFrontAcross(Viewpoint{BeamAxis::plusY, 33.5, -12.25, 0}, 7.5);
+        QTest::newRow("rolled") << Viewpoint{BeamAxis::minusX, -170, 80, 45};
+        QTest::newRow("pole") << Viewpoint{BeamAxis::plusZ, 25, 90, 10};
     }
     void viewRoundTrip() {
         QFETCH(Viewpoint, view);
@@ -40,12 +40,12 @@ private slots:
     }
 
     void anotherBeamAxisLeavesThePictureAlone() {
-        ShownView s(ballInTheCorner(), {BeamAxis::plusZ, 20, 30, 0, 5});
+        ShownView s(ballInTheCorner(), withFrontAcross({BeamAxis::plusZ, 20, 30, 0}, 5));
         QVERIFY(s.ready);
         const ViewFrame before = frameOf(s.view.view());
         s.view.setBeamAxis(BeamAxis::plusY);
         QCOMPARE(s.view.view().beamAxis, BeamAxis::plusY);
-        QCOMPARE(s.view.view().nearCutMm, 5.0);
+        QCOMPARE(frontDepthMm(s.view.view()), 5.0);
         QVERIFY(length(frameOf(s.view.view()).forward - before.forward) < 1e-9);
         QVERIFY(length(frameOf(s.view.view()).down - before.down) < 1e-9);
     }
@@ -201,7 +201,7 @@ private slots:
         const double fitted = s.view.settings().camera.heightMm;
         s.drag(Qt::RightButton, {}, {150, 120}, {150, 80});
         const double zoomedHeight = s.view.settings().camera.heightMm;
-        s.view.setView({BeamAxis::plusZ, 10, 0, 0, 0});
+        s.view.setView({BeamAxis::plusZ, 10, 0, 0});
         QCOMPARE(s.view.settings().camera.heightMm, zoomedHeight);
         s.view.resetView({});
         QCOMPARE(s.view.settings().camera.heightMm, fitted);

@@ -71,7 +71,7 @@ private slots:
         const QImage before = s.view.screenImage();
         s.view.setClassification(wall);
         s.view.setLook(s.view.look());
-        s.view.setNearCut(0);
+        s.view.setLimits(withFrontAcross(s.view.view(), 0));
         QCOMPARE(works.size(), 0);
         s.view.setView(s.view.view());
         s.view.setVolume(s.volume);
@@ -111,7 +111,7 @@ private slots:
         QCoreApplication::processEvents();
         drawings = 0;
         QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
-        s.view.setNearCut(2);
+        s.view.setLimits(withFrontAcross(s.view.view(), 2));
         s.view.setOverlay({});
         QVERIFY(s.awaitIdle());
         QCoreApplication::processEvents();
@@ -119,8 +119,8 @@ private slots:
         QCOMPARE(drawings, static_cast<int>(deliveries.size()));
         // And where all is again as it was, the lines are drawn alone.
         drawings = 0;
-        s.view.setNearCut(3);
-        s.view.setNearCut(2);
+        s.view.setLimits(withFrontAcross(s.view.view(), 3));
+        s.view.setLimits(withFrontAcross(s.view.view(), 2));
         s.view.setOverlay({.pictureLines = {{{{0.0, 0.0}, {0.2, 0.2}}, {255, 255, 255}, 1.0}}});
         QTRY_COMPARE(drawings, 1);
         QVERIFY(s.works.idle());
@@ -131,9 +131,9 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         QSignalSpy deliveries(&s.view, &VolumeViewWidget::pictureDelivered);
-        s.view.setNearCut(3);
+        s.view.setLimits(withFrontAcross(s.view.view(), 3));
         s.view.setClassification(PowerCurve{2, 1.0});
-        s.view.setView({BeamAxis::plusZ, 20, 10, 0, 2});
+        s.view.setView(withFrontAcross({BeamAxis::plusZ, 20, 10, 0}, 2));
         Look look;
         look.colourMap = ColourMap::ice;
         s.view.setLook(look);
@@ -162,8 +162,8 @@ private slots:
     void nearCutRemovesWhatLiesBefore() {
         ShownView s;
         QVERIFY(s.ready);
-        s.view.setNearCut(16);  // the ball ends at 15.5 mm behind the foremost face
-        QCOMPARE(s.view.view().nearCutMm, 16.0);
+        s.view.setLimits(withFrontAcross(s.view.view(), 16));  // the ball ends at 15.5 mm behind the foremost face
+        QCOMPARE(frontDepthMm(s.view.view()), 16.0);
         QVERIFY(s.awaitIdle());
         const auto alphaSum = [&] {
             double sum = 0;
@@ -171,11 +171,11 @@ private slots:
             return sum;
         };
         QCOMPARE(alphaSum(), 0.0);
-        s.view.setNearCut(8);
+        s.view.setLimits(withFrontAcross(s.view.view(), 8));
         QVERIFY(s.awaitIdle());
         QVERIFY(alphaSum() > 100);
         // The cut is measured along wherever one looks from: from behind, the ball is the last thing.
-        s.view.setView({BeamAxis::minusZ, 0, 0, 0, 16});
+        s.view.setView(withFrontAcross({BeamAxis::minusZ, 0, 0, 0}, 16));
         QVERIFY(s.awaitIdle());
         QVERIFY(alphaSum() > 100);
     }
@@ -270,7 +270,7 @@ private slots:
             QCOMPARE(report.converged, s.view.pictureIsFine());
             reports << report;
         });
-        s.view.setNearCut(3);
+        s.view.setLimits(withFrontAcross(s.view.view(), 3));
         QVERIFY(s.awaitIdle());
         disconnect(&s.view, &VolumeViewWidget::pictureDelivered, this, nullptr);
         QVERIFY(reports.first().followsHand);
@@ -294,7 +294,7 @@ private slots:
         QVERIFY(awaitSwap());  // what was drawn before is on the screen
         QSignalSpy delivered(&s.view, &VolumeViewWidget::pictureDelivered);
         QSignalSpy drawn(&s.view, &VolumeViewWidget::pictureDrawn);
-        s.view.setNearCut(4);
+        s.view.setLimits(withFrontAcross(s.view.view(), 4));
         QVERIFY(s.awaitIdle());
         QVERIFY(awaitSwap());
         const auto pictures = drawn.size();
@@ -307,7 +307,7 @@ private slots:
     void whatIsSavedIsConverged() {
         ShownView s;
         QVERIFY(s.ready);
-        s.view.setNearCut(5);  // not even begun
+        s.view.setLimits(withFrontAcross(s.view.view(), 5));  // not even begun
         const QImage saved = s.view.convergedImage();
         const auto expected = castRays(*s.volume, wall, s.view.settings());
         QVERIFY2(largestDifference(saved, *expected) <= 2,
@@ -352,7 +352,7 @@ private slots:
         connect(&s.works, &Works::changed, this, [&] {
             if (s.works.idle() != told.last()) told << s.works.idle();
         });
-        s.view.setNearCut(2);
+        s.view.setLimits(withFrontAcross(s.view.view(), 2));
         QVERIFY(!s.works.idle());
         QVERIFY(s.awaitIdle());
         QCOMPARE(told, (QList<bool>{true, false, true}));

@@ -45,14 +45,14 @@ private slots:
             }
         QVERIFY2(difference < 0.05 * sum, qPrintable(QString("%1 of %2").arg(difference).arg(sum)));
         // It follows, and an unchanged view is not drawn again.
-        s.view.setNearCut(16);
+        s.view.setLimits(withFrontAcross(s.view.view(), 16));
         QVERIFY(s.awaitIdle());
         QCOMPARE(reports.size(), 2);
-        s.view.setNearCut(16);
+        s.view.setLimits(withFrontAcross(s.view.view(), 16));
         QTRY_VERIFY_WITH_TIMEOUT(s.works.idle(), patience);
         QCOMPARE(reports.size(), 2);
         QVERIFY(s.view.screenImage() != drawn);
-        s.view.setNearCut(0);
+        s.view.setLimits(withFrontAcross(s.view.view(), 0));
         s.view.setRenderer(RendererChoice::software);
         QTRY_VERIFY_WITH_TIMEOUT(s.view.picture() && s.awaitIdle(), patience);
         QCOMPARE(s.view.rendererName(), "software renderer");
@@ -65,7 +65,7 @@ private slots:
         QVERIFY(s.ready);
         QVERIFY(s.view.picture()->depthMm.empty());
         s.view.scene().setDepthWanted(true);
-        s.view.setNearCut(2);
+        s.view.setLimits(withFrontAcross(s.view.view(), 2));
         QVERIFY(s.awaitIdle());
         QVERIFY(s.view.pictureIsCurrent());
         const auto picture = s.view.picture();

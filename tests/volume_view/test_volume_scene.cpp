@@ -110,8 +110,8 @@ private slots:
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
             const char* name = projection == Projection::parallel ? "parallel" : "perspective";
             QTest::addRow("%s +z", name) << projection << Viewpoint{};
-            QTest::addRow("%s +y turned", name) << projection << Viewpoint{BeamAxis::plusY, 35, -20, 0, 0};
-            QTest::addRow("%s rolled", name) << projection << Viewpoint{BeamAxis::minusX, -10, 50, 65, 0};
+            QTest::addRow("%s +y turned", name) << projection << Viewpoint{BeamAxis::plusY, 35, -20, 0};
+            QTest::addRow("%s rolled", name) << projection << Viewpoint{BeamAxis::minusX, -10, 50, 65};
         }
     }
     void castVolumeAndVtkActorLieInTheSamePlace() {

@@ -29,9 +29,9 @@ private slots:
 
     void nearCutBySliderAndByNumber() {
         ViewPanel panel;
-        panel.setNearCutRange(46.84);
+        panel.setFrontRange(46.84);
         AllSignals all(panel);
-        QSignalSpy spy(&panel, &ViewPanel::nearCutChanged);
+        QSignalSpy spy(&panel, &ViewPanel::frontChanged);
         QTest::keyClick(child<QSlider>(panel, "view.nearCut"), Qt::Key_Right);
         QCOMPARE(spy.takeFirst().first().toDouble(), 0.1);
         auto* number = child<QDoubleSpinBox>(panel, "view.nearCut.value");
@@ -42,30 +42,30 @@ private slots:
         QCOMPARE(child<QSlider>(panel, "view.nearCut")->value(), 180);
         QTest::keyClick(child<QSlider>(panel, "view.nearCut"), Qt::Key_End);
         QCOMPARE(spy.takeFirst().first().toDouble(), 46.8);  // one decimal, within the range
-        QCOMPARE(panel.nearCutMm(), 46.8);
+        QCOMPARE(panel.frontMm(), 46.8);
         QCOMPARE(all.count(), 3);
     }
 
     void nearCutRangeClampsSilently() {
         ViewPanel panel;
-        panel.setNearCutRange(50);
-        panel.setNearCutMm(40);
+        panel.setFrontRange(50);
+        panel.setFrontMm(40);
         AllSignals all(panel);
-        panel.setNearCutRange(30);
-        QCOMPARE(panel.nearCutMm(), 30.0);
-        panel.setNearCutMm(99);
-        QCOMPARE(panel.nearCutMm(), 30.0);
-        panel.setNearCutRange(-1);
-        QCOMPARE(panel.nearCutMm(), 0.0);
+        panel.setFrontRange(30);
+        QCOMPARE(panel.frontMm(), 30.0);
+        panel.setFrontMm(99);
+        QCOMPARE(panel.frontMm(), 30.0);
+        panel.setFrontRange(-1);
+        QCOMPARE(panel.frontMm(), 0.0);
         QCOMPARE(all.count(), 0);
     }
 
     void unknownSpacingIsSaid() {
         ViewPanel panel;
         auto* number = child<QDoubleSpinBox>(panel, "view.nearCut.value");
-        panel.setNearCutRange(10, false);
+        panel.setFrontRange(10, false);
         QVERIFY(number->text().contains("guess"));
-        panel.setNearCutRange(10, true);
+        panel.setFrontRange(10, true);
         QCOMPARE(number->text(), "0.0 mm");
     }
 
@@ -141,7 +141,7 @@ private slots:
         QSignalSpy look(&panel, &ViewPanel::lookChanged);
         QSignalSpy reset(&panel, &ViewPanel::resetRequested);
         QSignalSpy save(&panel, &ViewPanel::savePictureRequested);
-        QSignalSpy suggest(&panel, &ViewPanel::nearCutSuggestionRequested);
+        QSignalSpy suggest(&panel, &ViewPanel::frontSuggestionRequested);
         QTest::keyClick(child<QComboBox>(panel, "view.lighting"), Qt::Key_Up);
         QCOMPARE(look.takeFirst().first().value<Look>().lighting, Lighting::surface);
         QTest::mouseClick(child<QToolButton>(panel, "view.reset"), Qt::LeftButton);
@@ -205,7 +205,7 @@ private slots:
     void everyGroupHasAReset() {
         ViewPanel panel;
         QSignalSpy resets(&panel, &ViewPanel::lookReset);
-        QSignalSpy cut(&panel, &ViewPanel::nearCutResetRequested);
+        QSignalSpy cut(&panel, &ViewPanel::frontResetRequested);
         Look changed;
         changed.mode = RenderMode::mean;
         changed.lighting = Lighting::flat;
@@ -304,14 +304,14 @@ private slots:
         look.projection = Projection::perspective;
         panel.setLook(look);
         panel.setBeamAxis(BeamAxis::minusY);
-        panel.setNearCutMm(5);
+        panel.setFrontMm(5);
         panel.setRenderer(RendererChoice::software);
         QCOMPARE(all.count(), 0);
         QCOMPARE(panel.look(), look);
         QCOMPARE(child<QComboBox>(panel, "view.colourMap")->currentText(), "Grey");
         QCOMPARE(child<QComboBox>(panel, "view.mode")->currentText(), "Minimum");
         QCOMPARE(child<QComboBox>(panel, "view.lighting")->currentText(), "Flat");
-        QCOMPARE(panel.nearCutMm(), 5.0);
+        QCOMPARE(panel.frontMm(), 5.0);
         QCOMPARE(panel.renderer(), RendererChoice::software);
     }
 };

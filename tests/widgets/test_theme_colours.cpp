@@ -144,7 +144,7 @@ private slots:
 
     void whatLiesOverPicturesStandsOffBlack() {
         for (const PlaneName plane : allPlaneNames) QVERIFY(contrast(colourOf(plane), Qt::black) >= forTexts);
-        for (const QColor& colour : {boxColour(), boxFrontColour(), boxBehindColour(), measurementColour})
+        for (const QColor& colour : {boxColour(), frontColour(), boxBehindColour(), measurementColour})
             QVERIFY(contrast(colour, Qt::black) >= forLines);
         QVERIFY(contrast(coloursOverPictures().text, Qt::black) >= forTexts);
     }

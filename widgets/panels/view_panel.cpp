@@ -1,5 +1,6 @@
 #include "widgets/panels/view_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -59,8 +60,9 @@ Choice chosen(const QComboBox* comboBox) {
 ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("view");
     setAccessibleName(tr("Picture"));
-    m_nearCut = new ValueSlider("view.nearCut", tr("Near cut"), 0.1, 1);
-    m_nearCut->setToolTip(tr("Removes what lies before this distance along the view; the tube cores begin there too"));
+    m_front = new ValueSlider("view.nearCut", tr("Front"), 0.1, 1);
+    m_front->setToolTip(
+        tr("How deep the front lies in the body. What lies before it is cut away from wherever you look"));
     m_look = std::make_unique<ParameterControls<Look>>(lookParameters(), "view", NumberControl::resettingSlider,
                                                        [this](const Look& look, const AnyParameter&) {
                                                            updateForMode();
@@ -70,7 +72,7 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     lighting->setToolTip(tr("%1. Ctrl + left drag in the picture moves the light").arg(lighting->toolTip()));
     createChoices();
     arrange();
-    setNearCutRange(100);
+    setFrontRange(100);
     setGraphicsCardUsable(false);
     updateForMode();
     connectControls();
@@ -79,7 +81,7 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
 ViewPanel::~ViewPanel() = default;
 
 void ViewPanel::connectControls() {
-    connect(m_nearCut, &ValueSlider::valueChanged, this, &ViewPanel::nearCutChanged);
+    connect(m_front, &ValueSlider::valueChanged, this, &ViewPanel::frontChanged);
     connect(m_renderer, &QComboBox::currentIndexChanged, this, [this] { emit rendererChanged(renderer()); });
     connect(m_beamAxis, &QComboBox::currentIndexChanged, this, [this] { emit beamAxisChanged(beamAxis()); });
 }
@@ -104,7 +106,7 @@ void ViewPanel::createChoices() {
 QLayout* ViewPanel::createButtons() {
     auto* resetAll =
         named(new QPushButton(tr("Reset all")), "view.resetAll", tr("Reset all"),
-              tr("Beam, look, cut, view, curves, planes, box and strokes back to what opening gave (Shift+R)"));
+              tr("Beam, look, front, view, curves, planes, box and strokes back to what opening gave (Shift+R)"));
     auto* savePicture = named(new QPushButton(tr("Save picture…")), "view.savePicture", tr("Save picture"),
                               tr("Writes the picture as PNG (P)"));
     connect(resetAll, &QPushButton::clicked, this, &ViewPanel::resetAllRequested);
@@ -129,13 +131,27 @@ void ViewPanel::arrange() {
 }
 
 void ViewPanel::addCutGroup(QGridLayout& grid) {
-    auto* reset = addGroup(grid, "view.cut.reset", tr("Cut"), tr("Reset the cut to what opening gave"));
-    connect(reset, &QToolButton::clicked, this, &ViewPanel::nearCutResetRequested);
-    addRow(grid, labelFor(m_nearCut, tr("Near cut")), m_nearCut);
-    auto* suggest = named(new QPushButton(tr("Suggest")), "view.nearCut.suggest", tr("Suggest a near cut"),
+    auto* reset = addGroup(grid, "view.cut.reset", tr("Front"), tr("Reset the front to what opening gave"));
+    connect(reset, &QToolButton::clicked, this, &ViewPanel::frontResetRequested);
+    addRow(grid, labelFor(m_front, tr("Depth")), m_front);
+    auto* suggest = named(new QPushButton(tr("Suggest")), "view.nearCut.suggest", tr("Suggest a front"),
                           tr("Looks along this view for fluid behind a wall, and cuts inside the fluid"));
-    connect(suggest, &QPushButton::clicked, this, &ViewPanel::nearCutSuggestionRequested);
-    addRow(grid, nullptr, suggest);
+    connect(suggest, &QPushButton::clicked, this, &ViewPanel::frontSuggestionRequested);
+    auto* fromHere = named(new QPushButton(tr("From here")), "view.front.fromHere", tr("Front from here"),
+                           tr("Tilts the front so that it lies across what you see now (N)"));
+    connect(fromHere, &QPushButton::clicked, this, &ViewPanel::frontFromHereRequested);
+    auto* none = named(new QPushButton(tr("None")), "view.front.none", tr("No front"),
+                       tr("Takes the front away, so that nothing is cut off before the picture (Shift+N)"));
+    connect(none, &QPushButton::clicked, this, &ViewPanel::noFrontRequested);
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QPushButton* button : {suggest, fromHere, none}) row->addWidget(button, 1);
+    addRow(grid, nullptr, buttons);
+    auto* show = named(new QCheckBox(tr("Show in 3D")), "view.front.show", tr("Show the front in 3D"),
+                       tr("Draws the front over the 3D picture, with a handle that moves it"));
+    connect(show, &QCheckBox::toggled, this, &ViewPanel::frontShownIn3d);
+    addRow(grid, nullptr, show);
 }
 
 void ViewPanel::addLookGroups(QGridLayout& grid) {
@@ -195,13 +211,13 @@ void ViewPanel::resetLook(const QString& group, const std::vector<std::string_vi
 
 void ViewPanel::updateForMode() { m_modeRemark->setVisible(look().mode != RenderMode::direct); }
 
-double ViewPanel::nearCutMm() const { return m_nearCut->value(); }
+double ViewPanel::frontMm() const { return m_front->value(); }
 
-void ViewPanel::setNearCutMm(double mm) { m_nearCut->setValue(mm); }
+void ViewPanel::setFrontMm(double mm) { m_front->setValue(mm); }
 
-void ViewPanel::setNearCutRange(double maxMm, bool spacingKnown) {
-    m_nearCut->setRange(0, std::max(0.0, maxMm));
-    m_nearCut->setSuffix(spacingKnown ? tr(" mm") : tr(" mm (guess)"));
+void ViewPanel::setFrontRange(double maxMm, bool spacingKnown) {
+    m_front->setRange(0, std::max(0.0, maxMm));
+    m_front->setSuffix(spacingKnown ? tr(" mm") : tr(" mm (guess)"));
 }
 
 const Look& ViewPanel::look() const { return m_look->values(); }

@@ -21,11 +21,11 @@ class ValueSlider;
 template <typename Values>
 class ParameterControls;
 
-/// Objects: view.nearCut (+ .value, .suggest), view.mode (+ .remark), view.mixing, view.mixedMode, view.reduction,
-/// view.lighting, view.lightAzimuth (+ .value), view.lightElevation (+ .value), view.lightSoftness, view.shadow,
-/// view.occlusion, view.translucency, view.brightness, view.depthColouring, view.colourMap, view.interpolation,
-/// view.projection, view.renderer, view.beamAxis, view.reset, view.resetAll, view.savePicture; sliders with ".value"
-/// and
+/// Objects: view.nearCut (+ .value, .suggest), view.front.fromHere, view.front.none, view.front.show, view.mode (+
+/// .remark), view.mixing, view.mixedMode, view.reduction, view.lighting, view.lightAzimuth (+ .value),
+/// view.lightElevation (+ .value), view.lightSoftness, view.shadow, view.occlusion, view.translucency, view.brightness,
+/// view.depthColouring, view.colourMap, view.interpolation, view.projection, view.renderer, view.beamAxis, view.reset,
+/// view.resetAll, view.savePicture; sliders with ".value" and
 /// ".reset". The controls stand in groups, each with a reset beside its title: view.cut.reset, view.light.reset,
 /// view.speckle.reset, view.colours.reset, view.rendering.reset; view.reset resets the view. Controls that play no part
 /// in the chosen mode are disabled. view.mode.remark says that the opacity curve, light and depth colours play no part
@@ -37,11 +37,11 @@ public:
     explicit ViewPanel(QWidget* parent = nullptr);
     ~ViewPanel() override;
 
-    [[nodiscard]] double nearCutMm() const;
-    void setNearCutMm(double mm);
-    /// The near cut goes from 0 to maxMm, the depth of the volume along the view. A larger value is clamped without a
+    [[nodiscard]] double frontMm() const;
+    void setFrontMm(double mm);
+    /// The front's depth goes from 0 to maxMm, the volume's depth along the front. A larger value is clamped without a
     /// signal. If the spacing is unknown, the number is marked as a guess.
-    void setNearCutRange(double maxMm, bool spacingKnown = true);
+    void setFrontRange(double maxMm, bool spacingKnown = true);
 
     /// The last look set, with a person's changes since; lookAtStart() at first.
     [[nodiscard]] const Look& look() const;
@@ -54,11 +54,15 @@ public:
     void setBeamAxis(BeamAxis axis);
 
 signals:
-    void nearCutChanged(double mm);
-    /// The person asks for a suggested near cut.
-    void nearCutSuggestionRequested();
-    /// The person asks for the near cut found on opening.
-    void nearCutResetRequested();
+    void frontChanged(double mm);
+    /// The person asks for a suggested front.
+    void frontSuggestionRequested();
+    /// The person asks for a front across what is seen now.
+    void frontFromHereRequested();
+    void noFrontRequested();
+    void frontShownIn3d(bool shown);
+    /// The person asks for the front found on opening.
+    void frontResetRequested();
     void lookChanged(const echolucent::Look& look);
     /// A group of the look, named by its title, was reset to the values at start.
     void lookReset(const echolucent::Look& look, const QString& group);
@@ -79,7 +83,7 @@ private:
     void resetLook(const QString& group, const std::vector<std::string_view>& rows);
     void updateForMode();
 
-    ValueSlider* m_nearCut = nullptr;
+    ValueSlider* m_front = nullptr;
     std::unique_ptr<ParameterControls<Look>> m_look;
     QLabel* m_modeRemark = nullptr;
     QComboBox* m_renderer = nullptr;

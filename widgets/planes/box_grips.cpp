@@ -12,13 +12,13 @@ namespace echolucent {
 namespace {
 
 constexpr double turnStalk = 24.0;       // logical pixels from the box to its turning grip
-constexpr double startLineStep = 4.0;    // between points of the start surface's line
+constexpr double frontLineStep = 4.0;    // between points of the front's line
 constexpr double leastMiddlePart = 0.3;  // least share of a surface's forward that must lie in the plane
 
-/// The start surface's line in the plane. Each of its points is found by going along the surface's forward, projected
+/// The front's line in the plane. Each of its points is found by going along the surface's forward, projected
 /// onto the plane, to the first place that the surface does not cut away. Empty if the surface looks too much across
 /// the plane (leastMiddlePart), or if fewer than two points are found.
-QPolygonF startLineOf(const CutSurface& surface, const PlaneMapping& mapping) {
+QPolygonF frontLineOf(const CutSurface& surface, const PlaneMapping& mapping) {
     const ViewFrame& frame = mapping.view.frame;
     const Vec3 inPlane = surface.frame.forward - frame.forward * frame.forward.dot(surface.frame.forward);
     if (length(inPlane) < leastMiddlePart) return {};
@@ -26,7 +26,7 @@ QPolygonF startLineOf(const CutSurface& surface, const PlaneMapping& mapping) {
     const double step = mapping.mmPerPixel();
     const double reach = std::hypot(mapping.size.width(), mapping.size.height()) * step;
     QPolygonF line;
-    for (double mm = -reach / 2; mm <= reach / 2; mm += startLineStep * step) {
+    for (double mm = -reach / 2; mm <= reach / 2; mm += frontLineStep * step) {
         const Vec3 point = mapping.view.centreMm + across * mm - along * reach;
         if (const auto left = surface.firstLeft(point, along, {0.0, 2.0 * reach}); left && left->begin > 0.0)
             line << mapping.seenAt(point + along * left->begin);
@@ -64,15 +64,16 @@ void addBoxGrips(BoxDrawing& drawing, const PlaneMapping& mapping, const Oriente
             {BoxGrip::Kind::face, drawing.faces[static_cast<std::size_t>(i)], {}, edgeOf(drawing.outline, i).center()});
 }
 
-/// Puts the bow's grip on the start line, at the point in the pane with the largest bow. No grip if bowAt() is 0.1 or
-/// less everywhere.
+/// Puts the bow's grip on the front's line, at the point in the pane with the largest bow, away from grips of the box.
+/// No grip if bowAt() is 0.1 or less everywhere.
 void addBowGrip(BoxDrawing& drawing, const PlaneMapping& mapping, const CutSurface& surface) {
     double most = 0.1;
     std::optional<QPointF> middle;
     const QRectF pane(QPointF(0, 0), QSizeF(mapping.size));
-    for (const QPointF& place : drawing.startLine) {
+    for (const QPointF& place : drawing.frontLine) {
         const double share = bowAt(surface, mapping.gridAt(place));
-        if (share <= most || !pane.contains(place)) continue;
+        const auto near = [&](const BoxGrip& grip) { return QLineF(grip.at, place).length() < 3.0 * gripReach; };
+        if (share <= most || !pane.contains(place) || std::ranges::any_of(drawing.grips, near)) continue;
         most = share;
         middle = place;
     }
@@ -96,10 +97,9 @@ BoxDrawing boxDrawing(const BoxScene& scene, const PlaneMapping& mapping) {
         drawing.faces = section.faces;
         if (!drawing.outline.isEmpty()) addBoxGrips(drawing, mapping, *scene.box);
     }
-    if (scene.start) {
-        drawing.startLine = startLineOf(*scene.start, mapping);
-        drawing.startIsCut = scene.startIsCut;
-        addBowGrip(drawing, mapping, *scene.start);
+    if (scene.front) {
+        drawing.frontLine = frontLineOf(*scene.front, mapping);
+        addBowGrip(drawing, mapping, *scene.front);
     }
     return drawing;
 }
@@ -110,9 +110,9 @@ std::optional<BoxGrip> gripAt(const BoxDrawing& drawing, const QPointF& pixel) {
     for (qsizetype i = 0; i < drawing.outline.size(); ++i)
         if (distanceTo(edgeOf(drawing.outline, i), pixel) <= gripReach / 2)
             return BoxGrip{BoxGrip::Kind::face, drawing.faces[static_cast<std::size_t>(i)], {}, pixel};
-    for (qsizetype i = 0; drawing.startIsCut && i + 1 < drawing.startLine.size(); ++i)
-        if (distanceTo({drawing.startLine[i], drawing.startLine[i + 1]}, pixel) <= gripReach / 2)
-            return BoxGrip{BoxGrip::Kind::start, {}, {}, pixel};
+    for (qsizetype i = 0; i + 1 < drawing.frontLine.size(); ++i)
+        if (distanceTo({drawing.frontLine[i], drawing.frontLine[i + 1]}, pixel) <= gripReach / 2)
+            return BoxGrip{BoxGrip::Kind::front, {}, {}, pixel};
     return std::nullopt;
 }
 
@@ -121,7 +121,7 @@ BoxDrag dragged(const BoxScene& scene, const PlaneMapping& mapping, const BoxGri
     const Vec3 moved = mapping.gridAt(to) - mapping.gridAt(from);
     BoxDrag next;
     if (scene.box) next.box = *scene.box;
-    if (scene.start) next.start = *scene.start;
+    if (scene.front) next.front = *scene.front;
     const auto moveFace = [&](const BoxFace& face) {
         next.box = withFaceMoved(next.box, face, outwardNormal(*scene.box, face).dot(moved), scene.leastMm);
     };
@@ -139,13 +139,13 @@ BoxDrag dragged(const BoxScene& scene, const PlaneMapping& mapping, const BoxGri
             break;
         }
         case BoxGrip::Kind::bow: {
-            const double share = bowAt(*scene.start, mapping.gridAt(grip.at));
-            next.start = bowed(*scene.start, scene.start->frame.forward.dot(moved) / share);
+            const double share = bowAt(*scene.front, mapping.gridAt(grip.at));
+            next.front = bowed(*scene.front, scene.front->frame.forward.dot(moved) / share);
             break;
         }
-        case BoxGrip::Kind::start:
-            next.startMm = scene.start->frame.forward.dot(moved);
-            next.start.depthMm.change([mm = static_cast<float>(next.startMm)](std::vector<float>& depths) {
+        case BoxGrip::Kind::front:
+            next.frontMm = scene.front->frame.forward.dot(moved);
+            next.front.depthMm.change([mm = static_cast<float>(next.frontMm)](std::vector<float>& depths) {
                 for (float& depth : depths) depth += mm;
             });
             break;

@@ -1,5 +1,5 @@
 // Colours over pictures, which are on black in every theme: one colour for each plane, in frames, lines and letters,
-// and the colours of the render box.
+// and the colours of render box and front.
 #pragma once
 
 #include <QColor>
@@ -18,9 +18,9 @@ namespace echolucent {
     return {};
 }
 
-/// Amber. The face through which one looks into the box has the accent.
+/// The box is amber, the front has the accent.
 [[nodiscard]] inline QColor boxColour() { return coloursOverPictures().warning; }
-[[nodiscard]] inline QColor boxFrontColour() { return coloursOverPictures().accent; }
+[[nodiscard]] inline QColor frontColour() { return coloursOverPictures().accent; }
 /// The colour of edges hidden behind the box itself.
 [[nodiscard]] inline QColor boxBehindColour() { return {0x8a, 0x6c, 0x38}; }
 

@@ -33,7 +33,7 @@ void paintGrip(QPainter& painter, const BoxGrip& grip) {
     path.closeSubpath();
     painter.setPen(QPen(QColor(0, 0, 0, 200), 3.0));
     painter.drawPath(path);
-    painter.setPen(QPen(bow ? boxFrontColour() : boxColour(), 1.5));
+    painter.setPen(QPen(bow ? frontColour() : boxColour(), 1.5));
     painter.setBrush(turn ? QBrush(Qt::NoBrush) : QBrush(QColor(0, 0, 0, 120)));
     painter.drawPath(path);
     painter.setBrush(Qt::NoBrush);
@@ -90,7 +90,7 @@ void PlanePane::paintLines(QPainter& painter) const {
     painter.drawEllipse(centre, referenceRadius, referenceRadius);
 }
 
-/// Draws the box with its front in the accent, the start line if the surface cuts, and the grips.
+/// Draws the box, the face through which one looks in thicker, then the front's line and the grips.
 void PlanePane::paintBox(QPainter& painter) const {
     const BoxDrawing& shown = drawing();
     painter.setBrush(Qt::NoBrush);
@@ -103,10 +103,10 @@ void PlanePane::paintBox(QPainter& painter) const {
     const qsizetype count = shown.outline.size();
     for (qsizetype i = 0; i < count; ++i) {
         const QPolygonF edge({shown.outline[i], shown.outline[(i + 1) % count]});
-        const bool front = shown.faces[static_cast<std::size_t>(i)] == m_scene->box.front;
-        paintLine(edge, front ? boxFrontColour() : boxColour(), front ? 3.0 : 1.5, Qt::SolidLine);
+        const bool side = shown.faces[static_cast<std::size_t>(i)] == m_scene->box.side;
+        paintLine(edge, boxColour(), side ? 3.0 : 1.5, Qt::SolidLine);
     }
-    if (shown.startIsCut && !shown.startLine.isEmpty()) paintLine(shown.startLine, boxFrontColour(), 2.0, Qt::DashLine);
+    if (!shown.frontLine.isEmpty()) paintLine(shown.frontLine, frontColour(), 2.0, Qt::DashLine);
     for (const BoxGrip& grip : shown.grips) paintGrip(painter, grip);
 }
 

@@ -159,7 +159,7 @@ QString PlanePane::stepName(const BoxGrip& grip) {
         case BoxGrip::Kind::centre: return tr("move box");
         case BoxGrip::Kind::turn: return tr("turn box");
         case BoxGrip::Kind::bow: return tr("bow the front");
-        case BoxGrip::Kind::start: return tr("near cut");
+        case BoxGrip::Kind::front: return tr("front");
     }
     return {};
 }
@@ -254,6 +254,8 @@ void PlanePane::wheelEvent(QWheelEvent* event) {
     if (notches == 0.0) return;
     if (event->modifiers().testFlag(Qt::ControlModifier))
         zoom(std::pow(zoomPerNotch, notches), event->position());
+    else if (const auto grip = gripAt(drawing(), event->position()); grip && grip->kind == BoxGrip::Kind::front)
+        emit frontWheeled(-notches * m_scene->unitMm, stepName(*grip));
     else
         ask(stepped(m_scene->planes, m_plane, -notches * m_scene->unitMm, m_scene->beam, m_scene->data),
             tr("step through planes"));
@@ -346,11 +348,35 @@ void PlanePane::keyPressEvent(QKeyEvent* event) {
 }
 
 void PlanePane::showCursor(const QPointF& pixel) {
-    const bool held = gripAt(drawing(), pixel).has_value(), rimmed = !held && !m_toolCursor && atRim(pixel);
-    setCursor(m_toolCursor ? *m_toolCursor : held ? Qt::OpenHandCursor : rimmed ? Qt::SizeAllCursor : Qt::CrossCursor);
+    const std::optional<BoxGrip> grip = gripAt(drawing(), pixel);
+    const bool rimmed = !grip && !m_toolCursor && atRim(pixel);
+    setCursor(m_toolCursor ? *m_toolCursor : grip ? cursorOf(*grip) : rimmed ? Qt::SizeAllCursor : Qt::CrossCursor);
     if (rimmed == m_pointerAtRim) return;
     m_pointerAtRim = rimmed;
     update();
+}
+
+/// The pointer tells what a grip does: a face of the box moves, the box moves or turns, the front moves or bows.
+Qt::CursorShape PlanePane::cursorOf(const BoxGrip& grip) const {
+    switch (grip.kind) {
+        case BoxGrip::Kind::centre: return Qt::SizeAllCursor;
+        case BoxGrip::Kind::turn: return Qt::OpenHandCursor;
+        case BoxGrip::Kind::bow: return Qt::PointingHandCursor;
+        case BoxGrip::Kind::front: {
+            const QPointF way = mapping().wayOf(m_scene->box.front->frame.forward);
+            return std::abs(way.x()) > std::abs(way.y()) ? Qt::SplitHCursor : Qt::SplitVCursor;
+        }
+        case BoxGrip::Kind::face: {
+            const QPointF way = mapping().wayOf(outwardNormal(*m_scene->box.box, grip.first));
+            return std::abs(way.x()) > std::abs(way.y()) ? Qt::SizeHorCursor : Qt::SizeVerCursor;
+        }
+        case BoxGrip::Kind::corner: {
+            const QPointF way = mapping().wayOf(outwardNormal(*m_scene->box.box, grip.first) +
+                                                outwardNormal(*m_scene->box.box, grip.second));
+            return (way.x() > 0.0) == (way.y() > 0.0) ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
+        }
+    }
+    return Qt::CrossCursor;
 }
 
 void PlanePane::leaveEvent(QEvent* event) {

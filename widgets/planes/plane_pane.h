@@ -37,11 +37,12 @@ struct PlaneScene {
 };
 
 /// A left click or drag moves the reference point, a left drag at the rim turns the planes about it. The wheel steps
-/// through parallel planes, Ctrl + wheel zooms about the cursor. A middle or Shift + left drag pans. A right drag sets
-/// window (to the right) and level (down). Left and Right turn by 1 degree, with Shift by 10, Up and Down step by a
-/// unit, Page up and Page down by ten, + and - zoom, Home resets. A double click asks for the whole room. Escape ends a
-/// drag without change. The pane does not change the planes: it says how they would be. Objects: planes.a, planes.b,
-/// planes.c, each with .reset and .maximise.
+/// through parallel planes, and over the front's line it moves the front by a unit along its own forward; Ctrl + wheel
+/// zooms about the cursor. A middle or Shift + left drag pans. A right drag sets window (to the right) and level
+/// (down). Left and Right turn by 1 degree, with Shift by 10, Up and Down step by a unit, Page up and Page down by ten,
+/// + and - zoom, Home resets. A double click asks for the whole room. Escape ends a drag without change. The pane does
+/// not change the planes: it says how they would be. Objects: planes.a, planes.b, planes.c, each with .reset and
+/// .maximise.
 class PlanePane : public QWidget {
     Q_OBJECT
 
@@ -82,7 +83,7 @@ signals:
     /// The hand asks for other planes. `what` names the step. During a drag dragging() is true, and dragEnded() or
     /// dragCancelled() follows.
     void changed(const echolucent::Planes& next, const QString& what);
-    /// The hand asks for another render box, or another start surface of the picture. Otherwise as changed().
+    /// The hand asks for another render box or another front. Otherwise as changed().
     void boxDragged(const echolucent::BoxGrip& grip, const echolucent::BoxDrag& next, const QString& what);
     void dragEnded(const QString& what);
     /// The drag was ended without change: restore the planes and the box as before it.
@@ -95,6 +96,8 @@ signals:
     void wantsOther();
     /// The place under the cursor, grid mm; no value if the cursor is elsewhere.
     void pointed(const std::optional<echolucent::Vec3>& gridMm);
+    /// The wheel asks to move the front along its own forward, mm.
+    void frontWheeled(double mm, const QString& what);
 
 protected:
     /// While the pane has the focus, its keys are no shortcuts of the window.
@@ -117,6 +120,7 @@ private:
     void placeButtons();
     [[nodiscard]] Drag leftDragAt(const QPointF& pixel);
     [[nodiscard]] static QString stepName(const BoxGrip& grip);
+    [[nodiscard]] Qt::CursorShape cursorOf(const BoxGrip& grip) const;
     [[nodiscard]] bool atRim(const QPointF& pixel) const;
     [[nodiscard]] QPointF referencePixel() const;
     void dragTo(const QPointF& pixel);

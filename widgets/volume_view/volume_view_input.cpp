@@ -124,7 +124,7 @@ void VolumeViewWidget::connectPointer() {
 CameraPose VolumeViewWidget::camera() const {
     const Parts& parts = *m_parts;
     const DataBox box = parts.volume ? parts.volume->dataBox() : DataBox(VolumeGeometry{});
-    return cameraPoseOf(parts.pose, parts.beam, parts.nearCutMm, box, parts.look.projection, aspect());
+    return cameraPoseOf(parts.pose, parts.beam, box, parts.look.projection, aspect());
 }
 
 void VolumeViewWidget::followHand(const CameraPose& camera) {
@@ -191,26 +191,16 @@ void VolumeViewWidget::setLook(const Look& look) {
 
 const Look& VolumeViewWidget::look() const { return m_parts->look; }
 
-void VolumeViewWidget::setNearCut(double mm) {
-    if (mm == m_parts->nearCutMm) return;
-    m_parts->nearCutMm = mm;
-    schedule();
-}
-
 void VolumeViewWidget::setPlaying(bool playing) { m_parts->caster.setPlaying(playing); }
 
 int VolumeViewWidget::keptFrames() const { return m_parts->caster.keptFrames(); }
 std::size_t VolumeViewWidget::keptFrameBytes() const { return m_parts->caster.keptFrameBytes(); }
 
-void VolumeViewWidget::setCutSurface(const std::optional<CutSurface>& surface) {
-    if (surface == m_parts->cutSurface) return;
-    m_parts->cutSurface = surface;
-    schedule();
-}
-
-void VolumeViewWidget::setBox(const std::optional<OrientedBox>& box) {
-    if (box == m_parts->box) return;
-    m_parts->box = box;
+void VolumeViewWidget::setLimits(const Viewpoint& limits) {
+    const Viewpoint before = m_parts->limits;
+    if (limits.frontPlane == before.frontPlane && limits.cutSurface == before.cutSurface && limits.box == before.box)
+        return;
+    m_parts->limits = limits;
     schedule();
 }
 
@@ -229,25 +219,29 @@ void VolumeViewWidget::setBeamAxis(BeamAxis axis) {
     if (m_parts->beam == axis) return;
     const ViewFrame frame = frameOf(view());
     const CameraPose before = camera();
-    m_parts->pose.direction = directionOf(viewAlong(frame.forward, frame.down, axis, m_parts->nearCutMm));
+    m_parts->pose.direction = directionOf(viewAlong(frame.forward, frame.down, axis));
     m_parts->beam = axis;
     // The height of the picture at magnification 1 depends on the beam.
     m_parts->pose.magnification *= camera().heightMm / before.heightMm;
 }
 
 void VolumeViewWidget::setView(const Viewpoint& view) {
-    m_parts->nearCutMm = view.nearCutMm;
+    setLimits(view);
     setBeamAxis(view.beamAxis);
     m_parts->pose = turnedTo(m_parts->pose, view.beamAxis, directionOf(view));
     schedule();
 }
 
 Viewpoint VolumeViewWidget::view() const {
-    return viewpointOf(m_parts->beam, m_parts->pose.direction, m_parts->nearCutMm);
+    Viewpoint view = viewpointOf(m_parts->beam, m_parts->pose.direction);
+    view.frontPlane = m_parts->limits.frontPlane;
+    view.cutSurface = m_parts->limits.cutSurface;
+    view.box = m_parts->limits.box;
+    return view;
 }
 
 void VolumeViewWidget::resetView(const Viewpoint& view) {
-    m_parts->nearCutMm = view.nearCutMm;
+    setLimits(view);
     setPose(wholeVolume(view), view.beamAxis);
     schedule();
 }
@@ -255,7 +249,7 @@ void VolumeViewWidget::resetView(const Viewpoint& view) {
 Pose VolumeViewWidget::wholeVolume(const Viewpoint& view) const {
     if (!m_parts->volume) return {directionOf(view), {0, 0, 0}, 1.0};
     Viewpoint limited = view;
-    limited.box = m_parts->box;
+    limited.box = m_parts->limits.box;
     return wholeVolume(limited, m_parts->volume->dataBox());
 }
 

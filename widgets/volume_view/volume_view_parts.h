@@ -30,9 +30,7 @@ struct VolumeViewWidget::Parts {
     Look look;
     Pose pose;
     BeamAxis beam = BeamAxis::plusZ;
-    double nearCutMm = 0.0;
-    std::optional<CutSurface> cutSurface;
-    std::optional<OrientedBox> box;
+    Viewpoint limits;  ///< front and box; its direction plays no part
     Pose poseBeforeDrag;
     LightDirection lightBeforeDrag;
     std::shared_ptr<const CastPicture> shown;  ///< without pictures if the graphics card draws

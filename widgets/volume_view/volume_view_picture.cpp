@@ -37,10 +37,7 @@ PictureRequest VolumeViewWidget::presentRequest(const QSize& pixels) const {
     const Parts& parts = *m_parts;
     PictureRequest request{{{parts.volume, parts.classification}}, lookSettings(parts.look, pixels)};
     request.settings.camera = cameraFor(camera());
-    Viewpoint limits = view();
-    limits.cutSurface = parts.cutSurface;
-    limits.box = parts.box;
-    if (parts.volume) request.settings = limitedTo(limits, parts.volume->geometry(), request.settings);
+    if (parts.volume) request.settings = limitedTo(parts.limits, parts.volume->geometry(), request.settings);
     return request;
 }
 

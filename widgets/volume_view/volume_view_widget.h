@@ -74,14 +74,10 @@ public:
     [[nodiscard]] const Classification& classification() const;
     void setLook(const Look& look);
     [[nodiscard]] const Look& look() const;
-    /// Cuts off what is nearer than this many millimetres (>= 0) behind the volume's foremost point along the view. The
-    /// plane follows the camera.
-    void setNearCut(double mm);
-    /// Also cuts off what lies before a surface. The surface stays in the volume.
-    void setCutSurface(const std::optional<CutSurface>& surface);
-    /// Shows only what lies in a box. The box stays in the volume.
-    void setBox(const std::optional<OrientedBox>& box);
-    /// Sets the camera by a pose relative to the beam. The near cut stays.
+    /// Shows only what lies behind the front and in the box of a viewpoint. Both stay in the volume. The viewpoint's
+    /// direction plays no part.
+    void setLimits(const Viewpoint& limits);
+    /// Sets the camera by a pose relative to the beam. Front and box stay.
     void setPose(const Pose& pose, BeamAxis beam);
     [[nodiscard]] Pose pose() const;
     /// The pose of the default camera of a view. The first function fits the widget's box into the picture, or the

@@ -144,7 +144,7 @@ Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOpt
     if (!study) return tl::unexpected<Failure>(study.error());
     const VolumeGeometry& geometry = study->phases.front()->geometry();
     document = inGridOfStudy(std::move(document), study->turnedAxis, geometry);
-    document.scene = withFrontAcrossPose(std::move(document.scene), document.beam.axis, geometry);
+    document.scene.front = withOneFront(std::move(document.scene.front), document.beam.axis, geometry);
     const int phase = phaseOf(document, read->pane);
     if (phase < 0 || phase >= static_cast<int>(study->phases.size()))
         return fail(FailureKind::wrongUsage, path, "phases",
@@ -163,7 +163,7 @@ Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& 
     const auto begin = std::chrono::steady_clock::now();
     OpeningFinds finds = *findOnOpening(first, {}, view.said(), &findFlatNearCut);
     if (view.nearCutSuggested() && !finds.cut)
-        finds.cut = findFlatNearCut(first, viewpointOf(finds.beam.axis, finds.side.value_or(finds.lean), 0.0), {});
+        finds.cut = findFlatNearCut(first, viewpointOf(finds.beam.axis, finds.side.value_or(finds.lean)), {});
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
 
     Document fresh;
@@ -175,9 +175,9 @@ Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& 
     Document document = openedDocuments(fresh, opened, aspect).found;
     Scene& scene = document.scene;
     if (view.nearCutSuggested())
-        scene.front = {.depthMm = finds.cut->nearCutMm, .source = FrontSource::found};
+        scene.front = frontAcross(scene.side, finds.cut->nearCutMm, FrontSource::found);
     else if (view.said().front)
-        scene.front = {.depthMm = asked->nearCutMm};
+        scene.front = frontAcross(scene.side, frontDepthMm(*asked));
     if (const auto kept = leavesSomething(first, viewpointOf(document)); !kept)
         return tl::unexpected<Failure>(kept.error());
     scene.phase = document.motion.otfPhase = volume.phase;

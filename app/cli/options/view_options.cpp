@@ -62,8 +62,7 @@ Result<Viewpoint> ViewOptions::get() const {
     const auto cut = parseNumbers(near, 1, "--near", "18");
     if (!cut || !std::isfinite(cut->front()) || cut->front() < 0.0)
         return wrongUsage("--near", "must be 0 mm or more, or auto");
-    chosen.nearCutMm = cut->front();
-    return chosen;
+    return withFrontAcross(chosen, cut->front());
 }
 
 Result<Viewpoint> ViewOptions::getOfSimulatedScan() const {
@@ -97,11 +96,11 @@ Result<Viewpoint> leavesSomething(const Volume& volume, const Viewpoint& view) {
     const DataBox& box = volume.dataBox();
     double depth = box.centreMm().dot(forward) - nearest;
     for (int axis = 0; axis < 3; ++axis) depth += 0.5 * box.sizeMm()[axis] * std::abs(forward[axis]);
-    if (view.nearCutMm < depth) return view;
+    if (frontDepthMm(view) < depth) return view;
     return wrongUsage("--near",
                       fmt::format("is {:.6g} mm, but along this view the volume ends {:.4g} mm behind its foremost "
                                   "corner: nothing is left",
-                                  view.nearCutMm, depth),
+                                  frontDepthMm(view), depth),
                       fmt::format("Give less than {:.4g}.", depth));
 }
 
@@ -110,18 +109,16 @@ Result<Viewpoint> ViewOptions::get(const Volume& volume) const { return get(volu
 Result<Viewpoint> ViewOptions::get(const Volume& volume, const ChosenBeam& beam) const {
     auto chosen = get();
     if (!chosen) return chosen;
+    const double depthMm = frontDepthMm(*chosen);
     chosen->beamAxis = beam.axis;
-    if (const auto& probe = volume.geometry().probe; probe && beamAxis.empty() && !isTurned()) {
-        const double nearCutMm = chosen->nearCutMm;
+    if (const auto& probe = volume.geometry().probe; probe && beamAxis.empty() && !isTurned())
         chosen = viewFromProbe(*probe);
-        chosen->nearCutMm = nearCutMm;
-    }
+    chosen = withFrontAcross(*chosen, depthMm);
     if (beam.source != "assumed" && !beam.sentence.empty()) std::fprintf(stderr, "%s\n", beam.sentence.c_str());
     if (!nearCutSuggested()) return leavesSomething(volume, *chosen);
     const auto found = findFlatNearCut(volume, *chosen);
-    chosen->nearCutMm = found->nearCutMm;
     std::fprintf(stderr, "%s\n", found->message.c_str());
-    return chosen;
+    return withFrontAcross(*chosen, found->nearCutMm);
 }
 
 }  // namespace echolucent::cli

@@ -95,7 +95,7 @@ std::string truthReport(const std::vector<PhantomConfig>& phases, const Viewpoin
     report["view"] = {{"beam_axis", nameOf(view.beamAxis)},
                       {"azimuth_degrees", view.azimuthDegrees},
                       {"elevation_degrees", view.elevationDegrees},
-                      {"near_mm", view.nearCutMm},
+                      {"near_mm", frontDepthMm(view)},
                       {"direction_mm", vectorJson(frameOf(view).forward)}};
     const auto spacing = tubeSpacingUnits(geometryOf(first), view, tubes, cellSize);
     report["tube_grid"] = {

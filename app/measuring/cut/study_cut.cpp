@@ -19,7 +19,7 @@ constexpr BeamAxis allAxes[] = {BeamAxis::plusX,  BeamAxis::minusX, BeamAxis::pl
 /// How far a cut lies behind the plane across the view through the volume's centre, mm.
 double behindTheMiddle(const Viewpoint& view, const VolumeGeometry& geometry, double nearCutMm) {
     Viewpoint cut = view;
-    cut.nearCutMm = nearCutMm;
+    cut = withFrontAcross(cut, nearCutMm);
     return nearPlaneDepthMm(cut, geometry) - frameOf(view).forward.dot(geometry.centreMm());
 }
 

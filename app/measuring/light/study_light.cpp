@@ -53,7 +53,7 @@ private:
         one.settings.width = m_pixels[0];
         one.settings.height = m_pixels[1];
         one.settings.camera = defaultCamera(geometry, *from, static_cast<double>(m_pixels[0]) / m_pixels[1]);
-        one.settings.nearPlaneDepthMm = nearPlaneDepthMm(*from, geometry);
+        if (from->frontPlane) one.settings.front = cuttingFaceOf(*from->frontPlane, geometry);
         one.settings.shading = Shading{};
         one.settings.shading->ambient = ambientWithReachingLight;
         one.settings.shading->diffuse = diffuseWithReachingLight;

@@ -12,8 +12,8 @@ namespace echolucent {
 
 std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                        const TubeAxis& axis, const Vec3& offsetMm) {
-    const auto point =
-        truth.firstInterfacePoint(axis.pointMm + offsetMm, axis.directionMm, nearPlaneDepthMm(view, geometry));
+    const Vec3 start = axis.pointMm + offsetMm;
+    const auto point = truth.firstInterfacePoint(start, axis.directionMm, entryDepthMm(view, geometry, start));
     if (!point) return std::nullopt;
     return axis.directionMm.dot(*point);
 }

@@ -64,15 +64,6 @@ ModeFigures measureMode(const MotionMode& mode, const MotionFigures& figures, co
     return result;
 }
 
-double rmsOf(const SampledCurve& left, const SampledCurve& right) {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < left.opacities.size(); ++i) {
-        const double difference = left.opacities[i] - right.opacities[i];
-        squares += difference * difference;
-    }
-    return std::sqrt(squares / static_cast<double>(left.opacities.size()));
-}
-
 double largestOf(const SampledCurve& left, const SampledCurve& right) {
     double largest = 0.0;
     for (std::size_t i = 0; i < left.opacities.size(); ++i)
@@ -90,7 +81,7 @@ void compareCurves(MotionFigures& figures, const FrameRenderer& render) {
     const std::size_t last = figures.frames.size() - 1, middle = last / 2;
     const SweepFrame& view = figures.frames[middle].frame;
     const auto with = [&](std::size_t index) { return *render(view, figures.frames[index].unsmoothed); };
-    figures.adaptation = rmsOf(figures.oneOtf, figures.initial);
+    figures.adaptation = rmsBetween(figures.oneOtf, figures.initial);
     figures.adaptationPicture = differenceOf(*render(view, figures.oneOtf), *render(view, figures.initial)).rms;
     // If the probe is still, these three frames may show one phase. Nothing is compared.
     if (!figures.motionCase.motion.probeMoves) return;
@@ -98,7 +89,7 @@ void compareCurves(MotionFigures& figures, const FrameRenderer& render) {
          {std::pair(std::size_t{0}, middle), std::pair(middle, last), std::pair(std::size_t{0}, last)}) {
         const SampledCurve &one = figures.frames[left].unsmoothed, &other = figures.frames[right].unsmoothed;
         figures.differences.push_back({nameOfFrame(figures, left) + " and " + nameOfFrame(figures, right),
-                                       rmsOf(one, other), largestOf(one, other),
+                                       rmsBetween(one, other), largestOf(one, other),
                                        differenceOf(with(left), with(right)).rms});
     }
 }
@@ -168,6 +159,15 @@ void takeStills(MotionFigures& figures, int edge) {
 std::vector<MotionMode> motionModes() {
     return {std::nullopt, OtfSmoothing::none, OtfSmoothing::mean, OtfSmoothing::movingLeastSquares,
             OtfSmoothing::leastFlicker};
+}
+
+double rmsBetween(const SampledCurve& one, const SampledCurve& other) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < one.opacities.size(); ++i) {
+        const double difference = one.opacities[i] - other.opacities[i];
+        squares += difference * difference;
+    }
+    return std::sqrt(squares / static_cast<double>(one.opacities.size()));
 }
 
 std::string nameOf(const MotionMode& mode) { return mode ? std::string(nameOf(*mode)) : "static"; }

@@ -67,6 +67,9 @@ struct MotionFigures {
     std::vector<Still> stills;
 };
 
+/// Root of the mean squared difference between two OTFs, over intensities.
+[[nodiscard]] double rmsBetween(const SampledCurve& one, const SampledCurve& other);
+
 /// Compares square pictures of `edge` pixels an edge. The stills have `stillEdge` pixels an edge.
 [[nodiscard]] MotionFigures measureMotion(const MotionCase& motionCase, const AdaptiveOtfConfig& config, int edge,
                                           int stillEdge);

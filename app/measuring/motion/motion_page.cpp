@@ -215,7 +215,7 @@ std::string motionPage(const std::vector<MotionFigures>& cases) {
         page.heading(figures.motionCase.title);
         page.paragraph(fmt::format("{} frames, {} phase(s), beam axis {}, near cut {:g} mm.", figures.frames.size(),
                                    figures.motionCase.phases.size(), nameOf(figures.motionCase.start.beamAxis),
-                                   figures.motionCase.start.nearCutMm));
+                                   frontDepthMm(figures.motionCase.start)));
         addModes(page, figures);
         addDifferences(page, figures);
         addCurves(page, figures);

@@ -8,6 +8,7 @@
 
 #include "app/cli/options/option_text.h"
 #include "app/cli/report/sweep_report.h"
+#include "app/measuring/motion/motion_front.h"
 #include "app/measuring/motion/motion_page.h"
 #include "app/measuring/study.h"
 #include "processing/phantom/phantom.h"
@@ -63,7 +64,7 @@ private:
 
     /// The tables, the page, and two courses for every case of addCases().
     std::vector<std::string> files() const override {
-        std::vector<std::string> names{"motion.csv", "motion_views.csv", "motion.html"};
+        std::vector<std::string> names{"motion.csv", "motion_views.csv", "motion_front.csv", "motion.html"};
         for (const char* subject : {"shapes", "fetus", "volume"})
             for (const char* motion : {"probe", "object", "both"})
                 for (const OtfSmoothing smoothing : {OtfSmoothing::none, OtfSmoothing::leastFlicker})
@@ -111,9 +112,11 @@ private:
         const auto moved = cases();
         if (!moved) return tl::unexpected<Failure>(moved.error());
         std::vector<MotionFigures> figures;
+        std::vector<FrontFigures> fronts;
         StudyFindings found;
         for (const MotionCase& one : *moved) {
             figures.push_back(measureMotion(one, config, m_pictureSize, std::min(largestStillEdge, m_pictureSize)));
+            for (FrontFigures& front : measureFront(one, config)) fronts.push_back(std::move(front));
             for (const ModeFigures& mode : figures.back().modes) {
                 if (mode.mode != OtfSmoothing::none && mode.mode != OtfSmoothing::leastFlicker) continue;
                 std::vector<SweptOtf> course = figures.back().frames;
@@ -123,6 +126,7 @@ private:
         }
         found.files.insert(found.files.end(), {{"motion.csv", motionFiguresTable(figures)},
                                                {"motion_views.csv", motionViewsTable(figures)},
+                                               {"motion_front.csv", motionFrontTable(fronts)},
                                                {"motion.html", motionPage(figures)}});
         return found;
     }

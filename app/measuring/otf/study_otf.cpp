@@ -121,7 +121,7 @@ private:
             "{} ({}x{}x{} voxels), beam axis {}, azimuth {}°, elevation {}°, near cut {} mm. Its true surfaces "
             "are not known: there is no detection error, only the curve's.",
             volume.path, size[0], size[1], size[2], nameOf(from->beamAxis), from->azimuthDegrees,
-            from->elevationDegrees, from->nearCutMm);
+            from->elevationDegrees, frontDepthMm(*from));
         const OtfCase one{volume.path, read->get(), *from, nullptr};
         for (const MethodReading reading : allReadings) study.readings.push_back(measureReading(one, reading));
         measureErrors(one, study.variants);

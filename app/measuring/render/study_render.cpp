@@ -58,7 +58,7 @@ private:
             "{} ({}x{}x{} voxels, {}), beam axis {}, azimuth {:g}°, elevation {:g}°, near cut {:g} mm, parallel "
             "projection, opacity curve {}{}, {}. Pictures of {}x{} pixels.",
             volume.path.empty() ? "The simulated fetus" : volume.path, size[0], size[1], size[2], rendered.typeName(),
-            nameOf(from.beamAxis), from.azimuthDegrees, from.elevationDegrees, from.nearCutMm, otf,
+            nameOf(from.beamAxis), from.azimuthDegrees, from.elevationDegrees, frontDepthMm(from), otf,
             method.opacityScale ? fmt::format(" of scale {:g}", *method.opacityScale) : "",
             m_shade ? "shaded" : "unshaded", m_reference.width, m_reference.height);
     }
@@ -76,7 +76,7 @@ private:
         RenderCase one{*shown, curveFor(**shown, *from), m_reference};
         one.reference.camera =
             defaultCamera(one.volume->dataBox(), *from, static_cast<double>(m_reference.width) / m_reference.height);
-        one.reference.nearPlaneDepthMm = nearPlaneDepthMm(*from, one.volume->geometry());
+        if (from->frontPlane) one.reference.front = cuttingFaceOf(*from->frontPlane, one.volume->geometry());
         RenderStudy study = measureRendering(one, m_repeats.value_or(m_quick ? quickRepeats : usualRepeats));
         study.subject = subjectOf(*one.volume, *from);
         return StudyFindings{{{"render.csv", renderCsv(study)},

@@ -8,6 +8,7 @@
 
 #include "processing/parallel.h"
 #include "processing/picture/reaching_light.h"
+#include "processing/picture/view_limits.h"
 #include "processing/progress_count.h"
 #include "processing/sampling/gradient_magnitude.h"
 
@@ -91,9 +92,8 @@ PlainCaster::PlainCaster(const Volume& volume, Classification classification, co
       m_casting(casting),
       m_rays(volume.geometry(), settings),
       m_sampler(m_filled.voxels, settings.interpolation) {
-    const auto box = volume.geometry().depthsAlong(settings.camera.frame.forward);
-    m_nearestMm = std::max(box.nearest, settings.nearPlaneDepthMm);
-    m_farthestMm = box.farthest;
+    m_nearestMm = nearestDepthMm(settings, volume.geometry());
+    m_farthestMm = volume.geometry().depthsAlong(settings.camera.frame.forward).farthest;
     if (m_classification.isTwoDimensional()) m_gradients = gradientsOf(m_filled.voxels);
     if (!settings.shading) return;
     const Vec3& light = settings.shading->towardsLight;

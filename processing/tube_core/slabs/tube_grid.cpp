@@ -33,7 +33,7 @@ OrientedBox coveredBox(const VolumeGeometry& geometry, const Viewpoint& view) {
     return view.box.value_or(orientedBoxOf(DataBox(geometry)));
 }
 
-/// The part of a chord behind the faces of a box; no value if nothing is left.
+/// The part of a chord behind all faces; no value if nothing is left.
 std::optional<Chord> chordWithin(const std::vector<CuttingFace>& faces, const Vec3& point, const Vec3& direction,
                                  Chord chord) {
     for (const CuttingFace& face : faces) {
@@ -52,7 +52,7 @@ std::optional<Chord> chordWithin(const std::vector<CuttingFace>& faces, const Ve
     return chord;
 }
 
-/// The part of a line inside the volume's box and behind the near plane; no value if there is none.
+/// The part of a line inside the volume's box and behind a depth along the line; no value if there is none.
 std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction,
                                 double nearDepth) {
     Chord chord{nearDepth - direction.dot(point), std::numeric_limits<double>::infinity()};
@@ -71,8 +71,7 @@ std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& poin
     return chord;
 }
 
-/// The part of chordInBox() that is also within the faces of the view's box and behind the cut surface; no value if
-/// there is none.
+/// The part of chordInBox() that is also behind the cutting faces and the cut surface; no value if there is none.
 std::optional<Chord> chordOf(const VolumeGeometry& geometry, const std::vector<CuttingFace>& faces, const Vec3& point,
                              const Viewpoint& view, double nearDepth) {
     const Vec3 direction = frameOf(view).forward;
@@ -127,7 +126,9 @@ std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& 
     const double nearDepth = nearPlaneDepthMm(view, geometry);
     const bool onVoxels = tubesLieOnVoxels(geometry, view);
     const Vec3 centre = view.box ? view.box->centreMm : geometry.centreMm();
-    const auto faces = view.box ? facesThatCut(*view.box, geometry) : std::vector<CuttingFace>{};
+    auto faces = view.box ? facesThatCut(*view.box, geometry) : std::vector<CuttingFace>{};
+    if (view.frontPlane && view.frontPlane->forward != frame.forward)
+        faces.push_back(cuttingFaceOf(*view.frontPlane, geometry));
 
     std::vector<TubeAxis> axes;
     axes.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));

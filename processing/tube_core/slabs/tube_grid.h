@@ -33,11 +33,11 @@ struct TubeAxis {
                             ///< view's box, if it has one, else of the volume
     Vec3 directionMm{0, 0, 1};  ///< unit, grid mm: the view's forward
     /// Where the picture begins on the axis, voxel index space: the entry into the volume's box or, if later, into the
-    /// view's box, the near cut or the cut surface. Not set if the axis misses the picture, or if the tube core is
-    /// never placed.
+    /// view's box, or behind the flat front or the cut surface. Not set if the axis misses the picture, or if the tube
+    /// core is never placed.
     std::optional<Vec3> entryVoxel;
     /// Units from entryVoxel to the place where the picture ends on the axis: where the axis leaves the volume's box or
-    /// the view's box, or comes out of the cut surface again. Set if entryVoxel is set.
+    /// the view's box, or comes out of the front again. Set if entryVoxel is set.
     std::optional<double> lengthUnits;
 };
 

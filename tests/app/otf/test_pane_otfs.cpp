@@ -75,7 +75,7 @@ private slots:
         QVERIFY(!m_otfs->of(firstPane));  // nothing that is computed plays a part there
         QVERIFY(m_otfs->isNewest(PaneOtfs::adaptiveOfScene));
         QCOMPARE(m_adaptive.size(), std::size_t{1});
-        QCOMPARE(m_adaptive.front().view.nearCutMm, 1.0);
+        QCOMPARE(frontDepthMm(m_adaptive.front().view), 1.0);
         QVERIFY(m_asked.empty());
     }
 

@@ -97,6 +97,9 @@ private slots:
 
     void theFrontIsBowedAndEscapeTakesADragBack() {
         key(Qt::Key_B);
+        Document next = document();
+        next.scene.front = frontAcross({}, 15);
+        window().document().edit(next, "front");
         PlanePane& b = pane("planes.b");
         const int steps = window().document().steps().count();
         const BoxGrip bow = grip(b, BoxGrip::Kind::bow);
@@ -114,19 +117,96 @@ private slots:
         QVERIFY((grip(b, BoxGrip::Kind::bow).at - bow.at - QPointF(0, 40)).manhattanLength() < 6);
     }
 
-    void theNearCutIsMovedInAPlane() {
+    void theFrontIsMovedInAPlane() {
         Document next = document();
-        next.scene.front = {.depthMm = 20};
-        window().document().edit(next, "near cut");
+        next.scene.front = frontAcross({}, 20);
+        window().document().edit(next, "set up");
         PlanePane& a = pane("planes.a");
-        const QPolygonF line = a.drawing().startLine;
+        const QPolygonF line = a.drawing().frontLine;
         QVERIFY(!line.isEmpty());
         // Beside the diamond in the middle and inside the pane's rim.
         const auto place = std::ranges::find_if(line, [&](const QPointF& at) { return at.x() > a.width() * 0.25; });
         const QPointF from = *place;
         drag(a, from, from + QPointF(0, 25));
         QVERIFY(std::abs(document().scene.front.depthMm - 20 - 25 * a.mapping().mmPerPixel()) < 1e-6);
-        QCOMPARE(window().document().steps().undoText(), "near cut");
+        QCOMPARE(window().document().steps().undoText(), "front");
+    }
+
+    void theFrontStaysInItsPlacesInThePlanesWhileTheViewTurns() {
+        Document next = document();
+        next.scene.front = frontAcross({}, 20);
+        window().document().edit(next, "set up");
+        const QPolygonF line = pane("planes.a").drawing().frontLine;
+        QVERIFY(!line.isEmpty());
+        next = document();
+        next.scene.pose.direction = {70, -30, 15};
+        window().document().edit(next, "turn");
+        QCOMPARE(pane("planes.a").drawing().frontLine, line);
+        window().motionPlayer().setAngle(20);
+        QCOMPARE(pane("planes.a").drawing().frontLine, line);
+    }
+
+    void theWheelOverItsLineMovesTheFrontAndElsewhereThePlanes() {
+        Document next = document();
+        next.scene.front = frontAcross({}, 20);
+        window().document().edit(next, "set up");
+        PlanePane& a = pane("planes.a");
+        const QPolygonF line = a.drawing().frontLine;
+        const QPointF on = *std::ranges::find_if(line, [&](const QPointF& at) { return at.x() > a.width() * 0.25; });
+        const auto wheel = [&](const QPointF& at, int notches) {
+            QWheelEvent event(at, a.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
+                              Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&a, &event);
+        };
+        const Planes before = document().scene.planes;
+        const double unit = window().openStudy().volume()->geometry().unit();
+        wheel(on, -1);
+        QVERIFY(std::abs(document().scene.front.depthMm - 20 - unit) < 1e-9);
+        QVERIFY(document().scene.planes == before);
+        wheel(on + QPointF(0, 60), -1);
+        QVERIFY(std::abs(document().scene.front.depthMm - 20 - unit) < 1e-9);
+        QVERIFY(document().scene.planes != before);
+    }
+
+    void boxAndFrontAreToldApartByPointerAndPlace() {
+        key(Qt::Key_B);
+        Document next = document();
+        next.scene.front = frontAcross({}, 0.1);  // on the box's own face
+        window().document().edit(next, "set up");
+        PlanePane& a = pane("planes.a");
+        const auto pointerAt = [&](const QPointF& at) {
+            QMouseEvent move(QEvent::MouseMove, at, a.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(&a, &move);
+            return a.cursor().shape();
+        };
+        const BoxGrip bow = grip(a, BoxGrip::Kind::bow), face = grip(a, BoxGrip::Kind::face, {2, -1});
+        QVERIFY(QLineF(bow.at, face.at).length() >= 16.0);
+        QCOMPARE(pointerAt(bow.at), Qt::PointingHandCursor);
+        QCOMPARE(pointerAt(face.at), Qt::SizeVerCursor);
+        QCOMPARE(pointerAt(grip(a, BoxGrip::Kind::centre).at), Qt::SizeAllCursor);
+    }
+
+    void theFrontIsHeldIn3d() {
+        Document next = document();
+        next.scene.front = frontAcross({}, 20);
+        next.scene.pose.direction = {60, 0, 0};
+        window().document().edit(next, "set up");
+        child<QCheckBox>("view.front.show")->setChecked(true);
+        QTRY_VERIFY(window().volumeView().pictureIsCurrent());
+        const OrientedBox data = orientedBoxOf(window().openStudy().volume()->dataBox());
+        const double depth = window().openStudy().volume()->geometry().depthsAlong({0, 0, 1}).nearest + 20;
+        const Vec3 handle(data.centreMm[0], data.centreMm[1], depth - 0.08 * data.sizeMm[2]);
+        const QPoint from = seenIn3d(handle);
+        QTest::mousePress(pictureWindow(), Qt::LeftButton, {}, from);
+        moveIn3d(from + QPoint(-30, 0));
+        QTest::mouseRelease(pictureWindow(), Qt::LeftButton, {}, from + QPoint(-30, 0));
+        QCOMPARE(window().document().steps().undoText(), "front");
+        // The handle's picture has followed the hand.
+        const double moved = document().scene.front.depthMm - 20;
+        QVERIFY(std::abs(moved) > 1);
+        const QPoint now = seenIn3d(handle + Vec3(0, 0, moved));
+        QVERIFY((now - from - QPoint(-30, 0)).manhattanLength() <= 2);
+        QVERIFY(document().scene.pose == next.scene.pose);
     }
 
     void aDragEndsWhereItsGripsVanishAndKeepsWhatElseChanges() {

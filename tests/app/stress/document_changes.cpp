@@ -51,7 +51,7 @@ Values withAnotherRow(const ParameterTable<Values>& table, const Values& values,
 /// A bowed surface of a few nodes, somewhere in the upper half of the data.
 CutSurface anySurface(const StudyBounds& bounds, RandomChoice& choice) {
     CutSurface surface;
-    surface.frame = frameOf(viewpointOf(BeamAxis::plusZ, anyDirection(choice), 0));
+    surface.frame = frameOf(viewpointOf(BeamAxis::plusZ, anyDirection(choice)));
     surface.columns = 2 + choice.below(6);
     surface.rows = 2 + choice.below(6);
     surface.spacingMm = lengthOf(bounds.box) / std::max(surface.columns, surface.rows);
@@ -67,7 +67,7 @@ CutSurface anySurface(const StudyBounds& bounds, RandomChoice& choice) {
 
 ScalpelStroke anyStroke(const Document& document, const StudyBounds& bounds, RandomChoice& choice) {
     ScalpelStroke stroke;
-    const Viewpoint view = viewpointOf(document.beam.axis, document.scene.pose.direction, 0);
+    const Viewpoint view = viewpointOf(document.beam.axis, document.scene.pose.direction);
     stroke.camera = defaultCamera(bounds.box, view, 1.2);
     stroke.tool =
         choice.of(std::array{ScalpelTool::freehand, ScalpelTool::polygon, ScalpelTool::box, ScalpelTool::eraser});

@@ -218,27 +218,22 @@ TEST(DocumentFile, EveryKeyButTableRowsIsNeeded) {
     }
 }
 
-TEST(DocumentFile, APlaneAcrossThePoseIsReadAsOneThatTurnsWithIt) {
+TEST(DocumentFile, AFlatFrontKeepsItsDirectionWhateverThePose) {
     Document document;
     document.scene.pose.direction = {30, -10, 5};
-    document.scene.front.depthMm = 7;
-    const auto object = nlohmann::ordered_json::parse(jsonOf(document));
-    EXPECT_EQ(object["scene"]["front"]["direction"]["azimuth"], 30);
-    EXPECT_TRUE(documentFromJson(object.dump()).value() == document);
-    document.scene.front.direction = ViewDirection{0, 0, 0};
-    EXPECT_TRUE(documentFromJson(jsonOf(document)).value() == document);
+    for (const ViewDirection& direction : {ViewDirection{30, -10, 5}, ViewDirection{}, ViewDirection{-70, 20, 0}}) {
+        document.scene.front = frontAcross(direction, 7);
+        const auto object = nlohmann::ordered_json::parse(jsonOf(document));
+        EXPECT_EQ(object["scene"]["front"]["direction"]["azimuth"], direction.azimuth);
+        EXPECT_TRUE(documentFromJson(object.dump()).value() == document);
+    }
 }
 
-TEST(DocumentFile, APlaneThatIsFixedAcrossThePoseStaysFixed) {
+TEST(DocumentFile, AFrontThatDoesNotCutHasNoDirection) {
     Document document;
-    document.scene.pose.direction = {.azimuth = 20, .elevation = 5, .roll = 0};
-    document.scene.front = {.depthMm = 3, .direction = document.scene.pose.direction};
-    const auto read = documentFromJson(jsonOf(document));
+    const auto read = documentFromJson(changed(jsonOf(document), "/scene/front/direction/azimuth", 12));
     ASSERT_TRUE(read) << read.error().sentence();
-    EXPECT_EQ(read->scene.front.direction, document.scene.pose.direction);
-    const auto no = documentFromJson(changed(jsonOf(document), "/scene/front/fixed", false));
-    ASSERT_TRUE(no) << no.error().sentence();
-    EXPECT_FALSE(no->scene.front.direction);
+    EXPECT_EQ(read->scene.front, Front{});
 }
 
 TEST(DocumentFile, GivesThePaneOfANumber) {

@@ -24,7 +24,8 @@ TEST(DocumentVersion1, TheWindowGetsView1AndWhatItIsComparedWith) {
     std::get<StudyFile>(expected.study).options.blackAtZero = true;
     Scene& scene = expected.scene;
     scene.pose = Pose{};
-    scene.front = {.depthMm = std::numeric_limits<double>::denorm_min()};
+    // It lay across the view shown.
+    scene.front = frontAcross(shownPose(expected).direction, std::numeric_limits<double>::denorm_min());
     scene.strokes.clear();
     expected.panes = {expected.panes[0],
                       {.curve = CurveKind::manual,
@@ -42,7 +43,9 @@ TEST(DocumentVersion1, EveryViewIsReadByItsId) {
     ASSERT_TRUE(third) << third.error().sentence();
     Document expected = unusualDocument();
     std::get<StudyFile>(expected.study).options.blackAtZero = true;
-    expected.scene.front.direction.reset();
+    // The flat cut lay across this view, and the curved one looks another way.
+    expected.scene.front.depthMm = 0.0;
+    expected.scene.front.direction = ViewDirection{};
     expected.scene.box = {};
     expected.panes = {{.curve = CurveKind::quartic, .designer = expected.panes[2].designer}};
     EXPECT_TRUE(third->document.scene == expected.scene);

@@ -44,7 +44,7 @@ inline Document unusualDocument() {
     scene.side = {12.3, -4.5, 6.7};
     const ViewFrame front = frameOf(Viewpoint{.azimuthDegrees = 12.3});
     scene.front = {.depthMm = 18.04000000000001,
-                   .direction = directionOf(viewAlong(front.forward, front.down, BeamAxis::minusX, 0.0))};
+                   .direction = directionOf(viewAlong(front.forward, front.down, BeamAxis::minusX))};
     scene.front.source = FrontSource::found;
     scene.front.surface = CutSurface{.frame = front,
                                      .firstRightMm = -1.0 / 3.0,

@@ -32,7 +32,7 @@ TEST(AdaptiveOtf, FindsASlantedPlaneInAnAnisotropicVolumeAtItsDepthInMm) {
     plane.normal = normalized(Vec3(0.2, -0.15, 1.0));
     plane.distanceMm = plane.normal.dot(plane.geometry().centreMm());
     for (const Viewpoint& view :
-         {Viewpoint{}, Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -15}, Viewpoint{.nearCutMm = 6}}) {
+         {Viewpoint{}, Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -15}, withFrontAcross({}, 6)}) {
         const Found found = tubesOnPlane(adapted(plane.make(), view), plane, 3.0);
         EXPECT_GT(found.of, 80);
         EXPECT_EQ(found.right, found.of);
@@ -168,7 +168,7 @@ TEST(AdaptiveOtf, BeginsBehindTheNearCut) {
     auto voxels = plane.voxels<std::uint8_t>();
     std::fill(voxels.begin(), voxels.begin() + 100 * 100 * 12, std::uint8_t{60});
     const Volume volume(plane.geometry(), voxels);
-    const AdaptiveOtf uncut = adapted(volume), cut = adapted(volume, Viewpoint{.nearCutMm = 14});
+    const AdaptiveOtf uncut = adapted(volume), cut = adapted(volume, withFrontAcross({}, 14));
     for (std::size_t t = 0; t < cut.tubes.size(); ++t) {
         EXPECT_GT(*uncut.tubes[t].lowIntensityMax, 0.2);
         ASSERT_EQ(cut.tubes[t].status, TubeStatus::surface);

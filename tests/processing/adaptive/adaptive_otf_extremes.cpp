@@ -351,7 +351,7 @@ TEST(AdaptiveOtfExtremes, AViewBesideTheVolumeMeetsNothing) {
     const PlaneVolume plane;
     forEveryConfig(plane.make(),
                    [](const AdaptiveOtf& result, const AdaptiveOtfConfig&) { EXPECT_EQ(result.tubesMeetingVolume, 0); },
-                   {}, {Viewpoint{.nearCutMm = 1e6}});
+                   {}, {withFrontAcross({}, 1e6)});
 }
 
 }  // namespace

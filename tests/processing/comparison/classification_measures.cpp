@@ -51,7 +51,7 @@ TEST(ClassificationMeasures, WhatTheViewCutsOffIsNotThere) {
     };
     AdaptiveOtf boxed = oneTube(20, 0.1), cut = boxed, surface = boxed;
     boxed.view.box = OrientedBox{.centreMm = {2.5, 2.5, 19.5}, .sizeMm = {10, 10, 20}};  // slices 10 to 29
-    cut.view.nearCutMm = 15;                                                             // slices 15 to 39
+    cut.view = withFrontAcross(cut.view, 15);                                            // slices 15 to 39
     surface.view.cutSurface = CutSurface{.frame = frameOf(Viewpoint{}),
                                          .firstRightMm = -10,
                                          .firstDownMm = -10,

@@ -41,7 +41,7 @@ TEST(PlainFrames, APixelIsTheSeriesOfItsRay) {
 TEST(PlainFrames, KeepWhatTheViewCutsOff) {
     const auto render = plainFrameRenderer(layers());
     SweepFrame cut, boxed;
-    cut.view.nearCutMm = 15;
+    cut.view = withFrontAcross(cut.view, 15);
     boxed.view.box = OrientedBox{.centreMm = {2.5, 2.5, 19.5}, .sizeMm = {3, 2, 20}};  // slices 10 to 29
     EXPECT_NEAR(render(cut, constantOpacity(0.07))->rgba[0], lightThrough(0.07, 15), 1e-6);
     const Picture picture = *render(boxed, constantOpacity(0.07));

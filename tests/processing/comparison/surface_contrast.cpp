@@ -88,7 +88,7 @@ TEST(SurfaceContrast, TheNearCutTakesWhatLiesBeforeItAway) {
     constexpr double opacity = 0.1;
     const OpacityCurve curve = constantOpacity(opacity);
     const SurfaceContrast cut =
-        surfaceContrasts(twoLayers(100, 200), allRays(), Viewpoint{.nearCutMm = 15}, {&curve, 1}).front();
+        surfaceContrasts(twoLayers(100, 200), allRays(), withFrontAcross({}, 15), {&curve, 1}).front();
     double rest = 0.0;
     for (int k = 15; k < 18; ++k) rest += std::pow(1 - opacity, k - 15) * opacity * 100;
     for (int k = 26; k < depth; ++k) rest += std::pow(1 - opacity, k - 15) * opacity * 200;

@@ -115,7 +115,7 @@ TEST(BoxEditing, TheStartSurfaceBeginsWhereThePictureDoes) {
     Document document;
     const Volume volume = even();
     const auto depthAtCentre = [&](const Document& of) {
-        const CutSurface surface = startSurface(of, volume);
+        const CutSurface surface = surfaceOfFront(of, volume);
         EXPECT_EQ(problemOf(surface), "");
         return surface.depthAt(volume.geometry().centreMm());
     };
@@ -127,15 +127,15 @@ TEST(BoxEditing, TheStartSurfaceBeginsWhereThePictureDoes) {
     Box box = boxed.scene.box;
     box.sizeMm[2] = 20;
     EXPECT_NEAR(depthAtCentre(withBox(boxed, box)), 29.5, 1e-6) << "the box's front is deeper";
-    const CutSurface own = bowed(startSurface(document, volume), 3);
+    const CutSurface own = bowed(surfaceOfFront(document, volume), 3);
     document.scene.front = {.surface = own};
-    EXPECT_TRUE(startSurface(document, volume) == own);
+    EXPECT_TRUE(surfaceOfFront(document, volume) == own);
 }
 
 TEST(BoxEditing, ABowIsDeepestInTheMiddleAndLeavesTheBorder) {
     Document document;
     const Volume volume = even();
-    const CutSurface flat = startSurface(document, volume), surface = bowed(flat, 5);
+    const CutSurface flat = surfaceOfFront(document, volume), surface = bowed(flat, 5);
     const Vec3 centre = volume.geometry().centreMm();
     EXPECT_NEAR(surface.depthAt(centre) - flat.depthAt(centre), 5 * bowAt(flat, centre), 0.05);
     EXPECT_GT(bowAt(flat, centre), 0.99);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "processing/light/rendered_part.h"
 #include "processing/motion/otf_sweep.h"
+#include "processing/picture/view_limits.h"
 
 namespace echolucent {
 namespace {
@@ -47,8 +49,8 @@ Document threePanes() {
 TEST(Document, PanesShareTheSceneAndHaveACurveEach) {
     Document document = threePanes();
     document.scene.pose = Pose{{10, 20, 30}, {1, 2, 3}, 1.5};
-    document.scene.front.depthMm = 4;
-    EXPECT_TRUE(viewpointOf(document) == (Viewpoint{BeamAxis::plusZ, 10, 20, 30, 4}));
+    document.scene.front = frontAcross({10, 20, -5}, 4);
+    EXPECT_TRUE(viewpointOf(document) == (withFrontAcross(Viewpoint{BeamAxis::plusZ, 10, 20, 30}, 4)));
     EXPECT_FALSE(curveOf(document, 1, {}) == curveOf(document, 2, {}));
     EXPECT_THROW((void)curveOf(document, 3, {}), std::out_of_range);
 }
@@ -57,25 +59,27 @@ TEST(Document, TheMotionTurnsWhatIsShownAndNotThePose) {
     Document document;
     document.beam.axis = BeamAxis::minusY;
     document.scene.pose = Pose{{5, 6, 7}, {0, 0, 0}, 2};
-    document.scene.front.depthMm = 3;
+    document.scene.front = frontAcross({5, 6, 7}, 3);
     const Pose before = document.scene.pose;
     document.scene.motionAngle = 12;
-    const Viewpoint start{BeamAxis::minusY, 5, 6, 7, 3};
+    const Viewpoint start = withFrontAcross({BeamAxis::minusY, 5, 6, 7}, 3);
     for (const MotionAxis axis : {MotionAxis::x, MotionAxis::y, MotionAxis::z}) {
         document.motion.axis = axis;
         EXPECT_TRUE(viewpointOf(document) == turned(start, axis, 12));
         EXPECT_TRUE(shownPose(document).direction == directionOf(turned(start, axis, 12)));
         EXPECT_TRUE(document.scene.pose == before);
-        EXPECT_TRUE(otfViewpointOf(document, firstPane) == (Viewpoint{BeamAxis::minusY, 0, 0, 0, 3}));
+        Viewpoint fromSide{BeamAxis::minusY};
+        fromSide.frontPlane = start.frontPlane;
+        EXPECT_TRUE(otfViewpointOf(document, firstPane) == fromSide);
     }
 }
 
 TEST(Pose, AMotionOverAPoleShowsADirectionThatAFileMayHold) {
     for (const double elevation : {-100.0, -90.0, 0.0, 90.0, 91.0, 135.0, 180.0, 269.0}) {
-        const Viewpoint view{BeamAxis::plusY, 170, elevation, -30, 0};
+        const Viewpoint view{BeamAxis::plusY, 170, elevation, -30};
         const ViewDirection direction = directionOf(view);
         EXPECT_LE(std::abs(direction.elevation), 90.0) << elevation;
-        const ViewFrame seen = frameOf(view), said = frameOf(viewpointOf(BeamAxis::plusY, direction, 0));
+        const ViewFrame seen = frameOf(view), said = frameOf(viewpointOf(BeamAxis::plusY, direction));
         EXPECT_NEAR(length(seen.forward - said.forward) + length(seen.down - said.down), 0.0, 1e-12) << elevation;
         if (std::abs(elevation) <= 90.0) {
             EXPECT_TRUE(direction == (ViewDirection{170, elevation, -30})) << "to the bit";
@@ -94,8 +98,8 @@ TEST(Pose, AnOffsetTurnsWithTheCameraAboutTheCentre) {
     const BeamAxis beam = BeamAxis::plusX;
     const Pose pose{{10, -20, 30}, {4, 5, 6}, 1.25};
     const Pose turned = turnedTo(pose, beam, {70, 35, -15});
-    const ViewFrame before = frameOf(viewpointOf(beam, pose.direction, 0));
-    const ViewFrame after = frameOf(viewpointOf(beam, turned.direction, 0));
+    const ViewFrame before = frameOf(viewpointOf(beam, pose.direction));
+    const ViewFrame after = frameOf(viewpointOf(beam, turned.direction));
     EXPECT_NEAR(turned.offsetMm.dot(after.right), pose.offsetMm.dot(before.right), 1e-12);
     EXPECT_NEAR(turned.offsetMm.dot(after.down), pose.offsetMm.dot(before.down), 1e-12);
     EXPECT_NEAR(turned.offsetMm.dot(after.forward), pose.offsetMm.dot(before.forward), 1e-12);
@@ -144,41 +148,94 @@ TEST(Document, AnotherStudyKeepsWhatIsNoMatterOfTheStudy) {
 bool cutsAway(const Scene& scene, BeamAxis beam, const VolumeGeometry& geometry, const Vec3& place) {
     if (scene.front.surface && scene.front.surface->cutsAway(place)) return true;
     if (scene.front.depthMm == 0.0) return false;
-    const Viewpoint view = viewpointOf(beam, scene.front.direction.value_or(scene.pose.direction), scene.front.depthMm);
-    return frameOf(view).forward.dot(place) < nearPlaneDepthMm(view, geometry);
+    const Viewpoint view = viewpointOf(beam, scene.front.direction);
+    return frameOf(view).forward.dot(place) < nearPlaneDepthMm(view, geometry) + scene.front.depthMm;
 }
 
-TEST(Scene, AFrontThatStaysInTheVolumeCutsTheSameWhateverThePose) {
-    VolumeGeometry geometry;
-    geometry.size = {31, 27, 23};
-    geometry.spacing = Vec3(0.7, 0.9, 1.1);
-    Scene scene;
-    scene.pose.direction = {40, -25, 10};
-    scene.front.depthMm = 6;
-    EXPECT_TRUE(withFrontAcrossPose(scene, BeamAxis::plusZ, geometry) == scene) << "it lies across the pose";
-    scene.front.direction = ViewDirection{-10, 15, 0};
-    const Scene turned = withFrontAcrossPose(scene, BeamAxis::plusZ, geometry);
-    EXPECT_FALSE(turned.front.direction);
-    EXPECT_EQ(turned.front.depthMm, 0.0);
-    int cut = 0, places = 0;
-    for (int z = 0; z < 23; ++z)
-        for (int y = 0; y < 27; ++y)
-            for (int x = 0; x < 31; ++x) {
-                const Vec3 place(0.7 * x, 0.9 * y, 1.1 * z);
-                EXPECT_EQ(cutsAway(turned, BeamAxis::plusZ, geometry, place),
-                          cutsAway(scene, BeamAxis::plusZ, geometry, place));
-                cut += cutsAway(scene, BeamAxis::plusZ, geometry, place) ? 1 : 0;
-                ++places;
-            }
-    EXPECT_GT(cut, places / 20);
-    EXPECT_LT(cut, places / 2);
-    // Also if it lies across the pose of the moment.
-    scene.pose.direction = *scene.front.direction;
-    const Scene fixed = withFrontAcrossPose(scene, BeamAxis::plusZ, geometry);
-    EXPECT_EQ(fixed.front, turned.front);
+/// The voxels that a picture of the document leaves, or light, or tube cores.
+std::vector<bool> leftIn(const Viewpoint& view, const VolumeGeometry& geometry) {
+    const RayCastSettings settings = limitedTo(view, geometry, {});
+    const RenderedShares left({settings.front, settings.box, settings.clippingPlanes, settings.cutSurface}, {1, 1, 1});
+    std::vector<bool> voxels;
+    for (int z = 0; z < geometry.size[2]; ++z)
+        for (int y = 0; y < geometry.size[1]; ++y)
+            for (int x = 0; x < geometry.size[0]; ++x)
+                voxels.push_back(left.contains(geometry.gridMmFromVoxel(
+                    {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)})));
+    return voxels;
 }
 
 /// A surface over a cube of 40 voxels, bowed along its columns.
+CutSurface bowedSurface();
+
+// The front of 0.1 turned with the camera, so that a wall which was cut away came back as the hand moved.
+TEST(Scene, AFrontCutsTheSameVoxelsFromWhereverOneLooks) {
+    VolumeGeometry geometry;
+    geometry.size = {41, 37, 33};
+    geometry.spacing = Vec3(0.7, 0.9, 1.1);
+    for (const bool bowed : {false, true}) {
+        Document document;
+        document.beam.axis = BeamAxis::plusY;
+        document.scene.pose.direction = document.scene.side = {12, -7, 3};
+        document.scene.front = bowed ? Front{.surface = bowedSurface()} : frontAcross({12, -7, 3}, 11.3);
+        const std::vector<bool> first = leftIn(viewpointOf(document), geometry);
+        EXPECT_GT(std::ranges::count(first, true), 1000);
+        EXPECT_GT(std::ranges::count(first, false), 1000);
+        // Forty directions over the whole sphere, the poles among them, and the frames of a motion from each.
+        for (int i = 0; i < 40; ++i) {
+            const double elevation = i < 2 ? (i == 0 ? 90.0 : -90.0) : std::asin(2.0 * (i + 0.5) / 40 - 1) * 57.29578;
+            document.scene.pose.direction = {137.507764 * i - 180.0 * std::floor(137.507764 * i / 180.0), elevation,
+                                             9.0 * i};
+            for (const double angle : {-45.0, 0.0, 17.0, 45.0}) {
+                document.scene.motionAngle = angle;
+                EXPECT_EQ(leftIn(viewpointOf(document), geometry), first) << i << ' ' << angle;
+                EXPECT_EQ(leftIn(otfViewpointOf(document, firstPane), geometry), first) << i << ' ' << angle;
+            }
+        }
+    }
+}
+
+TEST(Scene, TheDepthOfAFrontIsCountedAlongItsOwnForward) {
+    VolumeGeometry geometry;
+    geometry.size = {40, 40, 40};
+    EXPECT_EQ(depthOf(Front{}, geometry), 0.0);
+    EXPECT_EQ(depthOf(frontAcross({30, 0, 0}, 7.5), geometry), 7.5);
+    EXPECT_EQ(movedTo(frontAcross({30, 0, 0}, 7.5, FrontSource::found), 9, geometry), frontAcross({30, 0, 0}, 9));
+    EXPECT_EQ(movedTo(frontAcross({30, 0, 0}, 7.5), 0, geometry), Front{});
+    const Front bowed{.surface = bowedSurface(), .source = FrontSource::found};
+    // The node over the centre, 19.5 mm from the origin, is the 21st; the box begins half a voxel before the origin.
+    EXPECT_NEAR(depthOf(bowed, geometry), 21 / 3.0 + 0.5, 1e-5);
+    const Front moved = movedTo(bowed, 12.5, geometry);
+    EXPECT_NEAR(depthOf(moved, geometry), 12.5, 1e-5);
+    EXPECT_EQ(moved.source, FrontSource::person);
+    for (const int node : {0, 17, 41})
+        EXPECT_NEAR(moved.surface->depthMm[static_cast<std::size_t>(node)] -
+                        bowed.surface->depthMm[static_cast<std::size_t>(node)],
+                    5.0, 1e-5);
+}
+
+TEST(Scene, AFrontFromHereKeepsItsDepthInTheMiddleOfThePicture) {
+    VolumeGeometry geometry;
+    geometry.size = {60, 60, 60};
+    const Vec3 middle = geometry.centreMm();
+    const Front front = frontAcross({}, 20);  // at z = 19.5
+    for (const double azimuth : {0.0, 15.0, 40.0, 70.0}) {
+        const Viewpoint view{.azimuthDegrees = azimuth};
+        const Front tilted = acrossView(front, view, middle, geometry);
+        EXPECT_EQ(tilted.direction, directionOf(view));
+        const Vec3 forward = frameOf(view).forward;
+        const double depth = geometry.depthsAlong(forward).nearest + tilted.depthMm;
+        // The middle line passes through (29.5, y, 29.5), and met the front at z = 19.5.
+        const double expected = forward.dot(middle) - 10.0 / std::cos(azimuth / 57.29577951);
+        EXPECT_NEAR(depth, std::max(expected, geometry.depthsAlong(forward).nearest + 0.1), 0.05 + 1e-9) << azimuth;
+    }
+    // Seen from behind, the front lies where it lay: 20 mm from one side are 40 mm from the other.
+    EXPECT_NEAR(acrossView(front, {.azimuthDegrees = 180}, middle, geometry).depthMm, 40.0, 0.05);
+    // Something of the volume is left, however far the point lies.
+    const Front far = acrossView(front, {.azimuthDegrees = 90}, {1e4, 0, 0}, geometry);
+    EXPECT_LT(far.depthMm, 60.0);
+}
+
 CutSurface bowedSurface() {
     CutSurface surface{.frame = frameOf(Viewpoint{}), .columns = 42, .rows = 42};
     surface.firstRightMm = surface.firstDownMm = -1;
@@ -193,8 +250,9 @@ TEST(Scene, AFrontThatIsBowedAndFlatIsOneSurface) {
     scene.pose.direction = {90, 0, 0};
     scene.front = {.depthMm = 8, .direction = ViewDirection{25, -15, 40}, .surface = bowedSurface()};
     EXPECT_EQ(problemOf(scene, BeamAxis::plusZ), "");
-    const Scene turned = withFrontAcrossPose(scene, BeamAxis::plusZ, geometry);
-    const CutSurface& surface = *turned.front.surface;
+    const Front joined = withOneFront(scene.front, BeamAxis::plusZ, geometry);
+    EXPECT_EQ(joined.depthMm, 0.0);
+    const CutSurface& surface = *joined.surface;
     int ofPlane = 0;
     for (int row = 0; row < 42; ++row)
         for (int column = 0; column < 42; ++column) {
@@ -221,15 +279,14 @@ TEST(Scene, APlaneThatABowedSurfaceCannotFollowIsRefused) {
 TEST(Scene, AFrontBehindTheVolumeLeavesNothingAndStaysFinite) {
     VolumeGeometry geometry;
     geometry.size = {20, 20, 20};
-    for (const bool bowed : {false, true}) {
-        Scene scene;
-        scene.front = {.depthMm = 1e300, .direction = ViewDirection{20, 0, 0}};
-        if (bowed) scene.front.surface = bowedSurface();
-        const Scene turned = withFrontAcrossPose(scene, BeamAxis::plusZ, geometry);
-        EXPECT_EQ(problemOf(*turned.front.surface), "");
-        for (const double z : {0.0, 10.0, 18.9})
-            EXPECT_TRUE(turned.front.surface->cutsAway({10, 10, z})) << bowed << ' ' << z;
-    }
+    const Front front{.depthMm = 1e300, .direction = ViewDirection{20, 0, 0}, .surface = bowedSurface()};
+    const Front joined = withOneFront(front, BeamAxis::plusZ, geometry);
+    EXPECT_EQ(problemOf(*joined.surface), "");
+    for (const double z : {0.0, 10.0, 18.9}) EXPECT_TRUE(joined.surface->cutsAway({10, 10, z})) << z;
+    const Front flat = frontAcross({20, 0, 0}, 1e300);
+    EXPECT_EQ(withOneFront(flat, BeamAxis::plusZ, geometry), flat);
+    const std::vector<bool> left = leftIn(behindFront(Viewpoint{}, flat), geometry);
+    EXPECT_EQ(std::ranges::count(left, true), 0);
 }
 
 TEST(Document, NamesOfChoicesGoBothWays) {

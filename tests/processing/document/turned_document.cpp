@@ -65,7 +65,7 @@ Document documentAlong(BeamAxis beam) {
     scene.motionAngle = 17;
     scene.front.depthMm = 2.3;
     scene.front.direction = ViewDirection{10, 11, -12};
-    CutSurface surface{.frame = frameOf(viewpointOf(beam, {15, 6, -3}, 0)), .columns = 3, .rows = 2};
+    CutSurface surface{.frame = frameOf(viewpointOf(beam, {15, 6, -3})), .columns = 3, .rows = 2};
     surface.spacingMm = 6;
     surface.firstRightMm = surface.frame.right.dot(grid.centreMm()) - 5;
     surface.firstDownMm = surface.frame.down.dot(grid.centreMm()) - 2;
@@ -77,13 +77,13 @@ Document documentAlong(BeamAxis beam) {
     scene.planes.offsetMm = {0.2, -0.6, 1.2};
     scene.planes.crops = {{{0.3, -0.4, 1.2}, {-0.5, 0.6, 1.5}, {0.7, 0.8, 2}}};
     ScalpelStroke outline{
-        .camera = {{2, 4, 6}, frameOf(viewpointOf(beam, {30, 5, 7}, 0)), Projection::perspective, 9, 30, 25},
+        .camera = {{2, 4, 6}, frameOf(viewpointOf(beam, {30, 5, 7})), Projection::perspective, 9, 30, 25},
         .places = {{-0.2, -0.1}, {0.25, 0.0}, {0.1, 0.3}},
         .depthMm = {}};
     outline.depthMm = outline.camera.frame.forward.dot(grid.centreMm());
     ScalpelStroke eraser{
         .tool = ScalpelTool::eraser,
-        .camera = {{3, 5, 7}, frameOf(viewpointOf(beam, {-10, 0, 2}, 0)), Projection::parallel, 12, 30, 9},
+        .camera = {{3, 5, 7}, frameOf(viewpointOf(beam, {-10, 0, 2})), Projection::parallel, 12, 30, 9},
         .places = {{-0.2, 0.1}, {0.2, -0.1}},
         .radius = 0.1};
     scene.strokes = {outline, eraser};
@@ -105,7 +105,7 @@ void expectSameFrame(const ViewFrame& before, const ViewFrame& after, const Mirr
 /// Whether pictures show each place where they showed it, but that left and right change.
 void expectSamePictures(const Document& before, const Document& after, const Mirror& mirror) {
     const auto cameraOf = [](const Document& document, const DataBox& box) {
-        return cameraFor(cameraPoseOf(shownPose(document), document.beam.axis, 0.0, box, Projection::perspective, 1.3));
+        return cameraFor(cameraPoseOf(shownPose(document), document.beam.axis, box, Projection::perspective, 1.3));
     };
     const Camera camera = cameraOf(before, data), turned = cameraOf(after, mirror.box(data));
     for (const Vec3& place : somePlaces()) {
@@ -132,8 +132,8 @@ void expectSamePictures(const Document& before, const Document& after, const Mir
 /// Whether the same places are cut away: by front, box and scalpel.
 void expectSameCuts(const Document& before, const Document& after, const Mirror& mirror) {
     const auto isBeforePlane = [](const Document& document, const Vec3& place) {
-        const Viewpoint view =
-            viewpointOf(document.beam.axis, *document.scene.front.direction, document.scene.front.depthMm);
+        const Viewpoint view = withFrontAcross(viewpointOf(document.beam.axis, document.scene.front.direction),
+                                               document.scene.front.depthMm);
         return frameOf(view).forward.dot(place) < nearPlaneDepthMm(view, grid);
     };
     std::array<int, 5> cut{};
@@ -173,8 +173,8 @@ void expectSameAnatomy(const Document& before, const Document& after, const Mirr
     EXPECT_LT(length(mirror.direction(frameOf({.beamAxis = before.beam.axis}).forward) -
                      frameOf({.beamAxis = after.beam.axis}).forward),
               1e-12);
-    expectSameFrame(frameOf(viewpointOf(before.beam.axis, before.scene.side, 0)),
-                    frameOf(viewpointOf(after.beam.axis, after.scene.side, 0)), mirror, "side");
+    expectSameFrame(frameOf(viewpointOf(before.beam.axis, before.scene.side)),
+                    frameOf(viewpointOf(after.beam.axis, after.scene.side)), mirror, "side");
     // The side of the box is a face with a place in the body.
     const auto sideOf = [](const Document& document) {
         const Box& box = document.scene.box;

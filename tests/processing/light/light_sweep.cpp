@@ -103,9 +103,9 @@ TEST(LightSweep, WhatIsCutAwayCastsNoShadow) {
     LightSweep sweep(volume);
     const auto keyBehind = [&] { return keyAt(*sweep.lightVolume(rising(0.9), scene), 10, 10, 15); };
     EXPECT_EQ(keyBehind(), 0);
-    scene.rendered.nearPlaneDepthMm = 7.5;
-    EXPECT_EQ(keyBehind(), 255) << "near plane";
-    scene.rendered.nearPlaneDepthMm = 6.5;
+    scene.rendered.front = CuttingFace{{0, 0, 1}, 7.5};
+    EXPECT_EQ(keyBehind(), 255) << "front";
+    scene.rendered.front = CuttingFace{{0, 0, 1}, 6.5};
     EXPECT_NEAR(keyBehind(), 25.5, 1.0) << "a layer is left";
     scene.rendered = {};
     scene.rendered.box = RenderBox{{-1, -1, 7.5}, {30, 30, 30}};
@@ -150,7 +150,7 @@ TEST(LightSweep, WhatIsKeptChangesNothing) {
     EXPECT_TRUE(same()) << "another curve";
     scene.towardsViewer = {0, 1, 0.3};
     EXPECT_TRUE(same()) << "another viewer";
-    scene.rendered.nearPlaneDepthMm = 10;
+    scene.rendered.front = CuttingFace{{0, 0, 1}, 10};
     EXPECT_TRUE(same()) << "a cut";
     scene.coarseness = 4;
     EXPECT_TRUE(same()) << "coarser";
@@ -218,14 +218,13 @@ TEST(LightSweep, TheSceneOfAPictureTurnsWithItsCamera) {
     settings.camera.frame = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
     settings.shading = Shading{};
     settings.shading->towardsLight = {0.1, 0.2, -0.3};
-    settings.nearPlaneDepthMm = 4;
+    settings.front = CuttingFace{settings.camera.frame.forward, 4};
     settings.shading->keyHalfAngleDegrees = 21;
     settings.lightCoarseness = 3;
     const LightScene scene = lightSceneOf(settings, cubeGeometry(100));
     EXPECT_EQ(scene.towardsKey, Vec3(-0.3, 0.1, 0.2));
     EXPECT_EQ(scene.towardsViewer, Vec3(-1, 0, 0));
-    EXPECT_EQ(scene.rendered.forward, Vec3(1, 0, 0));
-    EXPECT_EQ(scene.rendered.nearPlaneDepthMm, 4);
+    EXPECT_TRUE(scene.rendered.front == (CuttingFace{{1, 0, 0}, 4}));
     EXPECT_EQ(scene.keyHalfAngleDegrees, 21);
     EXPECT_EQ(scene.coarseness, 2) << "light of a small volume is finer";
     EXPECT_EQ(lightSceneOf(settings, cubeGeometry(usualVolumeEdge)).coarseness, 3);

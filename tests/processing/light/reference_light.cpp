@@ -46,7 +46,7 @@ TEST(ReferenceLight, ASlabAttenuatesByItsSlantPath) {
     const light::ReferenceLight reference(*volume, curve, scene, 2, 0.05);
     EXPECT_NEAR(reference.at({20, 20, 25}).key, std::pow(0.7, 4.0 * length(scene.towardsKey)), 0.03)
         << "the ramps between voxel centres add to the slab what a concave curve adds";
-    scene.rendered.nearPlaneDepthMm = 15.0;
+    scene.rendered.front = CuttingFace{{0, 0, 1}, 15.0};
     EXPECT_EQ(light::ReferenceLight(*volume, curve, scene, 2).at({20, 20, 25}).key, 1.0) << "cut away";
 }
 

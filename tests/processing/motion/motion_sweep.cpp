@@ -33,8 +33,8 @@ AdaptiveOtfConfig fewTubes() {
 }
 
 TEST(Sweep, TurnsAboutTheViewsAxesLikeTheWindow) {
-    const Viewpoint start{
-        .beamAxis = BeamAxis::plusY, .azimuthDegrees = 5, .elevationDegrees = -3, .rollDegrees = 2, .nearCutMm = 7};
+    const Viewpoint start = withFrontAcross(
+        {.beamAxis = BeamAxis::plusY, .azimuthDegrees = 5, .elevationDegrees = -3, .rollDegrees = 2}, 7);
     Viewpoint expected = start;
     expected.elevationDegrees = 7;
     EXPECT_EQ(turned(start, MotionAxis::x, 10), expected);

@@ -112,7 +112,7 @@ TEST(NearCut, LiesBehindTheWallAndBeforeTheSurfaces) {
 TEST(NearCut, DoesNotDependOnTheViewsOwn) {
     const Volume volume = *makePhantom(phantomOf(PhantomScene::shapes, 24, true));
     const NearCutFinding uncut = *findNearCut(volume, {});
-    EXPECT_EQ(findNearCut(volume, {.nearCutMm = 20})->nearCutMm, uncut.nearCutMm);
+    EXPECT_EQ(findNearCut(volume, withFrontAcross({}, 20))->nearCutMm, uncut.nearCutMm);
 }
 
 TEST(NearCut, IsNoneWhereNothingStandsInFront) {

@@ -176,7 +176,7 @@ TEST(NearCutWalls, NeighbouringViewsGiveTheSameDepth) {
     for (const BeamAxis axis : {BeamAxis::plusZ, BeamAxis::minusY})
         for (const auto& [azimuth, elevation] : {std::pair{0.0, 0.0}, {10.0, 0.0}, {-10.0, 0.0}, {5.0, 10.0}}) {
             Viewpoint view{.beamAxis = axis, .azimuthDegrees = azimuth, .elevationDegrees = elevation};
-            view.nearCutMm = findNearCut(volume, view)->nearCutMm;
+            view = withFrontAcross(view, findNearCut(volume, view)->nearCutMm);
             const double before = frameOf(view).forward.dot(chamber) - nearPlaneDepthMm(view, volume.geometry());
             EXPECT_GT(before, 4.0) << azimuth << " " << elevation;
             EXPECT_LT(before, 9.0) << azimuth << " " << elevation << ": the cut lies inside the chamber of 9 mm";
@@ -199,7 +199,7 @@ TEST(NearCutWalls, DepthCountsFromTheDataAndTheOutsideIsNoFluid) {
 TEST(NearCutWalls, TheViewsOwnCutsPlayNoPart) {
     const Volume volume = painted(cube, behindWall(slantedWall));
     const auto uncut = *findNearCut(volume, {});
-    Viewpoint cut{.nearCutMm = 30};
+    Viewpoint cut = withFrontAcross({}, 30);
     cut.cutSurface = uncut.surface;
     const auto again = *findNearCut(volume, cut);
     EXPECT_EQ(again.nearCutMm, uncut.nearCutMm);

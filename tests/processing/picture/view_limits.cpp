@@ -224,7 +224,7 @@ TEST(ViewLimits, ABoxFitsIntoThePictureWithAllItsCorners) {
                 EXPECT_NEAR(widest, 0.5 / 1.04, 1e-12);
             }
             const Pose pose = wholeVolumePose(volume.dataBox(), view, projection, aspect);
-            const CameraPose again = cameraPoseOf(pose, view.beamAxis, 0.0, volume.dataBox(), projection, aspect);
+            const CameraPose again = cameraPoseOf(pose, view.beamAxis, volume.dataBox(), projection, aspect);
             EXPECT_LT(length(again.focalPoint - fitted.focalPoint), 1e-9);
             EXPECT_NEAR(again.heightMm, fitted.heightMm, 1e-9);
         }

@@ -124,7 +124,8 @@ void compareWithReference() {
                         for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = i % 17 < 3 || i % 23 == 0 ? 0 : 1;
                         volume = volume.withDataMask(mask);
                     }
-                    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusY, 31, -17, 5, 2}, 29, 23);
+                    RayCastSettings settings =
+                        settingsFor(volume, withFrontAcross(Viewpoint{BeamAxis::plusY, 31, -17, 5}, 2), 29, 23);
                     settings.camera.projection = projection;
                     settings.interpolation = interpolation;
                     settings.step = 0.83;
@@ -198,7 +199,7 @@ TEST(PlainCaster, WholeStepsCountByTheirMiddles) {
     };
     constexpr double few = 1e-5;
     EXPECT_NEAR(samplesSeen([](RayCastSettings&) {}), 20, few);
-    EXPECT_NEAR(samplesSeen([](auto& s) { s.nearPlaneDepthMm = 4.5; }), 15, few);
+    EXPECT_NEAR(samplesSeen([](auto& s) { s.front = CuttingFace{s.camera.frame.forward, 4.5}; }), 15, few);
     EXPECT_NEAR(samplesSeen([](auto& s) { s.box = RenderBox{{-9, -9, 3}, {99, 99, 8}}; }), 5, few) << "3 to 7";
     EXPECT_NEAR(samplesSeen([](auto& s) { s.box = RenderBox{{7, -9, -9}, {99, 99, 99}}; }), 0, few);
     EXPECT_NEAR(samplesSeen([](auto& s) { s.clippingPlanes = {{{0, 0, 6.5}, {0, 0, 2}}}; }), 13, few);
@@ -218,13 +219,18 @@ TEST(PlainCaster, CutStepsCountWithTheLengthThatIsLeft) {
     };
     for (const double step : {0.3, 1.0, 2.7, 50.0}) {
         EXPECT_NEAR(unitsSeen(step, [](RayCastSettings&) {}), 20, 1e-5) << step;
-        EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.nearPlaneDepthMm = 4.2; }), 15.3, 1e-5) << step;
+        EXPECT_NEAR(unitsSeen(step,
+                              [](auto& s) {
+                                  s.front = CuttingFace{s.camera.frame.forward, 4.2};
+                              }),
+                    15.3, 1e-5)
+            << step;
         EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.box = RenderBox{{-9, -9, 3.1}, {99, 99, 7.4}}; }), 4.3, 1e-5);
         EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.clippingPlanes = {{{0, 0, 6.2}, {0, 0, 2}}}; }), 13.3, 1e-5);
         EXPECT_NEAR(unitsSeen(step, [](auto& s) { s.clippingPlanes = {{{0, 0, 6.2}, {0, 0, -1}}}; }), 6.7, 1e-5);
     }
     // Obliquely, the length of every ray within the box is found by its own arithmetic.
-    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 33, 21, 7, 0}, 31, 31);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 33, 21, 7}, 31, 31);
     settings.step = 3.3;
     const Picture picture = cast(volume, everywhere(0.1), settings);
     const Camera& camera = settings.camera;
@@ -254,7 +260,7 @@ TEST(PlainCaster, DepthColouringGoesFromTheNearTintToTheFarOne) {
     };
     EXPECT_NEAR(redAt(0), 1 - 0.5 / 20, floatError);
     EXPECT_NEAR(redAt(19), 0.5 / 20, floatError);
-    settings.nearPlaneDepthMm = 9.5;
+    settings.front = CuttingFace{settings.camera.frame.forward, 9.5};
     EXPECT_NEAR(redAt(10), 1 - 0.5 / 10, floatError) << "from the near plane on";
 }
 
@@ -303,7 +309,7 @@ TEST(PlainCaster, EndsARayWhereItIsAsked) {
 
 TEST(PlainCaster, SamePixelsForAnyNumberOfThreadsAndCancelled) {
     const Volume volume = randomVolume<std::uint8_t>({19, 17, 13}, {1, 0.8, 1.2}, 5);
-    const RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusX, 20, 10, 0, 0}, 60, 50);
+    const RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusX, 20, 10, 0}, 60, 50);
     const OpacityCurve curve = PowerCurve{2, 0.5};
     Picture alone;
     tbb::task_arena(1).execute([&] { alone = cast(volume, curve, settings); });

@@ -70,33 +70,28 @@ struct Setting {
 
 const Setting settingsTried[] = {
     {"along z", {}, {1, 1, 1}, Interpolation::trilinear, Projection::parallel, 0.73},
-    {"along -x", {BeamAxis::minusX, 0, 0, 0, 0}, {0.7, 1.1, 0.4}, Interpolation::trilinear, Projection::parallel, 1.0},
-    {"oblique", {BeamAxis::plusZ, 33, -21, 10, 0}, {1, 1.7, 0.6}, Interpolation::trilinear, Projection::parallel, 0.41},
+    {"along -x", {BeamAxis::minusX, 0, 0, 0}, {0.7, 1.1, 0.4}, Interpolation::trilinear, Projection::parallel, 1.0},
+    {"oblique", {BeamAxis::plusZ, 33, -21, 10}, {1, 1.7, 0.6}, Interpolation::trilinear, Projection::parallel, 0.41},
     {"oblique, cut",
-     {BeamAxis::plusY, -52, 17, 0, 5.3},
+     withFrontAcross({BeamAxis::plusY, -52, 17, 0}, 5.3),
      {1.3, 0.9, 1.1},
      Interpolation::trilinear,
      Projection::parallel,
      1.6},
-    {"nearest", {BeamAxis::plusX, 12, 37, -80, 0}, {1, 1.2, 0.8}, Interpolation::nearest, Projection::parallel, 0.57},
+    {"nearest", {BeamAxis::plusX, 12, 37, -80}, {1, 1.2, 0.8}, Interpolation::nearest, Projection::parallel, 0.57},
     {"perspective",
-     {BeamAxis::minusZ, 24, -18, 0, 0},
+     {BeamAxis::minusZ, 24, -18, 0},
      {0.8, 0.5, 1.4},
      Interpolation::trilinear,
      Projection::perspective,
      0.77},
     {"perspective, cut",
-     {BeamAxis::minusY, -9, 41, 0, 4.1},
+     withFrontAcross({BeamAxis::minusY, -9, 41, 0}, 4.1),
      {1, 1, 1},
      Interpolation::nearest,
      Projection::perspective,
      0.9},
-    {"thick slices",
-     {BeamAxis::plusZ, 40, 25, 0, 0},
-     {0.3, 0.3, 6},
-     Interpolation::trilinear,
-     Projection::parallel,
-     1.0},
+    {"thick slices", {BeamAxis::plusZ, 40, 25, 0}, {0.3, 0.3, 6}, Interpolation::trilinear, Projection::parallel, 1.0},
 };
 
 template <typename Voxel>
@@ -188,7 +183,7 @@ TEST(RayCaster, RefusesRequestsThatMakeNoSense) {
     throws([](RayCastSettings& s) { s.step = std::nan(""); });
     throws([](RayCastSettings& s) { s.camera.heightMm = 0.0; });
     throws([](RayCastSettings& s) { s.camera.focalPoint[1] = INFINITY; });
-    throws([](RayCastSettings& s) { s.nearPlaneDepthMm = std::nan(""); });
+    throws([](RayCastSettings& s) { s.front = CuttingFace{s.camera.frame.forward, std::nan("")}; });
     throws([](RayCastSettings& s) {
         s.camera.projection = Projection::perspective;
         s.camera.viewAngleDegrees = 180.0;

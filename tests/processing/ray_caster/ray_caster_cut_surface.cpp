@@ -27,7 +27,7 @@ TEST(RayCasterCutSurface, AFlatOneIsAClippingPlane) {
     const Volume volume = speckledShell<std::uint16_t>({41, 37, 45}, {1, 1.2, 0.8}, 5);
     for (const Projection projection : {Projection::parallel, Projection::perspective})
         for (const double turn : {0.0, 40.0, 160.0}) {
-            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, turn, 13, 0, 0}, 61, 53);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, turn, 13, 0}, 61, 53);
             settings.camera.projection = projection;
             settings.shading = Shading{};
             settings.cutSurface = surfaceOf([](double x, double) { return 9.0 + 0.25 * x; });
@@ -62,7 +62,7 @@ TEST(RayCasterCutSurface, OpacityBehindACurvedOneIsThatOfWhatIsLeft) {
 
 TEST(RayCasterCutSurface, BothRoutesShowItsFaceAlike) {
     const Volume volume = sectorOf(speckledShell<float>({31, 37, 35}, {1, 1, 1}, 9));
-    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 25, -12, 0, 0}, 51, 47);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 25, -12, 0}, 51, 47);
     settings.shading = Shading{.reaching = {0.7, 0.7, 0.3}};
     settings.cutSurface = surfaceOf([](double x, double y) { return 12.0 + 2.0 * std::sin(0.3 * x) + 0.1 * y; });
     const auto fast = castRays(volume, PowerCurve{2, 0.8}, settings);

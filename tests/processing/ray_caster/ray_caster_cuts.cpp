@@ -27,7 +27,7 @@ std::vector<std::pair<std::string, RayCastSettings>> cutsOf(const RayCastSetting
                             {centre - Vec3(0, 4, 0), {0, 1e-7, 2e-8}},
                             {centre, {-3e6, 1e6, 4e6}}};
     };
-    const auto near = [&](Settings& s) { s.nearPlaneDepthMm = middle - 3.7; };
+    const auto near = [&](Settings& s) { s.front = CuttingFace{s.camera.frame.forward, middle - 3.7}; };
     add("box", box);
     add("planes", planes);
     add("near plane", near);
@@ -43,7 +43,7 @@ void expectCutsLikeTheReference() {
     const Volume whole = randomVolume<Voxel>({19, 17, 21}, {1, 0.9, 1.1}, 41);
     for (const Volume& volume : {whole, sectorOf(whole)})
         for (const Viewpoint& view :
-             {Viewpoint{}, Viewpoint{BeamAxis::minusY, 0, 0, 0, 0}, Viewpoint{BeamAxis::plusX, 33, -24, 5, 0}})
+             {Viewpoint{}, Viewpoint{BeamAxis::minusY, 0, 0, 0}, Viewpoint{BeamAxis::plusX, 33, -24, 5}})
             for (const Projection projection : {Projection::parallel, Projection::perspective}) {
                 RayCastSettings plain = settingsFor(volume, view, 35, 25);
                 plain.camera.projection = projection;
@@ -68,7 +68,7 @@ TEST(RayCasterCuts, ABoxThatLeavesNothingShowsNothing) {
                                {{5, 5, 5}, {5, 5, 5}},         {{0, 0, 1e9}, {20, 20, -1e9}},
                                {{-90, -90, -90}, {-1, -1, -1}}};
     for (const RenderBox& box : boxes)
-        for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 33, -24, 5, 0}})
+        for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 33, -24, 5}})
             for (const Projection projection : {Projection::parallel, Projection::perspective})
                 for (const RenderMode mode : {RenderMode::direct, RenderMode::maximum, RenderMode::mean}) {
                     RayCastSettings settings = settingsFor(volume, view, 40, 40);
@@ -83,7 +83,7 @@ TEST(RayCasterCuts, ABoxThatLeavesNothingShowsNothing) {
 
 TEST(RayCasterCuts, PlanesThatLeaveNothingShowNothingAndPlanesBesideChangeNothing) {
     const Volume volume = randomVolume<std::uint8_t>({20, 20, 20}, {1, 1, 1}, 3);
-    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 33, -24, 5, 0}})
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 33, -24, 5}})
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
             RayCastSettings settings = settingsFor(volume, view, 40, 40);
             settings.camera.projection = projection;

@@ -189,7 +189,7 @@ void expectSamePictureWithoutSkipping() {
             for (const Projection projection : {Projection::parallel, Projection::perspective})
                 for (const bool fine : {false, true}) {
                     if (takesSomeInputs && (fine || !masked)) continue;
-                    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 37, 19, 0, 0}, 90, 80);
+                    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 37, 19, 0}, 90, 80);
                     settings.camera.projection = projection;
                     settings.step = fine ? 0.4 : 1.0;
                     const auto skipping = castRays(volume, curve, settings);
@@ -213,7 +213,7 @@ TEST(RayCasterEmptySpace, RaysDoJump) {
     // Opacities that count as none: whoever samples them adds them up, and whoever jumps does not.
     const Volume volume = constantVolume<std::uint8_t>({40, 40, 300}, 0.5);
     const OpacityCurve faint = everywhere(0.9 * TransferTable::negligible);
-    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 12, 30, 0, 0}})
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 12, 30, 0}})
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
             RayCastSettings settings = settingsFor(volume, view, 30, 30);
             settings.camera.projection = projection;
@@ -238,7 +238,7 @@ void expectJumpsToStop(double levels) {
         const Volume volume = volumeOf<Voxel>({90, 70, 110}, {1, 1, 1}, [&](auto x, auto y, auto z) {
             return x == at[0] && y == at[1] && z == at[2] ? 1.0 : 0.0;
         });
-        Viewpoint view{static_cast<BeamAxis>(i % 6), 50.0 * (i % 3 - 1), 20.0 * (i % 2), 0, 0};
+        Viewpoint view{static_cast<BeamAxis>(i % 6), 50.0 * (i % 3 - 1), 20.0 * (i % 2), 0};
         RayCastSettings settings = settingsFor(volume, view, 40, 40);
         settings.camera.focalPoint =
             Vec3(static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2]));

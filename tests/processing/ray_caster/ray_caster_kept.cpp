@@ -86,7 +86,7 @@ TEST(RayCasterKept, RaysThatEndedEarlyGoOnUnderATransparentCurve) {
     const std::pair<double, double> slopes[] = {{1.5, 0.0}, {0.0, 9.0}, {20.0, -35.0}};
     for (const double azimuth : {0.0, 20.0, 65.0})
         for (const auto& [across, down] : slopes) {
-            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, azimuth, 9, 0, 0}, 61, 67);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, azimuth, 9, 0}, 61, 67);
             const ViewFrame& frame = settings.camera.frame;
             const double pixelMm = settings.camera.heightMm / settings.height;
             settings.clippingPlanes = {{Vec3(19.5, 19.5, 55), frame.right * (across / pixelMm) +
@@ -144,7 +144,10 @@ TEST(RayCasterKept, WhatSamplesDependOnMakesAnotherView) {
     other("another projection", [](Settings& s) { s.camera.projection = Projection::perspective; });
     other("another size", [](Settings& s) { s.width = 47; });
     other("another step", [](Settings& s) { s.step = 0.6; });
-    other("another near plane", [](Settings& s) { s.nearPlaneDepthMm += 9.0; });
+    other("another front", [&volume](Settings& s) {
+        s.front =
+            CuttingFace{s.camera.frame.forward, volume.geometry().depthsAlong(s.camera.frame.forward).nearest + 9};
+    });
     other("nearest", [](Settings& s) { s.interpolation = Interpolation::nearest; });
     other("a box", [](Settings& s) { s.box = RenderBox{{5, 5, 5}, {20, 20, 20}}; });
     other("a plane", [](Settings& s) { s.clippingPlanes = {{{15, 15, 15}, {1, 0, 0}}}; });

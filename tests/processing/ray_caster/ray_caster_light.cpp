@@ -89,7 +89,7 @@ TEST(RayCasterLight, WhereThereIsNoSurfaceLightIsEven) {
 
 TEST(RayCasterLight, TheFaceOfACutShowsGreyValuesAsTheyAre) {
     const Volume volume = randomVolume<std::uint8_t>({30, 30, 30}, {1, 1, 1}, 4);
-    RayCastSettings settings = settingsFor(volume, Viewpoint{.nearCutMm = 11.3}, 40, 40);
+    RayCastSettings settings = settingsFor(volume, withFrontAcross({}, 11.3), 40, 40);
     settings.camera.heightMm = 25;
     const OpacityCurve opaque = ManualCurve{{{0, 0.999}, {1, 0.999}}};
     const auto plain = castRays(volume, opaque, settings);
@@ -103,7 +103,7 @@ TEST(RayCasterLight, ALightVolumeFollowsAllThatItDependsOn) {
     const auto volume =
         std::make_shared<const Volume>(sectorOf(speckledShell<std::uint16_t>({33, 31, 35}, {1, 1.2, 0.8}, 5)));
     RayCaster caster(volume);
-    RayCastSettings settings = settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0, 0}, 40, 40);
+    RayCastSettings settings = settingsFor(*volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0}, 40, 40);
     settings.shading = Shading{.reaching = {1.0, 1.0, 0.4}};
     OpacityCurve curve = PowerCurve{2, 0.9};
     const auto expectFollowed = [&](const char* what) {
@@ -119,7 +119,7 @@ TEST(RayCasterLight, ALightVolumeFollowsAllThatItDependsOn) {
     expectFollowed("light");
     settings.lightCoarseness = 16;
     expectFollowed("coarseness");
-    settings.nearPlaneDepthMm = 9.0;
+    settings.front = CuttingFace{settings.camera.frame.forward, 9.0};
     expectFollowed("near plane");
     settings.box = RenderBox{{3, 4, 5}, {25, 30, 22}};
     expectFollowed("box");
@@ -162,7 +162,7 @@ TEST(RayCasterLight, NoDataIsTransparentWhateverTheCurveSaysOfZero) {
 
 TEST(RayCasterLight, TheBorderOfTheSectorMakesNoRelief) {
     const Volume volume = halfEmpty();
-    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 15, 10, 0, 0}}) {
+    for (const Viewpoint& view : {Viewpoint{}, Viewpoint{BeamAxis::plusX, 15, 10, 0}}) {
         RayCastSettings settings = settingsFor(volume, view, 40, 40);
         const OpacityCurve curve = ManualCurve{{{0, 0.3}}};
         settings.shading = Shading{.towardsLight = {-1, 0, -0.3}};
@@ -187,7 +187,7 @@ void compareMasked() {
         const Volume volume = whole.withDataMask(mask);
         for (const bool shaded : {false, true})
             for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::trilinear}) {
-                RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 28, -16, 3, 0}, 41, 37);
+                RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 28, -16, 3}, 41, 37);
                 settings.interpolation = interpolation;
                 settings.step = 0.83;
                 if (shaded) settings.shading = Shading{.reaching = {0.8, 0.6, 0.5}};

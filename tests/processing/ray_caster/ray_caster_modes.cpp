@@ -75,7 +75,7 @@ void expectBruteForce() {
         for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::trilinear})
             for (const Projection projection : {Projection::parallel, Projection::perspective})
                 for (const RenderMode mode : extremes) {
-                    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::minusX, 23, 31, 5, 0}, 37, 33);
+                    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::minusX, 23, 31, 5}, 37, 33);
                     settings.camera.projection = projection;
                     settings.interpolation = interpolation;
                     settings.mode = mode;
@@ -134,7 +134,7 @@ TEST(RayCasterModes, DepthOfASurfaceIsThatOfItsFirstSample) {
             settings.camera.heightMm = 30;
             settings.camera.distanceMm = 120;
             settings.camera.viewAngleDegrees = 10;
-            settings.nearPlaneDepthMm = -INFINITY;
+            settings.front.reset();
             settings.interpolation = Interpolation::nearest;
             settings.findDepth = true;
             settings.step = step;
@@ -173,7 +173,7 @@ TEST(RayCasterModes, DepthOfExtremesIsThatOfTheSampleShown) {
     const Volume volume = randomVolume<float>({21, 24, 19}, {1, 0.8, 1.3}, 52);
     for (const Projection projection : {Projection::parallel, Projection::perspective})
         for (const RenderMode mode : extremes) {
-            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::minusX, 23, 31, 5, 0}, 31, 27);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::minusX, 23, 31, 5}, 31, 27);
             settings.camera.projection = projection;
             settings.mode = mode;
             settings.findDepth = true;
@@ -212,7 +212,7 @@ TEST(RayCasterModes, TintsAreThoseOfFrontAndBackAndLinearBetween) {
             settings.camera.heightMm = 20;
             settings.colourMap = ColourMap::grey;
             settings.depthColouring = colouring;
-            settings.nearPlaneDepthMm = nearPlane;
+            settings.front = CuttingFace{settings.camera.frame.forward, nearPlane};
             settings.step = 0.1;
             settings.findDepth = true;
             settings.box = RenderBox{{-1, -1, opaqueFrom}, {100, 100, 100}};

@@ -83,8 +83,8 @@ TEST(RayCasterPlaces, WhatIsInFrontHidesWhatIsBehind) {
     settings.colourMap = ColourMap::grey;
     settings.interpolation = Interpolation::nearest;
     EXPECT_NEAR(pixelAt(*castRays(volume, opaqueAboveHalf, settings), 10, 10)[0], 0.6f, 1e-6f);
-    settings.camera.frame = frameOf(Viewpoint{BeamAxis::minusZ, 0, 0, 0, 0});
-    settings.nearPlaneDepthMm = -INFINITY;
+    settings.camera.frame = frameOf(Viewpoint{BeamAxis::minusZ, 0, 0, 0});
+    settings.front.reset();
     EXPECT_NEAR(pixelAt(*castRays(volume, opaqueAboveHalf, settings), 10, 10)[0], 1.0f, 1e-6f);
 }
 
@@ -98,7 +98,7 @@ TEST(RayCasterPlaces, TheNearPlaneCutsThere) {
     const OpacityCurve opaqueFront = ManualCurve{{{0.0, 0.02}, {0.4, 0.02}, {0.41, 1.0}, {1.0, 1.0}}};
     const auto alphaAt = [&](double cut, Projection projection) {
         Viewpoint view;
-        view.nearCutMm = cut;
+        view = withFrontAcross(view, cut);
         RayCastSettings settings = settingsFor(volume, view, 11, 11);
         settings.camera.projection = projection;
         settings.interpolation = Interpolation::nearest;
@@ -117,8 +117,8 @@ TEST(RayCasterPlaces, TheNearPlaneCutsThere) {
 TEST(RayCasterPlaces, DefaultCameraHoldsTheWholeBoxTightly) {
     for (const Vec3& spacing : {Vec3{1, 1, 1}, Vec3{0.3, 0.3, 2.0}})
         for (const double aspect : {0.4, 1.0, 2.5})
-            for (const Viewpoint& view :
-                 {Viewpoint{}, Viewpoint{BeamAxis::plusY, 0, 0, 0, 3}, Viewpoint{BeamAxis::minusX, 30, -40, 70, 0}}) {
+            for (const Viewpoint& view : {Viewpoint{}, withFrontAcross(Viewpoint{BeamAxis::plusY, 0, 0, 0}, 3),
+                                          Viewpoint{BeamAxis::minusX, 30, -40, 70}}) {
                 VolumeGeometry geometry;
                 geometry.size = {60, 50, 40};
                 geometry.spacing = spacing;
@@ -159,7 +159,7 @@ TEST(RayCasterPlaces, ExtremeSizesAndSpacings) {
         for (const Vec3& spacing : {Vec3{1, 1, 1}, Vec3{0.1, 5, 0.7}})
             for (const bool shaded : {false, true}) {
                 const Volume volume = randomVolume<std::uint8_t>(size, spacing, 3);
-                RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0, 0}, 25, 19);
+                RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 25, 15, 0}, 25, 19);
                 if (shaded) settings.shading = Shading{};
                 settings.step = 2.3;
                 expectSoundPictures(volume, settings,
@@ -192,7 +192,7 @@ TEST(RayCasterPlaces, NotFiniteVoxelsAreTransparentWithOrWithoutAMask) {
     const Volume volume(random.geometry(), voxels, 3.5);
     for (const bool shaded : {false, true})
         for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::trilinear}) {
-            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -13, 5, 0}, 41, 31);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -13, 5}, 41, 31);
             settings.interpolation = interpolation;
             if (shaded) settings.shading = Shading{};
             expectSoundPictures(volume, settings, "masked");
@@ -205,10 +205,10 @@ TEST(RayCasterPlaces, NotFiniteVoxelsAreTransparentWithOrWithoutAMask) {
 
 TEST(RayCasterPlaces, CameraInsideOnTheFaceAndBehind) {
     const Volume volume = randomVolume<std::uint8_t>({15, 16, 17}, {1, 1, 1}, 11);
-    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 10, 20, 0, 0}, 33, 33);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 10, 20, 0}, 33, 33);
     settings.camera.projection = Projection::perspective;
     settings.camera.viewAngleDegrees = 100;
-    settings.nearPlaneDepthMm = -INFINITY;
+    settings.front.reset();
     const Vec3 forward = settings.camera.frame.forward;
     settings.camera.distanceMm = 0.0;  // the eye in the centre
     expectSoundPictures(volume, settings, "inside");

@@ -99,7 +99,9 @@ private:
             for (const double y : {m_geometry.boxMinMm()[1], m_geometry.boxMaxMm()[1]})
                 for (const double z : {m_geometry.boxMinMm()[2], m_geometry.boxMaxMm()[2]})
                     foremost = std::min(foremost, m_settings.camera.frame.forward.dot(Vec3(x, y, z)));
-        return std::max(foremost, m_settings.nearPlaneDepthMm);
+        const auto& front = m_settings.front;
+        return front && front->inwards == m_settings.camera.frame.forward ? std::max(foremost, front->depthMm)
+                                                                          : foremost;
     }
 
     /// The rendered part of a ray, in steps from its origin.
@@ -122,8 +124,8 @@ private:
             if (perStep < 0.0) leave = std::min(leave, -distance / perStep);
             if (perStep == 0.0 && distance < 0.0) leave = 0.0;
         };
-        const Vec3 forward = m_settings.camera.frame.forward;
-        if (std::isfinite(m_settings.nearPlaneDepthMm)) keepFrom(forward * m_settings.nearPlaneDepthMm, forward);
+        if (m_settings.front)
+            keepFrom(m_settings.front->inwards * m_settings.front->depthMm, m_settings.front->inwards);
         for (const ClippingPlane& plane : m_settings.clippingPlanes) keepFrom(plane.point, plane.normal);
         for (int axis = 0; axis < 3 && m_settings.box; ++axis) {
             Vec3 along{0, 0, 0};
@@ -349,7 +351,7 @@ inline RayCastSettings settingsFor(const Volume& volume, const Viewpoint& view, 
     settings.width = width;
     settings.height = height;
     settings.camera = defaultCamera(volume.geometry(), view, static_cast<double>(width) / height);
-    settings.nearPlaneDepthMm = nearPlaneDepthMm(view, volume.geometry());
+    if (view.frontPlane) settings.front = cuttingFaceOf(*view.frontPlane, volume.geometry());
     settings.terminationTransmittance = 0.0;
     return settings;
 }

@@ -29,7 +29,7 @@ inline std::shared_ptr<const Volume> held(Volume volume) { return std::make_shar
 
 /// An oblique view of the shell. Rays do not end before all light is absorbed.
 inline RayCastSettings obliqueSettings(const Volume& volume, int width, int height) {
-    return settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7, 0}, width, height);
+    return settingsFor(volume, Viewpoint{BeamAxis::plusZ, 31, -22, 7}, width, height);
 }
 
 /// The value of normalised intensity 1 for a voxel type in the tests.

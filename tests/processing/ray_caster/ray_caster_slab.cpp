@@ -48,7 +48,7 @@ TEST(RayCasterSlab, TheClosedFormHoldsForEveryVoxelTypeAndProjection) {
                 settings.camera.projection = projection;
                 settings.camera.distanceMm = 1e5;  // rays all but parallel: the path is that of the slab's depth
                 settings.camera.viewAngleDegrees = 1e-3;
-                settings.nearPlaneDepthMm = -INFINITY;
+                settings.front.reset();
                 const Shading bright{.ambient = 1.0, .diffuse = 0.0, .specular = 0.0};
                 if (shaded) settings.shading = bright;  // a light that changes nothing
                 const auto picture = castRays(volume, everywhere(0.01), settings);
@@ -62,7 +62,7 @@ TEST(RayCasterSlab, TheClosedFormHoldsForEveryVoxelTypeAndProjection) {
 TEST(RayCasterSlab, HalvingTheStepLeavesTheTransmittanceOfASpeckledVolume) {
     // The opacities follow intensity: the sum over a ray converges, and each halving with its correction stays near.
     const Volume volume = speckledShell<std::uint8_t>({40, 40, 40}, {1, 1, 1}, 5);
-    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0, 0}, 32, 32);
+    RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 20, 10, 0}, 32, 32);
     settings.step = 0.02;
     const auto converged = castRays(volume, PowerCurve{2, 0.5}, settings);
     double before = 1e30;
@@ -80,7 +80,7 @@ TEST(RayCasterSlab, AWhiteFurnaceStaysWhite) {
     const Volume volume = randomVolume<std::uint8_t>({60, 50, 70}, {1, 0.8, 1.1}, 6);
     for (const double step : {0.01, 0.3, 1.0, 4.0})
         for (const Projection projection : {Projection::parallel, Projection::perspective}) {
-            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusY, 25, -13, 0, 0}, 24, 20);
+            RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusY, 25, -13, 0}, 24, 20);
             settings.shading = Shading{.ambient = 1e6};
             settings.step = step;
             settings.camera.projection = projection;

@@ -69,7 +69,7 @@ TEST(RayCasterTables, BytesOfASmoothVolumeAreShownToATenthOfALevel) {
                0.24 * std::sin(0.13 * static_cast<double>(z) - 0.08 * static_cast<double>(y));
     });
     for (const Viewpoint& view :
-         {Viewpoint{}, Viewpoint{BeamAxis::minusX, 0, 0, 0, 0}, Viewpoint{BeamAxis::plusY, 31, -22, 4, 0}}) {
+         {Viewpoint{}, Viewpoint{BeamAxis::minusX, 0, 0, 0}, Viewpoint{BeamAxis::plusY, 31, -22, 4}}) {
         RayCastSettings settings = settingsFor(volume, view, 40, 40);
         settings.step = 0.77;
         for (const OpacityCurve& curve : {OpacityCurve{PowerCurve{2, 0.2}}, OpacityCurve{LinearCurve{0.3, 0.9, 0.2}}})

@@ -34,7 +34,7 @@ struct Case {
 
 /// One of each kind of picture.
 std::vector<Case> casesFor(const Volume& volume, int width, int height) {
-    const RayCastSettings plain = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 24, -17, 4, 0}, width, height);
+    const RayCastSettings plain = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 24, -17, 4}, width, height);
     const OpacityCurve power = PowerCurve{2, 0.5}, narrow = onlyBetween(0.45, 0.95, 0.4);
     std::vector<Case> cases;
     const auto add = [&](const std::string& name, const auto& change, const OpacityCurve& curve) -> Case& {
@@ -73,7 +73,6 @@ std::vector<Case> casesFor(const Volume& volume, int width, int height) {
         [&](Settings& s) {
             const Settings straight = settingsFor(volume, Viewpoint{}, width, height);
             s.camera = straight.camera;
-            s.nearPlaneDepthMm = straight.nearPlaneDepthMm;
         },
         power);
     add(
@@ -131,7 +130,7 @@ TEST(RayCasterTargets, TheScalarRouteAgreesWithTheSlowReference) {
     hwy::SetSupportedTargetsForTest(targetsOfTheKernel().back());
     for (const bool shaded : {false, true}) {
         const Volume volume = sectorOf(speckledShell<std::uint16_t>({24, 22, 26}, {1, 1.1, 0.9}, 32));
-        RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 24, -17, 4, 0}, 41, 37);
+        RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 24, -17, 4}, 41, 37);
         if (shaded) settings.shading = Shading{};
         EXPECT_LT(largestDifference(volume, PowerCurve{2, 0.5}, settings), shaded ? 3e-3 : 2e-4);
     }
@@ -160,7 +159,7 @@ TEST(RayCasterTargets, WhatARayShowsDoesNotDependOnThePicturesSize) {
     // The same rays lie in other packets: one column and one row on.
     const Volume volume = speckledShell<std::uint8_t>({48, 44, 52}, {1, 1.1, 0.9}, 34);
     for (const OpacityCurve& curve : {OpacityCurve{PowerCurve{2, 0.5}}, onlyBetween(0.45, 0.95, 0.4)}) {
-        RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 24, -17, 4, 0}, 81, 81);
+        RayCastSettings settings = settingsFor(volume, Viewpoint{BeamAxis::plusZ, 24, -17, 4}, 81, 81);
         const auto picture = castRays(volume, curve, settings);
         const double pixel = settings.camera.heightMm / 81;
         settings.width = settings.height = 83;

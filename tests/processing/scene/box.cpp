@@ -28,7 +28,7 @@ TEST(Box, EachFrontGivesItsDirection) {
         for (const BoxSide side : allBoxSides) {
             const ViewFrame wanted = frameFrom(side, orientedBoxOf(box, beam).axes);
             EXPECT_EQ(problemOf(wanted), "") << nameOf(side);
-            const ViewFrame frame = frameOf(viewpointOf(beam, directionFrom(side, box, beam), 0));
+            const ViewFrame frame = frameOf(viewpointOf(beam, directionFrom(side, box, beam)));
             EXPECT_LT(apart(frame.forward, wanted.forward), 1e-12) << nameOf(side);
             EXPECT_LT(apart(frame.down, wanted.down), 1e-12) << nameOf(side);
         }

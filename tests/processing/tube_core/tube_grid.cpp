@@ -63,13 +63,13 @@ TEST(TubeGrid, AxisViewsOfCubicVoxelsRunThroughVoxelCentres) {
 
 TEST(TubeGrid, EntersWhereThePictureBegins) {
     const auto geometry = gridOf({100, 100, 100}, {0.5, 0.5, 0.5});
-    const Viewpoint cut{.nearCutMm = 10.0};
+    const Viewpoint cut = withFrontAcross({}, 10.0);
     for (const TubeAxis& axis : tubeAxes(geometry, cut, {}, 5)) {
         ASSERT_TRUE(axis.entryVoxel);
         EXPECT_NEAR((*axis.entryVoxel)[2], 19.5, 1e-9) << "20 voxels of 0.5 mm are cut off";
         EXPECT_NEAR(*axis.lengthUnits, 80.0, 1e-9);
     }
-    const Viewpoint beyond{.nearCutMm = 60.0};
+    const Viewpoint beyond = withFrontAcross({}, 60.0);
     for (const TubeAxis& axis : tubeAxes(geometry, beyond, {}, 5)) EXPECT_FALSE(axis.entryVoxel);
 }
 

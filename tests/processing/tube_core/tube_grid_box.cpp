@@ -22,7 +22,7 @@ TEST(TubeGridBox, CoversTheSideOfTheBoxThatFacesTheView) {
             .on = true, .direction = {.azimuth = azimuth, .roll = 8}, .centreMm = {22, 26, 30}, .sizeMm = {30, 15, 20}};
         for (const BoxSide side : {BoxSide::top, BoxSide::near}) {
             const ViewDirection direction = directionFrom(side, box, BeamAxis::plusZ);
-            Viewpoint view = viewpointOf(BeamAxis::plusZ, direction, 0.0);
+            Viewpoint view = viewpointOf(BeamAxis::plusZ, direction);
             view.box = orientedBoxOf(box, BeamAxis::plusZ);
             const double down = side == BoxSide::top ? 15 : 20, deep = side == BoxSide::top ? 20 : 15;
             const TubeGrid grid{.columns = 5, .rows = 3};

@@ -28,13 +28,13 @@ TEST(TubeSamples, BeginAtTheFirstVoxelCentreBehindTheNearCut) {
     AdaptiveOtfConfig config;
     for (const auto& [cut, first, count] :
          {std::tuple{0.0, 0.0, 40}, {0.4, 0.0, 40}, {0.6, 1.0, 39}, {7.5, 7.0, 33}, {39.8, 40.0, 0}}) {
-        const Viewpoint view{.nearCutMm = cut};
+        const Viewpoint view = withFrontAcross({}, cut);
         const TubeSamples samples = samplesFor(volume, view, config)[112];
         EXPECT_EQ(samples.slabs, count) << cut;
         if (count > 0) {
             EXPECT_EQ(samples.first[2], first) << cut;
         }
-        const Viewpoint back{.beamAxis = BeamAxis::minusZ, .nearCutMm = cut};
+        const Viewpoint back = withFrontAcross({.beamAxis = BeamAxis::minusZ}, cut);
         const TubeSamples backwards = samplesFor(volume, back, config)[112];
         EXPECT_EQ(backwards.slabs, count) << cut;
         if (count > 0) {

@@ -76,7 +76,8 @@ void expectSumsOfAllAxisViews(const Volume& volume, std::uint32_t limit) {
                 AdaptiveOtfConfig config;
                 config.cells.size = cellSize;
                 config.grid.columns = config.grid.rows = 7;
-                const Viewpoint view{.beamAxis = static_cast<BeamAxis>(beam), .rollDegrees = roll, .nearCutMm = 3.3};
+                const Viewpoint view =
+                    withFrontAcross({.beamAxis = static_cast<BeamAxis>(beam), .rollDegrees = roll}, 3.3);
                 const auto tubes = samplesFor(volume, view, config);
                 std::vector<SlabSums> sums(tubes.size());
                 sumSlabs(volume, limit, tubes, sums);

@@ -137,7 +137,7 @@ TEST(CutSurface, TubeCoresBeginBehindItWhicheverWayTheyLook) {
 
 TEST(CutSurface, OfTwoCutsTheDeeperCounts) {
     const VolumeGeometry geometry = boxGeometry();
-    Viewpoint view{.nearCutMm = 14.25};
+    Viewpoint view = withFrontAcross({}, 14.25);
     const auto flat = tubeAxes(geometry, view, {}, 5);
     view.cutSurface = surfaceOf({}, bowl);
     const auto both = tubeAxes(geometry, view, {}, 5);

@@ -68,7 +68,7 @@ TEST(Viewpoint, AnotherBeamAxisTurnsTheWholeFrame) {
 TEST(Viewpoint, FramesAreOrthonormalAndRightHanded) {
     for (const BeamAxis axis : allAxes)
         for (double angle = -179; angle < 180; angle += 29.3) {
-            const Viewpoint view{axis, angle, angle / 2, -angle, 0};
+            const Viewpoint view{axis, angle, angle / 2, -angle};
             const ViewFrame frame = frameOf(view);
             EXPECT_NEAR(length(frame.right), 1, 1e-14);
             EXPECT_NEAR(length(frame.down), 1, 1e-14);
@@ -83,10 +83,10 @@ TEST(Viewpoint, ViewAlongFindsTheViewOfAFrame) {
     for (const BeamAxis seenFrom : allAxes)
         for (const BeamAxis beam : allAxes)
             for (double angle = -171; angle < 180; angle += 38.6) {
-                const ViewFrame frame = frameOf(Viewpoint{seenFrom, angle, angle / 2.3, angle * 0.7, 0});
-                const Viewpoint found = viewAlong(frame.forward * 3.0, frame.down * 0.2 + frame.forward, beam, 4.5);
+                const ViewFrame frame = frameOf(Viewpoint{seenFrom, angle, angle / 2.3, angle * 0.7});
+                const Viewpoint found = viewAlong(frame.forward * 3.0, frame.down * 0.2 + frame.forward, beam);
                 EXPECT_EQ(found.beamAxis, beam);
-                EXPECT_EQ(found.nearCutMm, 4.5);
+                EXPECT_FALSE(found.frontPlane);
                 EXPECT_LT(length(frameOf(found).forward - frame.forward), 1e-7);
                 EXPECT_LT(length(frameOf(found).down - frame.down), 1e-7);
                 EXPECT_TRUE(found.elevationDegrees >= -90 && found.elevationDegrees <= 90);
@@ -95,9 +95,9 @@ TEST(Viewpoint, ViewAlongFindsTheViewOfAFrame) {
 }
 
 TEST(Viewpoint, ViewAlongGivesBackTheAngles) {
-    const Viewpoint view{BeamAxis::minusX, -33, 21, 58, 7};
+    const Viewpoint view = withFrontAcross({BeamAxis::minusX, -33, 21, 58}, 7);
     const ViewFrame frame = frameOf(view);
-    const Viewpoint found = viewAlong(frame.forward, frame.down, BeamAxis::minusX, 7);
+    const Viewpoint found = viewAlong(frame.forward, frame.down, BeamAxis::minusX);
     EXPECT_NEAR(found.azimuthDegrees, view.azimuthDegrees, 1e-9);
     EXPECT_NEAR(found.elevationDegrees, view.elevationDegrees, 1e-9);
     EXPECT_NEAR(found.rollDegrees, view.rollDegrees, 1e-9);
@@ -107,8 +107,8 @@ TEST(Viewpoint, ViewAlongGivesBackTheAngles) {
 TEST(Viewpoint, ViewAlongThePolesKeepsItsDigits) {
     for (const double elevation : {90.0, -90.0, 89.9999999, 89.99})
         for (const double azimuth : {0.0, 40.0, -120.0}) {
-            const ViewFrame frame = frameOf(Viewpoint{BeamAxis::plusZ, azimuth, elevation, 10, 0});
-            const ViewFrame found = frameOf(viewAlong(frame.forward, frame.down, BeamAxis::plusZ, 0));
+            const ViewFrame frame = frameOf(Viewpoint{BeamAxis::plusZ, azimuth, elevation, 10});
+            const ViewFrame found = frameOf(viewAlong(frame.forward, frame.down, BeamAxis::plusZ));
             EXPECT_LT(length(found.forward - frame.forward), 1e-12) << elevation;
             EXPECT_LT(length(found.down - frame.down), 1e-9) << elevation << " " << azimuth;
         }
@@ -124,21 +124,40 @@ TEST(Viewpoint, DirectionsInVoxelsHonourSpacing) {
     EXPECT_EQ(directionInVoxels(Viewpoint{}, geometry), Vec3(0, 0, 1));
 }
 
-TEST(Viewpoint, TheNearPlaneIsCountedFromTheForemostCorner) {
+TEST(Viewpoint, AFrontAcrossTheViewIsCountedFromTheForemostCorner) {
     VolumeGeometry geometry;
     geometry.size = {10, 20, 30};
     geometry.spacing = {1, 0.5, 2};
     Viewpoint view;
     EXPECT_DOUBLE_EQ(nearPlaneDepthMm(view, geometry), -1.0) << "half a voxel before the first centres";
-    view.nearCutMm = 7;
+    view = withFrontAcross(view, 7);
     EXPECT_DOUBLE_EQ(nearPlaneDepthMm(view, geometry), 6.0);
+    EXPECT_DOUBLE_EQ(frontDepthMm(view), 7);
     view.beamAxis = BeamAxis::minusX;
+    EXPECT_DOUBLE_EQ(nearPlaneDepthMm(view, geometry), -9.5) << "the front stays where it was";
+    view = withFrontAcross(view, 7);
     EXPECT_DOUBLE_EQ(nearPlaneDepthMm(view, geometry), -9.5 + 7);
-    view.nearCutMm = -3;
+    view.frontPlane->depthMm = -3;
     EXPECT_DOUBLE_EQ(nearPlaneDepthMm(view, geometry), -9.5) << "never before the volume";
+    EXPECT_FALSE(withFrontAcross(view, -3).frontPlane);
     view = Viewpoint{};
     view.azimuthDegrees = 45;
     EXPECT_NEAR(nearPlaneDepthMm(view, geometry), (-0.5 - 1.0) * std::sqrt(0.5), 1e-14);
+}
+
+TEST(Viewpoint, ALineEntersWhereItComesOutBehindTheFront) {
+    VolumeGeometry geometry;
+    geometry.size = {40, 40, 40};
+    Viewpoint view = withFrontAcross({}, 10.5);  // the plane z = 10
+    EXPECT_DOUBLE_EQ(entryDepthMm(view, geometry, {3, 4, 5}), 10.0);
+    view.azimuthDegrees = 30;  // forward is (1/2, 0, sqrt(3)/2)
+    const Vec3 forward = frameOf(view).forward;
+    for (const Vec3& point : {Vec3(3, 4, 5), Vec3(30, 0, 30), Vec3(20, 1, -7)}) {
+        const Vec3 entry = point + forward * (entryDepthMm(view, geometry, point) - forward.dot(point));
+        EXPECT_NEAR(entry[2], 10.0, 1e-12);
+    }
+    view.azimuthDegrees = 120;  // comes from behind
+    EXPECT_DOUBLE_EQ(entryDepthMm(view, geometry, {3, 4, 5}), nearPlaneDepthMm(view, geometry));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(DataBox, PhasesCanShareOne) {
 
 TEST(DataBox, ThePictureIsFittedToIt) {
     const DataBox box = withCornersAt({3, 2, 1}, {15, 7, 6}).dataBox();
-    const CameraPose camera = cameraPoseOf(Pose{}, BeamAxis::plusZ, 0.0, box, Projection::parallel, 1.0);
+    const CameraPose camera = cameraPoseOf(Pose{}, BeamAxis::plusZ, box, Projection::parallel, 1.0);
     EXPECT_EQ(camera.focalPoint, box.centreMm());
     EXPECT_NEAR(camera.heightMm, 1.04 * 6.5, 1e-12) << "the larger extent across the beam and the margin";
     EXPECT_EQ(wholeVolumePose(box, Viewpoint{}, Projection::parallel, 1.0), Pose{});

@@ -7,6 +7,8 @@
 #include <array>
 #include <string>
 
+#include "processing/picture/view_limits.h"
+
 namespace echolucent {
 
 namespace {
@@ -129,13 +131,13 @@ void GraphicsCardShader::set(vtkShaderProperty& shader, const Volume& volume, co
     }
     if (kind.shaded) setLight(uniforms, volume, look, *look.shading);
     const DepthColouring tints = look.depthColouring.value_or(DepthColouring{});
-    const auto box = volume.geometry().depthsAlong(look.camera.frame.forward);
-    const double nearest = std::max(box.nearest, look.nearPlaneDepthMm);
+    const double nearest = nearestDepthMm(look, volume.geometry());
+    const double farthest = volume.geometry().depthsAlong(look.camera.frame.forward).farthest;
     setVector(uniforms, "ecForward", look.camera.frame.forward);
     setVector(uniforms, "ecNearTint", tints.nearTint);
     setVector(uniforms, "ecFarTint", tints.farTint);
     setNumber(uniforms, "ecNearDepth", nearest);
-    setNumber(uniforms, "ecFarDepth", std::max(box.farthest, nearest + 1e-6));
+    setNumber(uniforms, "ecFarDepth", std::max(farthest, nearest + 1e-6));
 }
 
 void GraphicsCardShader::setSource(vtkShaderProperty& shader, const Kind& kind) {

@@ -34,8 +34,6 @@ int blendModeOf(RenderMode mode) {
     return vtkVolumeMapper::COMPOSITE_BLEND;
 }
 
-bool needsNearPlane(const RayCastSettings& look) { return std::isfinite(look.nearPlaneDepthMm); }
-
 }  // namespace
 
 GraphicsCardVolume::GraphicsCardVolume() : m_planes(vtkSmartPointer<vtkPlaneCollection>::New()) {
@@ -69,7 +67,7 @@ void GraphicsCardVolume::setVolume(std::shared_ptr<const Volume> volume) {
 }
 
 std::string GraphicsCardVolume::whyNot(const RayCastSettings& look) {
-    if (look.clippingPlanes.size() + needsNearPlane(look) > mostPlanes) {
+    if (look.clippingPlanes.size() + look.front.has_value() > mostPlanes) {
         return "There are more clipping planes than VTK's graphics card mapper takes.";
     }
     if (look.shading && look.shading->asksWhatReaches())
@@ -107,8 +105,7 @@ void GraphicsCardVolume::setLook(const RayCastSettings& look, vtkVolumeProperty&
 
 void GraphicsCardVolume::setPlanes(const RayCastSettings& look) {
     std::vector<ClippingPlane> planes = look.clippingPlanes;
-    const Vec3& forward = look.camera.frame.forward;
-    if (needsNearPlane(look)) planes.push_back({forward * look.nearPlaneDepthMm, forward});
+    if (look.front) planes.push_back({look.front->inwards * look.front->depthMm, look.front->inwards});
     // VTK composes its shader anew for another collection, but not if planes only move.
     if (static_cast<std::size_t>(m_planes->GetNumberOfItems()) != planes.size()) {
         m_planes = vtkSmartPointer<vtkPlaneCollection>::New();
