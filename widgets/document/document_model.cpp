@@ -1,5 +1,6 @@
 #include "widgets/document/document_model.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -11,17 +12,19 @@ DocumentModel::DocumentModel(QObject* parent, std::size_t mostBytes)
     : QObject(parent), m_steps([this](const Document& document) { restore(document); }, mostBytes) {}
 
 void DocumentModel::edit(const Document& wanted, const QString& what, Gesture gesture) {
-    const Document next = keptOf(wanted);
+    const Document kept = keptOf(wanted);
     const Document before =
         keepingChecksum(withShown(std::exchange(m_beforePreview, std::nullopt).value_or(m_document), m_document));
+    const Document ownBefore = withoutLook(before);
+    const Document next = withLook(kept);
     if (withShown(next, before) == before) return set(next);
-    m_steps.push(before, next, what, gesture);
+    m_steps.push(ownBefore, withoutLook(next), what, gesture);
     set(next);
     emit m_steps.changed();
 }
 
 void DocumentModel::preview(const Document& wanted, const QString& what) {
-    const Document next = keptOf(wanted);
+    const Document next = withLook(keptOf(wanted));
     if (next == m_document) return;
     if (!m_beforePreview) m_beforePreview = m_document;
     m_previewed = what;
@@ -88,17 +91,48 @@ void DocumentModel::noteChecksum(const StudyReference& study) {
     emit changed();
 }
 
+void DocumentModel::lookAtPanes(const std::vector<Pane>& added) {
+    if (m_document.panes.size() != 1)
+        throw std::invalid_argument("DocumentModel::lookAtPanes: the document has several panes");
+    m_look = LookedAt{added, m_document.comparison};
+    set(withLook(m_document));
+}
+
+void DocumentModel::endLookAtPanes() {
+    if (!m_look) return;
+    Document own = ownDocument();
+    m_look.reset();
+    set(std::move(own));
+}
+
+Document DocumentModel::withoutLook(Document document) const {
+    const bool looked = m_look && document.panes.size() == m_look->added.size() + 1 &&
+                        std::equal(m_look->added.begin(), m_look->added.end(), document.panes.begin() + 1) &&
+                        document.comparison == m_look->comparison;
+    if (looked) document.panes.resize(1);
+    return document;
+}
+
+Document DocumentModel::withLook(Document document) {
+    if (!m_look || document.panes.size() != 1) return document;
+    m_look->comparison = document.comparison;
+    document.panes.insert(document.panes.end(), m_look->added.begin(), m_look->added.end());
+    return document;
+}
+
 void DocumentModel::begin(const Document& document) {
     m_beforePreview.reset();
+    // A document with panes of its own is looked at as it is.
+    if (document.panes.size() != 1) m_look.reset();
     m_steps.begin(document);
-    set(document);
+    set(withLook(document));
     emit m_steps.changed();
 }
 
 void DocumentModel::restore(const Document& document) {
     // Drop a preview that goes on. `document` is the state to show instead.
     m_beforePreview.reset();
-    set(keepingChecksum(withShown(document, m_document)));
+    set(withLook(keepingChecksum(withShown(document, m_document))));
 }
 
 void DocumentModel::set(Document next) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "processing/document/document.h"
 #include "widgets/document/document_steps.h"
@@ -73,6 +74,15 @@ public:
     /// Shows the frame of the motion at an angle in degrees, and a phase, at once. No step.
     void showFrame(double degrees, int phase);
 
+    /// Adds panes to a document of one pane, only to look at them. This is no step. Neither the steps nor ownDocument()
+    /// hold these panes, and an undo leaves them where they are. They become the document's own once an edit changes
+    /// one of them or how they are compared. std::invalid_argument if the document has several panes.
+    void lookAtPanes(const std::vector<Pane>& added);
+    /// Takes the panes of lookAtPanes() away if nobody has changed them. This is no step.
+    void endLookAtPanes();
+    /// The document as a person has set it: without panes that are only looked at.
+    [[nodiscard]] Document ownDocument() const { return withoutLook(m_document); }
+
     /// Notes the checksum of the document's study. This is no step, and emits only changed(). Edits, undo and redo keep
     /// the checksum. std::invalid_argument if `study` is another study than the document's.
     void noteChecksum(const StudyReference& study);
@@ -107,6 +117,15 @@ private:
     /// The function that undo and redo call.
     void restore(const Document& document);
     void set(Document next);
+    /// What lookAtPanes() has added, and how the panes were compared then.
+    struct LookedAt {
+        std::vector<Pane> added;
+        Comparison comparison;
+    };
+    /// The document without the panes of the look, if it has just these beside its first one.
+    [[nodiscard]] Document withoutLook(Document document) const;
+    /// The document with the panes of the look, if it has one pane. From then on the look is of its comparison.
+    [[nodiscard]] Document withLook(Document document);
     /// `document`, with the present document's study reference if both name the same study: only the present one may
     /// know the checksum.
     [[nodiscard]] Document keepingChecksum(Document document) const;
@@ -116,6 +135,7 @@ private:
 
     Hand m_hand;
     Document m_document;
+    std::optional<LookedAt> m_look;  ///< while panes are looked at
     std::optional<Document> m_beforePreview;
     QString m_previewed;  ///< name of the step that the preview becomes
     DocumentSteps m_steps;

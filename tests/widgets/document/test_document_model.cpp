@@ -162,6 +162,56 @@ private slots:
         QCOMPARE(model.document().scene.motionAngle, 0.0);
     }
 
+    /// Whatever is done while panes are looked at, steps and the document's own value are those of a model where nobody
+    /// looks, unless a pane itself is changed.
+    void panesThatAreLookedAtAreNoPartOfSteps() {
+        DocumentModel looking, plain;
+        const std::vector<Pane> added{{.curve = CurveKind::linear}, {.curve = CurveKind::quartic}};
+        const auto both = [&](const auto& act) {
+            act(looking);
+            act(plain);
+        };
+        both([](DocumentModel& model) {
+            model.change("zoom", [](Document& next) { next.scene.pose.magnification = 2; });
+        });
+        looking.lookAtPanes(added);
+        QCOMPARE(looking.document().panes.size(), std::size_t{3});
+        QVERIFY_EXCEPTION_THROWN(looking.lookAtPanes(added), std::invalid_argument);
+        both([](DocumentModel& model) {
+            model.change("turn", [](Document& next) { next.scene.pose.direction.azimuth = 30; });
+        });
+        both([](DocumentModel& model) { model.steps().setIndex(0); });
+        QCOMPARE(looking.document().panes.size(), std::size_t{3});
+        both([](DocumentModel& model) { model.steps().setIndex(2); });
+        QVERIFY(looking.ownDocument() == plain.document());
+        QCOMPARE(looking.steps().count(), plain.steps().count());
+        looking.endLookAtPanes();
+        QVERIFY(looking.document() == plain.document());
+
+        looking.lookAtPanes(added);
+        looking.change("OTF of pane 2", [](Document& next) { next.panes[1].curve = CurveKind::manual; });
+        QCOMPARE(looking.steps().count(), plain.steps().count() + 1);
+        QCOMPARE(looking.ownDocument().panes.size(), std::size_t{3});
+        looking.steps().undo();
+        QVERIFY(looking.ownDocument() == plain.document());
+        looking.steps().redo();
+        looking.endLookAtPanes();
+        QCOMPARE(looking.document().panes.size(), std::size_t{3});
+        QCOMPARE(looking.document().panes[1].curve, CurveKind::manual);
+
+        // A document that begins is looked at in the same way; one with panes of its own is not.
+        looking.begin(Document{});
+        QCOMPARE(looking.document().panes.size(), std::size_t{1});
+        looking.lookAtPanes(added);
+        looking.begin(plain.document());
+        QVERIFY(looking.ownDocument() == plain.document());
+        QCOMPARE(looking.document().panes.size(), std::size_t{3});
+        Document several;
+        several.panes.insert(several.panes.end(), added.begin(), added.end());
+        looking.begin(several);
+        QVERIFY(looking.ownDocument() == several);
+    }
+
     void eachPartHasItsSignal() {
         DocumentModel model;
         model.begin(twoPanes());
