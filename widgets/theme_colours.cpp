@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "processing/picture/annotation_layout.h"
+
 namespace echolucent {
 
 namespace {
@@ -58,6 +60,8 @@ const ThemeColours& coloursOf(Theme theme) {
 }
 
 const ThemeColours& coloursOverPictures() { return coloursOf(Theme::dark); }
+
+QColor oldPictureShadeColour() { return QColor::fromRgbF(0, 0, 0, static_cast<float>(oldPictureShade)); }
 
 Theme themeOf(const QPalette& palette) {
     // Ask neither for the background, which some controls lack, nor for disabled text, which is pale in both themes.

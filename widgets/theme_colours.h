@@ -77,6 +77,9 @@ struct ThemeColourRow {
 /// Pictures are on black in both themes, so drawings over them have the dark theme's colours.
 [[nodiscard]] const ThemeColours& coloursOverPictures();
 
+/// Painted over a picture that another is about to replace (oldPictureShade).
+[[nodiscard]] QColor oldPictureShadeColour();
+
 /// The theme of a widget, by its palette: dark if its text is light.
 [[nodiscard]] Theme themeOf(const QPalette& palette);
 [[nodiscard]] const ThemeColours& coloursOf(const QPalette& palette);

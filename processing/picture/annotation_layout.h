@@ -16,6 +16,8 @@ using Colour = std::array<unsigned char, 3>;
 /// Pixels: x right, y up, from the picture's lower left corner.
 using Point2 = cv::Vec2d;
 
+/// The share of the light that a shade takes from a picture which another is about to replace.
+inline constexpr double oldPictureShade = 0.65;
 inline constexpr double annotationMargin = 18.0;  ///< from the picture's edges, pixels of a plain screen
 inline constexpr int annotationFontSize = 14;     ///< pixels of a plain screen (72 dpi)
 inline constexpr Colour annotationColour{0xd8, 0xdd, 0xe2};

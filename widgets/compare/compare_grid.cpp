@@ -84,6 +84,11 @@ bool CompareGrid::dragging() const {
     return m_pair->dragging() || std::ranges::any_of(m_panes, [](const ComparePane* pane) { return pane->dragging(); });
 }
 
+void CompareGrid::setDimmed(bool dimmed) {
+    for (ComparePane* pane : m_panes) pane->setDimmed(dimmed);
+    m_pair->setDimmed(dimmed);
+}
+
 bool CompareGrid::cancelDrag() {
     return m_pair->cancelDrag() || std::ranges::any_of(m_panes, [](ComparePane* pane) { return pane->cancelDrag(); });
 }

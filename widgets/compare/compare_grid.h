@@ -30,6 +30,8 @@ public:
     /// The places of the panes that are shown side by side, or of the maximised one; empty if the pair's pane is shown.
     [[nodiscard]] std::vector<std::size_t> shownPanes() const;
     [[nodiscard]] bool dragging() const;
+    /// Dims all panes (ComparePane::setDimmed()).
+    void setDimmed(bool dimmed);
     /// Ends a drag without change. False if there is none.
     bool cancelDrag();
     [[nodiscard]] std::optional<std::size_t> maximised() const { return m_maximised; }

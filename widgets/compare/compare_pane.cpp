@@ -51,6 +51,10 @@ void ComparePane::setBusy(bool busy) {
     if (std::exchange(m_busy, busy) != busy) update();
 }
 
+void ComparePane::setDimmed(bool dimmed) {
+    if (std::exchange(m_dimmed, dimmed) != dimmed) update();
+}
+
 QRect ComparePane::pictureRect() const {
     const int caption = 2 * fontMetrics().height() + 2 * padding;
     return rect().adjusted(margin, margin, -margin, -margin - caption);
@@ -91,6 +95,7 @@ void ComparePane::paintEvent(QPaintEvent*) {
             painter.setPen(QPen(coloursOverPictures().accent, 1, Qt::DotLine));
             painter.drawRect(rect().adjusted(3, 3, -4, -4));
         }
+        if (m_dimmed) painter.fillRect(rect(), oldPictureShadeColour());
     }
     emit painted(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
 }

@@ -40,6 +40,8 @@ public:
     /// Whether something for this pane is being computed.
     void setBusy(bool busy);
     [[nodiscard]] bool busy() const { return m_busy; }
+    /// Dims what the pane shows, because another study is about to take its place.
+    void setDimmed(bool dimmed);
 
     /// The place of the picture, logical pixels.
     [[nodiscard]] QRect pictureRect() const;
@@ -86,7 +88,7 @@ private:
     PaneFace m_face;
     QImage m_image, m_right;
     std::optional<double> m_wipe;
-    bool m_busy = false;
+    bool m_busy = false, m_dimmed = false;
     CameraDrag m_drag = CameraDrag::none;
     bool m_wiping = false;  ///< the drag moves the line
     Qt::MouseButton m_button = Qt::NoButton;

@@ -62,6 +62,7 @@ void PlanePane::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(colourOf(m_plane), width));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(rect()).adjusted(width / 2, width / 2, -width / 2, -width / 2));
+    if (m_dimmed) painter.fillRect(rect(), oldPictureShadeColour());
 }
 
 /// Draws the lines of the other planes and the reference point.

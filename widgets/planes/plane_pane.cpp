@@ -60,6 +60,10 @@ void PlanePane::setScene(const PlaneScene& scene) {
     update();
 }
 
+void PlanePane::setDimmed(bool dimmed) {
+    if (std::exchange(m_dimmed, dimmed) != dimmed) update();
+}
+
 void PlanePane::clear() {
     cancelDrag();
     m_scene.reset();

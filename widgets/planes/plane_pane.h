@@ -58,6 +58,8 @@ public:
     [[nodiscard]] std::optional<PlaneRequest> wanted(const std::shared_ptr<const Volume>& volume) const;
     void setSamples(const std::shared_ptr<const PlaneSamples>& samples);
     [[nodiscard]] const QImage& image() const { return m_image; }
+    /// Dims what the pane shows, because another study is about to take its place.
+    void setDimmed(bool dimmed);
     [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
     /// Ends a drag without change. False if there is none.
     bool cancelDrag();
@@ -138,6 +140,7 @@ private:
 
     PlaneName m_plane;
     std::optional<PlaneScene> m_scene;
+    bool m_dimmed = false;
     std::shared_ptr<const PlaneSamples> m_samples;
     QImage m_image;
     mutable std::optional<BoxDrawing> m_drawing;  ///< kept for the present scene and size, once drawing() was called

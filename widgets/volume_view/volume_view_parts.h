@@ -37,6 +37,7 @@ struct VolumeViewWidget::Parts {
     std::optional<QPointF> cursor;             ///< over the picture, logical pixels; no value elsewhere
     bool scheduled = false;                    ///< whether a request is on its way
     Works::UnderWay asks;                      ///< until the request is made
+    bool dimmed = false;                       ///< whether the picture on the screen is dimmed
     bool toRedraw = false;                     ///< whether the overlay or caption has changed since it was drawn
 
     VolumeScene scene;

@@ -68,6 +68,15 @@ void VolumeViewWidget::setCaption(const QString& text) {
     redrawSoon();
 }
 
+void VolumeViewWidget::setDimmed(bool dimmed) {
+    Parts& parts = *m_parts;
+    if (std::exchange(parts.dimmed, dimmed) == dimmed) return;
+    parts.scene.setDimmed(dimmed);
+    if (parts.shown && isVisible()) render(false);
+}
+
+bool VolumeViewWidget::dimmed() const { return m_parts->dimmed; }
+
 void VolumeViewWidget::setOverlay(const Overlay& overlay) {
     if (overlay == m_parts->scene.overlay()) return;
     m_parts->scene.setOverlay(overlay);
@@ -145,9 +154,11 @@ QImage VolumeViewWidget::convergedImage() {
     // Grips and the like are no part of a saved picture.
     const Overlay overlay = parts.scene.overlay();
     parts.scene.setOverlay({});
+    parts.scene.setDimmed(false);
     const QImage image = screenImage();
     parts.scene.setOverlay(overlay);
-    if (overlay != Overlay{}) redrawSoon();
+    parts.scene.setDimmed(parts.dimmed);
+    if (overlay != Overlay{} || parts.dimmed) redrawSoon();
     return image;
 }
 

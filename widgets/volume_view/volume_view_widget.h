@@ -124,6 +124,10 @@ public:
     /// The converged picture on the screen without the overlay, for saving. If it is not there yet, it is cast now,
     /// while the person waits. If memory is short, emits pictureFailed() and takes the picture on the screen.
     [[nodiscard]] QImage convergedImage();
+    /// Dims the picture on the screen, because another is about to take its place. It is drawn at once. Saved pictures
+    /// are not dimmed.
+    void setDimmed(bool dimmed);
+    [[nodiscard]] bool dimmed() const;
     /// Words in the picture that say what was done to it. An empty text shows nothing.
     void setCaption(const QString& text);
     [[nodiscard]] QString caption() const;

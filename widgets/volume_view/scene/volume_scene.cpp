@@ -30,6 +30,7 @@ VolumeScene::VolumeScene() {
     m_orientationMarker.addTo(m_renderer);
     m_scaleBar.addTo(m_renderer);
     m_caption.addTo(m_renderer);
+    m_shade.addTo(m_renderer);  // last: it lies over all others
     // The window's size is certain only when it is drawn.
     m_startObserver = m_renderer->AddObserver(vtkCommand::StartEvent, this, &VolumeScene::prepareDrawing);
     updateVisibility();
@@ -143,6 +144,8 @@ void VolumeScene::updateVisibility() {
 void VolumeScene::prepareDrawing() {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(m_renderer->GetRenderWindow());
     if (m_card.renderer.empty() && window) m_card = graphicsCardOf(*window);
+    const int* size = m_renderer->GetSize();
+    m_shade.layOut(size[0], size[1]);
     layOutAnnotations();
 }
 

@@ -13,6 +13,7 @@
 #include "widgets/volume_view/scene/annotation/orientation_marker.h"
 #include "widgets/volume_view/scene/annotation/overlay_lines.h"
 #include "widgets/volume_view/scene/annotation/scale_bar.h"
+#include "widgets/volume_view/scene/annotation/shade.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card.h"
 #include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
 
@@ -51,6 +52,8 @@ public:
     void showLive(const Camera& camera, const RayCastSettings& look);
     [[nodiscard]] Camera camera();
     void setAnnotationsVisible(bool visible);
+    /// Lays a shade over picture and annotations, because they are about to be replaced.
+    void setDimmed(bool dimmed) { m_shade.setVisible(dimmed); }
     /// Words in the picture that say what was done to it. An empty text shows nothing.
     void setCaption(const std::string& text);
     [[nodiscard]] const std::string& caption() const { return m_caption.text(); }
@@ -100,6 +103,7 @@ private:
     ScaleBar m_scaleBar;
     Caption m_caption;
     OverlayLines m_overlay;
+    Shade m_shade;
     GraphicsCard m_card;
     GraphicsCardVolume m_cardVolume;
     RendererChoice m_choice = RendererChoice::automatic;
