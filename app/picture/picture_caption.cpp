@@ -19,40 +19,43 @@ QString reductionLine(const std::optional<Reduction>& reduction) {
         .arg(textOf(factorsText(*reduction)).replace('x', QChar(0x00d7)));
 }
 
-QString beamLine(const Beam& beam, bool simulated) {
-    const QString axis = textOf(nameOf(beam.axis));
-    if (simulated) return captionText("beam %1").arg(axis);
-    switch (beam.source) {
-        case BeamSource::assumed: return captionText("beam %1, assumed").arg(axis);
-        case BeamSource::sectorShape: return captionText("beam %1, from the shape of the sector").arg(axis);
-        case BeamSource::echo: return captionText("beam %1, from the echo").arg(axis);
-        case BeamSource::file: return captionText("beam %1, seen from the probe as the file says").arg(axis);
-        case BeamSource::person: break;
-    }
-    return captionText("beam %1").arg(axis);
+/// Whether the pose looks the way sound went, as far as anybody could tell.
+bool looksFromProbe(const Document& document) {
+    constexpr double leastCosine = 0.9998;  // a degree
+    const Beam& beam = document.beam;
+    const Vec3 sound = frameOf(viewAlongBeam(beam)).forward;
+    return frameOf(viewpointOf(beam.axis, document.scene.pose.direction, 0.0)).forward.dot(sound) > leastCosine;
 }
 
-QString cutLine(const Front& cut, bool lengthsKnown) {
-    if (!cut.surface && !(cut.depthMm > 0)) return {};
-    const QString what = cut.surface    ? captionText("cut along a curved surface")
-                         : lengthsKnown ? captionText("cut at %1 mm").arg(cut.depthMm, 0, 'f', 1)
-                                        : captionText("cut");
-    return cut.source == FrontSource::found ? captionText("%1, found on opening (N takes it back)").arg(what) : what;
+/// The side from which the picture is seen. Nothing names the probe while nobody knows where it was.
+QString sideLine(const Document& document) {
+    const bool simulated = std::holds_alternative<SimulatedScan>(document.study);
+    const bool known = simulated || document.beam.source != BeamSource::assumed;
+    return known && looksFromProbe(document) ? captionText("from the probe") : QString();
+}
+
+QString cutLine(const Front& front, bool lengthsKnown) {
+    if (!front.surface && !(front.depthMm > 0)) return {};
+    const QString what = front.surface  ? captionText("front, bowed")
+                         : lengthsKnown ? captionText("front %1 mm").arg(front.depthMm, 0, 'f', 1)
+                                        : captionText("front");
+    return front.source == FrontSource::found ? captionText("%1, found").arg(what) : what;
 }
 
 QString speckleLine(SpeckleReduction reduction, ShownSpeckle shown) {
     if (reduction == SpeckleReduction::off) return {};
     switch (shown) {
-        case ShownSpeckle::asRead: return captionText("speckle not reduced");
-        case ShownSpeckle::beingReduced: return captionText("speckle is being reduced");
+        case ShownSpeckle::asRead: return captionText("not smoothed");
+        case ShownSpeckle::beingReduced: return captionText("being smoothed");
         case ShownSpeckle::reduced: break;
     }
-    return captionText("speckle reduced: %1").arg(textOf(nameOf(reduction)));
+    return captionText("smoothed: %1").arg(textOf(nameOf(reduction)));
 }
 
-QString lightLine(const Look& look) {
-    if (look.mode != RenderMode::direct || look.lighting == Lighting::flat) return {};
-    return look.lighting == Lighting::depth ? captionText("light tells depth") : captionText("light on surfaces");
+/// One line of the facts that are true.
+QString lineOf(QStringList facts) {
+    facts.removeAll(QString());
+    return facts.join(QStringLiteral(" · "));
 }
 
 /// If a motion changes the phase, every frame has the line. Else it would vanish in the frame whose OTF it is.
@@ -89,14 +92,12 @@ bool curveIsOfAnotherView(const Document& document, const Viewpoint& ofOtf) {
 QString pictureCaption(const CaptionFacts& facts) {
     const Look& look = facts.document.scene.look;
     QStringList lines{
-        reductionLine(facts.reduction),
-        beamLine(facts.document.beam, std::holds_alternative<SimulatedScan>(facts.document.study)),
-        cutLine(facts.document.scene.front, facts.lengthsKnown),
-        speckleLine(look.reduction, facts.speckle),
-        lightLine(look),
-        designLine(facts.document, facts.designIsShown),
-        otfLine(facts.document),
-        facts.curveOfAnotherView ? captionText("curve of another view (A computes it for this one)") : QString()};
+        lineOf({sideLine(facts.document), cutLine(facts.document.scene.front, facts.lengthsKnown),
+                speckleLine(look.reduction, facts.speckle)}),
+        lineOf({reductionLine(facts.reduction), designLine(facts.document, facts.designIsShown),
+                otfLine(facts.document),
+                facts.curveOfAnotherView ? captionText("curve of another view (A computes it for this one)")
+                                         : QString()})};
     lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));
 }

@@ -110,7 +110,7 @@ private slots:
         m_fixture.waitUntilIdle();
         QVERIFY(m_fixture.window().document().document().scene.front == Front{.surface = curved.surface});
         QVERIFY(m_fixture.window().otfs().adaptive()->view.cutSurface == curved.surface);
-        QVERIFY(m_fixture.window().volumeView().caption().contains("curved"));
+        QVERIFY(m_fixture.window().volumeView().caption().contains("front, bowed"));
         QTest::keyClick(&m_fixture.window(), Qt::Key_N, Qt::ShiftModifier);
         m_fixture.waitUntilIdle();
         QVERIFY(m_fixture.window().document().document().scene.front == Front{});
