@@ -19,6 +19,15 @@
 
 namespace echolucent {
 
+namespace {
+
+constexpr const char *picturesTopic = "compared pictures", *measuresTopic = "compared measures",
+                     *pageTopic = "comparison page";
+
+QString topicOfOtf(std::size_t place) { return QStringLiteral("OTF of pane %1").arg(place + 1); }
+
+}  // namespace
+
 CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
@@ -31,8 +40,10 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     // The 3D view tells of failures of the first pane and of the scene's adaptive OTF already.
     connect(&m_parts.otfs, &PaneOtfs::failed, this, [this](std::size_t place, const QString& sentence) {
         if (place != firstPane && place != PaneOtfs::adaptiveOfScene)
-            m_parts.messages.showMessage(MessageKind::error, sentence);
+            m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::withStudy(topicOfOtf(place)));
     });
+    connect(&m_parts.otfs, &PaneOtfs::computed, this,
+            [this](std::size_t place) { m_parts.messages.takeBack(topicOfOtf(place)); });
     connect(&m_parts.model, &DocumentModel::changed, this, [this] {
         if (!isCompared(m_parts.model.document())) setShown(false);  // the comparison was undone
     });
@@ -42,11 +53,15 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     connect(&m_parts.openStudy, &OpenStudy::openFailed, this, [this] { m_figureWaits = 0; });
     connect(&m_views, &ComparedViews::failed, this, [this] {
         m_parts.player.pause();
-        m_parts.messages.showMessage(MessageKind::error, tr("The pictures need more memory than this machine has."));
+        m_parts.messages.showMessage(MessageKind::error, tr("The pictures need more memory than this machine has."),
+                                     MessageEnd::withStudy(picturesTopic));
         setWaitingPage({});
     });
-    connect(&m_measures, &CompareMeasures::failed, this,
-            [this](const QString& sentence) { m_parts.messages.showMessage(MessageKind::error, sentence); });
+    connect(&m_views, &ComparedViews::frameShown, this, [this] { m_parts.messages.takeBack(picturesTopic); });
+    connect(&m_measures, &CompareMeasures::failed, this, [this](const QString& sentence) {
+        m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::withStudy(measuresTopic));
+    });
+    connect(&m_measures, &CompareMeasures::rowsChanged, this, [this] { m_parts.messages.takeBack(measuresTopic); });
     connect(&m_parts.otfs, &PaneOtfs::computed, this, &CompareRoom::setUpWaitingFigure, Qt::QueuedConnection);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
         setWaitingPage({});
@@ -92,13 +107,17 @@ Work CompareRoom::work() {
 void CompareRoom::setShown(bool shown) {
     if (shown == m_views.shown()) return;
     DocumentModel& model = m_parts.model;
-    if (shown && !isCompared(model.document())) model.edit(withPaneCount(model.document(), mostPanes), tr("compare"));
+    if (shown && !isCompared(model.document())) {
+        const std::vector<Pane> panes = withPaneCount(model.document(), mostPanes).panes;
+        model.lookAtPanes({panes.begin() + 1, panes.end()});
+    }
     m_parts.rooms.setCurrentIndex(shown ? 1 : 0);
     m_views.setShown(shown);
     if (shown)
         m_parts.grid.pane(0).setFocus();
     else
         leave();
+    if (!shown) model.endLookAtPanes();
     emit shownChanged(shown);
 }
 
@@ -204,7 +223,7 @@ void CompareRoom::setWaitingPage(const QString& path) {
 
 void CompareRoom::giveUpPage(const QString& sentence) {
     setWaitingPage({});
-    m_parts.messages.showMessage(MessageKind::error, sentence);
+    m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::withStudy(pageTopic));
 }
 
 void CompareRoom::writeWaitingPage() {
@@ -232,9 +251,14 @@ void CompareRoom::writeWaitingPage() {
     m_writing.begin(
         path,
         [page, file = path.toStdString()](const Progress&) { return writeFileAtomically(file, comparePageText(page)); },
-        [this](const Result<void>& written) {
-            if (!written)
-                m_parts.messages.showMessage(MessageKind::error, QString::fromStdString(written.error().sentence()));
+        [this, path](const Result<void>& written) {
+            if (written)
+                m_parts.messages.showMessage(MessageKind::info,
+                                             tr("The comparison was saved as %1.").arg(m_parts.names.nameOfOther(path)),
+                                             MessageEnd::soon(pageTopic));
+            else if (written.error().kind != FailureKind::cancelled)
+                m_parts.messages.showMessage(MessageKind::error, QString::fromStdString(written.error().sentence()),
+                                             MessageEnd::withStudy(pageTopic));
         });
     setWaitingPage({});
 }

@@ -48,8 +48,8 @@ public:
     explicit CompareRoom(const Parts& parts, QObject* parent = nullptr);
 
     [[nodiscard]] bool shown() const { return m_views.shown(); }
-    /// Shows the comparison, or the review room again. If nothing is compared yet, four panes are compared, in one
-    /// step.
+    /// Shows the comparison, or the review room again. If nothing is compared yet, four panes are looked at
+    /// (DocumentModel::lookAtPanes()): looking changes nothing that is kept.
     void setShown(bool shown);
     [[nodiscard]] const ComparedViews& views() const { return m_views; }
     /// Adds its entries to the room menu, which must exist.

@@ -15,6 +15,10 @@
 
 namespace echolucent {
 
+namespace {
+constexpr const char* movieTopic = "movie";
+}  // namespace
+
 MovieFiles::MovieFiles(Parts parts)
     : QObject(&parts.window),
       m_parts(std::move(parts)),
@@ -30,7 +34,8 @@ QString MovieFiles::namesOf(const std::vector<std::string>& files) const {
 void MovieFiles::ask(FrameOutput output) {
     if (!m_parts.openStudy.study()) return;
     if (busy()) {
-        m_parts.messages.showMessage(MessageKind::info, tr("A movie is being written. Wait for it, or cancel it."));
+        m_parts.messages.showMessage(MessageKind::info, tr("A movie is being written. Wait for it, or cancel it."),
+                                     MessageEnd::whenTakenBack(movieTopic));
         return;
     }
     const HeldFrames held = heldInMovie();
@@ -164,7 +169,8 @@ void MovieFiles::tell(const QString& names, const Result<void>& written) {
 }
 
 void MovieFiles::tell(bool written, MessageKind kind, const QString& sentence) {
-    m_parts.messages.showMessage(kind, sentence);
+    m_parts.messages.showMessage(
+        kind, sentence, kind == MessageKind::info ? MessageEnd::soon(movieTopic) : MessageEnd::withStudy(movieTopic));
     emit ended(written, sentence);
 }
 

@@ -9,11 +9,16 @@
 
 namespace echolucent {
 
+namespace {
+constexpr const char* otfTopic = "OTF";
+}  // namespace
+
 QString labelOf(const DesignerConfig& config) { return textOf(labelOf(designerOf(config))); }
 
 EditorOtfs::EditorOtfs(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
     connect(&m_parts.panes, &ShownPanes::changed, this, &EditorOtfs::showAdaptive);
     connect(&m_parts.otfs, &PaneOtfs::computed, this, [this](std::size_t place) {
+        if (place == firstPane || place == PaneOtfs::adaptiveOfScene) m_parts.messages.takeBack(otfTopic);
         if (place == firstPane) showDesign();
     });
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &EditorOtfs::showDesign);
@@ -57,7 +62,7 @@ void EditorOtfs::showInPanel() {
 void EditorOtfs::tellFailure(std::size_t place, const QString& sentence) {
     const bool designed = designerConfigOf(m_parts.model.document(), firstPane) != nullptr;
     if (place == PaneOtfs::adaptiveOfScene || (place == firstPane && designed))
-        m_parts.messages.showMessage(MessageKind::error, sentence);
+        m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::withStudy(otfTopic));
 }
 
 }  // namespace echolucent

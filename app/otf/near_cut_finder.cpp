@@ -6,6 +6,10 @@
 
 namespace echolucent {
 
+namespace {
+constexpr const char* frontTopic = "near cut";
+}  // namespace
+
 NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
@@ -37,7 +41,8 @@ void NearCutFinder::look() {
         } catch (const std::bad_alloc&) {
             return [this] {
                 m_parts.messages.showMessage(MessageKind::error,
-                                             tr("Looking for the front needs more memory than this machine has."));
+                                             tr("Looking for the front needs more memory than this machine has."),
+                                             MessageEnd::withStudy(frontTopic));
             };
         }
     });
@@ -95,9 +100,11 @@ QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const 
 }
 
 void NearCutFinder::tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
-    m_told = text;
+    m_told = true;
     m_toldPicture = presentPicture();
-    m_parts.messages.showMessage(kind, text, actions);
+    m_parts.messages.showMessage(
+        kind, text, kind == MessageKind::info ? MessageEnd::soon(frontTopic) : MessageEnd::withStudy(frontTopic),
+        actions);
 }
 
 NearCutFinder::CutPicture NearCutFinder::presentPicture() const {
@@ -106,8 +113,9 @@ NearCutFinder::CutPicture NearCutFinder::presentPicture() const {
 }
 
 void NearCutFinder::takeBackWhatIsNoLongerTrue() {
-    if (m_told.isEmpty() || presentPicture() == m_toldPicture) return;
-    m_parts.messages.takeBack(std::exchange(m_told, {}));
+    if (!m_told || presentPicture() == m_toldPicture) return;
+    m_told = false;
+    m_parts.messages.takeBack(frontTopic);
 }
 
 void NearCutFinder::setFront(const Front& front, const ViewDirection& side) {

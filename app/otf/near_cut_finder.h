@@ -63,7 +63,7 @@ private:
     Viewpoint m_looksFrom;
     Search m_search;
     std::shared_ptr<const Volume> m_searched;  ///< the volume of the newest search
-    QString m_told;  ///< the newest message, true of m_toldPicture; empty once another picture is shown
+    bool m_told = false;  ///< whether the newest message, true of m_toldPicture, may still be shown
     CutPicture m_toldPicture;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

@@ -1,5 +1,7 @@
 #include "app/picture/document_view.h"
 
+#include <utility>
+
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -28,10 +30,11 @@ void DocumentView::follow() {
         if (!held() && !m_panes.playing()) showPose();
         return;
     }
-    m_study = m_openStudy.study();
+    const bool another = std::exchange(m_study, m_openStudy.study()) != m_openStudy.study();
     m_widget.setClassification(pane.classification);
     m_widget.setVolume(pane.voxels, pane.measured);
     showPose();
+    if (another) emit studyGiven();
 }
 
 void DocumentView::showPose() {

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] bool isCurrent() const { return m_isCurrent; }
 
 signals:
+    /// The widget was given the open study: it no longer shows the one before (held()).
+    void studyGiven();
     /// The hand has moved the camera.
     void cameraMoved();
 

@@ -53,6 +53,7 @@ void LoadingPicture::show(const QImage& image) {
         m_still->setAccessibleName(tr("Coarse picture of the volume that is being loaded"));
     }
     m_still->showImage(image);
+    emit shown();
     m_parts.openStudy.setLoadingWords(tr("coarse picture, loading goes on"));
 }
 

@@ -31,6 +31,10 @@ public:
     /// What the parameters refer to must outlive this object.
     explicit LoadingPicture(const Parts& parts, QObject* parent = nullptr);
 
+signals:
+    /// The coarse picture lies over the 3D view.
+    void shown();
+
 private:
     void make(const CoarseVolume& coarse);
     void show(const QImage& image);

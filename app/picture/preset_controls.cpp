@@ -20,6 +20,8 @@ namespace echolucent {
 
 namespace {
 
+constexpr const char* presetTopic = "presets";
+
 /// The value of a row of the look, in words.
 QString shownOf(const Look& look, std::string_view name) {
     const Parameter<Look>& row = *parameterNamed(lookParameters(), name);
@@ -145,7 +147,8 @@ void PresetControls::save() {
                                      tr("The preset holds the %1 curve, which the OTF of %2 hides now: presets keep "
                                         "curves, sessions keep designers "
                                         "too.")
-                                         .arg(curveName(document.panes.at(firstPane).curve), labelOf(*designer)));
+                                         .arg(curveName(document.panes.at(firstPane).curve), labelOf(*designer)),
+                                     MessageEnd::soon(presetTopic));
     m_parts.panel.editName(static_cast<int>(all().size()) - 1);
 }
 
@@ -167,12 +170,13 @@ void PresetControls::remove(int preset) {
         }))
         return;
     m_parts.messages.showMessage(MessageKind::info, tr("The preset “%1” was removed.").arg(textOf(removed.name)),
-                                 {{tr("Take it back"), [this, removed] {
-                                       changeOwn([&, this](std::vector<Preset>& own) {
-                                           own.push_back(removed);
-                                           own.back().name = freePresetName(removed.name, names());
-                                       });
-                                   }}});
+                                 MessageEnd::soon(presetTopic), {{tr("Take it back"), [this, removed] {
+                                                                      changeOwn([&, this](std::vector<Preset>& own) {
+                                                                          own.push_back(removed);
+                                                                          own.back().name =
+                                                                              freePresetName(removed.name, names());
+                                                                      });
+                                                                  }}});
 }
 
 void PresetControls::chooseAndExport(int preset) {
@@ -196,7 +200,8 @@ bool PresetControls::exportTo(const QString& path, int preset) {
     if (!report(writePresets(path.toStdString(), {exported}))) return false;
     m_parts.messages.showMessage(
         MessageKind::info,
-        tr("The preset “%1” was exported to %2.").arg(textOf(exported.name), m_parts.names.nameOfOther(path)));
+        tr("The preset “%1” was exported to %2.").arg(textOf(exported.name), m_parts.names.nameOfOther(path)),
+        MessageEnd::soon(presetTopic));
     return true;
 }
 
@@ -225,14 +230,17 @@ bool PresetControls::importFrom(const QString& path) {
     });
     if (!kept) return false;
     m_parts.panel.setOpen(true);
-    m_parts.messages.showMessage(MessageKind::info, read->size() == 1
-                                                        ? tr("1 preset was imported.")
-                                                        : tr("%1 presets were imported.").arg(read->size()));
+    m_parts.messages.showMessage(
+        MessageKind::info,
+        read->size() == 1 ? tr("1 preset was imported.") : tr("%1 presets were imported.").arg(read->size()),
+        MessageEnd::soon(presetTopic));
     return true;
 }
 
 bool PresetControls::report(const Result<void>& done) {
-    if (!done) m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(done.error()));
+    if (!done)
+        m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(done.error()),
+                                     MessageEnd::withStudy(presetTopic));
     return done.has_value();
 }
 

@@ -280,8 +280,9 @@ void MeasuringHand::showMarking() {
 }
 
 void MeasuringHand::tell(const QString& sentence) {
-    m_parts.messages.takeBack(std::exchange(m_told, sentence));
-    if (!sentence.isEmpty()) m_parts.messages.showMessage(MessageKind::info, sentence);
+    const QString topic = QStringLiteral("measuring");
+    m_parts.messages.takeBack(topic);
+    if (!sentence.isEmpty()) m_parts.messages.showMessage(MessageKind::info, sentence, MessageEnd::soon(topic));
 }
 
 PicturePlace MeasuringHand::placeIn3d(const QPointF& pixel) const {

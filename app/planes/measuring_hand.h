@@ -90,7 +90,6 @@ private:
     QPointF m_pressedAt;
     std::optional<Mark> m_held;        ///< under a press; dragged once the hand has moved off
     std::optional<Document> m_before;  ///< the document when the drag of a mark began
-    QString m_told;                    ///< the newest sentence over the picture
 };
 
 }  // namespace echolucent

@@ -23,6 +23,8 @@ namespace echolucent {
 
 namespace {
 
+constexpr const char* reportTopic = "report";
+
 /// What the thread reads from the study's files.
 struct PatientSource {
     std::vector<std::string> files;
@@ -92,7 +94,8 @@ void ReportSaving::choose() {
 void ReportSaving::save(const QString& path, bool withPatient) {
     if (m_parts.openStudy.study() == nullptr) return;
     if (m_wanted || m_writing.busy()) {
-        m_parts.messages.showMessage(MessageKind::info, tr("A report is being made. Wait for it, or cancel it."));
+        m_parts.messages.showMessage(MessageKind::info, tr("A report is being made. Wait for it, or cancel it."),
+                                     MessageEnd::withStudy(reportTopic));
         return;
     }
     m_parts.player.pause();
@@ -110,7 +113,7 @@ void ReportSaving::cancel() {
 void ReportSaving::endUnwritten(const QString& sentence) {
     m_wanted.reset();
     m_taken.reset();
-    m_parts.messages.showMessage(MessageKind::info, sentence);
+    m_parts.messages.showMessage(MessageKind::info, sentence, MessageEnd::soon(reportTopic));
     m_waits.end();
 }
 
@@ -213,11 +216,13 @@ std::vector<ReportTime> ReportSaving::times() const {
 void ReportSaving::tell(const QString& path, const Result<void>& written) {
     const QString name = m_parts.names.nameOfOther(path);
     if (written)
-        m_parts.messages.showMessage(MessageKind::info, tr("The case report was saved as %1.").arg(name));
+        m_parts.messages.showMessage(MessageKind::info, tr("The case report was saved as %1.").arg(name),
+                                     MessageEnd::soon(reportTopic));
     else if (written.error().kind == FailureKind::cancelled)
-        m_parts.messages.showMessage(MessageKind::info, cancelledSentence(name));
+        m_parts.messages.showMessage(MessageKind::info, cancelledSentence(name), MessageEnd::soon(reportTopic));
     else
-        m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(written.error()));
+        m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(written.error()),
+                                     MessageEnd::withStudy(reportTopic));
 }
 
 }  // namespace echolucent

@@ -119,7 +119,7 @@ void Autosave::tryAgain() {
 
 /// Gives an order with all files to remove that are not known to be gone.
 Autosave::Order Autosave::newOrder(std::optional<SavedSession> session) {
-    Order next{std::move(session), std::exchange(m_earlier, {})};
+    Order next{std::move(session), std::exchange(m_earlier, {}), {}};
     if (const auto& due = m_file->due)
         next.earlier.insert(next.earlier.end(), due->earlier.begin(), due->earlier.end());
     return next;
@@ -180,7 +180,8 @@ void Autosave::discard(const Left& left) {
     } else {
         // The removal waits until an earlier order for the file is carried out.
         const auto& due = (*own)->due;
-        (*own)->due = std::make_shared<const Order>(Order{std::nullopt, due ? due->earlier : std::vector<Left>()});
+        (*own)->due =
+            std::make_shared<const Order>(Order{std::nullopt, due ? due->earlier : std::vector<Left>(), left.lock});
         carryOut(**own);
     }
 }

@@ -84,6 +84,7 @@ private:
     struct Order {
         std::optional<SavedSession> session;  ///< what the file will hold; none to remove it
         std::vector<Left> earlier;            ///< files to remove once that is done
+        std::shared_ptr<QLockFile> lock{};    ///< of a file that is discarded: held until it is gone
     };
     /// A session's file. It is wanted as long as somebody holds its lock.
     struct File {

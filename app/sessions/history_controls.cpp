@@ -5,6 +5,10 @@
 
 namespace echolucent {
 
+namespace {
+constexpr const char* snapshotTopic = "snapshots";
+}  // namespace
+
 HistoryControls::HistoryControls(DocumentModel& model, Snapshots& snapshots, HistoryPanel& panel, MessageBar& messages)
     : m_model(model), m_snapshots(snapshots), m_panel(panel), m_messages(messages) {
     connect(&m_panel, &HistoryPanel::keepRequested, this, &HistoryControls::keep);
@@ -13,10 +17,13 @@ HistoryControls::HistoryControls(DocumentModel& model, Snapshots& snapshots, His
     connect(&m_panel, &HistoryPanel::renameRequested, this, [this](int snapshot, const QString& name) {
         const QString problem = m_snapshots.rename(snapshot, name);
         if (problem.isEmpty()) return;
-        m_messages.showMessage(MessageKind::warning, problem);
+        m_messages.showMessage(MessageKind::warning, problem, MessageEnd::withStudy(snapshotTopic));
         show();
     });
-    connect(&m_snapshots, &Snapshots::changed, this, &HistoryControls::show);
+    connect(&m_snapshots, &Snapshots::changed, this, [this] {
+        m_messages.takeBack(snapshotTopic);
+        show();
+    });
     show();
 }
 
@@ -28,11 +35,11 @@ void HistoryControls::show() {
 
 void HistoryControls::keep() {
     const int count = static_cast<int>(m_snapshots.list().size());
-    const QString problem = m_snapshots.keep(tr("Snapshot %1").arg(count + 1), m_model.document());
+    const QString problem = m_snapshots.keep(tr("Snapshot %1").arg(count + 1), m_model.ownDocument());
     if (problem.isEmpty())
         m_panel.editName(count);
     else
-        m_messages.showMessage(MessageKind::warning, problem);
+        m_messages.showMessage(MessageKind::warning, problem, MessageEnd::withStudy(snapshotTopic));
 }
 
 void HistoryControls::choose(int snapshot) {
@@ -45,6 +52,7 @@ void HistoryControls::remove(int snapshot) {
     m_snapshots.remove(snapshot);
     m_messages.showMessage(
         MessageKind::info, tr("The snapshot \"%1\" was removed.").arg(QString::fromStdString(removed.name)),
+        MessageEnd::soon(snapshotTopic),
         {{tr("Keep it after all"),
           [this, removed] { (void)m_snapshots.keep(QString::fromStdString(removed.name), removed.document); }}});
 }

@@ -21,6 +21,8 @@ namespace echolucent {
 
 namespace {
 
+constexpr const char *sessionTopic = "session", *autosaveTopic = "autosave";
+
 /// The document with the shown phase, frame and study checksum of `like`, so that only a person's work is compared.
 Document comparable(Document document, const Document& like) {
     if (nameTheSame(document.study, like.study)) document.study = like.study;
@@ -34,9 +36,10 @@ SessionKeeping::SessionKeeping(const Parts& parts)
       m_parts(parts),
       m_autosave(
           std::make_unique<Autosave>(parts.works, parts.settings.autosaveFolder(), [this] { return present(); })),
+      m_left(std::make_unique<LeftUnsaved>(
+          LeftUnsaved::Parts{parts.openStudy, parts.works, parts.settings, parts.messages, parts.names, *m_autosave})),
       m_underWay(parts.works,
                  {.words = tr("saving the session"), .urgency = Urgency::saving, .cancel = [this] { cancelSaving(); }}),
-      m_taking(parts.works, QStringLiteral("left sessions")),
       m_saving(parts.works, QStringLiteral("session saving")) {
     connect(&m_parts.model, &DocumentModel::changed, this, &SessionKeeping::noteChange);
     connect(&m_snapshots, &Snapshots::changed, this, &SessionKeeping::noteChange);
@@ -45,8 +48,10 @@ SessionKeeping::SessionKeeping(const Parts& parts)
     connect(&m_parts.openStudy, &OpenStudy::studyNamed, this,
             [this] { m_parts.model.noteChecksum(m_parts.openStudy.reference()); });
     connect(m_autosave.get(), &Autosave::failed, this, [this](const QString& sentence) {
-        m_parts.messages.showMessage(MessageKind::warning, m_parts.names.shownOfFile(sentence));
+        m_parts.messages.showMessage(MessageKind::warning, m_parts.names.shownOfFile(sentence),
+                                     MessageEnd::whenTakenBack(autosaveTopic));
     });
+    connect(m_autosave.get(), &Autosave::written, this, [this] { m_parts.messages.takeBack(autosaveTopic); });
     connect(&m_parts.openStudy, &OpenStudy::takingChecksumChanged, this, [this](bool taking) {
         if (!taking) writeNext();
     });
@@ -55,28 +60,22 @@ SessionKeeping::SessionKeeping(const Parts& parts)
     m_looking.setInterval(lookEvery);
     connect(&m_looking, &QTimer::timeout, this, &SessionKeeping::look);
     connect(&m_saving, &NewestWinsThread::busyChanged, this, &SessionKeeping::writeNext);
-    m_taking.submit([this, folder = m_parts.settings.autosaveFolder()](const Progress&) -> NewestWinsThread::Deliver {
-        auto found = takeLeftovers(folder);
-        return [this, left = std::move(found)] {
-            m_leftovers.insert(m_leftovers.end(), left.begin(), left.end());
-            if (m_parts.openStudy.study() != nullptr) offerLeftovers();
-        };
-    });
 }
 
 SessionKeeping::~SessionKeeping() {
     look();
     // The document still exists here; the window's other parts do not.
+    m_left.reset();
     m_autosave->keepAtEnd(m_changed && m_parts.openStudy.study() != nullptr);
     m_autosave.reset();
 }
 
 SavedSession SessionKeeping::present() const {
-    return {.document = m_parts.model.document(), .snapshots = m_snapshots.list(), .file = m_file.toStdString()};
+    return {.document = m_parts.model.ownDocument(), .snapshots = m_snapshots.list(), .file = m_file.toStdString()};
 }
 
 bool SessionKeeping::holdsWork() const {
-    const Document& document = m_parts.model.document();
+    const Document document = m_parts.model.ownDocument();
     const Document& opened = m_parts.shown.opened();
     if (!m_snapshots.list().empty() || !document.measurements.empty()) return true;
     if (!document.scene.strokes.empty() || document.scene.box.on) return true;
@@ -91,10 +90,10 @@ void SessionKeeping::noteChange() {
 void SessionKeeping::look() {
     if (m_between || m_parts.openStudy.study() == nullptr) return;
     m_looking.stop();
-    const Document& document = m_parts.model.document();
+    const Document document = m_parts.model.ownDocument();
     const bool changed =
         m_inFile ? m_inFile->snapshots != m_snapshots.list() || comparable(m_inFile->document, document) != document
-                 : m_left || !m_file.isEmpty() || holdsWork();
+                 : m_fromLeft || !m_file.isEmpty() || holdsWork();
     const bool touched =
         changed || comparable(m_inFile ? m_inFile->document : m_parts.shown.opened(), document) != document;
     if (touched || m_autosave->keeps()) m_autosave->noteChange();
@@ -110,7 +109,7 @@ void SessionKeeping::leave() {
     if (first) return;
     writeNext();  // the study that is left gets no checksum any more
     // Another study takes over curves, look and method; a session brings its own.
-    const Document& document = m_parts.model.document();
+    const Document document = m_parts.model.ownDocument();
     const Document& opened = m_parts.shown.opened();
     const bool replaced = m_parts.openStudy.saved() && !m_inFile &&
                           (m_parts.editor.isManualModified() || document.curves != opened.curves ||
@@ -126,7 +125,7 @@ void SessionKeeping::leave() {
     if (onItsWay)
         m_leftWhileSaving.emplace_back(number, std::move(leftover));
     else
-        m_leftovers.push_back(std::move(leftover));
+        m_left->add(std::move(leftover));
 }
 
 bool SessionKeeping::isOnItsWay(int number) const {
@@ -137,23 +136,20 @@ void SessionKeeping::begin() {
     const auto& saved = m_parts.openStudy.saved();
     // What could not be saved is offered like any other.
     for (auto& [number, left] : m_leftWhileSaving)
-        if (!isOnItsWay(number)) m_leftovers.push_back(std::move(left));
+        if (!isOnItsWay(number)) m_left->add(std::move(left));
     std::erase_if(m_leftWhileSaving, [&](const auto& left) { return !isOnItsWay(left.first); });
     m_between = false;
     m_changed = false;
-    m_left = false;
+    m_fromLeft = false;
     m_then = Then::goOn;
     m_file.clear();
     m_inFile.reset();
     const QString opened = saved ? QString::fromStdString(saved->file) : QString();
-    const auto left =
-        std::find_if(m_leftovers.begin(), m_leftovers.end(), [&](const Leftover& each) { return each.file == opened; });
-    if (left != m_leftovers.end()) {
+    if (const auto left = m_left->take(opened)) {
         m_file = QString::fromStdString(saved->session.file);
         m_fileTime = left->time;
-        m_left = true;
+        m_fromLeft = true;
         m_autosave->replace({left->file, left->lock});
-        m_leftovers.erase(left);
     } else if (saved) {
         m_file = opened;
         m_fileTime = QFileInfo(opened).lastModified();
@@ -163,7 +159,7 @@ void SessionKeeping::begin() {
     m_snapshots.begin(saved ? saved->session.snapshots : std::vector<Snapshot>{});
     if (m_inFile) m_parts.editor.setManualSaved();
     look();
-    offerLeftovers();
+    m_left->offer();
 }
 
 /// The folder of the session's file, else the folder beside the study's file or folder, never inside it. Empty for a
@@ -243,7 +239,8 @@ void SessionKeeping::cancelSaving() {
     m_orders.erase(notBegun, m_orders.end());
     m_then = Then::goOn;
     m_parts.messages.showMessage(MessageKind::info,
-                                 tr("Saving %1 was cancelled; it is as it was.").arg(names.join(QStringLiteral(", "))));
+                                 tr("Saving %1 was cancelled; it is as it was.").arg(names.join(QStringLiteral(", "))),
+                                 MessageEnd::soon(sessionTopic));
     m_underWay.set(saving());
 }
 
@@ -282,7 +279,8 @@ void SessionKeeping::takeSaved(const QDateTime& time) {
     m_parts.settings.addRecentFile(order.file);
     m_parts.settings.setLastSaveFolder(QFileInfo(order.file).absolutePath());
     m_parts.messages.showMessage(MessageKind::info,
-                                 tr("The session was saved as %1.").arg(m_parts.names.nameOf(order.file)));
+                                 tr("The session was saved as %1.").arg(m_parts.names.nameOf(order.file)),
+                                 MessageEnd::soon(sessionTopic));
     for (const auto& [number, left] : m_leftWhileSaving)
         if (number == order.number) m_autosave->discard({left.file, left.lock});
     std::erase_if(m_leftWhileSaving, [&](const auto& left) { return left.first == order.number; });
@@ -292,7 +290,7 @@ void SessionKeeping::takeSaved(const QDateTime& time) {
         m_file = order.file;
         m_fileTime = time;
         m_inFile = order.session;
-        m_left = false;
+        m_fromLeft = false;
         m_parts.editor.setManualSaved();
         look();
         if (!m_changed) m_autosave->forget();
@@ -308,7 +306,7 @@ void SessionKeeping::takeUnsaved(const QString& sentence) {
 
 void SessionKeeping::offerAnotherPlace(const Order& order, const QString& sentence) {
     m_then = Then::goOn;
-    m_parts.messages.showMessage(MessageKind::error, sentence,
+    m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::whenTakenBack(sessionTopic),
                                  {{tr("Save it elsewhere…"), [this, order] { saveElsewhere(order); }}});
 }
 
@@ -347,39 +345,11 @@ bool SessionKeeping::mayClose() {
     }
     if (static_cast<QAbstractButton*>(discard) != box.clickedButton()) return false;
     m_inFile = present();  // nothing of the changes is kept
-    m_left = false;
+    m_fromLeft = false;
     look();
     m_autosave->forget();
     m_parts.editor.setManualSaved();
     return true;
-}
-
-void SessionKeeping::offerLeftovers() {
-    while (!m_leftovers.empty() && !m_leftovers.front().damaged.isEmpty()) {
-        m_parts.messages.showMessage(MessageKind::warning,
-                                     tr("What was kept of an unsaved session is damaged and was put aside. %1")
-                                         .arg(m_parts.names.shownOfFile(m_leftovers.front().damaged)));
-        m_leftovers.pop_front();
-        if (!m_leftovers.empty()) return;  // the remaining ones are offered with the next study
-    }
-    if (m_leftovers.empty()) return;
-    const Leftover& left = m_leftovers.front();
-    m_parts.messages.showMessage(
-        MessageKind::warning,
-        tr("A session of %1 was not saved (%2).")
-            .arg(left.study.isEmpty() ? tr("the simulated scan") : m_parts.names.nameOf(left.study),
-                 QLocale::c().toString(left.time, QStringLiteral("d MMM, HH:mm"))),
-        {{tr("Open it"), [this] { openLeftover(); }},
-         {tr("Discard it"), [this] {
-              if (m_leftovers.empty()) return;
-              m_autosave->discard({m_leftovers.front().file, m_leftovers.front().lock});
-              m_leftovers.pop_front();
-              offerLeftovers();
-          }}});
-}
-
-void SessionKeeping::openLeftover() {
-    if (!m_leftovers.empty()) m_parts.openStudy.openSaved(m_leftovers.front().file, {});
 }
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// Saves, opens and autosaves the window's session, and offers the sessions that earlier runs left.
+// Saves, opens and autosaves the window's session, and keeps what is left of sessions that nobody saved.
 #pragma once
 
 #include <QDateTime>
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/sessions/autosave.h"
-#include "app/sessions/leftovers.h"
+#include "app/sessions/left_unsaved.h"
 #include "app/sessions/shown_study.h"
 #include "app/sessions/snapshots.h"
 #include "widgets/document/document_model.h"
@@ -31,10 +31,11 @@ class StudyNames;
 
 /// A session has a file once a person saved it or opened it from one. It is *changed* if it differs from that file.
 /// Without a file it is changed if it holds a person's work: strokes, measurements, snapshots, a box, another front or
-/// another number of panes than on opening. A session that an earlier run left is changed until it is saved. Autosave
-/// keeps every change, whatever a person does. If a person leaves a changed session, by opening another study or
-/// closing the window, it stays behind and is offered again. A session whose curves, look, method or side a person
-/// changed stays behind too if an opened session replaces them by its own.
+/// another number of panes than on opening. Panes that are only looked at do not count, and are not kept. A session
+/// that an earlier run left is changed until it is saved. Autosave keeps every change, whatever a person does. If a
+/// person leaves a changed session, by opening another study or closing the window, it stays behind and is offered
+/// again. A session whose curves, look, method or side a person changed stays behind too if an opened session replaces
+/// them by its own.
 class SessionKeeping : public QObject {
     Q_OBJECT
 
@@ -55,6 +56,7 @@ public:
 
     [[nodiscard]] Snapshots& snapshots() { return m_snapshots; }
     [[nodiscard]] Autosave& autosave() { return *m_autosave; }
+    [[nodiscard]] LeftUnsaved& leftUnsaved() { return *m_left; }
     /// The file of the session; empty for none.
     [[nodiscard]] QString file() const { return m_file; }
     /// Saves into the session's file; asks for one if there is none.
@@ -75,7 +77,7 @@ public:
 
     /// Whether nothing is being written or about to be.
     [[nodiscard]] bool atRest() const {
-        return !saving() && !m_autosave->busy() && !m_taking.busy() && !m_looking.isActive() && !m_autosave->waits();
+        return !saving() && !m_autosave->busy() && !m_left->looking() && !m_looking.isActive() && !m_autosave->waits();
     }
 
 signals:
@@ -109,28 +111,26 @@ private:
     /// Asks if somebody else wrote the session's file since it was read or written here. False if that file must stay.
     [[nodiscard]] bool mayReplace();
     [[nodiscard]] QString chosenFile(const QString& named, const QString& folder);
-    void offerLeftovers();
-    void openLeftover();
     [[nodiscard]] QString proposedFolder() const;
     [[nodiscard]] bool holdsWork() const;
 
     Parts m_parts;
     Snapshots m_snapshots;
     QString m_file;
-    std::optional<SavedSession> m_inFile;  ///< what the file holds; no value without a file or if m_left is true
+    std::optional<SavedSession> m_inFile;  ///< what the file holds; no value without a file or if m_fromLeft is true
     bool m_changed = false;
     bool m_between = false;      ///< while another study's document replaces the present one
-    bool m_left = false;         ///< the open session comes from an earlier run and was not saved since
+    bool m_fromLeft = false;     ///< the open session comes from an earlier run and was not saved since
     QTimer m_looking;            ///< runs until look() has seen a change: the document may change with every frame
     QDateTime m_fileTime;        ///< last known time of writing the file; a later one is somebody else's
     int m_number = 0;            ///< of the open session; grows by one with each
     std::deque<Order> m_orders;  ///< the first is being written, or waits for the study's checksum
     Then m_then = Then::goOn;    ///< what to do once the session that is being saved is in its file
-    std::deque<Leftover> m_leftovers;
     std::vector<std::pair<int, Leftover>> m_leftWhileSaving;  ///< with the number of their session; not offered
     std::unique_ptr<Autosave> m_autosave;
+    std::unique_ptr<LeftUnsaved> m_left;
     Works::UnderWay m_underWay;  ///< under way while saving() is true
-    NewestWinsThread m_taking, m_saving;
+    NewestWinsThread m_saving;
 };
 
 }  // namespace echolucent

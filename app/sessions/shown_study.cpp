@@ -22,6 +22,10 @@
 
 namespace echolucent {
 
+namespace {
+constexpr const char *studyTopic = "study", *cuttingTopic = "cutting";
+}  // namespace
+
 ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
     connect(&m_parts.openStudy, &OpenStudy::aboutToReplace, this, [this] {
         m_parts.player.pause();
@@ -30,9 +34,18 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.openStudy, &OpenStudy::studyReplaced, this, &ShownStudy::beginDocument);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ShownStudy::tellFacts);
     connect(&m_parts.names, &StudyNames::changed, this, &ShownStudy::nameStudy);
+    const auto takeLoading = [this](bool loading) {
+        m_asked = loading;
+        entitle();
+    };
+    connect(&m_parts.openStudy, &OpenStudy::loadingBegun, this, [takeLoading] { takeLoading(true); });
+    connect(&m_parts.openStudy, &OpenStudy::loadingChanged, this, takeLoading);
+    takeLoading(m_parts.openStudy.loading());
     connect(&m_parts.openStudy, &OpenStudy::volumeChanged, this, &ShownStudy::takeVolume);
-    connect(&m_parts.openStudy, &OpenStudy::cuttingFailed, this,
-            [this](const QString& sentence) { m_parts.messages.showMessage(MessageKind::error, sentence); });
+    connect(&m_parts.openStudy, &OpenStudy::cuttingFailed, this, [this](const QString& sentence) {
+        m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::withStudy(cuttingTopic));
+    });
+    connect(&m_parts.model, &DocumentModel::strokesChanged, this, [this] { m_parts.messages.takeBack(cuttingTopic); });
     connect(&m_parts.otfs, &PaneOtfs::computed, this, &ShownStudy::takeOtf);
     connect(&m_parts.otfs, &PaneOtfs::failed, this, [this](std::size_t place) {
         if (place == PaneOtfs::adaptiveOfScene) m_parts.player.pause();
@@ -51,21 +64,35 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.model, &DocumentModel::changed, this, &ShownStudy::showFront);
 }
 
+/// Names in the title what the picture shows: the open study, or the one that is coming, while it is dimmed.
+void ShownStudy::entitle() {
+    const OpenStudy& openStudy = m_parts.openStudy;
+    const Study* study = openStudy.study();
+    QStringList title{tr("Echolucent")};
+    QString name;
+    if (m_asked)
+        name = openStudy.asked().isEmpty() ? tr("simulated scan") : m_parts.names.nameOfAsked(openStudy.asked());
+    else if (study != nullptr)
+        name =
+            openStudy.isSimulatedScan() ? QString::fromStdString(study->name) : m_parts.names.nameOf(openStudy.path());
+    // Qt takes these letters for the place of the mark of a change; twice they stand for themselves.
+    name.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));
+    if (m_asked) {
+        title << tr("opening %1").arg(name);
+    } else if (study != nullptr) {
+        const VolumeGeometry& geometry = openStudy.volume()->geometry();
+        title << name << QStringLiteral("%1×%2×%3").arg(geometry.size[0]).arg(geometry.size[1]).arg(geometry.size[2])
+              << (geometry.spacingKnown ? tr("%1 mm").arg(geometry.unit(), 0, 'g', 3) : tr("spacing unknown"));
+    }
+    m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")) + QStringLiteral("[*]"));
+}
+
 /// Shows the study's name in the title and in the facts.
 void ShownStudy::nameStudy() {
+    entitle();
     const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
     StudyNames& names = m_parts.names;
-    const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
-    const QString name = m_parts.openStudy.isSimulatedScan() ? QString::fromStdString(study->name)
-                                                             : names.nameOf(m_parts.openStudy.path());
-    // Qt takes these letters for the place of the mark of a change; twice they stand for themselves.
-    QString inTitle = name;
-    inTitle.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));
-    QStringList title{tr("Echolucent"), inTitle,
-                      QStringLiteral("%1×%2×%3").arg(geometry.size[0]).arg(geometry.size[1]).arg(geometry.size[2])};
-    title << (geometry.spacingKnown ? tr("%1 mm").arg(geometry.unit(), 0, 'g', 3) : tr("spacing unknown"));
-    m_parts.window.setWindowTitle(title.join(QStringLiteral(" · ")) + QStringLiteral("[*]"));
 
     QList<StudyFactRow> facts;
     const auto& finds = m_parts.openStudy.finds();
@@ -83,6 +110,7 @@ QStringList ShownStudy::warnings() const {
 }
 
 void ShownStudy::tellFacts() {
+    m_asked = m_parts.openStudy.loading();  // another one may have been asked for since
     const Study& study = *m_parts.openStudy.study();
     const VolumeGeometry& geometry = m_parts.openStudy.volume()->geometry();
     if (!m_parts.openStudy.isSimulatedScan()) {
@@ -100,12 +128,11 @@ void ShownStudy::tellFacts() {
     m_parts.status.setNotes(notes);
 
     if (m_parts.openStudy.isSimulatedScan())
-        m_parts.messages.showMessage(MessageKind::info,
-                                     tr("Open a volume, or drop it here. This is a simulated scan."));
+        m_parts.messages.showMessage(MessageKind::info, tr("Open a volume, or drop it here. This is a simulated scan."),
+                                     MessageEnd::withStudy(studyTopic));
     else if (const QStringList words = warnings(); !words.isEmpty())
-        m_parts.messages.showMessage(MessageKind::warning, words.join(QStringLiteral(" ")));
-    else
-        m_parts.messages.dismiss();
+        m_parts.messages.showMessage(MessageKind::warning, words.join(QStringLiteral(" ")),
+                                     MessageEnd::withStudy(studyTopic));
 }
 
 void ShownStudy::takeVolume() {
@@ -128,6 +155,7 @@ void ShownStudy::beginDocument() {
     OpenStudy& openStudy = m_parts.openStudy;
     const Study& study = *openStudy.study();
     const int before = std::exchange(m_phases, static_cast<int>(study.phases.size()));
+    m_parts.messages.endStudy();
     m_parts.messages.setRemark({});
     m_parts.method.clearResult();
     m_parts.status.clearOtf();
@@ -136,7 +164,7 @@ void ShownStudy::beginDocument() {
     m_parts.motion.setStudy(study);
     emit aboutToBegin();
     OpenedDocuments opened =
-        openedDocuments(m_parts.model.document(),
+        openedDocuments(m_parts.model.ownDocument(),
                         {openStudy.reference(), openStudy.volume()->dataBox(), m_phases, before, openStudy.finds()},
                         m_parts.picture.aspect());
     m_opened = std::move(opened.found);

@@ -58,6 +58,7 @@ signals:
 private:
     void tellFacts();
     void nameStudy();
+    void entitle();
     [[nodiscard]] QStringList warnings() const;
     void takeVolume();
     void beginDocument();
@@ -70,6 +71,7 @@ private:
 
     Parts m_parts;
     Document m_opened;
+    bool m_asked = false;                             ///< a study is being loaded
     int m_phases = 1;                                 ///< of the study
     PacedWords m_numbers{[this] { showNumbers(); }};  ///< of the newest OTF
 };

@@ -22,6 +22,7 @@ constexpr auto lastFolderKey = "recent/folder";
 constexpr auto lastSaveFolderKey = "recent/saveFolder";
 constexpr auto numbersForNamesKey = "window/numbersForNames";
 constexpr auto studyNumbersKey = "recent/studyNumbers";
+constexpr auto leftSessionsKey = "recent/leftSessionsPutAway";
 constexpr auto geometryKey = "window/geometry";
 constexpr auto stateKey = "window/state";
 constexpr auto rendererKey = "picture/renderer";
@@ -191,6 +192,8 @@ QString Settings::presetsFile() const {
     return file.dir().filePath(file.completeBaseName() + QStringLiteral("-presets.json"));
 }
 QString Settings::autosaveFolder() const { return m_dataFolder + QStringLiteral("/autosaves"); }
+QStringList Settings::leftSessionsPutAway() const { return m_store.value(leftSessionsKey).toStringList(); }
+void Settings::setLeftSessionsPutAway(const QStringList& files) { m_store.setValue(leftSessionsKey, files); }
 QString Settings::recentPicturesFolder() const { return m_dataFolder + QStringLiteral("/recent"); }
 bool Settings::presetsOpen() const { return boolOr(m_store.value(presetsOpenKey), false); }
 void Settings::setPresetsOpen(bool open) { m_store.setValue(presetsOpenKey, open); }

@@ -77,6 +77,9 @@ public:
     /// The program's own folder for sessions that nobody saved. It is below the person's standard place for data, or
     /// beside a settings file that was given.
     [[nodiscard]] QString autosaveFolder() const;
+    /// Names of files in autosaveFolder() whose sessions a person does not want to be offered any more.
+    [[nodiscard]] QStringList leftSessionsPutAway() const;
+    void setLeftSessionsPutAway(const QStringList& files);
     /// The folder for the small pictures of recent files, in dataFolder().
     [[nodiscard]] QString recentPicturesFolder() const;
     [[nodiscard]] bool presetsOpen() const;  ///< [false]: whether the gallery of presets is open

@@ -93,8 +93,8 @@ StudyReader OpenStudy::readerOfSaved(const QString& file, const SavedStudyAnswer
     };
 }
 
-void OpenStudy::openSaved(const QString& file, const SavedStudyAnswer& answer) {
-    load(StudyFile{.path = file.toStdString(), .options = {}, .checksum = {}}, readerOfSaved(file, answer));
+void OpenStudy::openSaved(const QString& file, const SavedStudyAnswer& answer, const std::optional<QString>& askedFor) {
+    load(StudyFile{.path = file.toStdString(), .options = {}, .checksum = {}}, readerOfSaved(file, answer), askedFor);
 }
 
 void OpenStudy::openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options) {
@@ -123,10 +123,11 @@ QString OpenStudy::path() const {
 
 void OpenStudy::cancelLoading() { m_loader.cancel(); }
 
-void OpenStudy::load(const StudyReference& reference, StudyReader reader) {
+void OpenStudy::load(const StudyReference& reference, StudyReader reader, const std::optional<QString>& asked) {
     const auto* file = std::get_if<StudyFile>(&reference);
     const ReadOptions options = file ? file->options : ReadOptions{};
     const QString path = file ? QString::fromStdString(file->path) : QString();
+    m_asked = asked.value_or(path);
     m_loadingClock.start();
     emit loadingBegun();
     m_loader.submit([this, reference, path, options,

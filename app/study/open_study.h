@@ -39,8 +39,10 @@ public:
     void open(const QString& path, const ReadOptions& options = {});
     /// Loads a folder of DICOM slices. `slices` are those of it that were named. Fails (unreadable) if one is a folder.
     void openSlices(const QString& folder, const QStringList& slices);
-    /// Opens a session file with a person's answer to savedStudyAsked().
-    void openSaved(const QString& file, const SavedStudyAnswer& answer);
+    /// Opens a session file with a person's answer to savedStudyAsked(). `askedFor` is the path that asked() gives
+    /// meanwhile, if a person knows the session by another file than this one.
+    void openSaved(const QString& file, const SavedStudyAnswer& answer,
+                   const std::optional<QString>& askedFor = std::nullopt);
     /// Sets where to look for a session's study if it is not in its place. `search` is called whenever a session is
     /// opened.
     void setStudySearch(std::function<StudySearch()> search) { m_studySearch = std::move(search); }
@@ -56,6 +58,8 @@ public:
     /// Sets the words for the status line while loading.
     void setLoadingWords(const QString& words) { m_loader.setWords(words); }
     [[nodiscard]] bool loading() const { return m_loader.busy(); }
+    /// The path of the file or folder that was asked for last; empty for a simulated scan.
+    [[nodiscard]] const QString& asked() const { return m_asked; }
     /// True while the checksum of the study is taken. Afterwards reference() holds it, unless a file could not be read.
     [[nodiscard]] bool takingChecksum() const { return m_checksumThread.busy(); }
 
@@ -116,7 +120,7 @@ public:
 
 signals:
     void loadingChanged(bool loading);
-    /// A study is being loaded, perhaps instead of one that was being loaded.
+    /// A study was asked for (asked()), perhaps instead of one that is being loaded. Nothing of it was read yet.
     void loadingBegun();
     /// The study that is being loaded is large. `coarse` is its first phase on a coarse grid
     /// (processing/volume/coarse_grid.h). Loading may still fail. Sent at most once for a study, and never for
@@ -154,7 +158,7 @@ signals:
 private:
     [[nodiscard]] StudyReader readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const;
     void takeChecksum();
-    void load(const StudyReference& reference, StudyReader reader);
+    void load(const StudyReference& reference, StudyReader reader, const std::optional<QString>& asked = std::nullopt);
     void show(int phase);
     /// Raw voxels of a phase, with what the scalpel cut of them.
     [[nodiscard]] std::shared_ptr<const Volume> volumeOf(int phase);
@@ -164,6 +168,7 @@ private:
     void takeCut(int phase);
 
     Checksum m_checksum;
+    QString m_asked;
     StudyReference m_reference;
     std::shared_ptr<const Study> m_study;
     bool m_beginning = false;

@@ -126,6 +126,10 @@ QString StudyNames::nameOf(const QString& path) {
     return given(oneLineOf(QFileInfo(QDir::cleanPath(path)).fileName()), numberOf(path));
 }
 
+QString StudyNames::nameOfAsked(const QString& path) {
+    return m_numbers ? numberOf(path) : oneLineOf(QFileInfo(QDir::cleanPath(path)).fileName());
+}
+
 QString StudyNames::beginningFor(const QString& path) const {
     if (path.isEmpty()) return tr("simulated-scan");
     if (m_numbers) return tr("study-%1").arg(m_settings.studyNumber(path));

@@ -36,6 +36,8 @@ public:
 
     /// The name of the file or folder of a study or a session, or "Study 3".
     [[nodiscard]] QString nameOf(const QString& path);
+    /// nameOf() for a study that is only asked for: while names are shown, this gives it no number.
+    [[nodiscard]] QString nameOfAsked(const QString& path);
     /// The beginning for names of files of a study or a session: the file's own name without its ending, or "study-3";
     /// "simulated-scan" if the path is empty.
     [[nodiscard]] QString beginningFor(const QString& path) const;

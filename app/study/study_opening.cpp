@@ -21,6 +21,8 @@ namespace echolucent {
 
 namespace {
 
+/// What could not be opened, or asks for an answer first, is told until the next study is asked for.
+constexpr const char* openingTopic = "opening";
 constexpr int widestName = 480, widestFolder = 320;  // logical pixels, in the list of recent files
 
 /// "heart.mha". If its folder or a header beside it was opened: "slices/17.dcm".
@@ -55,6 +57,7 @@ StudyOpening::StudyOpening(const Parts& parts)
     connect(&m_parts.openStudy, &OpenStudy::openFailed, this, &StudyOpening::tellFailure);
     connect(&m_parts.openStudy, &OpenStudy::savedStudyAsked, this, &StudyOpening::askForSavedStudy);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &StudyOpening::noteOpened);
+    connect(&m_parts.openStudy, &OpenStudy::loadingBegun, this, [this] { m_parts.messages.takeBack(openingTopic); });
     m_parts.openStudy.setStudySearch([this] { return studySearch(); });
 }
 
@@ -97,10 +100,12 @@ void StudyOpening::askForSavedStudy(const SavedStudyProblem& problem) {
          }}};
     if (problem.kind == SavedStudyProblem::Kind::missing)
         return m_parts.messages.showMessage(MessageKind::warning,
-                                            tr("%1, the volume of this session, was not found.").arg(name), choose);
+                                            tr("%1, the volume of this session, was not found.").arg(name),
+                                            MessageEnd::whenTakenBack(openingTopic), choose);
     m_parts.messages.showMessage(
         MessageKind::warning,
         tr("%1 %2. What the session holds may not fit it.").arg(name, QString::fromStdString(problem.change)),
+        MessageEnd::whenTakenBack(openingTopic),
         QList<MessageAction>{{tr("Open it all the same"), [openWith, study] { openWith(study, true); }}} + choose);
 }
 
@@ -112,7 +117,7 @@ void StudyOpening::open(const QString& path, const ReadOptions& options) {
 void StudyOpening::openDropped(const QList<QUrl>& urls) {
     const DroppedFiles dropped = droppedFiles(urls);
     if (!dropped.whyNot.isEmpty())
-        m_parts.messages.showMessage(MessageKind::warning, dropped.whyNot);
+        m_parts.messages.showMessage(MessageKind::warning, dropped.whyNot, MessageEnd::whenTakenBack(openingTopic));
     else if (!dropped.study.isEmpty())
         m_parts.openStudy.openSaved(dropped.path, {dropped.study.toStdString(), false});
     else if (!dropped.slices.isEmpty())
@@ -190,7 +195,8 @@ void StudyOpening::tellFailure(const QString& path, const Failure& failure, cons
     else
         shown.remedy = withoutOptions(QString::fromStdString(shown.remedy)).toStdString();
     m_parts.messages.showMessage(MessageKind::error,
-                                 m_parts.names.shownOfFile(QString::fromStdString(shown.sentence())), actions);
+                                 m_parts.names.shownOfFile(QString::fromStdString(shown.sentence())),
+                                 MessageEnd::whenTakenBack(openingTopic), actions);
 }
 
 /// "1 heart.mha" with the folder beside it, or "1 Study 3" alone; the digit is its key.

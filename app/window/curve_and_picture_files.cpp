@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "app/files/save_dialog.h"
+#include "app/picture/document_view.h"
 #include "app/picture/picture_to_keep.h"
 #include "app/study/study_names.h"
 #include "io/document/curve_file.h"
@@ -28,6 +29,8 @@
 namespace echolucent {
 
 namespace {
+
+constexpr const char *curveTopic = "curve", *pictureTopic = "picture file", *copyTopic = "copied picture";
 
 /// A curve as nodes. A manual curve gives its own, a linear one its corners, the adaptive one all its samples. A power
 /// gives 256 samples.
@@ -55,8 +58,9 @@ ManualCurve nodesOf(const OpacityCurve& curve) {
 CurveAndPictureFiles::CurveAndPictureFiles(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
     connect(&m_parts.editor, &OtfEditor::openCurveRequested, this, &CurveAndPictureFiles::chooseAndOpenCurve);
     connect(&m_parts.editor, &OtfEditor::saveCurveRequested, this, [this] { chooseAndSaveCurve(rendered()); });
-    connect(&m_parts.editor, &OtfEditor::activeCurveChanged, this,
-            [this] { m_parts.messages.takeBack(std::exchange(m_told, {})); });
+    connect(&m_parts.editor, &OtfEditor::activeCurveChanged, this, [this] { m_parts.messages.takeBack(curveTopic); });
+    connect(QApplication::clipboard(), &QClipboard::dataChanged, this,
+            [this] { m_parts.messages.takeBack(copyTopic); });
 }
 
 void CurveAndPictureFiles::chooseAndOpenCurve() {
@@ -72,9 +76,11 @@ void CurveAndPictureFiles::openCurveOfPerson(const QString& path) {
 bool CurveAndPictureFiles::openCurve(const QString& path) {
     const auto curve = readCurve(path.toStdString());
     if (!curve) {
-        m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(curve.error()));
+        m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(curve.error()),
+                                     MessageEnd::withStudy(curveTopic));
         return false;
     }
+    m_parts.messages.takeBack(curveTopic);
     m_read.emplace_back(std::vector{path.toStdString()}, OutputKind::curve);
     m_parts.editor.openManualCurve(*curve);
     return true;
@@ -112,18 +118,19 @@ bool CurveAndPictureFiles::saveCurve(const QString& path, const SavedCurve& save
         m_parts.messages.showMessage(
             MessageKind::warning,
             tr("The %1 curve is not computed yet, so there is nothing to save. Save it once it is rendered.")
-                .arg(saved.name));
+                .arg(saved.name),
+            MessageEnd::soon(curveTopic));
         return false;
     }
     const ManualCurve nodes = nodesOf(saved.curve);
-    if (!report(mayOverwrite(path))) return false;
-    if (!report(writeCurve(path.toStdString(), nodes))) return false;
+    if (!report(mayOverwrite(path), curveTopic)) return false;
+    if (!report(writeCurve(path.toStdString(), nodes), curveTopic)) return false;
     if (saved.manual) m_parts.editor.setManualSaved();
-    m_told = tr("The %1 curve was saved as %2 (%3).")
-                 .arg(saved.name, m_parts.names.nameOfOther(path),
-                      nodes.nodes.size() == 1 ? tr("1 node") : tr("%1 nodes").arg(nodes.nodes.size()));
-    if (const QString left = leftOut(saved); !left.isEmpty()) m_told += ' ' + left;
-    m_parts.messages.showMessage(MessageKind::info, m_told);
+    QString told = tr("The %1 curve was saved as %2 (%3).")
+                       .arg(saved.name, m_parts.names.nameOfOther(path),
+                            nodes.nodes.size() == 1 ? tr("1 node") : tr("%1 nodes").arg(nodes.nodes.size()));
+    if (const QString left = leftOut(saved); !left.isEmpty()) told += ' ' + left;
+    m_parts.messages.showMessage(MessageKind::info, told, MessageEnd::soon(curveTopic));
     return true;
 }
 
@@ -152,10 +159,25 @@ void CurveAndPictureFiles::chooseAndSavePicture() {
 }
 
 void CurveAndPictureFiles::copyPicture() {
-    if (!m_parts.openStudy.volume()) return;
+    if (!m_parts.openStudy.volume() || !isThere(tr("copied"))) return;
     QApplication::clipboard()->setImage(pictureToSave());
-    if (const QString note = burnedInText(); !note.isEmpty())
-        m_parts.messages.showMessage(MessageKind::warning, tr("The picture was copied. %1").arg(note));
+    const QString note = burnedInText();
+    if (note.isEmpty())
+        m_parts.messages.showMessage(MessageKind::info, tr("The picture was copied."), MessageEnd::soon(copyTopic));
+    else  // true until something else is copied
+        m_parts.messages.showMessage(MessageKind::warning, tr("The picture was copied. %1").arg(note),
+                                     MessageEnd::whenTakenBack(copyTopic));
+}
+
+/// Whether the 3D view shows the open study. While it still shows the one before, says that nothing is kept of it:
+/// the file would have the new study's name.
+bool CurveAndPictureFiles::isThere(const QString& what) {
+    if (!m_parts.shown.held()) return true;
+    m_parts.messages.showMessage(
+        MessageKind::info,
+        tr("The picture of this study is not there yet, so nothing was %1. Try it again once it is.").arg(what),
+        MessageEnd::soon(pictureTopic));
+    return false;
 }
 
 QString CurveAndPictureFiles::burnedInText() const {
@@ -168,9 +190,14 @@ QImage CurveAndPictureFiles::pictureToSave() {
 }
 
 bool CurveAndPictureFiles::savePicture(const QString& path) {
-    if (!report(mayOverwrite(path))) return false;
+    if (!isThere(tr("saved")) || !report(mayOverwrite(path), pictureTopic)) return false;
     const QImage image = pictureToSave();
-    return report(writePng(path.toStdString(), image.width(), image.height(), rgbBytesOf(image)));
+    if (!report(writePng(path.toStdString(), image.width(), image.height(), rgbBytesOf(image)), pictureTopic))
+        return false;
+    m_parts.messages.showMessage(MessageKind::info,
+                                 tr("The picture was saved as %1.").arg(m_parts.names.nameOfOther(path)),
+                                 MessageEnd::soon(pictureTopic));
+    return true;
 }
 
 Result<void> CurveAndPictureFiles::mayOverwrite(const QString& path) const {
@@ -178,8 +205,10 @@ Result<void> CurveAndPictureFiles::mayOverwrite(const QString& path) const {
     return refuseToOverwrite(m_parts.openStudy.study()->files, {path.toStdString()});
 }
 
-bool CurveAndPictureFiles::report(const Result<void>& written) {
-    if (!written) m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(written.error()));
+bool CurveAndPictureFiles::report(const Result<void>& written, const QString& topic) {
+    if (!written)
+        m_parts.messages.showMessage(MessageKind::error, m_parts.names.sentenceOf(written.error()),
+                                     MessageEnd::withStudy(topic));
     return written.has_value();
 }
 

@@ -17,6 +17,7 @@ class QWidget;
 namespace echolucent {
 
 class MessageBar;
+class DocumentView;
 class OtfEditor;
 class StudyNames;
 class VolumeViewWidget;
@@ -34,6 +35,7 @@ public:
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;
+        const DocumentView& shown;  ///< what the picture shows
     };
     /// The parts outlive this object, which belongs to the window.
     explicit CurveAndPictureFiles(const Parts& parts);
@@ -47,10 +49,12 @@ public:
     /// message, if it cannot be written or the path is a file of the study.
     bool saveCurve(const QString& path);
     /// Saves the picture of the 3D view with the measurements of its phase. No name of a patient or a file is stored
-    /// beside it. False, with a message, if it cannot be written or the path is a file of the study.
+    /// beside it. A message confirms it. False, with a message, if it cannot be written, the path is a file of the
+    /// study, or the 3D view still shows the study before.
     bool savePicture(const QString& path);
     void chooseAndSavePicture();
-    /// Copies the picture of savePicture() to the clipboard. A message warns if it may show names (burnedInTextNote()).
+    /// Copies the picture of savePicture() to the clipboard. A message confirms it, and warns if the picture may show
+    /// names (burnedInTextNote()).
     void copyPicture();
     /// The name proposed for a file to save: the study's file and the content `what`, without an ending.
     [[nodiscard]] QString proposedName(const QString& what) const;
@@ -78,11 +82,11 @@ private:
     bool saveCurve(const QString& path, const SavedCurve& saved);
     /// Fails if `path` is a file of the open study.
     [[nodiscard]] Result<void> mayOverwrite(const QString& path) const;
-    bool report(const Result<void>& written);
+    bool report(const Result<void>& written, const QString& topic);
+    bool isThere(const QString& what);
 
     Parts m_parts;
     std::vector<KeptFiles> m_read;  ///< curves read; only curves may replace them
-    QString m_told;                 ///< message of a saved curve, while that curve is shown as it was saved
 };
 
 }  // namespace echolucent

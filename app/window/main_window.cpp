@@ -5,7 +5,9 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMimeData>
+#include <QStackedWidget>
 #include <QTimer>
 #include <QUrl>
 
@@ -13,6 +15,7 @@
 #include "app/motion/movie_files.h"
 #include "app/otf/editor_otfs.h"
 #include "app/otf/near_cut_finder.h"
+#include "app/picture/coming_study.h"
 #include "app/picture/explanation.h"
 #include "app/picture/loading_picture.h"
 #include "app/picture/picture_caption.h"
@@ -28,7 +31,9 @@
 #include "app/window/review_room.h"
 #include "app/window/theme.h"
 #include "app/window/window_menus.h"
+#include "app/window/window_place.h"
 #include "widgets/controls/message_bar.h"
+#include "widgets/controls/opening_label.h"
 #include "widgets/controls/run_status.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/curve_canvas.h"
@@ -51,7 +56,7 @@ MainWindow::MainWindow(const QString& settingsFile, const std::function<void(Ope
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));
     setAcceptDrops(true);
-    resize(1440, 920);
+    resize(roomySize);
     m_document.setHand([this] { return m_hand.current(); });
     m_widgets = layOut(*this, m_works, m_document, m_course);
     m_fullScreen = new FullScreen(*this, {m_widgets.motion});
@@ -104,6 +109,10 @@ void MainWindow::createUnits() {
         *m_widgets.designers, *m_widgets.sliders, *m_widgets.course, *m_widgets.messages, m_names});
     m_loadingPicture = std::make_unique<LoadingPicture>(
         LoadingPicture::Parts{m_document, m_openStudy, m_works, *m_view, *m_widgets.picture});
+    m_comingStudy = std::make_unique<ComingStudy>(ComingStudy::Parts{m_openStudy, m_works, *m_view, *m_widgets.picture,
+                                                                     m_widgets.planes, *m_widgets.compared,
+                                                                     *m_widgets.rooms, *m_widgets.opening, m_names});
+    connect(m_loadingPicture.get(), &LoadingPicture::shown, m_widgets.opening, &OpeningLabel::place);
     m_nearCutFinder =
         std::make_unique<NearCutFinder>(NearCutFinder::Parts{m_document, m_openStudy, m_works, *m_widgets.messages});
     m_recentPictures = std::make_unique<RecentPictures>(m_settings, m_works, *m_widgets.picture);
@@ -111,7 +120,7 @@ void MainWindow::createUnits() {
         StudyOpening::Parts{*this, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
     m_files = std::make_unique<CurveAndPictureFiles>(
         CurveAndPictureFiles::Parts{*this, m_document, m_openStudy, *m_widgets.editor, *m_widgets.picture, m_settings,
-                                    *m_widgets.messages, m_names});
+                                    *m_widgets.messages, m_names, *m_view});
     m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
         *this, m_document, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
@@ -140,8 +149,11 @@ void MainWindow::connectUnits() {
     connect(m_widgets.method, &MethodPanel::computeRequested, m_otfs.get(), &PaneOtfs::computeForThisView);
     connect(m_widgets.picture, &VolumeViewWidget::pictureFailed, this, [this] {
         m_motionPlayer.pause();
-        m_widgets.messages->showMessage(MessageKind::error, tr("The picture needs more memory than this machine has."));
+        m_widgets.messages->showMessage(MessageKind::error, tr("The picture needs more memory than this machine has."),
+                                        MessageEnd::withStudy("picture"));
     });
+    connect(m_widgets.picture, &VolumeViewWidget::pictureDelivered, m_widgets.messages,
+            [this] { m_widgets.messages->takeBack("picture"); });
     connect(m_widgets.picture, &VolumeViewWidget::filesDropped, this,
             [this](const QList<QUrl>& files) { m_opening->openDropped(files); });
     connect(m_widgets.controls, &ViewPanel::frontSuggestionRequested, this, [this] {
@@ -156,11 +168,13 @@ void MainWindow::connectUnits() {
     connect(m_widgets.controls, &ViewPanel::frontShownIn3d, m_room.get(), &ReviewRoom::showFrontIn3d);
     connect(m_widgets.controls, &ViewPanel::savePictureRequested, m_files.get(),
             &CurveAndPictureFiles::chooseAndSavePicture);
-    const QString nothingToCut = tr("Nothing shows where you drew, so nothing was cut. Draw over the picture.");
-    connect(m_room.get(), &ReviewRoom::nothingToCut, m_widgets.messages,
-            [this, nothingToCut] { m_widgets.messages->showMessage(MessageKind::info, nothingToCut); });
+    connect(m_room.get(), &ReviewRoom::nothingToCut, m_widgets.messages, [this] {
+        m_widgets.messages->showMessage(MessageKind::info,
+                                        tr("Nothing shows where you drew, so nothing was cut. Draw over the picture."),
+                                        MessageEnd::soon("scalpel"));
+    });
     connect(&m_document, &DocumentModel::strokesChanged, m_widgets.messages,
-            [this, nothingToCut] { m_widgets.messages->takeBack(nothingToCut); });
+            [this] { m_widgets.messages->takeBack("scalpel"); });
     connect(m_opening.get(), &StudyOpening::curveChosen, m_files.get(), &CurveAndPictureFiles::openCurveOfPerson);
     connect(m_opening.get(), &StudyOpening::presetsChosen, m_presets.get(), &PresetControls::importFrom);
 }
@@ -247,6 +261,7 @@ void MainWindow::createActions() {
     };
     commands.saveSession = [this] { m_sessions->save(); };
     commands.saveSessionAs = [this] { m_sessions->chooseAndSave(); };
+    commands.fillLeftUnsaved = [this](QMenu& menu) { m_sessions->leftUnsaved().fillMenu(menu); };
     commands.showHistory = [this] { showDockOf(*m_widgets.history); };
     commands.copyPicture = [this] { m_files->copyPicture(); };
     commands.resetAll = [this] { emit m_widgets.controls->resetAllRequested(); };
@@ -266,8 +281,17 @@ void MainWindow::createActions() {
     findChild<QAction*>("view.numbersForNames")->setChecked(m_names.showsNumbers());
     connect(&m_openStudy, &OpenStudy::studyOpened, this,
             [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_openStudy.seriesBeside() != nullptr); });
+    connect(&m_sessions->leftUnsaved(), &LeftUnsaved::listChanged, this, &MainWindow::countLeftUnsaved);
+    countLeftUnsaved();
     m_room->createMenu(*this);
     m_compare->createMenu();
+}
+
+void MainWindow::countLeftUnsaved() {
+    const auto count = m_sessions->leftUnsaved().list().size();
+    QAction* menu = findChild<QMenu*>("file.leftUnsaved")->menuAction();
+    menu->setEnabled(count > 0);
+    menu->setText(count > 0 ? tr("Left &unsaved (%1)").arg(count) : tr("Left &unsaved"));
 }
 
 void MainWindow::open(const QString& path, const ReadOptions& options) { m_opening->open(path, options); }
@@ -289,6 +313,7 @@ void MainWindow::restoreSettings() {
     if (auto* logarithmic = m_widgets.editor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
         logarithmic->setChecked(m_settings.histogramLogarithmic());
     if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
+    keepOnScreen(*this);
     if (const QByteArray state = m_settings.windowState(); !state.isEmpty()) restoreState(state, layoutVersion);
 }
 
@@ -322,7 +347,10 @@ QString MainWindow::explanation() const {
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     if (std::exchange(m_shown, true)) return;
-    QTimer::singleShot(0, this, &MainWindow::shown);
+    QTimer::singleShot(0, this, [this] {
+        keepOnScreen(*this);  // only now the frame is known
+        emit shown();
+    });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -21,6 +21,7 @@
 
 namespace echolucent {
 
+class ComingStudy;
 class CompareRoom;
 class CurveAndPictureFiles;
 class EditorOtfs;
@@ -105,6 +106,7 @@ private:
     void connectResets();
     void connectNames();
     void createActions();
+    void countLeftUnsaved();
     void restoreSettings();
     void keepSettings();
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
@@ -135,6 +137,7 @@ private:
     std::unique_ptr<MotionFrames> m_motion;
     std::unique_ptr<ShownStudy> m_shownStudy;
     std::unique_ptr<LoadingPicture> m_loadingPicture;
+    std::unique_ptr<ComingStudy> m_comingStudy;
     std::unique_ptr<NearCutFinder> m_nearCutFinder;
     std::unique_ptr<RecentPictures> m_recentPictures;
     std::unique_ptr<StudyOpening> m_opening;

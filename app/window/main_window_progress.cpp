@@ -15,8 +15,10 @@
 namespace echolucent {
 
 void MainWindow::connectProgress() {
-    connect(&m_openStudy, &OpenStudy::quieteningFailed, this,
-            [this](const QString& sentence) { m_widgets.messages->showMessage(MessageKind::error, sentence); });
+    connect(&m_openStudy, &OpenStudy::quieteningFailed, this, [this](const QString& sentence) {
+        m_widgets.messages->showMessage(MessageKind::error, sentence, MessageEnd::withStudy("smoothing"));
+    });
+    connect(&m_openStudy, &OpenStudy::quietVoxelsMade, this, [this] { m_widgets.messages->takeBack("smoothing"); });
     connect(&m_works, &Works::changed, this, &MainWindow::followWorks);
     connect(&m_works, &Works::progressed, m_widgets.status, &RunStatus::setProgress);
     connect(m_widgets.status, &RunStatus::cancelRequested, &m_works, &Works::cancelShown);

@@ -14,6 +14,7 @@
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/controls/message_bar.h"
+#include "widgets/controls/opening_label.h"
 #include "widgets/controls/run_status.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -121,6 +122,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     window.setCentralWidget(centre);
     layout.messages = new MessageBar(centre);
     layout.messages->lieOver(*layout.picture);
+    layout.opening = new OpeningLabel(centre);
 
     layout.editor = new OtfEditor(document, &window);
     layout.method = new MethodPanel(&window);

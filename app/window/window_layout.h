@@ -21,6 +21,7 @@ class HistoryPanel;
 class MessageBar;
 class MethodPanel;
 class MotionPanel;
+class OpeningLabel;
 class OtfCourse;
 class OtfCoursePanel;
 class OtfEditor;
@@ -37,6 +38,7 @@ class Works;
 /// The widgets of the window that others ask for. The window owns them.
 struct WindowLayout {
     MessageBar* messages = nullptr;
+    OpeningLabel* opening = nullptr;
     QStackedWidget* rooms = nullptr;  ///< the review room, then the comparison
     PaneGrid* panes = nullptr;
     CompareGrid* compared = nullptr;

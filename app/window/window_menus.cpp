@@ -55,6 +55,9 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     recent->setStyle(style);
     QObject::connect(recent, &QMenu::aboutToShow, recent, [recent, fill = commands.fillRecentFiles] { fill(*recent); });
     addAction(file, tr("Open the simulated scan"), "file.openSimulatedScan", commands.openSimulatedScan);
+    QMenu* left = file->addMenu(tr("Left &unsaved"));
+    left->setObjectName("file.leftUnsaved");
+    QObject::connect(left, &QMenu::aboutToShow, left, [left, fill = commands.fillLeftUnsaved] { fill(*left); });
     file->addSeparator();
     addAction(file, tr("&Save session"), "file.saveSession", commands.saveSession);
     addAction(file, tr("Save session &as…"), "file.saveSessionAs", commands.saveSessionAs);

@@ -23,7 +23,7 @@ struct WindowCommands {
     std::function<void(int step)> stepPhase;  ///< -1 or 1
     std::function<void(bool numbers)> numbersForNames;
     std::function<void(bool light)> lightTheme;
-    std::function<void(QMenu& menu)> fillRecentFiles;
+    std::function<void(QMenu&menu)> fillRecentFiles, fillLeftUnsaved;
 };
 
 /// Fills the menu bar. `course` is the dock of the OTF over the angle. It has an action of its own besides that of

@@ -94,9 +94,11 @@ private slots:
 
     void textsAroundThePicture() {
         child<QWidget>("dock.view")->raise();
-        child<MessageBar>("message")->showMessage(MessageKind::info, "A message of some words.", {{"Do it", {}}});
+        child<MessageBar>("message")->showMessage(MessageKind::info, "A message of some words.",
+                                                  MessageEnd::withStudy("a topic"), {{"Do it", {}}});
         measureIn(*child<MessageBar>("message"));
-        child<MessageBar>("message")->showMessage(MessageKind::error, "Trouble of some words.");
+        child<MessageBar>("message")->showMessage(MessageKind::error, "Trouble of some words.",
+                                                  MessageEnd::withStudy("a topic"));
         measureIn(*child<MessageBar>("message"));
         measureIn(*window().statusBar());
         measureIn(*child("motion"));

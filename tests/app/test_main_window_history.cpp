@@ -3,6 +3,9 @@
 #include <QDir>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
+#include <atomic>
+#include <thread>
 
 #include "app/sessions/leftovers.h"
 #include "app/sessions/session_keeping.h"
@@ -155,7 +158,7 @@ private slots:
         window().document().edit(next, "draw");
         open(session);
         QVERIFY(document().curves.manual != next.curves.manual);
-        QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was not saved"),
+        QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was left unsaved"),
                      qPrintable(message()->text()));
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
@@ -172,7 +175,7 @@ private slots:
         window().open(m_file);
         QVERIFY(computed.wait(20000));
         waitUntilIdle();
-        QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was not saved ("),
+        QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was left unsaved ("),
                      qPrintable(message()->text()));
         computed.clear();
         click("message.action.0");
@@ -194,6 +197,79 @@ private slots:
         QVERIFY(files().contains("100-dead.autosave.json"));
         click("message.action.1");
         QVERIFY(files().isEmpty());
+        QVERIFY(!child<QMenu>("file.leftUnsaved")->menuAction()->isEnabled());
+    }
+
+    void itIsOfferedOnceAndStandsInTheMenu() {
+        leave("100-dead");
+        leave("200-dead");
+        close();
+        startAgain();
+        message()->setConfirmationMilliseconds(0);
+        open(m_file);
+        QTRY_COMPARE(left().size(), std::size_t{2});
+        QTRY_VERIFY(message()->text().isEmpty());  // it leaves by itself
+        auto* menu = child<QMenu>("file.leftUnsaved");
+        QCOMPARE(menu->title(), QString("Left &unsaved (2)"));
+        message()->setConfirmationMilliseconds(600'000);
+        open(file("other.mha", {smallPhantom(PhantomScene::fetus, 2)}));
+        QVERIFY2(!message()->text().contains("left unsaved"), qPrintable(message()->text()));
+        emit menu->aboutToShow();
+        QVERIFY2(child<QMenu>("file.leftUnsaved.1")->title().startsWith("heart.mha, "),
+                 qPrintable(child<QMenu>("file.leftUnsaved.1")->title()));
+        child<QAction>("file.leftUnsaved.1.discard")->trigger();
+        QCOMPARE(menu->title(), QString("Left &unsaved (1)"));
+        QTRY_COMPARE(files(), QStringList{"200-dead.autosave.json"});
+        emit menu->aboutToShow();
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
+        child<QAction>("file.leftUnsaved.1.open")->trigger();
+        // The session is called by its study, not by the file that the program keeps.
+        QVERIFY2(window().windowTitle().contains("opening heart.mha"), qPrintable(window().windowTitle()));
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        waitUntilIdle();
+        QVERIFY(left().empty());
+        QCOMPARE(document().measurements.size(), std::size_t{1});
+    }
+
+    void whatIsPutAwayDoesNotComeBack() {
+        leave("100-dead");
+        close();
+        for (const bool again : {false, true}) {
+            startAgain();
+            open(m_file);
+            QTRY_COMPARE(left().size(), std::size_t{1});
+            if (!again) {
+                QTRY_VERIFY(message()->text().contains("left unsaved"));
+                click("message.close");
+            }
+            waitUntilIdle();
+            QVERIFY2(message()->text().isEmpty(), qPrintable(message()->text()));
+            QVERIFY(child<QMenu>("file.leftUnsaved")->menuAction()->isEnabled());
+            window().close();
+            close();
+            QVERIFY(files().contains("100-dead.autosave.json"));
+        }
+    }
+
+    /// A program that ends at once must not keep what was discarded while it was still being written.
+    void whatIsDiscardedIsGoneThoughTheProgramEnds() {
+        Document next = document();
+        next.measurements.push_back({.id = 1, .placesMm = {{10, 12, 14}, {30, 20, 14}}});
+        window().document().edit(next, "distance");
+        waitUntilIdle();
+        std::atomic<bool> held = true;
+        keeping().autosave().setWrite([&held](const std::string& where, const SavedSession& session) {
+            while (held) std::this_thread::yield();
+            return writeSession(where, session);
+        });
+        QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
+        window().open(file("other.mha", {smallPhantom(PhantomScene::fetus, 2)}));
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QCOMPARE(left().size(), std::size_t{1});
+        keeping().leftUnsaved().discard(left().front().file);
+        held = false;
+        close();
+        QVERIFY2(files().isEmpty(), qPrintable(files().join(' ')));
     }
 
     void aDamagedOneIsSaidAndPutAside() {
@@ -229,7 +305,7 @@ private slots:
         window().document().edit(next, "distance");
         waitUntilIdle();
         open(file("other.mha", {smallPhantom(PhantomScene::fetus, 2)}));
-        QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was not saved"),
+        QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was left unsaved"),
                      qPrintable(message()->text()));
         click("message.action.0");
         QTRY_COMPARE_WITH_TIMEOUT(window().openStudy().path(), m_file, 20000);
@@ -261,6 +337,7 @@ private slots:
 private:
     [[nodiscard]] const Document& document() { return window().document().document(); }
     SessionKeeping& keeping() { return window().sessionKeeping(); }
+    const std::deque<Leftover>& left() { return keeping().leftUnsaved().list(); }
     MessageBar* message() { return child<MessageBar>("message"); }
     QString folder() { return temporaryFolder().filePath("settings-data/autosaves"); }
     QString path(const QString& name) { return folder() + '/' + name; }

@@ -163,12 +163,12 @@ private slots:
     void messagesLieOverThePictureAndPushNothing() {
         const QRect picture = window().volumeView().geometry();
         auto* bar = child<MessageBar>("message");
-        bar->showMessage(MessageKind::warning, "A sentence.");
+        bar->showMessage(MessageKind::warning, "A sentence.", MessageEnd::withStudy("a topic"));
         QCOMPARE(window().volumeView().geometry(), picture);
         QVERIFY(picture.contains(bar->geometry()));
         // It is seen over the OpenGL window too.
         QTRY_COMPARE(onScreen(*bar, {1, bar->height() / 2}), QColor(0xe8, 0xb0, 0x4b));
-        bar->showMessage(MessageKind::info, "Good news.");
+        bar->showMessage(MessageKind::info, "Good news.", MessageEnd::withStudy("a topic"));
         QTRY_COMPARE(onScreen(*bar, {1, bar->height() / 2}), QColor(0x4f, 0xb3, 0xbf));
         // A tab that comes to the front raises the picture's window as well, and the bar stays above it.
         child<QDockWidget>("dock.study")->raise();

@@ -120,6 +120,7 @@ private slots:
     void labelsStandInTheCornersAndNowhereElse() {
         open(moving());
         playThePhases();
+        window().document().change("beam axis", [](Document& next) { next.beam.source = BeamSource::person; });
         const QSize size(320, 240);
         window().movieFiles().begin(FrameOutput::series, {.path = out().filePath("with.png"), .size = size});
         QVERIFY(ended());

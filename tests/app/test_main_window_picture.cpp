@@ -149,8 +149,12 @@ private slots:
 
     void theStatusLineSaysWhatAPictureCosts() {
         auto* label = child<QLabel>("status.renderer");
-        QVERIFY2(QRegularExpression("^software renderer · [0-9.,]+ ms$").match(label->text()).hasMatch(),
-                 qPrintable(label->text()));
+        QCOMPARE(label->text(), QString("software renderer"));
+        QVERIFY2(QRegularExpression("^picture [0-9.,]+ ms\n").match(label->toolTip()).hasMatch(),
+                 qPrintable(label->toolTip()));
+        QVERIFY2(QRegularExpression("\nOTF [0-9.,]+ ms, \\d+ of \\d+ tube cores$").match(label->toolTip()).hasMatch(),
+                 qPrintable(label->toolTip()));
+        QVERIFY(!child<QLabel>("status.otf")->isVisible());
         const RayCastSettings settings = view().settings();
         QVERIFY2(label->toolTip().contains(
                      QString("converged: %1 × %2 rays, step 0.25").arg(settings.width).arg(settings.height)),

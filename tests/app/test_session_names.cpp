@@ -136,7 +136,7 @@ private slots:
         close();
         showAgain();
         open(file("other.mha", {smallPhantom(PhantomScene::fetus, 2)}));
-        QTRY_VERIFY2(message()->text().startsWith("A session of Study 1 was not saved ("),
+        QTRY_VERIFY2(message()->text().startsWith("A session of Study 1 was left unsaved ("),
                      qPrintable(message()->text()));
         QCOMPARE(told(), QString());
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);

@@ -69,12 +69,12 @@ private slots:
         QTRY_COMPARE(saved.count(), 1);
         release();
         waitUntilIdle();
-        QVERIFY2(m_said.filter("was not saved").isEmpty(), qPrintable(m_said.join('|')));
+        QVERIFY2(m_said.filter("was left unsaved").isEmpty(), qPrintable(m_said.join('|')));
         QVERIFY2(autosaves().isEmpty(), qPrintable(autosaves().join(' ')));
         window().open(inFolder("held.mha"));
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 2, 20000);
         waitUntilIdle();
-        QVERIFY2(m_said.filter("was not saved").isEmpty(), qPrintable(m_said.join('|')));
+        QVERIFY2(m_said.filter("was left unsaved").isEmpty(), qPrintable(m_said.join('|')));
     }
 
     void whatCouldNotBeSavedIsOfferedElsewhereThoughAnotherStudyIsOpen() {
@@ -109,7 +109,7 @@ private slots:
         showAgain();
         QVERIFY(document().scene.look != Look{});  // else the test would show nothing
         open(session);
-        QVERIFY2(!message()->text().contains("was not saved"), qPrintable(message()->text()));
+        QVERIFY2(!message()->text().contains("was left unsaved"), qPrintable(message()->text()));
         QVERIFY2(autosaves().isEmpty(), qPrintable(autosaves().join(' ')));
     }
 
@@ -152,7 +152,7 @@ private slots:
         const QByteArray before = bytesOf(session);
         showAgain();
         open(studyFile());
-        QTRY_VERIFY2(message()->text().contains("was not saved"), qPrintable(message()->text()));
+        QTRY_VERIFY2(message()->text().contains("was left unsaved"), qPrintable(message()->text()));
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);

@@ -204,9 +204,9 @@ private slots:
         const auto stripe = [&] { return QColor(pixelsOf(*bar).pixel(1, bar->height() / 2)); };
         const std::pair<MessageKind, QColor ThemeColours::*> kinds[] = {{MessageKind::info, &ThemeColours::accent},
                                                                         {MessageKind::warning, &ThemeColours::warning},
-                                                                        {MessageKind::error, &ThemeColours::error}};
+                                                                        {MessageKind::error, &ThemeColours::warning}};
         for (const auto& [kind, colour] : kinds) {
-            bar->showMessage(kind, "A sentence.");
+            bar->showMessage(kind, "A sentence.", MessageEnd::withStudy("a topic"));
             QCOMPARE(stripe(), coloursOf(Theme::dark).*colour);
             chooseInMenu("view.lightTheme");
             QCOMPARE(stripe(), coloursOf(Theme::light).*colour);

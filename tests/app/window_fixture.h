@@ -16,6 +16,7 @@
 #include "io/writers/meta_image_writer.h"
 #include "processing/phantom/phantom.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
@@ -58,6 +59,8 @@ public:
     void showWithSettings(const QString& settings) {
         m_window = std::make_unique<MainWindow>(settings);
         m_window->resize(m_looksAtNoPicture ? QSize(800, 560) : QSize(1000, 700));
+        // On a busy machine a test may look at a message later than a person would.
+        child<MessageBar>("message")->setConfirmationMilliseconds(600'000);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         // A virtual display has no window manager to activate the window.

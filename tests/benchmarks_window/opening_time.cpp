@@ -75,12 +75,12 @@ void OpeningTime::rest() const {
 }
 
 OpeningTimes OpeningTime::measure(const QString& volume, int runs) {
-    QList<double> plain, coarse, opened, first, allRays, converged;
+    QList<double> plain, dimmed, coarse, opened, first, allRays, converged;
     for (int run = 0; run < runs; ++run) {
         rest();
         plain << plainReadOf(volume);
         const Study* before = window().openStudy().study();
-        std::optional<double> openedAt, firstAt, allRaysAt;
+        std::optional<double> dimmedAt, openedAt, firstAt, allRaysAt;
         QElapsedTimer clock;
         clock.start();
         const PaintWatch watch(clock);
@@ -92,6 +92,7 @@ OpeningTimes OpeningTime::measure(const QString& volume, int runs) {
             hasAllRays = report.converged || report.quality == QLatin1String("high quality");
         });
         QObject::connect(&view(), &VolumeViewWidget::pictureDrawn, &context, [&] {
+            if (!dimmedAt && view().dimmed()) dimmedAt = millisecondsOf(clock);
             if (!openedAt || view().measured() != window().openStudy().volume()) return;
             if (!firstAt) firstAt = millisecondsOf(clock);
             if (!allRaysAt && hasAllRays) allRaysAt = millisecondsOf(clock);
@@ -100,6 +101,7 @@ OpeningTimes OpeningTime::measure(const QString& volume, int runs) {
         await("the volume", [&] { return window().openStudy().study() != before && allRaysAt.has_value(); });
         waitUntilConverged();
         converged << millisecondsOf(clock);
+        dimmed << dimmedAt.value_or(firstAt.value_or(0.0));
         if (watch.painted()) coarse << *watch.painted();
         opened << *openedAt;
         first << *firstAt;
@@ -110,6 +112,7 @@ OpeningTimes OpeningTime::measure(const QString& volume, int runs) {
     }
     OpeningTimes times;
     times.plainRead = median(plain);
+    times.dimmed = median(dimmed);
     if (!coarse.isEmpty()) times.coarsePainted = median(coarse);
     times.opened = median(opened);
     times.firstPicture = median(first);
@@ -123,14 +126,16 @@ QString openingTable(const OpeningTimes& times) {
         return QString("%1 (%2 x)").arg(milliseconds, 0, 'f', 0).arg(milliseconds / times.plainRead, 0, 'f', 1);
     };
     const QStringList cells{QString::number(times.plainRead, 'f', 0),
+                            QString::number(times.dimmed, 'f', 0),
                             times.coarsePainted ? cell(*times.coarsePainted) : QStringLiteral("none"),
                             cell(times.opened),
                             cell(times.firstPicture),
                             cell(times.allRays),
                             cell(times.converged)};
     return QStringLiteral(
-               "| plain read, ms | coarse picture | study opened | first picture | all rays | converged, idle "
-               "|\n|---|---|---|---|---|---|\n| ") +
+               "| plain read, ms | old picture dimmed, ms | coarse picture | study opened | first picture | all rays | "
+               "converged, idle "
+               "|\n|---|---|---|---|---|---|---|\n| ") +
            cells.join(QStringLiteral(" | ")) + QStringLiteral(" |");
 }
 

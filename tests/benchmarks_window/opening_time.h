@@ -11,6 +11,7 @@ namespace echolucent::bench {
 /// Milliseconds from asking for a volume, medians of several openings.
 struct OpeningTimes {
     double plainRead = 0;                 ///< reading all bytes of the file in this process
+    double dimmed = 0;                    ///< the old picture is dimmed on the screen
     std::optional<double> coarsePainted;  ///< the coarse picture is painted; no value if there was none
     double opened = 0;                    ///< the study is read and its finds are made
     double firstPicture = 0;              ///< a picture of all voxels is on the screen

@@ -56,6 +56,7 @@ QJsonObject json(const Stall& stall) {
 
 QJsonObject json(const OpeningTimes& times) {
     return {{"plain_read_ms", times.plainRead},
+            {"dimmed_ms", times.dimmed},
             {"coarse_ms", times.coarsePainted ? QJsonValue(*times.coarsePainted) : QJsonValue()},
             {"opened_ms", times.opened},
             {"first_picture_ms", times.firstPicture},

@@ -112,17 +112,22 @@ private slots:
         status.setRenderer("software renderer");
         QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer");
         status.setRenderer("software renderer", 23.7);
-        QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer · 24 ms");
+        QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer");
         status.setRenderer("software renderer", 14, "converged");
-        QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer · 14 ms");
-        QCOMPARE(child<QLabel>(status, "status.renderer")->toolTip(), "converged");
+        QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer");
+        QCOMPARE(child<QLabel>(status, "status.renderer")->toolTip(), "picture 14 ms\nconverged");
         auto* otf = child<QLabel>(status, "status.otf");
-        QVERIFY(!otf->isVisible());
         status.setOtf(1.62, 176, 225);
-        QCOMPARE(otf->text(), "OTF 1.6 ms, 176 of 225 tubes");
+        QVERIFY(!otf->isVisible());
+        QCOMPARE(child<QLabel>(status, "status.renderer")->toolTip(),
+                 "picture 14 ms\nconverged\nOTF 1.6 ms, 176 of 225 tube cores");
+        status.setDetailed(true);
+        QCOMPARE(child<QLabel>(status, "status.renderer")->text(), "software renderer · 14 ms");
+        QCOMPARE(otf->text(), "OTF 1.6 ms, 176 of 225 tube cores");
         QVERIFY(otf->isVisible());
         status.clearOtf();
         QVERIFY(!otf->isVisible());
+        QCOMPARE(child<QLabel>(status, "status.renderer")->toolTip(), "picture 14 ms\nconverged");
         status.setNotes({"lossy compression", "spacing unknown"});
         QCOMPARE(child<QLabel>(status, "status.notes")->text(), "lossy compression · spacing unknown");
         auto* pointed = child<QLabel>(status, "status.pointed");
@@ -190,7 +195,7 @@ private slots:
         window.show();
         QVERIFY(!bar->isVisible());
         QStringList order;
-        bar->showMessage(MessageKind::error, "cine.dcm: no geometry <b>",
+        bar->showMessage(MessageKind::error, "cine.dcm: no geometry <b>", MessageEnd::withStudy("a topic"),
                          {{"As slices", [&] { order << (bar->isVisible() ? "too early" : "slices"); }},
                           {"Other file", [&] { order << "other"; }}});
         QVERIFY(bar->isVisible());
@@ -207,9 +212,11 @@ private slots:
 
     void anActionMayShowTheNextMessage() {
         MessageBar bar;
-        bar.showMessage(MessageKind::error, "first", {{"go on", [&] {
-                                                           bar.showMessage(MessageKind::info, "second", {{"end", {}}});
-                                                       }}});
+        bar.showMessage(
+            MessageKind::error, "first", MessageEnd::withStudy("a topic"),
+            {{"go on", [&] {
+                  bar.showMessage(MessageKind::info, "second", MessageEnd::withStudy("a topic"), {{"end", {}}});
+              }}});
         QTest::mouseClick(child<QPushButton>(bar, "message.action.0"), Qt::LeftButton);
         QCOMPARE(bar.text(), "second");
         QVERIFY(bar.isVisible());
@@ -221,8 +228,9 @@ private slots:
     void newerMessageReplacesActions() {
         MessageBar bar;
         bool ran = false;
-        bar.showMessage(MessageKind::error, "first", {{"a", [&] { ran = true; }}, {"b", {}}});
-        bar.showMessage(MessageKind::info, "second", {{"c", {}}});
+        bar.showMessage(MessageKind::error, "first", MessageEnd::withStudy("a topic"),
+                        {{"a", [&] { ran = true; }}, {"b", {}}});
+        bar.showMessage(MessageKind::info, "second", MessageEnd::withStudy("a topic"), {{"c", {}}});
         QCOMPARE(bar.findChildren<QPushButton*>().size(), 1);
         QTest::mouseClick(child<QPushButton>(bar, "message.action.0"), Qt::LeftButton);
         QVERIFY(!ran);
@@ -234,7 +242,7 @@ private slots:
         QVERIFY(bar.isVisible());
         QCOMPARE(bar.kind(), MessageKind::warning);
         QCOMPARE(bar.text(), "No surface found.");
-        bar.showMessage(MessageKind::info, "Near cut at 4 mm.", {{"Back", {}}});
+        bar.showMessage(MessageKind::info, "Near cut at 4 mm.", MessageEnd::withStudy("a topic"), {{"Back", {}}});
         QCOMPARE(bar.text(), "Near cut at 4 mm. No surface found.");
         bar.setRemark({});
         QCOMPARE(bar.text(), "Near cut at 4 mm.");
@@ -245,7 +253,7 @@ private slots:
         QVERIFY(!bar.isVisible());
         bar.setRemark("No surface found.");  // nobody wants to close it twice
         QVERIFY(!bar.isVisible());
-        bar.showMessage(MessageKind::info, "Another message.");
+        bar.showMessage(MessageKind::info, "Another message.", MessageEnd::withStudy("a topic"));
         QCOMPARE(bar.text(), "Another message.");
         bar.setRemark({});
         bar.setRemark("No surface found.");
@@ -259,7 +267,7 @@ private slots:
         MessageBar bar;
         bar.setPalette(paletteOf(Theme::dark));
         bar.resize(420, 80);
-        bar.showMessage(MessageKind::info, "Near cut at 4 mm.");
+        bar.showMessage(MessageKind::info, "Near cut at 4 mm.", MessageEnd::withStudy("a topic"));
         bar.setRemark("No surface found.");
         QCOMPARE(bar.kind(), MessageKind::info);
         const QImage both = bar.grab().toImage();
@@ -271,11 +279,11 @@ private slots:
         bar.setRemark({});
         QCOMPARE(bar.kind(), MessageKind::info);
         QCOMPARE(bar.accessibleName(), "Information");
-        bar.showMessage(MessageKind::warning, "The spacing is unknown.");
+        bar.showMessage(MessageKind::warning, "The spacing is unknown.", MessageEnd::withStudy("a topic"));
         bar.setRemark("No surface found.");
         bar.setRemark({});
         QCOMPARE(bar.kind(), MessageKind::warning);
-        bar.showMessage(MessageKind::error, "The file is gone.");
+        bar.showMessage(MessageKind::error, "The file is gone.", MessageEnd::withStudy("a topic"));
         bar.setRemark("No surface found.");
         QCOMPARE(bar.kind(), MessageKind::error);
     }
@@ -295,14 +303,16 @@ private slots:
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         const QRect before = picture->geometry();
-        bar->showMessage(MessageKind::info, "Near cut at 4 mm.", {{"Take it back", {}}});
+        bar->showMessage(MessageKind::info, "Near cut at 4 mm.", MessageEnd::withStudy("a topic"),
+                         {{"Take it back", {}}});
         QCOMPARE(picture->geometry(), before);
         QVERIFY(picture->geometry().contains(bar->geometry()));
         QCOMPARE(bar->geometry().bottom(), picture->geometry().bottom() - 8);
         QVERIFY(bar->width() < 500 && qAbs(bar->geometry().center().x() - picture->geometry().center().x()) <= 1);
         const int line = bar->height();
         window.resize(420, 500);
-        bar->showMessage(MessageKind::info, QString("A wall stands before the fluid. ").repeated(5));
+        bar->showMessage(MessageKind::info, QString("A wall stands before the fluid. ").repeated(5),
+                         MessageEnd::withStudy("a topic"));
         QTRY_VERIFY(picture->geometry().contains(bar->geometry()));
         QTRY_VERIFY(bar->height() > line + 10);  // the words are wrapped, and none is cut
         QVERIFY(child<QLabel>(*bar, "message.text")->heightForWidth(child<QLabel>(*bar, "message.text")->width()) <=
@@ -310,33 +320,75 @@ private slots:
         QCOMPARE(bar->geometry().bottom(), picture->geometry().bottom() - 8);
     }
 
+    void goodNewsLeavesBySoonAndTroubleIsSeenAgain() {
+        MessageBar bar;
+        bar.setConfirmationMilliseconds(0);
+        bar.showMessage(MessageKind::warning, "The spacing is unknown.", MessageEnd::withStudy("study"));
+        bar.showMessage(MessageKind::info, "The picture was saved.", MessageEnd::soon("file"));
+        QCOMPARE(bar.text(), "The picture was saved.");
+        QCOMPARE(bar.kind(), MessageKind::info);
+        QTRY_COMPARE(bar.text(), "The spacing is unknown.");
+        QCOMPARE(bar.kind(), MessageKind::warning);
+        QVERIFY(bar.isVisible());
+        QCoreApplication::processEvents();
+        QCOMPARE(bar.text(), "The spacing is unknown.");
+        bar.endStudy();
+        QVERIFY(!bar.isVisible());
+        bar.showMessage(MessageKind::info, "The preset was removed.", MessageEnd::soon(), {{"Take it back", {}}});
+        QVERIFY(bar.isVisible());
+        QTRY_VERIFY(!bar.isVisible());
+        QVERIFY(!bar.findChild<QPushButton*>("message.action.0"));
+    }
+
+    void eachKindOfTroubleHasOneMessageAndItsOwnEnd() {
+        MessageBar bar;
+        bar.showMessage(MessageKind::error, "a.mha is no volume.", MessageEnd::whenTakenBack("opening"));
+        bar.showMessage(MessageKind::error, "No memory for the picture.", MessageEnd::withStudy("picture"));
+        bar.showMessage(MessageKind::error, "b.mha is no volume.", MessageEnd::whenTakenBack("opening"));
+        QCOMPARE(bar.text(), "b.mha is no volume.");
+        bar.takeBack("picture");  // it lies below the one that is seen
+        QCOMPARE(bar.text(), "b.mha is no volume.");
+        bar.endStudy();
+        QCOMPARE(bar.text(), "b.mha is no volume.");
+        bar.takeBack("opening");
+        QVERIFY(!bar.isVisible());
+        // The button puts away all that is true.
+        QSignalSpy putAway(&bar, &MessageBar::putAway);
+        bar.showMessage(MessageKind::error, "one", MessageEnd::withStudy("one"));
+        bar.showMessage(MessageKind::error, "two", MessageEnd::withStudy("two"));
+        QTest::mouseClick(child<QToolButton>(bar, "message.close"), Qt::LeftButton);
+        QVERIFY(!bar.isVisible());
+        QCOMPARE(putAway.count(), 1);
+        QCOMPARE(putAway.first().first().toString(), "two");
+    }
+
     void aMessageIsTakenBackWhereItIsStillShown() {
         MessageBar bar;
-        bar.showMessage(MessageKind::error, "first", {{"Back", {}}});
+        bar.showMessage(MessageKind::error, "first", MessageEnd::withStudy("a topic"), {{"Back", {}}});
         bar.setRemark("No surface found.");
-        bar.takeBack("another");
+        bar.takeBack("another topic");
         QCOMPARE(bar.text(), "first No surface found.");
-        bar.takeBack("first");
+        bar.takeBack("a topic");
         QCOMPARE(bar.text(), "No surface found.");
         QCOMPARE(bar.kind(), MessageKind::warning);
         QVERIFY(!bar.findChild<QPushButton*>("message.action.0"));
         bar.setRemark({});
         QVERIFY(!bar.isVisible());
-        bar.showMessage(MessageKind::info, "second");
-        bar.takeBack("second");
+        bar.showMessage(MessageKind::info, "second", MessageEnd::withStudy("a topic"));
+        bar.takeBack("a topic");
         QVERIFY(!bar.isVisible());
         QVERIFY(bar.text().isEmpty());
     }
 
     void messageIsClosedByButtonKeyAndProgram() {
         MessageBar bar;
-        bar.showMessage(MessageKind::info, "one");
+        bar.showMessage(MessageKind::info, "one", MessageEnd::withStudy("a topic"));
         QTest::mouseClick(child<QToolButton>(bar, "message.close"), Qt::LeftButton);
         QVERIFY(!bar.isVisible());
-        bar.showMessage(MessageKind::info, "two");
+        bar.showMessage(MessageKind::info, "two", MessageEnd::withStudy("a topic"));
         QTest::keyClick(child<QToolButton>(bar, "message.close"), Qt::Key_Escape);
         QVERIFY(!bar.isVisible());
-        bar.showMessage(MessageKind::info, "three");
+        bar.showMessage(MessageKind::info, "three", MessageEnd::withStudy("a topic"));
         bar.dismiss();
         QVERIFY(!bar.isVisible());
     }
@@ -349,7 +401,7 @@ private:
         if (prefix == "status") return std::make_unique<RunStatus>();
         if (prefix == "rawLayout") return std::make_unique<RawLayoutDialog>("a.raw", 100);
         auto bar = std::make_unique<MessageBar>();
-        bar->showMessage(MessageKind::info, "text", {{"one", {}}, {"two", {}}});
+        bar->showMessage(MessageKind::info, "text", MessageEnd::withStudy("a topic"), {{"one", {}}, {"two", {}}});
         return bar;
     }
 };

@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <QWindow>
 #include <algorithm>
 #include <utility>
 
@@ -44,7 +43,7 @@ Appearance appearanceOf(MessageKind kind, const ThemeColours& colours) {
     switch (kind) {
         case MessageKind::info: return {colours.accent, QStringLiteral("i"), MessageBar::tr("Information")};
         case MessageKind::warning: return {colours.warning, QStringLiteral("!"), MessageBar::tr("Warning")};
-        case MessageKind::error: return {colours.error, QStringLiteral("×"), MessageBar::tr("Error")};
+        case MessageKind::error: return {colours.warning, QStringLiteral("×"), MessageBar::tr("Error")};
     }
     return {};
 }
@@ -52,7 +51,7 @@ Appearance appearanceOf(MessageKind kind, const ThemeColours& colours) {
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QWidget(parent),
+    : OverPicture(parent),
       m_text(createLine("message.text", tr("Message"))),
       m_remarkText(createLine("message.remark", tr("Remark on the picture"))),
       m_actions(new QHBoxLayout),
@@ -62,6 +61,11 @@ MessageBar::MessageBar(QWidget* parent)
     m_close->setAutoRaise(true);
     m_close->setFocusPolicy(Qt::StrongFocus);
     connect(m_close, &QToolButton::clicked, this, &MessageBar::closeByPerson);
+    m_leaves.setSingleShot(true);
+    connect(&m_leaves, &QTimer::timeout, this, [this] {
+        if (isHeld()) return countDown();
+        removeIf([](const Message& message) { return message.end.when == MessageEnd::When::soon; });
+    });
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(signWidth, 6, 6, 6);
@@ -77,44 +81,17 @@ MessageBar::MessageBar(QWidget* parent)
 }
 
 void MessageBar::lieOver(QWidget& picture, Qt::Edge edge) {
-    m_picture = &picture;
     m_edge = edge;
-    // An OpenGL window covers what Qt draws into its window, but not another native window above it.
-    setAttribute(Qt::WA_DontCreateNativeAncestors);
-    setAttribute(Qt::WA_NativeWindow);
-    for (QWidget* around = &picture; around != nullptr; around = around->parentWidget())
-        around->installEventFilter(this);
-    place();
+    setPicture(picture);
 }
 
-bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-    const QEvent::Type type = event->type();
-    if (watched == m_picture && (type == QEvent::Resize || type == QEvent::Move)) place();
-    // The picture gets a window of its own only after it is shown, and a click on a dock's tab raises that window. Both
-    // would cover the bar, so raise the bar again.
-    if (m_picture != nullptr && (type == QEvent::Show || type == QEvent::ZOrderChange))
-        QMetaObject::invokeMethod(this, &MessageBar::place, Qt::QueuedConnection);
-    return QWidget::eventFilter(watched, event);
-}
-
-bool MessageBar::event(QEvent* event) {
-    const bool taken = QWidget::event(event);
-    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::StyleChange) place();
-    return taken;
-}
-
-void MessageBar::place() {
-    if (m_picture == nullptr || isHidden()) return;
-    const QRect picture(m_picture->mapTo(parentWidget(), QPoint(0, 0)), m_picture->size());
+QRect MessageBar::placeOver(const QRect& picture) const {
     const int between = picture.width() - 2 * cornerWidth;
     const int widest = std::max(between, std::min(leastWidth, picture.width() - 2 * gapToPicture));
     const int width = std::min(widthOfWords(), widest);
     const int height = layout()->totalHeightForWidth(width);
     const int top = m_edge == Qt::TopEdge ? picture.top() + gapToPicture : picture.bottom() + 1 - gapToPicture - height;
-    setGeometry(picture.left() + (picture.width() - width) / 2, top, width, height);
-    raise();
-    // The widget may already be in front while its window is not.
-    if (QWindow* own = windowHandle()) own->raise();
+    return {picture.left() + (picture.width() - width) / 2, top, width, height};
 }
 
 /// The width of the bar if each sentence stands on one line.
@@ -129,26 +106,61 @@ int MessageBar::widthOfWords() const {
 
 void MessageBar::setReading(Reading reading, Reading ofShown) {
     m_reading = std::move(reading);
-    m_messageReading = m_remarkReading = std::move(ofShown);
+    for (Message& message : m_messages) message.reading = ofShown;
+    m_remarkReading = std::move(ofShown);
     if (!isHidden()) showText();
 }
 
-void MessageBar::showMessage(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
+void MessageBar::showMessage(MessageKind kind, const QString& text, const MessageEnd& end,
+                             const QList<MessageAction>& actions) {
+    std::erase_if(m_messages, [&](const Message& before) {
+        return before.end.when == MessageEnd::When::soon || (!end.topic.isEmpty() && before.end.topic == end.topic);
+    });
+    m_messages.push_back({kind, text, end, actions, m_reading});
+    showNewest();
+}
+
+/// Removes messages. If the one that is shown is among them, the one below it is seen.
+template <typename Condition>
+void MessageBar::removeIf(Condition condition) {
+    const bool seen = shown() != nullptr && condition(*shown());
+    std::erase_if(m_messages, condition);
+    if (seen) showNewest();
+}
+
+void MessageBar::showNewest() {
     removeActions();
-    m_kind = kind;
-    m_message = text;
-    m_messageReading = m_reading;
+    makeActions();
+    countDown();
+    showText();
+}
+
+void MessageBar::makeActions() {
+    if (shown() == nullptr) return;
+    const QList<MessageAction>& actions = shown()->actions;
     for (int i = 0; i < actions.size(); ++i) {
         auto* button =
             named(new QPushButton(actions[i].text), QStringLiteral("message.action.%1").arg(i), actions[i].text);
         connect(button, &QPushButton::clicked, this, [this, run = actions[i].run] {
-            const auto chosen = run;  // a copy: closing the bar may delete the button, and `run` with it
-            closeByPerson();
+            const auto chosen = run;  // a copy: the button, and `run` with it, may be deleted
+            m_messages.pop_back();    // the shown one, which this answers
+            showNewest();
             if (chosen) chosen();
         });
         m_actions->addWidget(button);
     }
-    showText();
+}
+
+void MessageBar::countDown() {
+    m_leaves.stop();
+    if (shown() != nullptr && shown()->end.when == MessageEnd::When::soon)
+        m_leaves.start(shown()->actions.isEmpty() ? m_confirmation : 2 * m_confirmation);
+}
+
+/// Whether a person reads the message or is about to act on it.
+bool MessageBar::isHeld() const {
+    const QWidget* focused = focusWidget();
+    return underMouse() || (focused != nullptr && focused->hasFocus());
 }
 
 void MessageBar::setRemark(const QString& sentence) {
@@ -163,8 +175,9 @@ void MessageBar::showText() {
     const auto read = [](const Reading& reading, const QString& sentence) {
         return reading ? reading(sentence) : sentence;
     };
-    m_text->setText(read(m_messageReading, m_message));
-    m_text->setVisible(!m_message.isEmpty());
+    const Message* message = shown();
+    m_text->setText(message != nullptr ? read(message->reading, message->text) : QString());
+    m_text->setVisible(message != nullptr);
     m_remarkText->setText(remarks() ? read(m_remarkReading, m_remark) : QString());
     m_remarkText->setVisible(remarks());
     setAccessibleDescription(text());
@@ -180,18 +193,18 @@ void MessageBar::showText() {
     QAccessible::updateAccessibility(&alert);
 }
 
-void MessageBar::takeBack(const QString& text) {
-    if (m_message != text) return;
-    m_message.clear();
-    m_kind = MessageKind::info;
-    removeActions();
-    showText();
+void MessageBar::takeBack(const QString& topic) {
+    removeIf([&](const Message& message) { return !topic.isEmpty() && message.end.topic == topic; });
+}
+
+void MessageBar::endStudy() {
+    removeIf([](const Message& message) { return message.end.when == MessageEnd::When::withStudy; });
 }
 
 void MessageBar::dismiss() {
     hide();
-    m_message.clear();
-    m_kind = MessageKind::info;
+    m_messages.clear();
+    m_leaves.stop();
     m_remark.clear();
     m_remarkClosed = false;
     m_text->clear();
@@ -206,7 +219,10 @@ QString MessageBar::text() const {
     return sentences.join(QLatin1Char(' '));
 }
 
-MessageKind MessageBar::kind() const { return m_message.isEmpty() && remarks() ? MessageKind::warning : m_kind; }
+MessageKind MessageBar::kind() const {
+    if (shown() != nullptr) return shown()->kind;
+    return remarks() ? MessageKind::warning : MessageKind::info;
+}
 
 void MessageBar::removeActions() {
     while (QLayoutItem* item = m_actions->takeAt(0)) {
@@ -218,18 +234,21 @@ void MessageBar::removeActions() {
     }
 }
 
+/// Puts away all that is true too: nobody wants to close one thing twice.
 void MessageBar::closeByPerson() {
     const QString remark = m_remark;
+    const QString topic = shown() != nullptr ? shown()->end.topic : QString();
     dismiss();
     m_remark = remark;
     m_remarkClosed = !remark.isEmpty();
+    emit putAway(topic);
 }
 
 void MessageBar::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape) {
         closeByPerson();
     } else {
-        QWidget::keyPressEvent(event);
+        OverPicture::keyPressEvent(event);
     }
 }
 
@@ -253,7 +272,7 @@ void MessageBar::paintEvent(QPaintEvent*) {
     };
     const bool message = !m_text->isHidden();
     const int border = message ? m_text->geometry().bottom() + 3 : 0;
-    if (message) paintSign(m_text, m_kind, 0, remarks() ? border : height());
+    if (message) paintSign(m_text, kind(), 0, remarks() ? border : height());
     if (remarks()) paintSign(m_remarkText, MessageKind::warning, border, height());
 }
 

@@ -73,21 +73,45 @@ RunStatus::RunStatus(QWidget* parent)
 }
 
 void RunStatus::setRenderer(const QString& name, std::optional<double> milliseconds, const QString& toolTip) {
-    m_renderer->setToolTip(toolTip);
-    showText(m_renderer, milliseconds ? name + QStringLiteral(" · ") + millisecondsText(*milliseconds) : name);
+    m_rendererName = name;
+    m_milliseconds = milliseconds;
+    m_rendererToolTip = toolTip;
+    tellCosts();
 }
 
 void RunStatus::setOtf(double milliseconds, int tubesWithWeight, int tubesMeetingVolume) {
-    showText(
-        m_otf,
-        tr("OTF %1, %2 of %3 tubes").arg(millisecondsText(milliseconds)).arg(tubesWithWeight).arg(tubesMeetingVolume));
+    m_otfText = tr("OTF %1, %2 of %3 tube cores")
+                    .arg(millisecondsText(milliseconds))
+                    .arg(tubesWithWeight)
+                    .arg(tubesMeetingVolume);
+    tellCosts();
 }
 
 void RunStatus::setDesign(const QString& designer, double milliseconds) {
-    showText(m_otf, tr("%1 %2").arg(designer, millisecondsText(milliseconds)));
+    m_otfText = tr("%1 %2").arg(designer, millisecondsText(milliseconds));
+    tellCosts();
 }
 
-void RunStatus::clearOtf() { showText(m_otf, {}); }
+void RunStatus::clearOtf() {
+    m_otfText.clear();
+    tellCosts();
+}
+
+void RunStatus::setDetailed(bool detailed) {
+    m_detailed = detailed;
+    tellCosts();
+}
+
+void RunStatus::tellCosts() {
+    const QString time = m_milliseconds ? millisecondsText(*m_milliseconds) : QString();
+    showText(m_renderer,
+             m_detailed && !time.isEmpty() ? m_rendererName + QStringLiteral(" · ") + time : m_rendererName);
+    m_otf->setText(m_otfText);
+    m_otf->setVisible(m_detailed && !m_otfText.isEmpty());
+    QStringList lines{time.isEmpty() ? QString() : tr("picture %1").arg(time), m_rendererToolTip, m_otfText};
+    lines.removeAll(QString());
+    m_renderer->setToolTip(lines.join(QLatin1Char('\n')));
+}
 
 void RunStatus::setNotes(const QStringList& notes) {
     const QString text = notes.join(QStringLiteral(" · "));

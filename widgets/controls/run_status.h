@@ -1,4 +1,4 @@
-// The status bar's line: renderer, times, notes on the data, the value under the pointer, and what runs.
+// The status bar's line: renderer, notes on the data, the value under the pointer, and what runs.
 #pragma once
 
 #include <QStringList>
@@ -22,14 +22,17 @@ class RunStatus : public QWidget {
 public:
     explicit RunStatus(QWidget* parent = nullptr);
 
-    /// "software renderer · 24 ms". Without a time the name only. toolTip: more about it, plain text.
+    /// The name of the renderer. What its last picture took stands in the tool tip, before `toolTip`, which is plain
+    /// text; in a detailed line it also stands behind the name: "software renderer · 24 ms".
     void setRenderer(const QString& name, std::optional<double> milliseconds = std::nullopt,
                      const QString& toolTip = {});
-    /// "OTF 1.6 ms, 176 of 225 tubes".
+    /// In the tool tip, and in a detailed line beside the renderer: "OTF 1.6 ms, 176 of 225 tube cores".
     void setOtf(double milliseconds, int tubesWithWeight, int tubesMeetingVolume);
     /// "Levoy 12 ms": a designer made the OTF.
     void setDesign(const QString& designer, double milliseconds);
     void clearOtf();
+    /// Whether times and tube cores stand in the line, and not in its tool tip alone [false].
+    void setDetailed(bool detailed);
     /// Short statements about the data, for example "no lossy compression".
     void setNotes(const QStringList& notes);
     /// The file's values, of which the pointed one stands beside its intensity.
@@ -50,9 +53,12 @@ signals:
     void cancelRequested();
 
 private:
+    void tellCosts();
     void setProgressVisible(bool visible);
 
-    bool m_running = false;
+    bool m_running = false, m_detailed = false;
+    QString m_rendererName, m_rendererToolTip, m_otfText;
+    std::optional<double> m_milliseconds;  ///< of the renderer's last picture
     QTimer m_delay;
     QLabel* m_renderer;
     QLabel* m_otf;

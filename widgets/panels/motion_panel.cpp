@@ -113,8 +113,7 @@ void MotionPanel::createControls() {
                        tr("The probe turns back at the ends; otherwise the motion starts from −45° again"));
     m_frameRate = named(new QLabel, "motion.frameRate", tr("Frame rate"));
     // Reserve the room now: neither the controls beside it nor the picture above may move when playing begins.
-    m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(
-        tr("%1 frames/s, %2 frames kept, %3").arg(88).arg(88).arg(bytesText(std::size_t{888} << 20))));
+    m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(tr("%1 frames/s").arg(888)));
     m_frameRate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 }
 
@@ -356,10 +355,7 @@ void MotionPanel::showWhatMoves() {
 void MotionPanel::setFrameRate(std::optional<double> framesPerSecond, const KeptMotion& kept) {
     m_frameRate->setToolTip({});
     if (!framesPerSecond) return m_frameRate->clear();
-    const QString rate = tr("%1 frames/s").arg(QLocale::c().toString(*framesPerSecond, 'f', 0));
-    m_frameRate->setText(kept.frames > 0
-                             ? tr("%1, %2 frames kept, %3").arg(rate).arg(kept.frames).arg(bytesText(kept.frameBytes))
-                             : rate);
+    m_frameRate->setText(tr("%1 frames/s").arg(QLocale::c().toString(*framesPerSecond, 'f', 0)));
     m_frameRate->setToolTip(tr("Kept in memory: %1 pictures (%2), quiet voxels of %3 phases (%4), %5 OTFs (%6)")
                                 .arg(kept.frames)
                                 .arg(bytesText(kept.frameBytes))

@@ -55,7 +55,7 @@ public:
     [[nodiscard]] const MotionChoice& choice() const { return m_choice; }
     /// If the study has one phase, only the probe may move.
     void setChoice(const MotionChoice& choice);
-    /// Shows frames per second, and what is kept in memory, if frames are kept. Without a rate the read-out is empty.
+    /// Shows frames per second; the tool tip says what is kept in memory. Without a rate the read-out is empty.
     void setFrameRate(std::optional<double> framesPerSecond, const KeptMotion& kept = {});
 
 signals:

@@ -6,6 +6,7 @@
 #include <QTableWidget>
 #include <QWheelEvent>
 
+#include "app/sessions/session_keeping.h"
 #include "io/document/session_file.h"
 #include "processing/comparison/classification_measures.h"
 #include "processing/pane_picture/pane_measures.h"
@@ -219,7 +220,57 @@ private slots:
         QVERIFY(document().comparison.wipe < wipe);
     }
 
+    void lookingAtTheComparisonChangesNothingThatIsKept() {
+        QTest::keyClick(&window(), Qt::Key_F5);
+        waitUntilRest();
+        const Document before = document();
+        QCOMPARE(before.panes.size(), std::size_t{1});
+        const int steps = window().document().steps().count();
+        const auto& autosave = window().sessionKeeping().autosave();
+        const bool kept = autosave.keeps();
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QCOMPARE(document().panes.size(), std::size_t{4});
+        QCOMPARE(window().document().ownDocument(), before);
+        waitForFrame();
+        QTRY_VERIFY(window().sessionKeeping().atRest());
+        QVERIFY(!window().isWindowModified());
+        QCOMPARE(autosave.keeps(), kept);
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QCOMPARE(document(), before);
+        QCOMPARE(window().document().steps().count(), steps);
+        QTRY_VERIFY(window().sessionKeeping().atRest());
+        QVERIFY(!window().isWindowModified());
+    }
+
+    void aStepFromBeforeIsTakenBackInTheRoom() {
+        QTest::keyClick(&window(), Qt::Key_F5);
+        lookFrom(window(), Viewpoint{.azimuthDegrees = 30});
+        const Document turned = document();
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(document().scene.pose != turned.scene.pose);
+        QCOMPARE(document().panes.size(), std::size_t{4});
+        QVERIFY(window().compareRoom().shown());
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QCOMPARE(document(), turned);
+        waitUntilRest();
+    }
+
+    void whatIsChosenInTheRoomIsKept() {
+        choose(child<QComboBox>("compare.otf2"),
+               child<QComboBox>("compare.otf2")->findText("Otsu", Qt::MatchStartsWith));
+        const Document chosen = document();
+        QTRY_VERIFY(window().isWindowModified());
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QCOMPARE(document(), chosen);
+        waitUntilRest();
+    }
+
     void whatIsTakenBackLeavesTheRoom() {
+        QTest::keyClick(&window(), Qt::Key_F5);
+        child<QAction>("compare.motions")->trigger();
+        QVERIFY(window().compareRoom().shown());
         waitUntilRest();
         window().document().steps().setIndex(0);
         QTRY_VERIFY(window().volumeView().isVisible());
