@@ -7,7 +7,7 @@
 namespace echolucent {
 
 namespace {
-constexpr const char* frontTopic = "near cut";
+constexpr const char* frontTopic = "front";
 }  // namespace
 
 NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent)
