@@ -180,11 +180,13 @@ QString explainPicture(const PictureFacts& facts) {
     QStringList sentences;
     if (std::holds_alternative<SimulatedScan>(facts.document.study))
         sentences << explanationText("This is a simulated scan, not a patient.");
+    const auto degrees = [](double angle) { return QString::number(std::round(angle) + 0.0, 'f', 0); };
     sentences << explanationText(
                      "The volume is looked at along its %1 axis, turned by %2° of azimuth and %3° of elevation.")
-                     .arg(textOf(nameOf(shown.beamAxis)))
-                     .arg(shown.azimuthDegrees, 0, 'f', 0)
-                     .arg(shown.elevationDegrees, 0, 'f', 0);
+                     .arg(textOf(nameOf(shown.beamAxis)), degrees(shown.azimuthDegrees),
+                          degrees(shown.elevationDegrees));
+    if (std::round(shown.rollDegrees) != 0.0)
+        sentences << explanationText("The picture is rolled by %1°.").arg(degrees(shown.rollDegrees));
     const Front& front = facts.document.scene.front;
     if (front.surface)
         sentences << explanationText("A bowed front cuts away what lies before it; the tube cores begin there too.");

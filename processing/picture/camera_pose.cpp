@@ -37,11 +37,10 @@ CameraPose fittedPose(const DataBox& box, const Viewpoint& view, Projection proj
 }
 
 CameraPose orbited(CameraPose pose, double right, double down) {
-    // Azimuth and elevation turn about the axes that the picture has before its roll. So the drag is expressed in these
-    // axes.
-    const Vec3 drag = rotationZ(pose.view.rollDegrees) * Vec3{right, down, 0};
-    pose.view.azimuthDegrees = wrappedDegrees(pose.view.azimuthDegrees + degreesPerHeight * drag[0]);
-    pose.view.elevationDegrees = std::clamp(pose.view.elevationDegrees - degreesPerHeight * drag[1], -90.0, 90.0);
+    const double shares = std::hypot(right, down);
+    if (shares == 0.0) return pose;
+    pose.view = withinPoles(turnedAbout(pose.view, {-down / shares, right / shares, 0.0}, degreesPerHeight * shares));
+    pose.view.azimuthDegrees = wrappedDegrees(pose.view.azimuthDegrees);
     return pose;
 }
 

@@ -6,7 +6,7 @@
 
 namespace echolucent {
 
-/// A camera kept as angles. So orbiting never rolls, and the view can be stated exactly.
+/// A camera kept as angles, so that the view can be stated exactly.
 struct CameraPose {
     Viewpoint view;            ///< direction and roll
     Vec3 focalPoint{0, 0, 0};  ///< grid mm; seen at the picture's centre
@@ -33,8 +33,9 @@ struct ZoomLimits {
 inline constexpr double degreesPerHeight = 180.0;
 
 /// Turns the pose by a drag to the right and down, in shares of the picture's height. The front of the scene follows
-/// the hand. The picture's height is half a turn. The axes are the vertical of the beam axis's frame in the picture,
-/// and the picture's horizontal. Elevation stops at +-90 degrees. The roll stays.
+/// the hand. The picture's height is half a turn. The axis lies in the picture, goes through its centre and stands
+/// across the drag: the picture's vertical for a drag sideways, its horizontal for one up or down. So every direction
+/// of looking turns alike, the poles among them, and drags that go round a curve may leave the picture rolled.
 [[nodiscard]] CameraPose orbited(CameraPose pose, double right, double down);
 
 /// Moves the pose across the picture by a drag, in shares of the picture's height. The focal plane follows the hand

@@ -1,7 +1,5 @@
 #include "processing/scene/pose.h"
 
-#include <cmath>
-
 #include "processing/choice_names.h"
 
 namespace echolucent {
@@ -29,13 +27,8 @@ Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction) {
 Viewpoint viewAlongBeam(const Beam& beam) { return viewpointOf(beam.axis, beam.lean); }
 
 ViewDirection directionOf(const Viewpoint& viewpoint) {
-    const ViewDirection same{viewpoint.azimuthDegrees, viewpoint.elevationDegrees, viewpoint.rollDegrees};
-    if (std::abs(same.elevation) <= 90.0) return same;
-    // Over a pole the view looks back: R_x(e) = R_y(180) R_x(180 - e) R_z(180).
-    const double elevation = std::remainder(same.elevation, 360.0);
-    if (std::abs(elevation) <= 90.0) return {same.azimuth, elevation, same.roll};
-    return {std::remainder(same.azimuth + 180.0, 360.0), std::copysign(180.0, elevation) - elevation,
-            std::remainder(same.roll + 180.0, 360.0)};
+    const Viewpoint within = withinPoles(viewpoint);
+    return {within.azimuthDegrees, within.elevationDegrees, within.rollDegrees};
 }
 
 Pose turnedTo(const Pose& pose, BeamAxis beam, const ViewDirection& direction) {

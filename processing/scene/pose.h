@@ -51,8 +51,7 @@ struct Pose {
 [[nodiscard]] Viewpoint viewAlongBeam(const Beam& beam);
 /// The view along a direction, of the whole volume.
 [[nodiscard]] Viewpoint viewpointOf(BeamAxis beam, const ViewDirection& direction);
-/// The direction of a viewpoint. If a motion has turned the viewpoint over a pole, its elevation is beyond ±90 degrees.
-/// The direction then has other angles that show the same.
+/// The direction of withinPoles(viewpoint).
 [[nodiscard]] ViewDirection directionOf(const Viewpoint& viewpoint);
 
 /// Looks from another direction. The data box's centre keeps its place in the picture.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "processing/choice_names.h"
+#include "processing/viewpoint/box_section.h"
 
 namespace echolucent {
 
@@ -61,6 +62,40 @@ Viewpoint withFrontAcross(Viewpoint view, double depthMm) {
 }
 
 double frontDepthMm(const Viewpoint& view) { return view.frontPlane ? view.frontPlane->depthMm : 0.0; }
+
+Viewpoint turnedAbout(const Viewpoint& view, const Vec3& axis, double degrees) {
+    Viewpoint turned = view;
+    // Azimuth and elevation turn about the axes that the picture has before its roll.
+    const Vec3 unrolled = rotationZ(view.rollDegrees) * axis;
+    if (unrolled[1] == 0.0 && unrolled[2] == 0.0) {
+        turned.elevationDegrees += degrees * unrolled[0];
+    } else if (unrolled[0] == 0.0 && unrolled[2] == 0.0 && view.elevationDegrees == 0.0) {
+        turned.azimuthDegrees += degrees * unrolled[1];
+    } else if (unrolled[0] == 0.0 && unrolled[1] == 0.0) {
+        turned.rollDegrees += degrees * unrolled[2];
+    } else {
+        const ViewFrame frame = frameOf(view);
+        const Vec3 inGrid = frame.right * axis[0] + frame.down * axis[1] + frame.forward * axis[2];
+        const Viewpoint along = viewAlong(rotatedAbout(inGrid, degrees, frame.forward),
+                                          rotatedAbout(inGrid, degrees, frame.down), view.beamAxis);
+        turned.azimuthDegrees = along.azimuthDegrees;
+        turned.elevationDegrees = along.elevationDegrees;
+        turned.rollDegrees = along.rollDegrees;
+    }
+    return turned;
+}
+
+Viewpoint withinPoles(const Viewpoint& view) {
+    Viewpoint within = view;
+    if (std::abs(view.elevationDegrees) <= 90.0) return within;
+    const double elevation = within.elevationDegrees = std::remainder(view.elevationDegrees, 360.0);
+    if (std::abs(elevation) <= 90.0) return within;
+    // Over a pole the view looks back: R_x(e) = R_y(180) R_x(180 - e) R_z(180).
+    within.azimuthDegrees = std::remainder(view.azimuthDegrees + 180.0, 360.0);
+    within.elevationDegrees = std::copysign(180.0, elevation) - elevation;
+    within.rollDegrees = std::remainder(view.rollDegrees + 180.0, 360.0);
+    return within;
+}
 
 Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry) {
     return normalized(geometry.voxelFromGridMm(frameOf(view).forward));

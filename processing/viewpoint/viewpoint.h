@@ -56,6 +56,14 @@ struct Viewpoint {
 /// FrontPlane::depthMm of the view's flat front; 0 if it has none.
 [[nodiscard]] double frontDepthMm(const Viewpoint& view);
 
+/// The view turned about an axis of length 1 in its own frame, right-handed: {1, 0, 0} is the picture's horizontal,
+/// {0, 1, 0} its vertical, {0, 0, 1} the direction of looking. Cuts stay where they are. If one angle alone says the
+/// turn, the degrees are added to it and the others keep their bits; the elevation may then leave [-90, 90].
+[[nodiscard]] Viewpoint turnedAbout(const Viewpoint& view, const Vec3& axis, double degrees);
+
+/// The same view with an elevation in [-90, 90] degrees. If it had one, it keeps its bits.
+[[nodiscard]] Viewpoint withinPoles(const Viewpoint& view);
+
 /// The unit view direction in voxel index space (divided by spacing per axis, then normalised).
 [[nodiscard]] Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry);
 

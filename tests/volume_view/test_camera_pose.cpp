@@ -39,6 +39,8 @@ const Viewpoint tilted = withFrontAcross({BeamAxis::plusY, 30, -20, 50}, 4);
 
 }  // namespace
 
+Q_DECLARE_METATYPE(echolucent::Viewpoint)
+
 class CameraPoseTest : public QObject {
     Q_OBJECT
 
@@ -79,18 +81,64 @@ private slots:
         compareVectors(frameOf(orbited(pose, 0, -0.25).view).forward, frameOf({BeamAxis::plusZ, 0, 45, 0}).forward);
     }
 
-    void orbitNeverRolls() {
-        CameraPose pose = poseOf({});
-        for (int i = 0; i < 200; ++i) pose = orbited(pose, 0.013 * (i % 7), 0.011 * (i % 5 - 2));
-        // The horizontal of the picture stays across the vertical axis it started with (the grid's y).
-        QVERIFY(std::abs(frameOf(pose.view).right[1]) < 1e-12);
-        QCOMPARE(pose.view.rollDegrees, 0.0);
+    /// Twenty directions of looking, both poles among them.
+    void dragsTurnByTheirAngleAboutTheScreensAxes_data() {
+        QTest::addColumn<Viewpoint>("from");
+        constexpr double angles[][3] = {{0, 0, 0},       {90, 0, 0},       {-135, 0, 0},    {180, 0, 0},
+                                        {0, 90, 0},      {0, -90, 0},      {40, 90, 0},     {-70, -90, 25},
+                                        {120, 90, -160}, {0, 45, 0},       {30, -20, 50},   {-60, 60, 90},
+                                        {75, -89.99, 3}, {10, 89.9999, 0}, {0, 0, 90},      {0, 0, -37},
+                                        {150, 10, 180},  {-20, -70, -90},  {5, 1e-9, 1e-9}, {-179, 33, 12}};
+        for (int i = 0; i < 20; ++i)
+            QTest::addRow("%d: azimuth %g, elevation %g, roll %g", i, angles[i][0], angles[i][1], angles[i][2])
+                << Viewpoint{BeamAxis(i % 6), angles[i][0], angles[i][1], angles[i][2], 0};
+    }
+    void dragsTurnByTheirAngleAboutTheScreensAxes() {
+        QFETCH(Viewpoint, from);
+        CameraPose pose = poseOf(from);
+        pose.focalPoint += Vec3(3, -7, 5);
+        const ViewFrame before = frameOf(from);
+        for (const double degrees : {1.0, -30.0, 90.0, 135.0, -179.0}) {
+            const double share = degrees / degreesPerHeight;
+            const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
+            // Sideways: what is in front follows the hand, so the eye goes the other way round the vertical.
+            const CameraPose sideways = orbited(pose, share, 0);
+            compareVectors(frameOf(sideways.view).down, before.down, 1e-12);
+            compareVectors(frameOf(sideways.view).forward, before.forward * c + before.right * s, 1e-12);
+            compareVectors(frameOf(sideways.view).right, before.right * c - before.forward * s, 1e-12);
+            // Down: the same about the horizontal.
+            const CameraPose down = orbited(pose, 0, share);
+            compareVectors(frameOf(down.view).right, before.right, 1e-12);
+            compareVectors(frameOf(down.view).forward, before.forward * c + before.down * s, 1e-12);
+            compareVectors(frameOf(down.view).down, before.down * c - before.forward * s, 1e-12);
+            // Aslant: about the axis across the drag, here in the direction (3, 4) of the picture.
+            const ViewFrame aslant = frameOf(orbited(pose, 0.6 * share, 0.8 * share).view);
+            const Vec3 along = before.right * 0.6 + before.down * 0.8, across = before.down * 0.6 - before.right * 0.8;
+            compareVectors(aslant.forward, before.forward * c + along * s, 1e-12);
+            compareVectors(aslant.down * 0.6 - aslant.right * 0.8, across, 1e-12);
+            for (const CameraPose& turned : {sideways, down}) {
+                QVERIFY(std::abs(turned.view.elevationDegrees) <= 90.0);
+                QVERIFY(turned.focalPoint == pose.focalPoint);  // it turns about the point at the picture's centre
+                QCOMPARE(turned.heightMm, pose.heightMm);
+            }
+        }
     }
 
-    void elevationStopsAtThePoles() {
-        const CameraPose pose = orbited(poseOf({}), 0.0, 5.0);
-        QCOMPARE(pose.view.elevationDegrees, -90.0);
-        QVERIFY(orbited(pose, 0, -0.01).view.elevationDegrees > -90.0);
+    void manySmallDragsTurnAsFarAsOne() {
+        for (const cv::Vec2d& way : {cv::Vec2d(0.01, 0), cv::Vec2d(0, 0.01), cv::Vec2d(-0.006, 0.008)}) {
+            CameraPose pose = poseOf(tilted);
+            for (int i = 0; i < 200; ++i) pose = orbited(pose, way[0], way[1]);  // a whole turn, over both poles
+            compareVectors(frameOf(pose.view).forward, frameOf(tilted).forward, 1e-11);
+            compareVectors(frameOf(pose.view).down, frameOf(tilted).down, 1e-11);
+        }
+    }
+
+    void aDragAlongAnAxisOfTheBeamChangesNoOtherAngle() {
+        CameraPose pose = poseOf({});
+        for (int i = 0; i < 7; ++i) pose = orbited(pose, 0.013, 0);
+        QVERIFY(pose.view.elevationDegrees == 0.0 && pose.view.rollDegrees == 0.0);
+        for (int i = 0; i < 7; ++i) pose = orbited(pose, 0, 0.013);
+        QVERIFY(std::abs(pose.view.azimuthDegrees - 7 * 0.013 * 180) < 1e-12 && pose.view.rollDegrees == 0.0);
     }
 
     void azimuthStaysWithinHalfATurn() {
