@@ -1,6 +1,7 @@
 #include "app/planes/document_planes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/planes/edge_letters.h"
 #include "processing/document/box_editing.h"
@@ -14,7 +15,11 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works
     : QObject(parent), m_model(model), m_openStudy(openStudy), m_panes(panes), m_resampler(works) {
     for (PlanePane* pane : m_panes) {
         connect(pane, &PlanePane::changed, this, [this, pane](const Planes& next, const QString& what) {
-            pane->dragging() ? m_model.preview(with(next), what) : take(next, what, m_model.gesture());
+            if (!pane->dragging()) return take(next, what, m_model.gesture());
+            const Document turned = with(next);
+            const bool moves = turned.scene.pose != m_model.document().scene.pose;
+            m_model.preview(turned, what);
+            if (moves) emit cameraMoved();
         });
         connect(pane, &PlanePane::boxDragged, this, &DocumentPlanes::takeBox);
         connect(pane, &PlanePane::frontWheeled, this, &DocumentPlanes::wheelFront);
@@ -96,7 +101,10 @@ void DocumentPlanes::resample() {
 
 void DocumentPlanes::take(const Planes& next, const QString& what, DocumentModel::Gesture gesture) {
     m_newestGesture = gesture;
-    m_model.edit(with(next), what, gesture);
+    const Document turned = with(next);
+    const bool moves = turned.scene.pose != m_model.document().scene.pose;
+    m_model.edit(turned, what, gesture);
+    if (moves) emit cameraMoved();
 }
 
 void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const QString& what) {
@@ -129,7 +137,11 @@ void DocumentPlanes::wheelFront(double mm, const QString& what) {
 
 Document DocumentPlanes::with(const Planes& next) const {
     Document document = m_model.document();
-    document.scene.planes = next;
+    const Planes before = std::exchange(document.scene.planes, next);
+    if (!next.turnsView || next.direction == before.direction) return document;
+    // As wherever a hand moves the camera, a motion starts anew from what is shown.
+    document.scene.pose = turnedAlong(shownPose(document), before, next, document.beam.axis);
+    document.scene.motionAngle = 0.0;
     return document;
 }
 
@@ -138,6 +150,7 @@ void DocumentPlanes::resetAll() {
     Planes start;
     start.quiet = now.quiet;
     start.linesIn3d = now.linesIn3d;
+    start.turnsView = now.turnsView;
     take(start, tr("reset planes"), DocumentModel::noGesture);
 }
 

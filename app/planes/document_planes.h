@@ -24,12 +24,14 @@ public:
                    QObject* parent = nullptr);
 
     /// Resets all planes, their pictures and greys to those on opening, in one step. Keeps the choice of quiet voxels,
-    /// and whether the 3D view shows lines.
+    /// whether the 3D view shows lines, and whether it turns along.
     void resetAll();
     /// Ends a drag in a pane; false if there is none.
     bool cancelDrag();
 
 signals:
+    /// The planes were turned, and the camera along with them.
+    void cameraMoved();
     /// The normalised intensity under the cursor, as read, whatever voxels the plane shows; no value if there is none.
     void pointed(std::optional<double> intensity);
 

@@ -23,6 +23,7 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
       m_measurements({parts.model, parts.openStudy, parts.player, m_measuring, parts.measurements}) {
     connect(&m_parts.panel, &RoomPanel::planesResetRequested, &m_planes, &DocumentPlanes::resetAll);
     connect(&m_planes, &DocumentPlanes::pointed, this, &ReviewRoom::pointed);
+    connect(&m_planes, &DocumentPlanes::cameraMoved, &m_parts.player, &MotionPlayer::pause);
     connect(&m_scalpel, &ScalpelHand::nothingToCut, this, &ReviewRoom::nothingToCut);
     // One tool is in the hand at a time.
     connect(&m_scalpel, &ScalpelHand::toolChanged, this, [this] {

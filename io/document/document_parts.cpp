@@ -115,6 +115,7 @@ Planes planesIn(JsonFields& fields) {
     planes.level = fields.number("level", leastPlaneLevel, largestPlaneLevel);
     planes.quiet = fields.flag("quiet");
     planes.linesIn3d = fields.flag("lines_in_3d");
+    planes.turnsView = fields.has("turns_view") && fields.flag("turns_view");
     return planes;
 }
 

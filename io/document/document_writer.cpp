@@ -85,13 +85,15 @@ ordered_json planesJson(const Planes& planes) {
         crops[std::string(nameOf(plane))] = {
             {"pan_right_mm", crop.panRightMm}, {"pan_down_mm", crop.panDownMm}, {"magnification", crop.magnification}};
     }
-    return {{"direction", directionJson(planes.direction)},
-            {"offset_mm", triple(planes.offsetMm)},
-            {"crops", crops},
-            {"window", planes.window},
-            {"level", planes.level},
-            {"quiet", planes.quiet},
-            {"lines_in_3d", planes.linesIn3d}};
+    ordered_json json{{"direction", directionJson(planes.direction)},
+                      {"offset_mm", triple(planes.offsetMm)},
+                      {"crops", crops},
+                      {"window", planes.window},
+                      {"level", planes.level},
+                      {"quiet", planes.quiet},
+                      {"lines_in_3d", planes.linesIn3d}};
+    if (planes.turnsView) json["turns_view"] = true;
+    return json;
 }
 
 ordered_json cameraJson(const Camera& camera) {

@@ -80,6 +80,20 @@ Planes turned(const Planes& planes, PlaneName plane, double degrees, BeamAxis be
     return next;
 }
 
+Pose turnedAlong(const Pose& pose, const Planes& before, const Planes& after, BeamAxis beam) {
+    if (after.direction == before.direction) return pose;
+    const ViewFrame from = axesOf(before, beam), to = axesOf(after, beam);
+    const auto turn = [&](const Vec3& vector) {
+        return to.right * from.right.dot(vector) + to.down * from.down.dot(vector) +
+               to.forward * from.forward.dot(vector);
+    };
+    const ViewFrame view = frameOf(viewpointOf(beam, pose.direction, 0.0));
+    Pose next = pose;
+    next.direction = directionOf(viewAlong(turn(view.forward), turn(view.down), beam, 0.0));
+    next.offsetMm = after.offsetMm + turn(pose.offsetMm - after.offsetMm);
+    return next;
+}
+
 PlaneView planeViewOf(const Planes& planes, PlaneName plane, BeamAxis beam, const DataBox& data, double aspect) {
     const PlaneCrop& crop = planes.crops[indexOf(plane)];
     const ViewFrame frame = frameOf(plane, planes, beam);

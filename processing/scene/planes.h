@@ -40,6 +40,7 @@ struct Planes {
     double level = 0.5;                ///< normalised intensity that is shown half bright, [-1, 2]
     bool quiet = true;                 ///< true: shows quiet voxels if the look reduces speckle; false: raw voxels
     bool linesIn3d = false;            ///< whether the 3D view shows where the planes lie
+    bool turnsView = false;            ///< whether what turns the planes turns the 3D view along
     friend bool operator==(const Planes&, const Planes&) = default;
 };
 
@@ -62,6 +63,10 @@ inline constexpr double leastPlaneLevel = -1.0, largestPlaneLevel = 2.0;
 /// All three planes turned about the reference point, so that the picture of one of them turns clockwise. That plane
 /// shows the same voxels as before. The reference point keeps its place in all three pictures.
 [[nodiscard]] Planes turned(const Planes& planes, PlaneName plane, double degrees, BeamAxis beam);
+
+/// The pose turned along with planes that were turned from `before` to `after`: by their turn, about the reference
+/// point of `after`, which keeps its place in the picture. If the planes were not turned, the pose keeps its bits.
+[[nodiscard]] Pose turnedAlong(const Pose& pose, const Planes& before, const Planes& after, BeamAxis beam);
 
 /// What a picture of a plane shows. The place x mm right of its centre and y mm below it is centreMm + frame.right * x
 /// + frame.down * y.

@@ -87,6 +87,10 @@ QGroupBox* RoomPanel::createPlanes() {
                         tr("Off: the planes show the voxels that were read"));
     auto* lines = named(new QCheckBox(tr("Show planes in 3D")), "room.linesIn3d", tr("Show planes in 3D"),
                         tr("Draws where the planes lie over the 3D picture"));
+    auto* along = named(new QCheckBox(tr("Turning planes turns the 3D view")), "room.turnsView",
+                        tr("Turning planes turns the 3D view"),
+                        tr("When you turn plane A, B or C, the 3D view turns along by the same angle, about the "
+                           "reference point"));
     auto* window = new ValueSlider("room.window", tr("Window"), 0.01, 2);
     window->setRange(leastPlaneWindow, largestPlaneWindow);
     window->setToolTip(tr("Intensities from black to white; right drag to the right in a plane"));
@@ -100,12 +104,14 @@ QGroupBox* RoomPanel::createPlanes() {
     };
     connect(quiet, &QCheckBox::toggled, this, change(tr("voxels of planes"), &Planes::quiet));
     connect(lines, &QCheckBox::toggled, this, change(tr("planes in 3D"), &Planes::linesIn3d));
+    connect(along, &QCheckBox::toggled, this, change(tr("3D view along with planes"), &Planes::turnsView));
     connect(window, &ValueSlider::valueChanged, this, change(tr("window and level"), &Planes::window));
     connect(level, &ValueSlider::valueChanged, this, change(tr("window and level"), &Planes::level));
     m_document.bind(&DocumentModel::planesChanged, this, [=](const Document& document) {
-        const QSignalBlocker ofQuiet(quiet), ofLines(lines);
+        const QSignalBlocker ofQuiet(quiet), ofLines(lines), ofAlong(along);
         quiet->setChecked(document.scene.planes.quiet);
         lines->setChecked(document.scene.planes.linesIn3d);
+        along->setChecked(document.scene.planes.turnsView);
         window->setValue(document.scene.planes.window);
         level->setValue(document.scene.planes.level);
     });
@@ -119,6 +125,7 @@ QGroupBox* RoomPanel::createPlanes() {
     grid->addWidget(level, 1, 1);
     column->addWidget(quiet);
     column->addWidget(lines);
+    column->addWidget(along);
     column->addLayout(grid);
     column->addWidget(reset);
     return group;

@@ -25,11 +25,11 @@ struct ScalpelSettings {
     friend bool operator==(const ScalpelSettings&, const ScalpelSettings&) = default;
 };
 
-/// Objects: room.quiet, room.linesIn3d, room.window (+ .value), room.level (+ .value), room.resetPlanes; room.box,
-/// room.front.top … room.front.far, room.width, room.depth, room.height, room.wholeBox, room.slab.thickness,
-/// room.slab.a, .b, .c; room.scalpel.freehand … .eraser, room.scalpel.inside, .outside, room.scalpel.size, .limited,
-/// .limit, room.scalpel.strokes, .takeBack, .takeAllBack. The panel shows the document. It changes the planes itself,
-/// but for their reset, and asks for all other changes. No setter emits a signal.
+/// Objects: room.quiet, room.linesIn3d, room.turnsView, room.window (+ .value), room.level (+ .value),
+/// room.resetPlanes; room.box, room.front.top … room.front.far, room.width, room.depth, room.height, room.wholeBox,
+/// room.slab.thickness, room.slab.a, .b, .c; room.scalpel.freehand … .eraser, room.scalpel.inside, .outside,
+/// room.scalpel.size, .limited, .limit, room.scalpel.strokes, .takeBack, .takeAllBack. The panel shows the document. It
+/// changes the planes itself, but for their reset, and asks for all other changes. No setter emits a signal.
 class RoomPanel : public QWidget {
     Q_OBJECT
 

@@ -62,6 +62,33 @@ TEST(Planes, TurnsThereAndBackAddUp) {
                   1e-9);
 }
 
+TEST(Planes, APoseTurnsAlongAsIfHeldByThePlanes) {
+    for (const BeamAxis beam : everyBeam)
+        for (const PlaneName plane : allPlaneNames) {
+            const Pose pose{{-50, plane == PlaneName::b ? 90.0 : 12.0, 8}, {2, 9, -4}, 1.7};
+            const Planes before = unusualPlanes(), after = turned(before, plane, 40, beam);
+            const Pose along = turnedAlong(pose, before, after, beam);
+            EXPECT_EQ(along.magnification, pose.magnification);
+            EXPECT_LE(std::abs(along.direction.elevation), 90);
+            // Seen from each plane, the camera stands and looks as before.
+            const ViewFrame from = frameOf(viewpointOf(beam, pose.direction, 0)),
+                            to = frameOf(viewpointOf(beam, along.direction, 0));
+            const ViewFrame held = frameOf(plane, before, beam), holds = frameOf(plane, after, beam);
+            const Vec3 arm = pose.offsetMm - before.offsetMm, armAlong = along.offsetMm - after.offsetMm;
+            for (const auto axis : {&ViewFrame::right, &ViewFrame::down, &ViewFrame::forward}) {
+                EXPECT_NEAR((held.*axis).dot(from.forward), (holds.*axis).dot(to.forward), 1e-12);
+                EXPECT_NEAR((held.*axis).dot(from.down), (holds.*axis).dot(to.down), 1e-12);
+                EXPECT_NEAR((held.*axis).dot(arm), (holds.*axis).dot(armAlong), 1e-12);
+            }
+            // The plane's own picture turned clockwise by 40 degrees, its axis stayed.
+            EXPECT_NEAR(held.forward.dot(from.forward), held.forward.dot(to.forward), 1e-12);
+        }
+    Planes stepped = unusualPlanes();
+    stepped.offsetMm += Vec3(1, 2, 3);
+    const Pose pose{{-50, 12, 8}, {2, 9, -4}, 1.7};
+    EXPECT_TRUE(turnedAlong(pose, unusualPlanes(), stepped, BeamAxis::plusY) == pose) << "no turn";
+}
+
 TEST(Planes, AStepMovesAlongTheWayOfLookingAndEndsAtTheData) {
     const Planes planes;
     for (const PlaneName plane : allPlaneNames) {
