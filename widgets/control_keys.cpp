@@ -3,11 +3,16 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSlider>
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QTabBar>
+#include <QTextEdit>
 
 namespace echolucent {
 
@@ -53,7 +58,29 @@ bool wantsKey(const QWidget& control, const QKeyEvent& event) {
 
 ControlKeys::ControlKeys(QObject* parent) : QObject(parent) { QCoreApplication::instance()->installEventFilter(this); }
 
+namespace {
+
+/// A control, and no picture: fields, lists, sliders, buttons.
+bool isControl(const QWidget& widget) {
+    return qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget) ||
+           qobject_cast<const QAbstractItemView*>(&widget) || qobject_cast<const QAbstractSlider*>(&widget) ||
+           qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QComboBox*>(&widget) ||
+           qobject_cast<const QTextEdit*>(&widget) || qobject_cast<const QPlainTextEdit*>(&widget);
+}
+
+}  // namespace
+
 bool ControlKeys::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    if (type == QEvent::Polish || type == QEvent::MouseButtonPress) {
+        auto* button = qobject_cast<QAbstractButton*>(watched);
+        if (!button || qobject_cast<QDialog*>(button->window())) return false;
+        if (type == QEvent::Polish && button->focusPolicy() != Qt::NoFocus) button->setFocusPolicy(Qt::TabFocus);
+        QWidget* focused = QApplication::focusWidget();
+        if (type == QEvent::MouseButtonPress && focused && focused->window() == button->window() && isControl(*focused))
+            focused->clearFocus();
+        return false;
+    }
     if (event->type() != QEvent::ShortcutOverride || watched != QApplication::focusWidget()) return false;
     auto* key = static_cast<QKeyEvent*>(event);
     if (!wantsKey(*static_cast<QWidget*>(watched), *key)) return false;

@@ -1,4 +1,4 @@
-// Which keys belong to the focused control, and not to the window.
+// Which keys belong to the focused control, and not to the window; and who gets the focus by a click.
 #pragma once
 
 #include <QObject>
@@ -13,6 +13,9 @@ namespace echolucent {
 [[nodiscard]] bool wantsKey(const QWidget& control, const QKeyEvent& key);
 
 /// Keeps the keys of the focused control from the shortcuts of its window, in the whole application.
+///
+/// Buttons of windows that are no dialogs take the focus by Tab, not by a click. A click on one takes the focus from
+/// the control that had it, so that a field takes what was typed. A picture keeps the focus.
 class ControlKeys : public QObject {
     Q_OBJECT
 
