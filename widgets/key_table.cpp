@@ -11,11 +11,13 @@ QString tr(const char* text) { return QCoreApplication::translate("keys", text);
 std::vector<KeyRow> pictureRows() {
     constexpr KeyPlace place = KeyPlace::picture;
     return {
-        {place, tr("left drag"), tr("orbits")},
+        {place, tr("left drag"),
+         tr("turns the picture: sideways about the screen's vertical, up and down about its "
+            "horizontal")},
         {place, tr("middle drag, Shift + left drag"), tr("moves the picture")},
         {place, tr("wheel, right drag"), tr("zooms, the wheel about the point under the cursor")},
         {place, tr("Ctrl + left drag"), tr("moves the light, if the picture is lit")},
-        {place, tr("Ctrl + ← → ↑ ↓; with Shift"), tr("orbits by 1°; by 10°")},
+        {place, tr("Ctrl + ← → ↑ ↓; with Shift"), tr("turns the picture by 1°; by 10°")},
         {place, tr("Shift + ← → ↑ ↓"), tr("moves the picture")},
         {place, tr("+, −"), tr("zooms in, zooms out")},
         {place, tr("left drag with the scalpel; double click, Enter"), tr("draws a stroke; closes a polygon")},
@@ -32,7 +34,8 @@ std::vector<KeyRow> planeRows() {
     constexpr KeyPlace place = KeyPlace::planes;
     return {
         {place, tr("left click, left drag"), tr("moves the reference point, where the planes meet")},
-        {place, tr("left drag at the rim"), tr("turns the three planes about the reference point")},
+        {place, tr("left drag at the rim"),
+         tr("turns the three planes about the reference point, and the 3D view along if the panel says so")},
         {place, tr("left drag of a mark or line of the box"),
          tr("moves a face, a corner or the whole box, or turns it")},
         {place, tr("left drag of a mark or line of the surface at which the picture begins"), tr("moves or bows it")},
@@ -181,9 +184,11 @@ QKeySequence keyOf(const QString& action) {
 QString keysPage() {
     QString page = QStringLiteral(
         "# Mouse and keys\n\n"
-        "The control that has the focus is asked first, then the window. A field keeps its digits, a check box its "
-        "Space, a slider\n"
-        "its arrows. The panel *Explain*, which F1 opens, holds the same tables.\n\n"
+        "The control that has the focus is asked first, then the window. A field keeps its digits, a slider its "
+        "arrows, a check box\n"
+        "that Tab has reached its Space. A button that is clicked takes no focus: Space plays after it. The panel "
+        "*Explain*, which F1\n"
+        "opens, holds the same tables.\n\n"
         "<!-- The program writes this page from widgets/key_table.cpp, and TestKeyTable says how. Nobody edits it by "
         "hand. -->\n");
     for (const KeyPlace place : allKeyPlaces) {

@@ -235,9 +235,12 @@ Result<void> sweep(const SweepOptions& options, const CLI::App& command, const I
 
 void addMotion(CLI::App& command, SweepOptions& options) {
     const auto movement = CLI::IsMember({"still", "moving"});
-    command.add_option("--axis", options.axis, "Axis of the view about which the probe turns: x, y or z")
-        ->check(CLI::IsMember({"x", "y", "z"}))
-        ->default_str("y");
+    command
+        .add_option("--axis", options.axis,
+                    "Axis about which the probe turns: screen_vertical, screen_horizontal or picture_plane, or x, y or "
+                    "z, which add to the view's angles")
+        ->check(CLI::IsMember({"x", "y", "z", "screen_vertical", "screen_horizontal", "picture_plane"}))
+        ->default_str("screen_vertical");
     command
         .add_option("--from", options.from,
                     "First angle from the given view, degrees; without --from, --to and --step the frames are a turn "

@@ -79,7 +79,7 @@ private:
         std::shared_ptr<const Volume> raw, shown;
         SpeckleReduction reduction = SpeckleReduction::off;
         Viewpoint start{};
-        MotionAxis axis = MotionAxis::y;
+        MotionAxis axis = MotionAxis::screenVertical;
         CurveAdjustment adjustment{};
         std::vector<FlickeringPane> panes{};
         friend bool operator==(const FlickerAsked&, const FlickerAsked&) = default;

@@ -12,6 +12,7 @@
 #include "io/study/import_report.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/panels/motion_panel.h"
 
 namespace echolucent {
 
@@ -77,8 +78,9 @@ QString MovieFiles::whatPlays() const {
     };
     QStringList words;
     if (movesProbe(motion.scenario))
-        words << order(tr("probe from %1 to %2 about %3")
-                           .arg(angleText(firstMotionAngle), angleText(lastMotionAngle), textOf(nameOf(motion.axis))),
+        words << order(tr("probe from %1 to %2 (%3)")
+                           .arg(angleText(firstMotionAngle), angleText(lastMotionAngle),
+                                MotionPanel::axisText(motion.axis).toLower()),
                        motion.pingPong);
     if (movesObject(motion.scenario))
         words << order(tr("phases %1 to %2").arg(range.first + 1).arg(range.last + 1), motion.phasesPingPong);

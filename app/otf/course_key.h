@@ -11,7 +11,7 @@ namespace echolucent {
 struct CourseKey {
     Viewpoint start;
     SharedList<ScalpelStroke> strokes;
-    MotionAxis axis = MotionAxis::y;
+    MotionAxis axis = MotionAxis::screenVertical;
     AdaptiveOtfConfig config;
     OtfCourse::Rows rows = OtfCourse::Rows::angles;
     int fixed = 0;  ///< the phase or the angle that stays; 0 if both change

@@ -200,9 +200,9 @@ void Settings::setPresetsOpen(bool open) { m_store.setValue(presetsOpenKey, open
 
 namespace {
 
-/// Without what moves and the phases, which belong to the study.
+/// Without what moves and the phases, which belong to the study. Axes of older programs belong to their documents.
 MotionChoice rememberedOf(const MotionChoice& motion) {
-    return {.axis = motion.axis,
+    return {.axis = screenAxisOf(motion.axis),
             .otf = motion.otf,
             .pingPong = motion.pingPong,
             .phasesPingPong = motion.phasesPingPong,
@@ -227,7 +227,7 @@ MotionChoice motionOf01(const SettingsStore& store) {
 }  // namespace
 
 MotionChoice Settings::motion() const {
-    if (!m_store.contains(motionKey)) return motionOf01(m_store);
+    if (!m_store.contains(motionKey)) return rememberedOf(motionOf01(m_store));
     return rememberedOf(motionFromText(m_store.value(motionKey).toString().toStdString()));
 }
 void Settings::setMotion(const MotionChoice& motion) {

@@ -95,12 +95,14 @@ Document openedDocument(const Document& before, const StudyReference& study) {
     scene.planes.level = planes.level;
     scene.planes.quiet = planes.quiet;
     scene.planes.linesIn3d = planes.linesIn3d;
+    scene.planes.turnsView = planes.turnsView;
     opened.scene = std::move(scene);
     for (Pane& pane : opened.panes) {
         pane.withoutTubes.clear();
         if (pane.phase) pane.phase = 0;
     }
     opened.measurements.clear();
+    opened.motion.axis = screenAxisOf(before.motion.axis);
     opened.motion.phaseRange.reset();
     opened.motion.otfPhase = 0;
     opened.curves.adjustment = CurveAdjustment{};  // a first picture is good without it

@@ -66,9 +66,10 @@ struct Document {
 /// The document with the phase and the frame of the motion that another document shows.
 [[nodiscard]] Document withShown(Document document, const Document& shown);
 /// A document of another study. It keeps the look, curves, panes, comparison, method parameters and motion choices of
-/// `before`, and how planes show grey values and their lines. It does not keep the curves' adjustment, choices that
-/// count phases, and the tube cores that are never placed. A pane with a phase of its own shows the first one. The
-/// study is seen along the assumed beam, whole, from its first phase on, without front, box, strokes and measurements.
+/// `before`, and how planes show grey values and their lines, and whether they turn the view. It does not keep the
+/// curves' adjustment, choices that count phases, and the tube cores that are never placed. A pane with a phase of its
+/// own shows the first one. The study is seen along the assumed beam, whole, from its first phase on, without front,
+/// box, strokes and measurements.
 [[nodiscard]] Document openedDocument(const Document& before, const StudyReference& study);
 
 /// What breaks a rule, with its key ("scene.box size_mm must be ..."): lower case, no full stop. Empty if nothing does.

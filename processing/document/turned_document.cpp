@@ -107,8 +107,10 @@ ScalpelStroke turnedStroke(ScalpelStroke stroke, const GridTurn& turn) {
 
 /// The angle by which a motion has turned the view: it follows the angles of the view.
 double turnedMotion(const Document& document, const GridTurn& turn) {
-    const bool keepsAngle =
-        document.motion.axis == (turn.turnsDownRound(document.beam.axis) ? MotionAxis::y : MotionAxis::x);
+    // What is right and left in the picture changes places, and up and down do not.
+    const MotionAxis axis = document.motion.axis;
+    const bool keepsAngle = axis == MotionAxis::screenHorizontal ||
+                            axis == (turn.turnsDownRound(document.beam.axis) ? MotionAxis::y : MotionAxis::x);
     return keepsAngle ? document.scene.motionAngle : reversed(document.scene.motionAngle);
 }
 

@@ -18,7 +18,7 @@ struct PhaseRange {
 };
 
 struct MotionChoice {
-    MotionAxis axis = MotionAxis::y;
+    MotionAxis axis = MotionAxis::screenVertical;
     MotionScenario scenario = MotionScenario::probe;
     MotionOtf otf = MotionOtf::oneOtf;
     bool pingPong = true;         ///< true: the probe turns back at its ends; false: it starts again at the first angle

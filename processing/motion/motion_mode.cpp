@@ -6,7 +6,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr ChoiceNames<3> axisNames{"x", "y", "z"};
+constexpr ChoiceNames<6> axisNames{"x", "y", "z", "screen_vertical", "screen_horizontal", "picture_plane"};
 constexpr ChoiceNames<3> scenarioNames{"probe", "object", "both"};
 constexpr ChoiceNames<allMotionOtfs.size()> otfNames{"one_otf", "each_view", "mean", "moving_least_squares",
                                                      "least_flicker"};
@@ -15,6 +15,15 @@ constexpr ChoiceNames<allMotionOtfs.size()> otfNames{"one_otf", "each_view", "me
 
 std::string_view nameOf(MotionAxis axis) { return nameIn(axisNames, axis); }
 std::optional<MotionAxis> motionAxisFromName(std::string_view name) { return choiceNamed<MotionAxis>(axisNames, name); }
+
+MotionAxis screenAxisOf(MotionAxis axis) {
+    switch (axis) {
+        case MotionAxis::x: return MotionAxis::screenHorizontal;
+        case MotionAxis::y: return MotionAxis::screenVertical;
+        case MotionAxis::z: return MotionAxis::picturePlane;
+        default: return axis;
+    }
+}
 
 std::string_view nameOf(MotionScenario scenario) { return nameIn(scenarioNames, scenario); }
 std::optional<MotionScenario> motionScenarioFromName(std::string_view name) {

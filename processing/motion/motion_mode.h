@@ -9,8 +9,21 @@
 
 namespace echolucent {
 
-/// The axis of the view's frame about which the view turns: x changes the elevation, y the azimuth, z the roll.
-enum class MotionAxis { x, y, z };
+/// The axis about which the view turns, as it lay when the motion began.
+enum class MotionAxis {
+    x,                 ///< adds to the elevation: in documents of older programs
+    y,                 ///< adds to the azimuth: in documents of older programs
+    z,                 ///< adds to the roll, as picturePlane: in documents of older programs
+    screenVertical,    ///< of the picture
+    screenHorizontal,  ///< of the picture
+    picturePlane,      ///< the direction of looking: the picture turns in its own plane
+};
+/// What a person may choose, in the order of the choices.
+inline constexpr std::array screenAxes{MotionAxis::screenVertical, MotionAxis::screenHorizontal,
+                                       MotionAxis::picturePlane};
+/// The axis for a view that begins anew: the screen's for one of the older programs, which it is if the view has
+/// neither elevation nor roll; any other as it is.
+[[nodiscard]] MotionAxis screenAxisOf(MotionAxis axis);
 
 /// The range of the motion, in whole degrees from the view in which it began.
 inline constexpr int firstMotionAngle = -45;
@@ -39,7 +52,7 @@ inline constexpr std::array allMotionOtfs{MotionOtf::oneOtf, MotionOtf::eachView
 /// How the OTFs of a motion are smoothed; empty for oneOtf.
 [[nodiscard]] std::optional<OtfSmoothing> smoothingOf(MotionOtf otf);
 
-/// "x", "y", "z".
+/// "x", "y", "z", "screen_vertical", "screen_horizontal", "picture_plane".
 [[nodiscard]] std::string_view nameOf(MotionAxis axis);
 [[nodiscard]] std::optional<MotionAxis> motionAxisFromName(std::string_view name);
 /// "probe", "object", "both".

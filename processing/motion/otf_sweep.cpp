@@ -73,12 +73,13 @@ bool computeFrames(std::span<const SweepFrame> frames, std::span<const std::size
 }  // namespace
 
 Viewpoint turned(const Viewpoint& start, MotionAxis axis, double degrees) {
+    if (axis == MotionAxis::screenVertical) return turnedAbout(start, {0, 1, 0}, degrees);
+    if (axis == MotionAxis::screenHorizontal) return turnedAbout(start, {1, 0, 0}, degrees);
     Viewpoint view = start;
-    switch (axis) {
-        case MotionAxis::x: view.elevationDegrees += degrees; break;
-        case MotionAxis::y: view.azimuthDegrees += degrees; break;
-        case MotionAxis::z: view.rollDegrees += degrees; break;
-    }
+    double& angle = axis == MotionAxis::x   ? view.elevationDegrees
+                    : axis == MotionAxis::y ? view.azimuthDegrees
+                                            : view.rollDegrees;
+    angle += degrees;
     return view;
 }
 

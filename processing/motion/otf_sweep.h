@@ -18,7 +18,9 @@
 
 namespace echolucent {
 
-/// The view turned by an angle from the view in which a motion began. Front and box stay in place in the volume.
+/// The view turned by an angle from the view in which a motion began. Front and box stay in place in the volume. About
+/// the screen's vertical it has the bits of y if `start` has neither elevation nor roll, about the screen's horizontal
+/// those of x if it has no roll, and in the picture's plane always those of z.
 [[nodiscard]] Viewpoint turned(const Viewpoint& start, MotionAxis axis, double degrees);
 
 struct SweepFrame {
@@ -49,7 +51,7 @@ struct SweptOtf {
 /// What moves: one of the three scenarios of Petersch 2005, section 5. There is a frame for each step of the angle,
 /// also if the probe does not move.
 struct Motion {
-    MotionAxis axis = MotionAxis::y;
+    MotionAxis axis = MotionAxis::screenVertical;
     double from = firstMotionAngle, to = lastMotionAngle, step = 1.0;  ///< degrees, as for sweepFrames()
     bool probeMoves = true;    ///< if false, every frame has the view `start`, at 0 degrees
     bool objectMoves = false;  ///< if false, every frame has firstPhase; if true, the first frame has it

@@ -250,7 +250,7 @@ private slots:
     void motionCurveAndMethodAreRemembered() {
         click("motion.mode.mean");
         auto* axis = child<QComboBox>("motion.axis");
-        axis->setCurrentIndex(0);
+        axis->setCurrentIndex(1);
         QTest::keyClick(&window(), Qt::Key_4);
         child<QWidget>("dock.method")->raise();
         auto* strength = child<QWidget>("adaptive.rampOpacity");

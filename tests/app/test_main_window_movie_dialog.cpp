@@ -28,7 +28,7 @@ private slots:
         open(still());
         child<QAction>("file.saveMovie")->trigger();
         QDialog* dialog = theDialog();
-        QVERIFY2(in<QLabel>(dialog, "plays")->text().contains("probe from −45° to +45° about y"),
+        QVERIFY2(in<QLabel>(dialog, "plays")->text().contains("probe from −45° to +45° (screen's vertical)"),
                  qPrintable(in<QLabel>(dialog, "plays")->text()));
         QCOMPARE(in<QDoubleSpinBox>(dialog, "rate")->value(), motionDegreesPerSecond);
         QTest::keyClick(dialog, Qt::Key_Escape);

@@ -62,7 +62,7 @@ private slots:
         oneStep("another initial function");
         choose("view.beamAxis", 2);
         oneStep("another beam");
-        choose("motion.axis", 0);
+        choose("motion.axis", 1);
         oneStep("an axis of the motion");
         const SampledCurve last = window().otfs().adaptive()->curve;
         for (std::size_t i = history.size() - 1; i-- > 0;) {

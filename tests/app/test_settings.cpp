@@ -50,7 +50,7 @@ private slots:
                           .colourMap = ColourMap::ice,
                           .projection = Projection::perspective,
                           .interpolation = Interpolation::nearest};
-        const MotionChoice motion{.axis = MotionAxis::x,
+        const MotionChoice motion{.axis = MotionAxis::screenHorizontal,
                                   .otf = MotionOtf::leastFlicker,
                                   .pingPong = false,
                                   .phasesPingPong = true,
@@ -138,7 +138,7 @@ private slots:
                 "tubeColumns=11\nstrength=3.5\ncoarsestScale=6\nsignificance=9\n");
         }
         Settings settings(store());
-        QVERIFY(settings.motion() == (MotionChoice{.axis = MotionAxis::x,
+        QVERIFY(settings.motion() == (MotionChoice{.axis = MotionAxis::screenHorizontal,
                                                    .otf = MotionOtf::leastFlicker,
                                                    .pingPong = false,
                                                    .phasesPingPong = true,
@@ -188,7 +188,7 @@ private slots:
         look.mode = RenderMode::mean;
         look.brightness = 2;
         QCOMPARE(settings.look(), look);
-        QVERIFY(settings.motion() == (MotionChoice{.axis = MotionAxis::x, .pingPong = false}));
+        QVERIFY(settings.motion() == (MotionChoice{.axis = MotionAxis::screenHorizontal, .pingPong = false}));
         MethodChoice method;
         method.initialScale = 0.5;
         method.config.grid.columns = 11;

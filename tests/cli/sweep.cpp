@@ -135,7 +135,7 @@ TEST(SweepJson, HoldsFramesGainsAndFlicker) {
     EXPECT_EQ(report["smoothing"], "least-flicker");
     EXPECT_EQ(report["gains"]["delay_frames"], 2.0);
     EXPECT_NEAR(report["gains"]["flicker_gain"].get<double>(), 0.081, 1e-3);
-    EXPECT_EQ(report["motion"]["axis"], "y");
+    EXPECT_EQ(report["motion"]["axis"], "screen_vertical");
     EXPECT_TRUE(report["picture_flicker"].is_null());
     ASSERT_EQ(report["frames"].size(), 31u);
     EXPECT_EQ(report["frames"][3]["degrees"], -12.0);

@@ -76,8 +76,8 @@ private slots:
             steps << spy.first().at(1).toString();
             return spy.takeFirst().first().value<MotionChoice>() == expected && panel.choice() == expected;
         };
-        expected.axis = MotionAxis::x;
-        QTest::keyClick(child<QComboBox>(panel, "motion.axis"), Qt::Key_Up);
+        expected.axis = MotionAxis::screenHorizontal;
+        QTest::keyClick(child<QComboBox>(panel, "motion.axis"), Qt::Key_Down);
         QVERIFY(isSaid());
         expected.pingPong = false;
         QTest::keyClick(child<QCheckBox>(panel, "motion.pingPong"), Qt::Key_Space);
@@ -119,6 +119,27 @@ private slots:
         QVERIFY(isSaid());
         QCOMPARE(all.count(), static_cast<int>(steps.size()));
         QVERIFY(!steps.contains(QString()));
+    }
+
+    void anAxisOfAnOlderFileIsListedOnlyWhileItIsSet() {
+        MotionPanel panel;
+        const auto* axis = child<QComboBox>(panel, "motion.axis");
+        const auto listed = [&] {
+            QStringList texts;
+            for (int i = 0; i < axis->count(); ++i) texts << axis->itemText(i);
+            return texts;
+        };
+        const QStringList usual{"Screen's vertical", "Screen's horizontal", "In the picture's plane"};
+        QCOMPARE(listed(), usual);
+        QCOMPARE(axis->currentText(), usual.first());
+        panel.setChoice({.axis = MotionAxis::y});
+        QCOMPARE(listed(), usual + QStringList{"Azimuth (older file)"});
+        QCOMPARE(axis->currentText(), "Azimuth (older file)");
+        panel.setChoice({.axis = MotionAxis::x});
+        QCOMPARE(listed(), usual + QStringList{"Elevation (older file)"});
+        panel.setChoice({.axis = MotionAxis::picturePlane});
+        QCOMPARE(listed(), usual);
+        QCOMPARE(axis->currentText(), usual.last());
     }
 
     void onlyWhatPlaysAPartIsShown() {

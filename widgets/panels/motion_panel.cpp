@@ -80,6 +80,18 @@ QString bytesText(std::size_t bytes) {
 
 }  // namespace
 
+QString MotionPanel::axisText(MotionAxis axis) {
+    switch (axis) {
+        case MotionAxis::x: return tr("Elevation (older file)");
+        case MotionAxis::y: return tr("Azimuth (older file)");
+        case MotionAxis::z: return tr("Roll (older file)");
+        case MotionAxis::screenVertical: return tr("Screen's vertical");
+        case MotionAxis::screenHorizontal: return tr("Screen's horizontal");
+        case MotionAxis::picturePlane: return tr("In the picture's plane");
+    }
+    return {};
+}
+
 MotionPanel::MotionPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("motion");
     setAccessibleName(tr("Motion"));
@@ -104,10 +116,10 @@ void MotionPanel::createControls() {
     m_angleValue = named(new QLabel, "motion.angle.value", tr("Angle"));
     m_angleValue->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_angleValue->setMinimumWidth(m_angleValue->fontMetrics().horizontalAdvance(angleText(firstMotionAngle)) + 4);
-    m_axis = named(new QComboBox, "motion.axis", tr("Axis of the motion"), tr("The axis about which the view turns"));
-    m_axis->addItem(tr("x axis (elevation)"), static_cast<int>(MotionAxis::x));
-    m_axis->addItem(tr("y axis (azimuth)"), static_cast<int>(MotionAxis::y));
-    m_axis->addItem(tr("z axis (roll)"), static_cast<int>(MotionAxis::z));
+    m_axis = named(new QComboBox, "motion.axis", tr("Axis of the motion"),
+                   tr("The axis about which the view turns: upright or across the screen, as it lay when the motion "
+                      "began; in the picture's plane the picture turns like a wheel"));
+    for (const MotionAxis axis : screenAxes) m_axis->addItem(axisText(axis), static_cast<int>(axis));
     wheelNeedsFocus(m_axis);
     m_pingPong = named(new QCheckBox(tr("Back and forth")), "motion.pingPong", tr("Back and forth"),
                        tr("The probe turns back at the ends; otherwise the motion starts from −45° again"));
@@ -235,6 +247,11 @@ void MotionPanel::arrange() {
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(first);
     layout->addLayout(second);
+
+    // After a click on the bar its keys are the window's: Space plays, the arrows turn the probe. So what is clicked
+    // gives the focus to the bar, but for sliders, whose arrows do the same, and fields.
+    setFocusPolicy(Qt::ClickFocus);
+    for (QComboBox* list : findChildren<QComboBox*>()) list->setFocusPolicy(Qt::TabFocus);
 }
 
 void MotionPanel::setPlaying(bool playing) {
@@ -297,7 +314,7 @@ void MotionPanel::setStudy(int phases, const PhaseTimes& times) {
 void MotionPanel::setChoice(const MotionChoice& choice) {
     Q_ASSERT(m_phases > 1 || choice.scenario == MotionScenario::probe);
     m_choice = choice;
-    selectData(m_axis, static_cast<int>(choice.axis));
+    showAxis();
     selectData(m_scenario, static_cast<int>(choice.scenario));
     m_phaseOrder->setRange(choice.phaseRange);
     m_phaseOrder->setPingPong(choice.phasesPingPong);
@@ -309,6 +326,16 @@ void MotionPanel::setChoice(const MotionChoice& choice) {
     m_otfPhase->setEnabled(choice.otf == MotionOtf::oneOtf);
     showSpeed();
     showWhatMoves();
+}
+
+/// The list shows an axis of an older program while the document has it.
+void MotionPanel::showAxis() {
+    const QSignalBlocker blocker(m_axis);
+    constexpr int usual = static_cast<int>(screenAxes.size());
+    while (m_axis->count() > usual) m_axis->removeItem(usual);
+    const int axis = static_cast<int>(m_choice.axis);
+    if (m_axis->findData(axis) < 0) m_axis->addItem(axisText(m_choice.axis), axis);
+    m_axis->setCurrentIndex(m_axis->findData(axis));
 }
 
 /// A document may have a speed that is not in the list. The list shows this speed while it is set.

@@ -40,6 +40,8 @@ class MotionPanel : public QWidget {
 public:
     explicit MotionPanel(QWidget* parent = nullptr);
 
+    /// What the list of axes calls an axis.
+    [[nodiscard]] static QString axisText(MotionAxis axis);
     [[nodiscard]] bool playing() const { return m_playing; }
     void setPlaying(bool playing);
     /// Whole degrees, firstMotionAngle to lastMotionAngle.
@@ -80,6 +82,7 @@ private:
     void arrange();
     void showAngle();
     void showPlayIcon();
+    void showAxis();
     void showSpeed();
     void showWhatMoves();
     void take(const MotionChoice& choice, const QString& what);

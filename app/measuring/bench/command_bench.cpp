@@ -91,10 +91,10 @@ private:
 constexpr int sweepViews = 91;
 constexpr double sweepFrom = -45.0, sweepTo = 45.0;
 
-/// Seconds for the OTFs of a probe that turns about y.
+/// Seconds for the OTFs of a probe that turns about the screen's vertical.
 double sweepSeconds(const std::shared_ptr<const Volume>& volume, const Viewpoint& start,
                     const AdaptiveOtfConfig& config) {
-    const auto frames = sweepFrames(start, MotionAxis::y, sweepFrom, sweepTo, 1.0, 1);
+    const auto frames = sweepFrames(start, MotionAxis::screenVertical, sweepFrom, sweepTo, 1.0, 1);
     return millisecondsOf([&] { (void)sweepOtfs(std::span(&volume, 1), frames, config, OtfSmoothing::none); }) / 1000.0;
 }
 

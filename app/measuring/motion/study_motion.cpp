@@ -131,7 +131,7 @@ private:
         return found;
     }
 
-    Motion m_motion{.axis = MotionAxis::y, .from = -45, .to = 45, .step = 1};
+    Motion m_motion{.axis = MotionAxis::screenVertical, .from = -45, .to = 45, .step = 1};
     bool m_onPhantoms = false;
     int m_phantomSize = 128, m_phantomPhases = 10, m_pictureSize = 160;
 };

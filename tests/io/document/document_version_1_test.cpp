@@ -17,11 +17,19 @@ std::string text() {
     return contentsOf(std::filesystem::path(__FILE__).parent_path() / "version_1" / "unusual.session.json");
 }
 
+/// What the session holds of unusualDocument(): 0.1 had no other axes and no planes that turn the view.
+Document unusualDocumentOf01() {
+    Document document = unusualDocument();
+    std::get<StudyFile>(document.study).options.blackAtZero = true;
+    document.motion.axis = MotionAxis::z;
+    document.scene.planes.turnsView = false;
+    return document;
+}
+
 TEST(DocumentVersion1, TheWindowGetsView1AndWhatItIsComparedWith) {
     const auto read = documentFromJson(text());
     ASSERT_TRUE(read) << read.error().sentence();
-    Document expected = unusualDocument();
-    std::get<StudyFile>(expected.study).options.blackAtZero = true;
+    Document expected = unusualDocumentOf01();
     Scene& scene = expected.scene;
     scene.pose = Pose{};
     // It lay across the view shown.
@@ -41,8 +49,7 @@ TEST(DocumentVersion1, TheWindowGetsView1AndWhatItIsComparedWith) {
 TEST(DocumentVersion1, EveryViewIsReadByItsId) {
     const auto third = documentPaneFromJson(text(), 3);
     ASSERT_TRUE(third) << third.error().sentence();
-    Document expected = unusualDocument();
-    std::get<StudyFile>(expected.study).options.blackAtZero = true;
+    Document expected = unusualDocumentOf01();
     // The flat cut lay across this view, and the curved one looks another way.
     expected.scene.front.depthMm = 0.0;
     expected.scene.front.direction = ViewDirection{};
@@ -116,6 +123,7 @@ TEST(DocumentVersion1, SnapshotsAreReadAsTheSession) {
     EXPECT_TRUE(session->snapshots[0].document == snapshot);
     Document plain;
     plain.study = session->document.study;
+    plain.motion.axis = MotionAxis::y;
     EXPECT_TRUE(session->snapshots[1].document == plain);
     EXPECT_EQ(jsonOf(sessionFromJson(jsonOf(*session)).value()), jsonOf(*session));
 }

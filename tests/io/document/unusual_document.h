@@ -70,7 +70,8 @@ inline Document unusualDocument() {
                           .window = 0.3,
                           .level = -0.1,
                           .quiet = false,
-                          .linesIn3d = true};
+                          .linesIn3d = true,
+                          .turnsView = true};
     scene.strokes = unusualStrokes();
     LevoyConfig levoy;
     levoy.form = LevoyForm::boundaries;
@@ -104,7 +105,7 @@ inline Document unusualDocument() {
                               .placesMm = {{0.1, 1.0 / 3.0, -2e-7}, {1e9, 0.30000000000000004, 5}, {7, 8, 9}},
                               .phase = 4},
                              {.id = 1, .placesMm = {{1, 2, 3}, {-1.0 / 7.0, 5, 6}}}};
-    document.motion = {.axis = MotionAxis::z,
+    document.motion = {.axis = MotionAxis::screenHorizontal,
                        .scenario = MotionScenario::both,
                        .otf = MotionOtf::leastFlicker,
                        .pingPong = false,

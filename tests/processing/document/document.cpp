@@ -63,7 +63,8 @@ TEST(Document, TheMotionTurnsWhatIsShownAndNotThePose) {
     const Pose before = document.scene.pose;
     document.scene.motionAngle = 12;
     const Viewpoint start = withFrontAcross({BeamAxis::minusY, 5, 6, 7}, 3);
-    for (const MotionAxis axis : {MotionAxis::x, MotionAxis::y, MotionAxis::z}) {
+    for (const MotionAxis axis : {MotionAxis::x, MotionAxis::y, MotionAxis::z, MotionAxis::screenVertical,
+                                  MotionAxis::screenHorizontal, MotionAxis::picturePlane}) {
         document.motion.axis = axis;
         EXPECT_TRUE(viewpointOf(document) == turned(start, axis, 12));
         EXPECT_TRUE(shownPose(document).direction == directionOf(turned(start, axis, 12)));
@@ -130,17 +131,18 @@ TEST(Document, AnotherStudyKeepsWhatIsNoMatterOfTheStudy) {
     before.method.config.cells.size = 7;
     before.scene.side.azimuth = 33;
     before.method.config.grid.withoutTubes = {3, 4};
-    before.motion.otf = MotionOtf::mean;
+    before.motion = {.axis = MotionAxis::x, .otf = MotionOtf::mean};  // of an older document
     before.scene.box = {.on = true, .sizeMm = {3, 4, 5}, .side = BoxSide::left};
-    before.scene.planes = {.direction = {1, 2, 3}, .offsetMm = {4, 5, 6}, .window = 0.5, .linesIn3d = true};
+    before.scene.planes = {
+        .direction = {1, 2, 3}, .offsetMm = {4, 5, 6}, .window = 0.5, .linesIn3d = true, .turnsView = true};
     before.scene.strokes = {ScalpelStroke{.tool = ScalpelTool::eraser, .places = {{0, 0}}, .radius = 1}};
     Document expected = threePanes();
-    expected.scene.planes = {.window = 0.5, .linesIn3d = true};
+    expected.scene.planes = {.window = 0.5, .linesIn3d = true, .turnsView = true};
     expected.study = SimulatedScan{};
     expected.curves = before.curves;
     before.curves.adjustment = {.threshold = 0.2, .transparency = 0.3};
     expected.method.config.cells.size = 7;
-    expected.motion = before.motion;
+    expected.motion = {.axis = MotionAxis::screenHorizontal, .otf = MotionOtf::mean};
     EXPECT_TRUE(openedDocument(before, SimulatedScan{}) == expected);
 }
 
@@ -297,7 +299,8 @@ TEST(Document, NamesOfChoicesGoBothWays) {
         EXPECT_EQ(initialKindFromName(nameOf(kind)), kind);
     for (const BeamSource source : {BeamSource::assumed, BeamSource::sectorShape, BeamSource::echo, BeamSource::person})
         EXPECT_EQ(beamSourceFromName(nameOf(source)), source);
-    for (const MotionAxis axis : {MotionAxis::x, MotionAxis::y, MotionAxis::z})
+    for (const MotionAxis axis : {MotionAxis::x, MotionAxis::y, MotionAxis::z, MotionAxis::screenVertical,
+                                  MotionAxis::screenHorizontal, MotionAxis::picturePlane})
         EXPECT_EQ(motionAxisFromName(nameOf(axis)), axis);
     for (const MotionScenario scenario : {MotionScenario::probe, MotionScenario::object, MotionScenario::both})
         EXPECT_EQ(motionScenarioFromName(nameOf(scenario)), scenario);

@@ -208,7 +208,8 @@ TEST(TurnedDocument, AllThatItHoldsStaysOnTheAnatomyAndASecondTurnUndoesTheFirst
 }
 
 TEST(TurnedDocument, AMotionTurnsTheViewTheSameWayThroughTheBody) {
-    for (const MotionAxis motion : {MotionAxis::x, MotionAxis::y, MotionAxis::z})
+    for (const MotionAxis motion : {MotionAxis::x, MotionAxis::y, MotionAxis::z, MotionAxis::screenVertical,
+                                    MotionAxis::screenHorizontal, MotionAxis::picturePlane})
         for (const GridAxis axis : allGridAxes) {
             Document document = documentAlong(BeamAxis::plusZ);
             document.motion.axis = motion;

@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 
 #include "app/measuring/measures/picture_difference.h"
@@ -44,6 +45,41 @@ TEST(Sweep, TurnsAboutTheViewsAxesLikeTheWindow) {
     expected = start;
     expected.rollDegrees = -8;
     EXPECT_EQ(turned(start, MotionAxis::z, -10), expected);
+}
+
+TEST(Sweep, TurnsAboutTheScreensAxesOfTheViewInWhichItBegan) {
+    for (const double elevation : {0.0, -35.0, 90.0, -90.0})
+        for (const double roll : {0.0, 25.0, 180.0}) {
+            const Viewpoint start{BeamAxis::plusX, 50, elevation, roll, 2};
+            const ViewFrame from = frameOf(start);
+            for (const double degrees : {-45.0, -1.0, 30.0, 45.0}) {
+                const double c = std::cos(degrees * M_PI / 180), s = std::sin(degrees * M_PI / 180);
+                const ViewFrame upright = frameOf(turned(start, MotionAxis::screenVertical, degrees));
+                EXPECT_LT(length(upright.down - from.down), 1e-12);
+                EXPECT_LT(length(upright.forward - (from.forward * c + from.right * s)), 1e-12);
+                const ViewFrame across = frameOf(turned(start, MotionAxis::screenHorizontal, degrees));
+                EXPECT_LT(length(across.right - from.right), 1e-12);
+                EXPECT_LT(length(across.forward - (from.forward * c - from.down * s)), 1e-12);
+                const ViewFrame wheel = frameOf(turned(start, MotionAxis::picturePlane, degrees));
+                EXPECT_LT(length(wheel.forward - from.forward), 1e-12);
+                EXPECT_LT(length(wheel.right - (from.right * c + from.down * s)), 1e-12);
+            }
+        }
+}
+
+TEST(Sweep, TheScreensAxesHaveTheBitsOfTheViewsWhereTheyAreTheSame) {
+    for (double degrees = -45; degrees <= 45; degrees += 0.7) {
+        Viewpoint start{.beamAxis = BeamAxis::minusY, .azimuthDegrees = 12.3, .nearCutMm = 4};
+        EXPECT_EQ(turned(start, MotionAxis::screenVertical, degrees), turned(start, MotionAxis::y, degrees));
+        start.elevationDegrees = -71.7;
+        EXPECT_EQ(turned(start, MotionAxis::screenHorizontal, degrees), turned(start, MotionAxis::x, degrees));
+        start.rollDegrees = 33.3;
+        EXPECT_EQ(turned(start, MotionAxis::picturePlane, degrees), turned(start, MotionAxis::z, degrees));
+    }
+    EXPECT_EQ(screenAxisOf(MotionAxis::x), MotionAxis::screenHorizontal);
+    EXPECT_EQ(screenAxisOf(MotionAxis::y), MotionAxis::screenVertical);
+    EXPECT_EQ(screenAxisOf(MotionAxis::z), MotionAxis::picturePlane);
+    for (const MotionAxis axis : screenAxes) EXPECT_EQ(screenAxisOf(axis), axis);
 }
 
 TEST(Sweep, FramesAreThePapersNinetyOne) {
