@@ -129,6 +129,7 @@ void PictureControls::resetFront(const Document& opened) {
 
 void PictureControls::showDocument() {
     const Document& document = m_parts.model.document();
+    if (!hasStudy()) m_parts.panel.setFrontMm(0.0);
     m_parts.panel.setBeamAxis(document.beam.axis);
     m_parts.panel.setLook(document.scene.look);
 }

@@ -87,9 +87,9 @@ Pose turnedAlong(const Pose& pose, const Planes& before, const Planes& after, Be
         return to.right * from.right.dot(vector) + to.down * from.down.dot(vector) +
                to.forward * from.forward.dot(vector);
     };
-    const ViewFrame view = frameOf(viewpointOf(beam, pose.direction, 0.0));
+    const ViewFrame view = frameOf(viewpointOf(beam, pose.direction));
     Pose next = pose;
-    next.direction = directionOf(viewAlong(turn(view.forward), turn(view.down), beam, 0.0));
+    next.direction = directionOf(viewAlong(turn(view.forward), turn(view.down), beam));
     next.offsetMm = after.offsetMm + turn(pose.offsetMm - after.offsetMm);
     return next;
 }

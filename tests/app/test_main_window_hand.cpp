@@ -40,7 +40,7 @@ private slots:
                                         {150, 10, 180},  {-20, -70, -90}, {5, 1, 1},     {-179, 33, 12}};
         const QPoint centre(pictureWindow()->width() / 2, pictureWindow()->height() / 2);
         for (const auto& [azimuth, elevation, roll] : angles) {
-            lookFrom(window(), viewpointOf(document().beam.axis, {azimuth, elevation, roll}, 0));
+            lookFrom(window(), viewpointOf(document().beam.axis, {azimuth, elevation, roll}));
             const Pose start = document().scene.pose;
             const ViewFrame before = seen();
             for (const QPoint& way : {QPoint(0, -60), QPoint(0, 60), QPoint(60, 0), QPoint(-60, 0)}) {
@@ -179,7 +179,7 @@ private:
         return widget ? widget : &window();
     }
     [[nodiscard]] ViewFrame seen() {
-        return frameOf(viewpointOf(document().beam.axis, shownPose(document()).direction, 0));
+        return frameOf(viewpointOf(document().beam.axis, shownPose(document()).direction));
     }
     void playsByKeys(const char* clicked) {
         const double angle = window().motionPlayer().angle();

@@ -50,7 +50,7 @@ TEST(Sweep, TurnsAboutTheViewsAxesLikeTheWindow) {
 TEST(Sweep, TurnsAboutTheScreensAxesOfTheViewInWhichItBegan) {
     for (const double elevation : {0.0, -35.0, 90.0, -90.0})
         for (const double roll : {0.0, 25.0, 180.0}) {
-            const Viewpoint start{BeamAxis::plusX, 50, elevation, roll, 2};
+            const Viewpoint start = withFrontAcross({BeamAxis::plusX, 50, elevation, roll}, 2);
             const ViewFrame from = frameOf(start);
             for (const double degrees : {-45.0, -1.0, 30.0, 45.0}) {
                 const double c = std::cos(degrees * M_PI / 180), s = std::sin(degrees * M_PI / 180);
@@ -69,7 +69,7 @@ TEST(Sweep, TurnsAboutTheScreensAxesOfTheViewInWhichItBegan) {
 
 TEST(Sweep, TheScreensAxesHaveTheBitsOfTheViewsWhereTheyAreTheSame) {
     for (double degrees = -45; degrees <= 45; degrees += 0.7) {
-        Viewpoint start{.beamAxis = BeamAxis::minusY, .azimuthDegrees = 12.3, .nearCutMm = 4};
+        Viewpoint start = withFrontAcross({.beamAxis = BeamAxis::minusY, .azimuthDegrees = 12.3}, 4);
         EXPECT_EQ(turned(start, MotionAxis::screenVertical, degrees), turned(start, MotionAxis::y, degrees));
         start.elevationDegrees = -71.7;
         EXPECT_EQ(turned(start, MotionAxis::screenHorizontal, degrees), turned(start, MotionAxis::x, degrees));

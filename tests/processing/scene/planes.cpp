@@ -71,8 +71,8 @@ TEST(Planes, APoseTurnsAlongAsIfHeldByThePlanes) {
             EXPECT_EQ(along.magnification, pose.magnification);
             EXPECT_LE(std::abs(along.direction.elevation), 90);
             // Seen from each plane, the camera stands and looks as before.
-            const ViewFrame from = frameOf(viewpointOf(beam, pose.direction, 0)),
-                            to = frameOf(viewpointOf(beam, along.direction, 0));
+            const ViewFrame from = frameOf(viewpointOf(beam, pose.direction)),
+                            to = frameOf(viewpointOf(beam, along.direction));
             const ViewFrame held = frameOf(plane, before, beam), holds = frameOf(plane, after, beam);
             const Vec3 arm = pose.offsetMm - before.offsetMm, armAlong = along.offsetMm - after.offsetMm;
             for (const auto axis : {&ViewFrame::right, &ViewFrame::down, &ViewFrame::forward}) {

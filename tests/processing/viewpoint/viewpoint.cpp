@@ -58,10 +58,11 @@ TEST(Viewpoint, TurnsAboutAnAxisOfItsOwnFrame) {
             for (const double roll : {0.0, 90.0, 180.0, -40.0})
                 for (const Vec3& axis :
                      {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(0.6, 0, 0.8)}) {
-                    const Viewpoint before{beam, 20, elevation, roll, 3}, after = turnedAbout(before, axis, 50);
+                    const Viewpoint before = withFrontAcross({beam, 20, elevation, roll}, 3);
+                    const Viewpoint after = turnedAbout(before, axis, 50);
                     const ViewFrame from = frameOf(before), to = frameOf(after);
                     const Vec3 about = from.right * axis[0] + from.down * axis[1] + from.forward * axis[2];
-                    EXPECT_EQ(after.nearCutMm, 3);
+                    EXPECT_EQ(after.frontPlane, before.frontPlane);
                     // About its axis every direction goes by 50 degrees, right-handed.
                     for (const auto direction : {&ViewFrame::right, &ViewFrame::down, &ViewFrame::forward}) {
                         const Vec3 across = from.*direction - about * about.dot(from.*direction);
@@ -70,7 +71,7 @@ TEST(Viewpoint, TurnsAboutAnAxisOfItsOwnFrame) {
                         EXPECT_LT(length(to.*direction - expected), 1e-12) << nameOf(beam) << elevation << ' ' << roll;
                     }
                 }
-    const Viewpoint turned = turnedAbout({BeamAxis::plusZ, 0.1, 0, 0, 0}, {0, 1, 0}, 0.2);
+    const Viewpoint turned = turnedAbout({BeamAxis::plusZ, 0.1, 0, 0}, {0, 1, 0}, 0.2);
     EXPECT_EQ(turned.azimuthDegrees, 0.1 + 0.2) << "the angles are added";
     EXPECT_EQ(turned.elevationDegrees, 0);
     EXPECT_EQ(turned.rollDegrees, 0);
