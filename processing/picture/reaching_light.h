@@ -10,6 +10,10 @@ namespace echolucent {
 /// each place. Chosen by looking.
 inline constexpr double ambientWithReachingLight = 0.5, diffuseWithReachingLight = 1.3;
 
+/// A step is lit by its gradient from some opacity on that it adds to its pixel. From this share of that opacity on, it
+/// is dark where no light reaches it; all light reaches what adds less.
+inline constexpr double leastReachedShare = 1.0 / 16;
+
 /// What a sample's gradient says of the light on it, in the terms of Shading. All are 0 if the gradient is 0.
 /// `share` is w, `diffuse` is max(0, (n.l + wrap) / (1 + wrap)), `highlight` is max(0, n.h)^specularPower.
 struct SurfaceLight {

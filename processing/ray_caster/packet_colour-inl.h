@@ -87,10 +87,38 @@ public:
         }
     }
 
-    [[nodiscard]] float even() const { return m_source.ambient + m_source.diffuse * m_source.evenLight; }
+    /// The light on samples. Those that are not `worth` a gradient have no surface. All light reaches those that are
+    /// not `reached`; all that are worth a gradient are.
+    HWY_INLINE LitBy at(const Run<Voxel>& run, FloatVector number, LaneMask worth, LaneMask reached) const {
+        const Floats floats;
+        const auto even = set(m_source.ambient + m_source.diffuse * m_source.evenLight);
+        const bool surfaces = !hn::AllFalse(floats, worth);
+        if (m_reaching == nullptr) {
+            if (!surfaces) return {even, even, even};
+            const auto all = hn::IfThenElse(worth, keyLight(run, run.at(number), worth, set(m_source.ambient)), even);
+            return {all, all, all};
+        }
+        if (hn::AllFalse(floats, reached)) return {even, even, even};
+        const Position place = run.at(number);
+        auto key = set(m_source.diffuse * m_source.evenLight);
+        if (surfaces) key = hn::IfThenElse(worth, keyLight(run, place, worth, set(0.0f)), key);
+        const LitBy by = reachedBy(reachingAt(*m_reaching, run, place), key);
+        return {hn::IfThenElse(reached, by.red, even), hn::IfThenElse(reached, by.green, even),
+                hn::IfThenElse(reached, by.blue, even)};
+    }
 
-    /// The light on samples seen well enough to be worth a gradient.
-    HWY_INLINE LitBy at(const Run<Voxel>& run, const Position& at, LaneMask active) const {
+    /// `unlit` is the share that keeps its colour (CutFace). No colour gets brighter than white.
+    HWY_INLINE FloatVector lit(FloatVector colour, FloatVector factor, FloatVector unlit, std::size_t channel) const {
+        const auto one = set(1.0f), tint = set(m_source.shadowTint[channel]);
+        const auto mixed = hn::MulAdd(unlit, hn::Sub(one, factor), factor);
+        const auto shadow = hn::MulAdd(hn::Sub(one, tint), hn::Min(one, mixed), tint);
+        return hn::Min(one, hn::Mul(hn::Mul(colour, mixed), shadow));
+    }
+
+private:
+    /// The full key light on surfaces, and `ambient` besides.
+    HWY_INLINE FloatVector keyLight(const Run<Voxel>& run, const Position& at, LaneMask active,
+                                    FloatVector ambient) const {
         const auto zero = set(0.0f), one = set(1.0f);
         const auto x = differenceAlong<0>(run, at, active);
         const auto y = differenceAlong<1>(run, at, active);
@@ -111,25 +139,9 @@ public:
         const auto diffuse = hn::MulAdd(share, facing, hn::Mul(hn::Sub(one, share), set(m_source.evenLight)));
         const Floats floats;
         const auto cosine = dot(hn::Load(floats, m_half[0]), hn::Load(floats, m_half[1]), hn::Load(floats, m_half[2]));
-        const auto highlight = highlightAt(cosine);
-        if (m_reaching == nullptr) {
-            const auto all =
-                hn::MulAdd(share, highlight, hn::MulAdd(set(m_source.diffuse), diffuse, set(m_source.ambient)));
-            return {all, all, all};
-        }
-        return reachedBy(reachingAt(*m_reaching, run, at),
-                         hn::MulAdd(share, highlight, hn::Mul(set(m_source.diffuse), diffuse)));
+        return hn::MulAdd(share, highlightAt(cosine), hn::MulAdd(set(m_source.diffuse), diffuse, ambient));
     }
 
-    /// `unlit` is the share that keeps its colour (CutFace). No colour gets brighter than white.
-    HWY_INLINE FloatVector lit(FloatVector colour, FloatVector factor, FloatVector unlit, std::size_t channel) const {
-        const auto one = set(1.0f), tint = set(m_source.shadowTint[channel]);
-        const auto mixed = hn::MulAdd(unlit, hn::Sub(one, factor), factor);
-        const auto shadow = hn::MulAdd(hn::Sub(one, tint), hn::Min(one, mixed), tint);
-        return hn::Min(one, hn::Mul(hn::Mul(colour, mixed), shadow));
-    }
-
-private:
     /// As reachingFactor(). `key` is the full key light.
     HWY_INLINE LitBy reachedBy(const Reaching& reaching, FloatVector key) const {
         const auto left = [&](FloatVector reached, float strength) {

@@ -1,6 +1,7 @@
 // Direct volume rendering of a packet of rays, front to back: Petersch 2005, eqs. 2 and 3.
 #include <optional>
 
+#include "processing/picture/reaching_light.h"
 #include "processing/ray_caster/packet_gathered-inl.h"
 #include "processing/ray_caster/packet_plain-inl.h"
 #include "processing/ray_caster/packet_two_dimensional-inl.h"
@@ -346,13 +347,9 @@ private:
                           Colour& colour) const {
         const Light<Voxel>& light = *m_rays->light;
         const auto worth = hn::Ge(seen, set(m_job.worthGradient));
-        const auto even = set(light.even());
-        LitBy by{even, even, even};
-        if (!hn::AllFalse(Floats(), worth)) {
-            const LitBy found = light.at(run, run.at(number), worth);
-            by = {hn::IfThenElse(worth, found.red, even), hn::IfThenElse(worth, found.green, even),
-                  hn::IfThenElse(worth, found.blue, even)};
-        }
+        constexpr auto share = static_cast<float>(leastReachedShare);
+        const auto reached = hn::Ge(seen, set(m_job.worthGradient * share));
+        const LitBy by = light.at(run, number, worth, reached);
         colour = {light.lit(colour.red, by.red, unlit, 0), light.lit(colour.green, by.green, unlit, 1),
                   light.lit(colour.blue, by.blue, unlit, 2)};
     }

@@ -29,7 +29,8 @@ namespace echolucent {
 /// the nearest of 16 intensities between two values: exact to 1/8160 in intensity. Opacity is added up in float over at
 /// most 64 samples and then in double, as opacity, not as transmittance. It is exact to 1e-5 over 2e5 samples. A ray
 /// ends at a multiple of 8 steps. If a step adds less than min(1, step) / 128 to its pixel's opacity, it is lit evenly
-/// (w = 0), as if all light reached it. Memory: twice the volume's, and two bytes a voxel more if voxels lack data.
+/// (w = 0), and if it adds less than a 16th of that, as if all light reached it. Memory: twice the volume's, and two
+/// bytes a voxel more if voxels lack data.
 ///
 /// For a two-dimensional OTF, the caster interpolates the nodes' opacities bilinearly and then corrects them for the
 /// step. It interpolates gradient magnitudes (GradientLevels) as it does bytes. They take three bytes a voxel more.

@@ -207,7 +207,7 @@ Vec3 PlainCaster::factorsAt(const Seen& seen) const {
     const Vec3 place = m_geometry.gridMmFromVoxel(seen.voxel);
     if (m_casting.reaching != nullptr && worth)
         reaching = (*m_casting.reaching)(place);
-    else if (m_light && worth)
+    else if (m_light && seen.added >= leastReachedShare * m_casting.leastLitOpacity)
         reaching = reachingAt(*m_light, place);
     return reachingFactor(shading, reaching.key, reaching.around, surface);
 }

@@ -21,16 +21,16 @@ namespace echolucent {
 struct PlainCasting {
     /// Rounds a pixel's colour and transmittance after every sample. Null: they stay in double.
     double (*rounded)(double) = nullptr;
-    /// If a step adds less than this to its pixel's opacity, it is lit as if there were no surface (w = 0 of Shading)
-    /// and as if all light reached it. At 0 every step is lit by its gradient, so that pictures converge. castRays()
-    /// uses min(1, step) / 128.
+    /// If a step adds less than this to its pixel's opacity, it is lit as if there were no surface (w = 0 of Shading),
+    /// and if it adds less than leastReachedShare of this, also as if all light reached it. At 0 every step is lit by
+    /// its gradient, so that pictures converge. castRays() uses min(1, step) / 128.
     double leastLitOpacity = 0.0;
     /// Whether no step is cut. Then a step counts whole if its middle is rendered, else not at all. Many volume
     /// renderers do so. A ray then errs by up to half a step at either end. On opaque faces of the box that is many
     /// levels, still at steps of 0.1.
     bool wholeSteps = false;
-    /// The light that reaches a place in grid mm, for steps that are lit by their gradient. Null: a light volume gives
-    /// it. The function must outlive the casting.
+    /// The light that reaches a place in grid mm. It may be slow: all light reaches steps that add less than
+    /// leastLitOpacity. Null: a light volume gives the light. The function must outlive the casting.
     const std::function<ReachingShares(const Vec3& gridMm)>* reaching = nullptr;
     friend bool operator==(const PlainCasting&, const PlainCasting&) = default;
 };

@@ -272,7 +272,8 @@ private:
                         std::pow(std::max(0.0, normal.dot(normalized(light - direction))), shading.specularPower);
         }
         ReachingShares reaching;
-        if (m_light && worth) reaching = reachingAt(*m_light, m_geometry.gridMmFromVoxel(voxel));
+        if (m_light && seen >= std::min(1.0, m_settings.step) / 2048)
+            reaching = reachingAt(*m_light, m_geometry.gridMmFromVoxel(voxel));
         const double around = shading.reaching.occlusion * reaching.around + 1.0 - shading.reaching.occlusion;
         const double key =
             shading.diffuse * (surface * facing + (1.0 - surface) * shading.evenLight) + surface * highlight;
