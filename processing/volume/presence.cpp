@@ -14,44 +14,101 @@ namespace echolucent {
 namespace {
 
 constexpr std::uint8_t fullPresence = 255;
-/// Rows or slices that are smoothed into one.
-constexpr std::size_t taps = 2 * presenceReach + 1;
-using Rows = std::array<const std::uint8_t*, taps>;
 
-/// [1 4 6 4 1] / 16 of five rows of bytes.
-void smoothRows(const Rows& from, std::int64_t count, std::uint8_t* __restrict to) {
-    const std::uint8_t *a = from[0], *b = from[1], *c = from[2], *d = from[3], *e = from[4];
-    // 16 bits are enough for the sums, and a vector holds twice as many numbers of 16 bits as ints.
-    const auto wide = [](std::uint8_t byte) { return static_cast<std::uint16_t>(byte); };
-    for (std::int64_t i = 0; i < count; ++i) {
-        const auto outer = static_cast<std::uint16_t>(wide(a[i]) + wide(e[i]));
-        const auto inner = static_cast<std::uint16_t>(wide(b[i]) + wide(d[i]) + wide(c[i]));
-        const auto sum = static_cast<std::uint16_t>(outer + 4 * inner + 2 * wide(c[i]) + 8);
-        to[i] = static_cast<std::uint8_t>(sum >> 4);
+/// A kernel that smooths the mask along an axis. Rows or slices `from`, as many as it has taps, are smoothed into one.
+/// The narrow one says what lies within two voxels: [1 4 6 4 1] / 16.
+struct NarrowKernel {
+    using Sample = std::uint8_t;
+    static constexpr std::int64_t reach = 2;
+    static constexpr Sample full = fullPresence;  ///< of a voxel with data
+    using Rows = std::array<const Sample*, 2 * reach + 1>;
+
+    static void smooth(const Rows& from, std::int64_t count, Sample* __restrict to) {
+        const Sample *a = from[0], *b = from[1], *c = from[2], *d = from[3], *e = from[4];
+        // 16 bits are enough for the sums, and a vector holds twice as many numbers of 16 bits as ints.
+        const auto wide = [](Sample byte) { return static_cast<std::uint16_t>(byte); };
+        for (std::int64_t i = 0; i < count; ++i) {
+            const auto outer = static_cast<std::uint16_t>(wide(a[i]) + wide(e[i]));
+            const auto inner = static_cast<std::uint16_t>(wide(b[i]) + wide(d[i]) + wide(c[i]));
+            const auto sum = static_cast<std::uint16_t>(outer + 4 * inner + 2 * wide(c[i]) + 8);
+            to[i] = static_cast<Sample>(sum >> 4);
+        }
     }
-}
+};
 
-/// The smoothed presence of a voxel, drawn back to what the mask says of the voxel (`data`). The agreement is the share
+/// The wide one averages stairs of up to a dozen voxels: [1 3 6 10 15 19 20 19 15 10 6 3 1] / 128, almost a Gaussian of
+/// 2.4 voxels (docs/rendering.md).
+struct WideKernel {
+    using Sample = std::uint16_t;
+    static constexpr std::int64_t reach = 6;
+    static constexpr Sample full = 2 * fullPresence;  ///< the largest whose weighted sums fit into 16 bits
+    using Rows = std::array<const Sample*, 2 * reach + 1>;
+    /// Share of the weights up to a border, for borders 1/2, 3/2, 5/2 ... voxels before a voxel's centre, of 128.
+    static constexpr std::array<int, 7> upTo{74, 93, 108, 118, 124, 127, 128};
+
+    static void smooth(const Rows& from, std::int64_t count, Sample* __restrict to) {
+        const auto add = [](unsigned a, unsigned b) { return static_cast<std::uint16_t>(a + b); };
+        for (std::int64_t i = 0; i < count; ++i) {
+            std::uint16_t sum = add(from[0][i], from[12][i]);
+            sum = add(sum, 3U * add(from[1][i], from[11][i]));
+            sum = add(sum, 6U * add(from[2][i], from[10][i]));
+            sum = add(sum, 10U * add(from[3][i], from[9][i]));
+            sum = add(sum, 15U * add(from[4][i], from[8][i]));
+            sum = add(sum, 19U * add(from[5][i], from[7][i]));
+            sum = add(sum, 20U * from[6][i] + 64U);
+            to[i] = static_cast<Sample>(sum >> 7);
+        }
+    }
+};
+static_assert(WideKernel::reach == presenceReach);
+
+/// The narrow presence of a voxel, drawn back to what the mask says of the voxel (`data`). The agreement is the share
 /// of the smoothed surroundings that the mask marks alike. Up to an agreement of 0.30 the mask alone counts, from 0.45
 /// on the smoothed presence alone.
-std::uint8_t keptThin(std::uint8_t smooth, bool data) {
+int keptThin(int narrow, bool data) {
     constexpr int thin = 77, wide = 115;  // bytes of agreement: 0.30, 0.45
-    const int agreement = data ? smooth : fullPresence - smooth, said = data ? fullPresence : 0;
+    const int agreement = data ? narrow : fullPresence - narrow, said = data ? fullPresence : 0;
     const int share = std::clamp(wide - agreement, 0, wide - thin);
-    return static_cast<std::uint8_t>(smooth + (said - smooth) * share / (wide - thin));
+    return narrow + (said - narrow) * share / (wide - thin);
 }
 
-/// keptThin() of every byte: first for no data, then for data.
-using KeptThin = std::array<std::array<std::uint8_t, 256>, 2>;
-KeptThin keptThinTable() {
-    KeptThin table{};
-    for (std::size_t smooth = 0; smooth < 256; ++smooth)
-        for (const bool isData : {false, true})
-            table[isData ? 1 : 0][smooth] = keptThin(static_cast<std::uint8_t>(smooth), isData);
-    return table;
+/// The narrow presence at a plane, by the wide one there: the same distance from the plane says both. Linear between
+/// the voxels of a plane across an axis.
+int narrowOfWide(int wide) {
+    constexpr std::array<int, 7> narrow{11 * 16, 15 * 16, 256, 256, 256, 256, 256};  // of 256
+    const double share = 128.0 * std::abs(wide - fullPresence) / WideKernel::full + 64.0;
+    std::size_t i = 0;
+    while (i + 1 < narrow.size() && share > WideKernel::upTo[i]) ++i;
+    const double from = i == 0 ? 64.0 : WideKernel::upTo[i - 1], low = i == 0 ? 128.0 : narrow[i - 1];
+    const double above = low + (share - from) / (WideKernel::upTo[i] - from) * (narrow[i] - low);
+    return static_cast<int>(std::lround((wide < fullPresence ? 256.0 - above : above) * fullPresence / 256.0));
 }
 
-/// The data of a row: 255 for a voxel with data, else 0.
+/// Both presences of a voxel as one. Near a smooth border they differ by the stairs, which the wide one has not: up to
+/// 0.2. At corners and structures a few voxels thick, which the wide one does not see, they differ more: from 0.4 on
+/// the narrow one alone counts.
+class Joined {
+public:
+    Joined() {
+        for (std::size_t narrow = 0; narrow < 256; ++narrow)
+            for (const bool data : {false, true})
+                m_narrow[data ? 1 : 0][narrow] = static_cast<std::uint8_t>(keptThin(static_cast<int>(narrow), data));
+        for (std::size_t wide = 0; wide < m_wide.size(); ++wide)
+            m_wide[wide] = static_cast<std::uint8_t>(narrowOfWide(static_cast<int>(wide)));
+    }
+    [[nodiscard]] std::uint8_t at(std::uint8_t narrow, std::uint16_t wide, bool data) const {
+        constexpr int same = 51, other = 102;  // bytes of difference: 0.2, 0.4
+        const int kept = m_narrow[data ? 1 : 0][narrow], apart = m_wide[wide] - kept;
+        const int share = std::clamp(other - std::abs(apart), 0, other - same);
+        return static_cast<std::uint8_t>(kept + apart * share / (other - same));
+    }
+
+private:
+    std::array<std::array<std::uint8_t, 256>, 2> m_narrow{};  ///< keptThin() without data, with data
+    std::array<std::uint8_t, WideKernel::full + 1> m_wide{};  ///< narrowOfWide()
+};
+
+/// The data of a row: Kernel::full for a voxel with data, else 0.
 template <typename Voxel>
 class DataRows {
 public:
@@ -59,11 +116,12 @@ public:
         : m_geometry(volume.geometry()), m_mask(volume.dataMaskOrNull()), m_voxels(voxels) {}
 
     /// Writes `part` of the row (y, z). `to` begins with the first voxel of the part.
-    void write(std::int64_t y, std::int64_t z, const RowPart& part, std::uint8_t* __restrict to) const {
+    template <typename Sample>
+    void write(std::int64_t y, std::int64_t z, const RowPart& part, Sample full, Sample* __restrict to) const {
         const std::int64_t first = m_geometry.offset(part.first, y, z), count = part.count();
-        if (m_mask == nullptr) std::fill_n(to, count, fullPresence);
+        if (m_mask == nullptr) std::fill_n(to, count, full);
         const std::uint8_t* marks = m_mask == nullptr ? nullptr : m_mask + first;
-        for (std::int64_t x = 0; x < count && marks != nullptr; ++x) to[x] = marks[x] != 0 ? fullPresence : 0;
+        for (std::int64_t x = 0; x < count && marks != nullptr; ++x) to[x] = marks[x] != 0 ? full : Sample{0};
         if constexpr (std::is_same_v<Voxel, float>)
             for (std::int64_t x = 0; x < count; ++x)
                 if (!std::isfinite(m_voxels[static_cast<std::size_t>(first + x)])) to[x] = 0;
@@ -75,87 +133,77 @@ private:
     const VoxelArray<Voxel>& m_voxels;
 };
 
-/// Smooths slices one after another. It keeps the smoothed slices around the newest one.
-template <typename Voxel>
+/// Smooths slices one after another by a kernel. It keeps the smoothed slices around the newest one.
+template <typename Kernel, typename Voxel>
 class SliceSmoother {
 public:
-    SliceSmoother(const Volume& volume, const VoxelArray<Voxel>& voxels, const RowMarks& rows, const KeptThin& kept)
-        : m_data(volume, voxels),
+    using Sample = typename Kernel::Sample;
+
+    SliceSmoother(const DataRows<Voxel>& data, const RowMarks& rows, std::int64_t columns)
+        : m_data(data),
           m_rows(rows),
-          m_kept(kept),
-          m_columns(volume.geometry().size[0]),
-          m_asked(askedAt(rows.rows()) + static_cast<std::size_t>(presenceReach)),
-          m_room(static_cast<std::size_t>(m_columns + 2 * presenceReach)),
-          m_marks(static_cast<std::size_t>(m_columns)),
+          m_columns(columns),
+          m_asked(askedAt(rows.rows()) + static_cast<std::size_t>(Kernel::reach)),
+          m_room(static_cast<std::size_t>(m_columns + 2 * Kernel::reach)),
           m_alongX(static_cast<std::size_t>(m_columns * rows.rows())),
-          m_presence(m_alongX.size()) {
+          m_presence(static_cast<std::size_t>(m_columns)) {
         for (auto& slice : m_smooth) slice.resize(m_alongX.size());
     }
 
-    /// The presence in slice `z`, filled only in the parts of rows that are marked. Valid until the next call. Ask for
-    /// slices in ascending order.
-    const std::uint8_t* at(std::int64_t z) {
-        for (m_next = std::max(m_next, z - presenceReach); m_next <= z + presenceReach; ++m_next)
+    /// Goes on to slice `z`. Slices come in ascending order.
+    void goTo(std::int64_t z) {
+        for (m_next = std::max(m_next, z - Kernel::reach); m_next <= z + Kernel::reach; ++m_next)
             if (m_next >= 0 && m_next < m_rows.slices()) smoothWithin(m_next);
-        for (std::int64_t y = 0; y < m_rows.rows(); ++y)
-            if (m_rows.at(y, z).any()) smoothAcross(y, z);
+        m_slice = z;
+    }
+    /// The marked part of row `y` of the slice, valid until the next call.
+    const Sample* row(std::int64_t y) {
+        const RowPart& part = m_rows.at(y, m_slice);
+        Kernel::smooth(around(m_slice, m_rows.slices(),
+                              [&](std::int64_t slice) {
+                                  return m_smooth[static_cast<std::size_t>(slice) % taps].data() + place(y, part);
+                              }),
+                       part.count(), m_presence.data());
         return m_presence.data();
     }
 
 private:
-    /// Smooths slice `z` along x and y, only in the parts of rows that this slice or a slice within presenceReach
-    /// marks.
+    static constexpr std::size_t taps = 2 * Kernel::reach + 1;
+    using Rows = typename Kernel::Rows;
+
+    /// Smooths slice `z` along x and y, only in the parts of rows that this slice or a slice within reach marks.
     void smoothWithin(std::int64_t z) {
         std::ranges::fill(m_asked, RowPart{});
-        for (std::int64_t slice = std::max<std::int64_t>(z - presenceReach, 0);
-             slice < std::min(z + presenceReach + 1, m_rows.slices()); ++slice)
+        for (std::int64_t slice = std::max<std::int64_t>(z - Kernel::reach, 0);
+             slice < std::min(z + Kernel::reach + 1, m_rows.slices()); ++slice)
             for (std::int64_t y = 0; y < m_rows.rows(); ++y)
                 m_asked[askedAt(y)] = m_asked[askedAt(y)].joined(m_rows.at(y, slice));
         for (std::int64_t y = 0; y < m_rows.rows(); ++y) {
             RowPart part;
-            for (std::size_t i = 0; i < taps; ++i) part = part.joined(m_asked[askedAt(y - presenceReach) + i]);
+            for (std::size_t i = 0; i < taps; ++i) part = part.joined(m_asked[askedAt(y - Kernel::reach) + i]);
             if (part.any()) smoothAlong(y, z, part);
         }
-        std::vector<std::uint8_t>& slice = m_smooth[static_cast<std::size_t>(z) % taps];
+        std::vector<Sample>& slice = m_smooth[static_cast<std::size_t>(z) % taps];
         for (std::int64_t y = 0; y < m_rows.rows(); ++y) {
             const RowPart& part = m_asked[askedAt(y)];
             if (!part.any()) continue;
-            smoothRows(around(y, m_rows.rows(), [&](std::int64_t row) { return &m_alongX[place(row, part)]; }),
-                       part.count(), &slice[place(y, part)]);
+            Kernel::smooth(around(y, m_rows.rows(), [&](std::int64_t row) { return &m_alongX[place(row, part)]; }),
+                           part.count(), &slice[place(y, part)]);
         }
     }
 
     /// Smooths a part of the row (y, z) along x. Beyond a row's ends, the end voxels are repeated.
     void smoothAlong(std::int64_t y, std::int64_t z, const RowPart& part) {
-        constexpr auto reach = static_cast<std::int32_t>(presenceReach);
+        constexpr auto reach = static_cast<std::int32_t>(Kernel::reach);
         const auto columns = static_cast<std::int32_t>(m_columns);
         const RowPart read{std::max(part.first - reach, 0), std::min(part.last + reach, columns)};
-        std::uint8_t* row = m_room.data() + reach;
-        m_data.write(y, z, read, row + read.first);
+        Sample* row = m_room.data() + reach;
+        m_data.write(y, z, read, Kernel::full, row + read.first);
         if (read.first == 0) std::fill_n(row - reach, reach, row[0]);
         if (read.last == columns) std::fill_n(row + columns, reach, row[columns - 1]);
-        const std::uint8_t* from = row + part.first;
-        smoothRows({from - 2, from - 1, from, from + 1, from + 2}, part.count(), &m_alongX[place(y, part)]);
-    }
-
-    void smoothAcross(std::int64_t y, std::int64_t z) {
-        const RowPart& part = m_rows.at(y, z);
-        const std::int64_t count = part.count();
-        std::uint8_t* smooth = &m_presence[place(y, part)];
-        smoothRows(around(z, m_rows.slices(),
-                          [&](std::int64_t slice) {
-                              return m_smooth[static_cast<std::size_t>(slice) % taps].data() + place(y, part);
-                          }),
-                   count, smooth);
-        m_data.write(y, z, part, m_marks.data());
-        // Most blocks lie deep in data or far from it, where smoothing changes nothing.
-        constexpr std::int64_t block = 64;
-        for (std::int64_t x = 0; x < count; x += block) {
-            const std::int64_t end = std::min(x + block, count);
-            std::uint8_t apart = 0;
-            for (std::int64_t i = x; i < end; ++i) apart |= static_cast<std::uint8_t>(smooth[i] ^ m_marks[i]);
-            for (std::int64_t i = x; i < end && apart != 0; ++i) smooth[i] = m_kept[m_marks[i] != 0 ? 1 : 0][smooth[i]];
-        }
+        Rows from{};
+        for (std::size_t i = 0; i < taps; ++i) from[i] = row + part.first - reach + static_cast<std::int64_t>(i);
+        Kernel::smooth(from, part.count(), &m_alongX[place(y, part)]);
     }
 
     /// The rows or slices around one. Beyond the grid, the outermost one is repeated.
@@ -164,21 +212,74 @@ private:
         Rows rows{};
         for (std::size_t i = 0; i < taps; ++i)
             rows[i] =
-                rowOf(std::clamp<std::int64_t>(middle + static_cast<std::int64_t>(i) - presenceReach, 0, count - 1));
+                rowOf(std::clamp<std::int64_t>(middle + static_cast<std::int64_t>(i) - Kernel::reach, 0, count - 1));
         return rows;
     }
-    [[nodiscard]] static std::size_t askedAt(std::int64_t y) { return static_cast<std::size_t>(y + presenceReach); }
+    [[nodiscard]] static std::size_t askedAt(std::int64_t y) { return static_cast<std::size_t>(y + Kernel::reach); }
     [[nodiscard]] std::size_t place(std::int64_t y, const RowPart& part) const {
         return static_cast<std::size_t>(y * m_columns + part.first);
     }
 
+    const DataRows<Voxel>& m_data;
+    const RowMarks& m_rows;
+    std::int64_t m_columns, m_next = 0, m_slice = 0;  ///< m_next: the slice that is smoothed next
+    std::vector<RowPart> m_asked;                     ///< for each row, with the kernel's reach more at both ends
+    std::vector<Sample> m_room, m_alongX, m_presence;
+    std::array<std::vector<Sample>, taps> m_smooth;  ///< the newest slices along x and y; slice z at z % taps
+};
+
+/// The presence in slices, one after another.
+template <typename Voxel>
+class PresenceSlices {
+public:
+    PresenceSlices(const Volume& volume, const VoxelArray<Voxel>& voxels, const RowMarks& rows, const Joined& joined)
+        : m_data(volume, voxels),
+          m_rows(rows),
+          m_joined(joined),
+          m_columns(volume.geometry().size[0]),
+          m_narrow(m_data, rows, m_columns),
+          m_wide(m_data, rows, m_columns),
+          m_marks(static_cast<std::size_t>(m_columns)),
+          m_presence(static_cast<std::size_t>(m_columns * rows.rows())) {}
+
+    /// The presence in slice `z`, filled only in the parts of rows that are marked. Valid until the next call. Ask for
+    /// slices in ascending order.
+    const std::uint8_t* at(std::int64_t z) {
+        m_narrow.goTo(z);
+        m_wide.goTo(z);
+        for (std::int64_t y = 0; y < m_rows.rows(); ++y)
+            if (m_rows.at(y, z).any()) join(y, z);
+        return m_presence.data();
+    }
+
+private:
+    void join(std::int64_t y, std::int64_t z) {
+        const RowPart& part = m_rows.at(y, z);
+        const std::int64_t count = part.count();
+        std::uint8_t* to = m_presence.data() + y * m_columns + part.first;
+        const std::uint8_t* narrow = m_narrow.row(y);
+        const std::uint16_t* wide = m_wide.row(y);
+        m_data.write(y, z, part, fullPresence, m_marks.data());
+        // Most blocks lie deep in data or far from it, where smoothing changes nothing.
+        constexpr std::int64_t block = 64;
+        for (std::int64_t x = 0; x < count; x += block) {
+            const std::int64_t end = std::min(x + block, count);
+            std::uint16_t apart = 0;
+            for (std::int64_t i = x; i < end; ++i) apart |= static_cast<std::uint16_t>(wide[i] ^ (2U * m_marks[i]));
+            if (apart == 0)
+                std::copy(m_marks.begin() + x, m_marks.begin() + end, to + x);
+            else
+                for (std::int64_t i = x; i < end; ++i) to[i] = m_joined.at(narrow[i], wide[i], m_marks[i] != 0);
+        }
+    }
+
     DataRows<Voxel> m_data;
     const RowMarks& m_rows;
-    const KeptThin& m_kept;
-    std::int64_t m_columns, m_next = 0;  ///< m_next: the slice that is smoothed next
-    std::vector<RowPart> m_asked;        ///< for each row, with presenceReach rows more at both ends
-    std::vector<std::uint8_t> m_room, m_marks, m_alongX, m_presence;
-    std::array<std::vector<std::uint8_t>, taps> m_smooth;  ///< the newest slices along x and y; slice z at z % taps
+    const Joined& m_joined;
+    std::int64_t m_columns;
+    SliceSmoother<NarrowKernel, Voxel> m_narrow;
+    SliceSmoother<WideKernel, Voxel> m_wide;
+    std::vector<std::uint8_t> m_marks, m_presence;
 };
 
 }  // namespace
@@ -191,16 +292,16 @@ bool lacksData(const Volume& volume) {
 }
 
 void makePresence(const Volume& volume, const RowMarks& rows, const TakePresence& take) {
-    const KeptThin kept = keptThinTable();
+    const Joined joined;
     std::visit(
         [&]<typename Voxel>(const VoxelArray<Voxel>& voxels) {
             // Each part also smooths the slices beside it. In smaller parts, more slices would be smoothed twice.
             constexpr std::int64_t part = 16;
             parallelFor(LoopRange<std::int64_t>(0, rows.slices(), part), [&](const auto& slices) {
                 if (!rows.partWithin({0, rows.rows()}, {slices.begin(), slices.end()}).any()) return;
-                SliceSmoother<Voxel> smoother(volume, voxels, rows, kept);
+                PresenceSlices<Voxel> presence(volume, voxels, rows, joined);
                 for (std::int64_t z = slices.begin(); z < slices.end(); ++z)
-                    if (rows.partWithin({0, rows.rows()}, {z, z + 1}).any()) take(z, smoother.at(z));
+                    if (rows.partWithin({0, rows.rows()}, {z, z + 1}).any()) take(z, presence.at(z));
             });
         },
         volume.voxels());

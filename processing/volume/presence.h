@@ -10,11 +10,13 @@
 namespace echolucent {
 
 // The presence of data is one byte a voxel, 255 for full presence. It is the data mask, smoothed along each axis by the
-// binomial [1 4 6 4 1] / 16, so that the surface at which it is one half has no stairs. Smoothing alone would remove a
-// structure or a gap that is only one voxel wide, so the voxels there keep what the mask says. A voxel that is not
-// finite is no data.
+// binomial [1 4 6 4 1] / 16. Stairs of an oblique border are longer than that. So a kernel of 13 voxels tells where the
+// border is, and how far a voxel lies from it, and thus which presence the binomial would have there without stairs.
+// Where the two disagree by more than stairs explain (at corners, and at structures and gaps a few voxels thick), the
+// binomial alone counts. It would remove what is only one voxel wide, so the voxels there keep what the mask says. A
+// voxel that is not finite is no data.
 
-inline constexpr std::int64_t presenceReach = 2;  ///< how far a voxel's mark reaches along each axis, voxels
+inline constexpr std::int64_t presenceReach = 6;  ///< how far a voxel's mark reaches along each axis, voxels
 
 /// Whether any voxel carries no data.
 [[nodiscard]] bool lacksData(const Volume& volume);
