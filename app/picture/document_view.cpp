@@ -39,7 +39,7 @@ void DocumentView::follow() {
 
 void DocumentView::showPose() {
     const Document& document = m_model.document();
-    m_widget.setLook(document.scene.look);
+    m_widget.setLook(shownLook(document.scene));
     m_widget.setPose(shownPose(document), document.beam.axis);
     m_widget.setLimits(viewpointOf(document));
 }

@@ -32,6 +32,7 @@ Scene sceneIn(JsonFields fields) {
     scene.front = frontIn(fields.object("front"));
     JsonFields look = fields.object("look");
     scene.look = lookIn(look);
+    if (fields.has("exposure")) scene.exposure = fields.number("exposure", 0.0, 1.0);
     JsonFields box = fields.object("box");
     scene.box = boxIn(box, "side");
     JsonFields planes = fields.object("planes");

@@ -117,15 +117,17 @@ ordered_json strokesJson(const std::vector<ScalpelStroke>& strokes) {
 }
 
 ordered_json sceneJson(const Scene& scene) {
-    return {{"pose", poseJson(scene.pose)},
-            {"side", directionJson(scene.side)},
-            {"front", frontJson(scene.front)},
-            {"look", lookJson(scene.look)},
-            {"box", boxJson(scene.box)},
-            {"planes", planesJson(scene.planes)},
-            {"strokes", strokesJson(scene.strokes)},
-            {"phase", scene.phase},
-            {"motion_angle", scene.motionAngle}};
+    ordered_json object{{"pose", poseJson(scene.pose)},
+                        {"side", directionJson(scene.side)},
+                        {"front", frontJson(scene.front)},
+                        {"look", lookJson(scene.look)},
+                        {"box", boxJson(scene.box)},
+                        {"planes", planesJson(scene.planes)},
+                        {"strokes", strokesJson(scene.strokes)},
+                        {"phase", scene.phase},
+                        {"motion_angle", scene.motionAngle}};
+    if (scene.exposure != 1.0) object["exposure"] = scene.exposure;  // most scenes have none
+    return object;
 }
 
 ordered_json panesJson(const std::vector<Pane>& panes) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "processing/beam/probe_view.h"
+#include "processing/near_cut/bright_face.h"
 
 namespace echolucent {
 
@@ -45,6 +46,8 @@ std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& 
     if (said.front || (!finds.beam.sure && !said.side)) return finds;
     finds.cut = search(volume, viewpointOf(finds.beam.axis, sideOf(finds)), progress);
     if (!finds.cut) return std::nullopt;
+    const double nearCutMm = makesFront(finds) ? finds.cut->nearCutMm : 0.0;
+    finds.exposure = exposureFor(faceIntensity(volume, viewpointOf(finds.beam.axis, sideOf(finds), nearCutMm)));
     return finds;
 }
 
@@ -56,6 +59,7 @@ Document withFinds(Document document, const OpeningFinds& finds) {
     if (!finds.beam.sure && !finds.side) return document;
     if (finds.beam.sure) document.beam = {finds.beam.axis, sourceOf(finds.beam.evidence), finds.lean};
     document.scene.side = sideOf(finds);
+    document.scene.exposure = finds.exposure;
     if (makesFront(finds))
         document.scene.front =
             frontAcross(sideOf(finds), std::round(10 * finds.cut->nearCutMm) / 10, FrontSource::found);

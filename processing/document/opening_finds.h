@@ -28,6 +28,9 @@ struct OpeningFinds {
     /// Searched for along the side. Empty if a person chose the front. Also empty if the beam is not sure and nobody
     /// said the side: nobody cuts along such a beam.
     std::optional<NearCutFinding> cut{};
+    /// Scene::exposure for what is seen along the side, behind the cut if makesFront(). 1 if `cut` was not searched
+    /// for.
+    double exposure = 1.0;
 };
 
 /// Searches a volume that was read from a file, the first phase of a study; `search` finds the cut. The result is empty
@@ -40,8 +43,8 @@ struct OpeningFinds {
 [[nodiscard]] bool makesFront(const OpeningFinds& finds);
 
 /// The document with the finds that are sure: the beam, the side (also if only a person said it), and the flat cut as
-/// its front if makesFront(), rounded to 0.1 mm as people set it. Tube cores look from the side. The pose and
-/// everything that is not sure stay.
+/// its front if makesFront(), rounded to 0.1 mm as people set it, and the exposure. Tube cores look from the side. The
+/// pose and everything that is not sure stay.
 [[nodiscard]] Document withFinds(Document document, const OpeningFinds& finds);
 
 /// A study that was just opened: all that its document depends on.

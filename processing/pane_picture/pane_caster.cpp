@@ -25,7 +25,7 @@ RayCastSettings castSettingsOf(const Document& document, const VolumeGeometry& g
                                int height) {
     const Look& look = document.scene.look;
     const Pose pose = shownPose(document);
-    RayCastSettings settings = rayCastSettings(look);
+    RayCastSettings settings = rayCastSettings(shownLook(document.scene));
     settings.width = width;
     settings.height = height;
     const double aspect = static_cast<double>(width) / height;

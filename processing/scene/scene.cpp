@@ -116,7 +116,14 @@ Front withOneFront(Front front, BeamAxis beam, const VolumeGeometry& geometry) {
     return front;
 }
 
+Look shownLook(const Scene& scene) {
+    Look look = scene.look;
+    look.brightness *= scene.exposure;
+    return look;
+}
+
 std::string problemOf(const Scene& scene, BeamAxis beam) {
+    if (!(scene.exposure > 0.0 && scene.exposure <= 1.0)) return "exposure must be above 0 and at most 1";
     if (const std::string problem = problemOf(scene.box); !problem.empty()) return "box " + problem;
     for (std::size_t i = 0; i < scene.strokes.size(); ++i)
         if (const std::string problem = problemOf(scene.strokes[i]); !problem.empty())

@@ -61,6 +61,9 @@ struct Scene {
     ViewDirection side;  ///< from which the scan is looked into: tube cores run this way
     Front front;
     Look look = lookAtStart();
+    /// (0, 1]: a factor on the look's brightness. Below 1 if opening found that the scan begins with an overexposed
+    /// face (exposureFor()).
+    double exposure = 1.0;
     Box box;
     Planes planes;
     SharedList<ScalpelStroke> strokes{};  ///< the scalpel's cuts, in the order in which they were drawn
@@ -78,6 +81,8 @@ struct Scene {
 /// The front as one surface. If it is flat and bowed, each node of the bowed one moves back to the flat one if that
 /// lies deeper. It must be canBeOne().
 [[nodiscard]] Front withOneFront(Front front, BeamAxis beam, const VolumeGeometry& geometry);
+/// The look as pictures of the volume show it: its brightness times the exposure.
+[[nodiscard]] Look shownLook(const Scene& scene);
 
 /// What is wrong with a scene, with its key ("box has a size that is not above 0"): lower case, no full stop. Empty if
 /// nothing is wrong.

@@ -151,7 +151,7 @@ void DocumentModel::set(Document next) {
     if (after.scene.planes != before.scene.planes) emit planesChanged();
     if (after.motion != before.motion) emit motionChanged();
     if (after.scene.motionAngle != before.scene.motionAngle) emit motionAngleChanged();
-    if (after.scene.look != before.scene.look) emit lookChanged();
+    if (after.scene.look != before.scene.look || after.scene.exposure != before.scene.exposure) emit lookChanged();
     if (after.curves != before.curves) emit curvesChanged();
     if (after.scene.side != before.scene.side) emit sideChanged();
     if (after.method != before.method) emit methodChanged();

@@ -33,6 +33,12 @@ bool isFrontTaken(const DocumentStudy& opened) {
     return front.source == FrontSource::found && front.depthMm > 0.0;
 }
 
+std::string exposureText(const OpeningFinds& finds) {
+    if (finds.exposure == 1.0) return {};
+    return fmt::format("The scan begins with a face that is almost white: pictures are {:.2g} times as bright.",
+                       finds.exposure);
+}
+
 /// The answer of the search for the front. If it suggests a cut that is not taken, the text says so.
 std::string frontText(const DocumentStudy& opened) {
     const auto& cut = opened.finds->cut;
@@ -110,7 +116,7 @@ std::string findsText(const DocumentStudy& opened) {
     const ImportFact* noData = factNamed(opened.study, "voxels without data");
     std::string text;
     for (const std::string& sentence :
-         {opened.finds->beam.sentence, sideText(*opened.finds), frontText(opened),
+         {opened.finds->beam.sentence, sideText(*opened.finds), frontText(opened), exposureText(*opened.finds),
           fmt::format("Speckle reduction: {}.", nameOf(opened.document.scene.look.reduction)),
           noData != nullptr ? fmt::format("Voxels without data: {} ({}).", noData->value, noData->source) : ""})
         if (!sentence.empty()) text += (text.empty() ? "" : "\n") + sentence;

@@ -236,6 +236,15 @@ TEST(DocumentFile, EveryKeyButTableRowsIsNeeded) {
     }
 }
 
+TEST(DocumentFile, AnExposureStandsOnlyWhereOpeningFoundOne) {
+    Document document;
+    EXPECT_FALSE(nlohmann::ordered_json::parse(jsonOf(document))["scene"].contains("exposure"));
+    document.scene.exposure = 0.66;
+    EXPECT_EQ(documentFromJson(jsonOf(document))->scene.exposure, 0.66);
+    for (const double wrong : {0.0, -0.5, 1.5})
+        EXPECT_FALSE(documentFromJson(changed(jsonOf(document), "/scene/exposure", wrong))) << wrong;
+}
+
 TEST(DocumentFile, AFlatFrontKeepsItsDirectionWhateverThePose) {
     Document document;
     document.scene.pose.direction = {30, -10, 5};

@@ -1,0 +1,55 @@
+// Whether a scan begins with a face that is almost white, and what is done about it.
+#include "processing/near_cut/bright_face.h"
+
+#include <gtest/gtest.h>
+
+#include "processing/document/opening_finds.h"
+#include "tests/processing/grids.h"
+
+namespace echolucent {
+namespace {
+
+/// Layers along z: 12 voxels of `face`, then 20 of fluid, then tissue.
+Volume layers(std::uint8_t face) {
+    const VolumeGeometry geometry = gridOf({24, 24, 64});
+    std::vector<std::uint8_t> voxels;
+    for (std::int64_t z = 0; z < geometry.size[2]; ++z)
+        voxels.insert(voxels.end(), 24 * 24, z < 12 ? face : static_cast<std::uint8_t>(z < 32 ? 5 : 90));
+    return Volume(geometry, std::move(voxels), 255.0);
+}
+
+TEST(BrightFace, IsWhatRaysEndIn) {
+    // Of even tissue a ray shows its intensity, apart from what 12 units let through, and from the last step's fade.
+    for (const int face : {150, 204, 240}) {
+        const double intensity = face / 255.0;
+        EXPECT_NEAR(faceIntensity(layers(static_cast<std::uint8_t>(face)), Viewpoint{}), intensity, 0.02) << face;
+    }
+    EXPECT_NEAR(faceIntensity(layers(240), Viewpoint{.nearCutMm = 14.0}), 90 / 255.0, 0.05) << "behind a cut";
+    EXPECT_EQ(faceIntensity(layers(240), Viewpoint{.nearCutMm = 64.0}), 0.0) << "nothing is left";
+}
+
+TEST(BrightFace, OnlyAFaceThatIsAlmostWhiteIsShownDarker) {
+    EXPECT_EQ(exposureFor(0.0), 1.0);
+    EXPECT_EQ(exposureFor(mostFaceIntensity), 1.0);
+    EXPECT_DOUBLE_EQ(exposureFor(0.9) * 0.9, calmFaceIntensity);
+}
+
+TEST(BrightFace, OpeningTakesItAndALookOnlyMultipliesIt) {
+    const SaidOnOpening said{.beam = BeamAxis::plusZ};
+    const auto calm = findOnOpening(layers(150), {}, said), white = findOnOpening(layers(250), {}, said);
+    ASSERT_TRUE(calm && white);
+    EXPECT_EQ(withFinds({}, *calm).scene.exposure, 1.0);
+    Document document;
+    document.scene.look.brightness = 1.5;
+    const bool cut = makesFront(*white);
+    document = withFinds(document, *white);
+    EXPECT_EQ(document.scene.exposure < 1.0, !cut);
+    EXPECT_EQ(document.scene.look.brightness, 1.5);
+    EXPECT_DOUBLE_EQ(shownLook(document.scene).brightness, 1.5 * document.scene.exposure);
+    EXPECT_EQ(findOnOpening(layers(250), {}, {.beam = BeamAxis::plusZ, .front = true})->exposure, 1.0)
+        << "who chooses a front sees to the rest";
+    EXPECT_EQ(openedDocument(document, {}).scene.exposure, 1.0) << "the next study has its own";
+}
+
+}  // namespace
+}  // namespace echolucent
