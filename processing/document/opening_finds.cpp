@@ -47,7 +47,8 @@ std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& 
     finds.cut = search(volume, viewpointOf(finds.beam.axis, sideOf(finds)), progress);
     if (!finds.cut) return std::nullopt;
     const double nearCutMm = makesFront(finds) ? finds.cut->nearCutMm : 0.0;
-    finds.exposure = exposureFor(faceIntensity(volume, viewpointOf(finds.beam.axis, sideOf(finds), nearCutMm)));
+    finds.exposure =
+        exposureFor(faceIntensity(volume, withFrontAcross(viewpointOf(finds.beam.axis, sideOf(finds)), nearCutMm)));
     return finds;
 }
 

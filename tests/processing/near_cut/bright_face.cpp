@@ -24,8 +24,8 @@ TEST(BrightFace, IsWhatRaysEndIn) {
         const double intensity = face / 255.0;
         EXPECT_NEAR(faceIntensity(layers(static_cast<std::uint8_t>(face)), Viewpoint{}), intensity, 0.02) << face;
     }
-    EXPECT_NEAR(faceIntensity(layers(240), Viewpoint{.nearCutMm = 14.0}), 90 / 255.0, 0.05) << "behind a cut";
-    EXPECT_EQ(faceIntensity(layers(240), Viewpoint{.nearCutMm = 64.0}), 0.0) << "nothing is left";
+    EXPECT_NEAR(faceIntensity(layers(240), withFrontAcross({}, 14.0)), 90 / 255.0, 0.05) << "behind a cut";
+    EXPECT_EQ(faceIntensity(layers(240), withFrontAcross({}, 64.0)), 0.0) << "nothing is left";
 }
 
 TEST(BrightFace, OnlyAFaceThatIsAlmostWhiteIsShownDarker) {
