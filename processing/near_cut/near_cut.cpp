@@ -1,7 +1,6 @@
 #include "processing/near_cut/near_cut.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -10,10 +9,7 @@
 #include "processing/near_cut/curved_cut.h"
 #include "processing/near_cut/flat_cut.h"
 #include "processing/near_cut/fluid_stretches.h"
-#include "processing/near_cut/smooth_echo.h"
-#include "processing/near_cut/tissue_level.h"
 #include "processing/near_cut/tube_echo.h"
-#include "processing/parallel.h"
 
 namespace echolucent {
 
@@ -21,11 +17,7 @@ namespace {
 
 constexpr ChoiceNames<3> answerNames{"fluid at the front", "wall before fluid", "no fluid"};
 
-/// Shares of the tissue's intensity below which a sample may be fluid. Blood full of echo needs the highest share. At
-/// the lowest share, a chamber is not yet joined with merely dim tissue.
-constexpr std::array fluidLevels{0.35, 0.45, 0.55};
-constexpr double leastCavityEdge = 6.4;  // samples, a tenth of the data's extent
-constexpr double leastFluid = 0.004;     // of the data's samples
+constexpr double leastFluid = 0.004;  // of the data's samples
 // The fluid is at the front if `mostlyAtFront` of the tube cores that meet data begin in fluid. `someAtFront` of them
 // are enough if they are also `farMoreAtFront` times as many as a cut would open: dim tissue may begin at the front
 // too. If their stretches have `clearFrontContrast` in the mean, which dim tissue has not, `moreAtFront` times as many
@@ -41,73 +33,15 @@ constexpr double faintContrast = 0.47, clearContrast = 0.77;  // ln 1.6 (every w
 constexpr double sureFrom = 0.5;
 constexpr double asManyAsFlat = 0.95;  // of the tube cores in fluid at the flat cut: with fewer there is no curved cut
 
-using Levels = std::vector<std::vector<FluidStretch>>;
-
-/// What the tube cores of a view saw.
-struct Seen {
-    TubeEcho tubes;
-    Levels levels;
-    int meetData = 0;
-    int front = 0;                    ///< the least sample at which any tube core meets data
-    std::vector<bool> beginsInFluid;  ///< of each tube core
-    int beginInFluid = 0, meetFluid = 0;
-    double frontContrast = 0.0;  ///< mean FluidStretch::contrast of the stretches at the front
-};
-
-void countTubes(Seen& seen) {
-    seen.front = seen.tubes.samples;
-    for (std::size_t tube = 0; tube < seen.tubes.tubes(); ++tube) {
-        const float* echo = seen.tubes.tube(tube);
-        const float* end = echo + seen.tubes.samples;
-        const float* first = std::find_if(echo, end, [](float value) { return value >= 0.0F; });
-        if (first == end) continue;
-        ++seen.meetData;
-        seen.front = std::min(seen.front, static_cast<int>(first - echo));
-    }
-    seen.beginsInFluid.resize(seen.tubes.tubes());
-    std::vector<bool> any(seen.tubes.tubes());
-    double samples = 0.0;
-    for (const auto& stretches : seen.levels)
-        for (const FluidStretch& stretch : stretches) {
-            any[static_cast<std::size_t>(stretch.tube)] = true;
-            if (!stretch.atFront) continue;
-            seen.beginsInFluid[static_cast<std::size_t>(stretch.tube)] = true;
-            samples += stretch.length();
-            seen.frontContrast += stretch.length() * stretch.contrast;
-        }
-    if (samples > 0.0) seen.frontContrast /= samples;
-    seen.beginInFluid = static_cast<int>(std::count(seen.beginsInFluid.begin(), seen.beginsInFluid.end(), true));
-    seen.meetFluid = static_cast<int>(std::count(any.begin(), any.end(), true));
-}
-
-std::optional<Seen> look(const Volume& volume, const Viewpoint& view, const Progress& progress) {
-    const auto coarse = view.box ? SmoothEcho::of(volume.withDataMask(dataMaskWithin(*view.box, volume)), progress)
-                                 : SmoothEcho::of(volume, progress);
-    if (!coarse) return std::nullopt;
-    Seen seen;
-    const auto tissue = tissueLevel(coarse->intensities());
-    if (!tissue) return seen;
-    progress.at(0.6);
-    seen.tubes = readTubeEcho(*coarse, volume.geometry(), view);
-    if (progress.cancelled()) return std::nullopt;
-    seen.levels.resize(fluidLevels.size());
-    parallelFor(std::size_t{0}, fluidLevels.size(), [&](std::size_t i) {
-        seen.levels[i] = fluidStretches(seen.tubes, static_cast<float>(fluidLevels[i] * *tissue), leastCavityEdge);
-    });
-    progress.at(0.8);
-    countTubes(seen);
-    return seen;
-}
-
 /// The stretches of the highest level that stand behind a wall.
-std::vector<FluidStretch> behindWalls(const Seen& seen) {
+std::vector<FluidStretch> behindWalls(const SeenFluid& seen) {
     std::vector<FluidStretch> walled;
     std::copy_if(seen.levels.back().begin(), seen.levels.back().end(), std::back_inserter(walled),
                  [](const FluidStretch& stretch) { return !stretch.atFront; });
     return walled;
 }
 
-void addSurface(const Seen& seen, int flatSample, NearCutFinding& finding) {
+void addSurface(const SeenFluid& seen, int flatSample, NearCutFinding& finding) {
     const TubeEcho& tubes = seen.tubes;
     finding.surface = fitCurvedCut(tubes, behindWalls(seen), flatSample);
     if (!finding.surface) return;
@@ -130,7 +64,7 @@ struct Judged {
     int flatSample = 0;
 };
 
-Judged judged(const Seen& seen) {
+Judged judged(const SeenFluid& seen) {
     NearCutFinding finding;
     finding.tubes = seen.meetData;
     const FlatCut flat = findFlatCut(seen.tubes, seen.levels);
@@ -187,19 +121,17 @@ std::string sentenceOf(const NearCutFinding& finding, bool spacingKnown) {
     return {};
 }
 
-enum class Shapes { flat, flatAndCurved };
-
 std::optional<NearCutFinding> found(const Volume& volume, const Viewpoint& view, const Progress& progress,
-                                    Shapes shapes) {
-    const auto seen = look(volume, view, progress);
-    if (!seen || progress.cancelled()) return std::nullopt;
-    auto [finding, flatSample] = judged(*seen);
-    if (finding.answer == NearCutAnswer::wallBeforeFluid) {
-        if (shapes == Shapes::flatAndCurved) addSurface(*seen, flatSample, finding);
-        finding.nearCutMm =
-            std::max(0.0, finding.nearCutMm - volume.geometry().depthsAlong(frameOf(view).forward).nearest);
-    }
-    finding.message = sentenceOf(finding, volume.geometry().spacingKnown);
+                                    CutShapes shapes) {
+    const auto echo = view.box ? searchedEchoOf(volume.withDataMask(dataMaskWithin(*view.box, volume)), progress)
+                               : searchedEchoOf(volume, progress);
+    if (!echo) return std::nullopt;
+    progress.at(0.6);
+    const SeenFluid seen = seenFluid(*echo, volume.geometry(), view);
+    if (progress.cancelled()) return std::nullopt;
+    progress.at(0.8);
+    NearCutFinding finding = nearCutOf(seen, volume.geometry(), shapes);
+    if (progress.cancelled()) return std::nullopt;
     progress.at(1.0);
     return finding;
 }
@@ -208,12 +140,22 @@ std::optional<NearCutFinding> found(const Volume& volume, const Viewpoint& view,
 
 std::string_view nameOf(NearCutAnswer answer) { return nameIn(answerNames, answer); }
 
+NearCutFinding nearCutOf(const SeenFluid& seen, const VolumeGeometry& geometry, CutShapes shapes) {
+    auto [finding, flatSample] = judged(seen);
+    if (finding.answer == NearCutAnswer::wallBeforeFluid) {
+        if (shapes == CutShapes::flatAndCurved) addSurface(seen, flatSample, finding);
+        finding.nearCutMm = std::max(0.0, finding.nearCutMm - geometry.depthsAlong(seen.tubes.frame.forward).nearest);
+    }
+    finding.message = sentenceOf(finding, geometry.spacingKnown);
+    return finding;
+}
+
 std::optional<NearCutFinding> findNearCut(const Volume& volume, const Viewpoint& view, const Progress& progress) {
-    return found(volume, view, progress, Shapes::flatAndCurved);
+    return found(volume, view, progress, CutShapes::flatAndCurved);
 }
 
 std::optional<NearCutFinding> findFlatNearCut(const Volume& volume, const Viewpoint& view, const Progress& progress) {
-    return found(volume, view, progress, Shapes::flat);
+    return found(volume, view, progress, CutShapes::flat);
 }
 
 }  // namespace echolucent

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "processing/near_cut/seen_fluid.h"
 #include "processing/progress.h"
 #include "processing/viewpoint/cut_surface.h"
 #include "processing/viewpoint/viewpoint.h"
@@ -47,6 +48,11 @@ struct NearCutFinding {
 /// Like findNearCut(), but without the curved cut: for callers that offer none. It takes less time.
 [[nodiscard]] std::optional<NearCutFinding> findFlatNearCut(const Volume& volume, const Viewpoint& view,
                                                             const Progress& progress = {});
+/// Which cuts are looked for.
+enum class CutShapes { flat, flatAndCurved };
+/// findNearCut() or findFlatNearCut() of what a view has seen already, of a volume with `geometry`. It cannot be
+/// cancelled.
+[[nodiscard]] NearCutFinding nearCutOf(const SeenFluid& seen, const VolumeGeometry& geometry, CutShapes shapes);
 /// Either findNearCut() or findFlatNearCut().
 using NearCutSearch = std::optional<NearCutFinding> (*)(const Volume&, const Viewpoint&, const Progress&);
 
