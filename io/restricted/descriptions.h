@@ -45,7 +45,7 @@ void describe(Archive& archive, Value& failure) {
 
 template <typename Archive, Described<StatedProbe> Value>
 void describe(Archive& archive, Value& probe) {
-    archive(probe.forward, probe.down, probe.apexMm);
+    archive(probe.forward, probe.down, probe.apexMm, probe.planesKnown);
 }
 
 template <typename Archive, Described<Reduction> Value>

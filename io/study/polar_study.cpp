@@ -141,7 +141,7 @@ Result<void> scanConvert(StudyParts& parts, const PolarGeometry& polar, const Po
     parts.dataMask = std::make_shared<const DataMask>(conversion.mask(tables));
     if (progress.cancelled()) return cancelled();
     parts.dataMaskSource = "geometry of the beams";
-    StatedProbe probe;
+    StatedProbe probe{.planesKnown = true};  // lines lie side by side along x, planes along y
     if (const auto apex = apexMm(polar)) probe.apexMm = *apex - grid.geometry.origin;
     parts.geometry.probe = probe;
     parts.probeSource = "geometry of the beams";

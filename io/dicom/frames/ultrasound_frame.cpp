@@ -140,6 +140,7 @@ std::optional<FoundProbe> ProbeFinder::find(std::vector<std::string>& warnings) 
     const auto right = across(toGrid(axisOf(*m_frame.transducerFromVolume, 0)), m_probe.forward);
     if (!right) return FoundProbe{m_probe, m_source};
     m_probe.down = m_probe.forward.cross(*right);
+    m_probe.planesKnown = true;
     if (byApex) m_source += ", " + matrixName;
     return FoundProbe{m_probe, m_source};
 }
