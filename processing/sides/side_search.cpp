@@ -1,0 +1,96 @@
+#include "processing/sides/side_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "processing/near_cut/seen_fluid.h"
+#include "processing/parallel.h"
+#include "processing/sides/grain.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr double closeTo = 0.9;      // of the best score: such a score is close to it
+constexpr double leastOpened = 0.1;  // of the picture
+
+using FinenessOfSides = std::array<PictureFineness, std::tuple_size_v<Sides>>;
+
+FinenessOfSides finenessOf(const Sides& sides, const ScanPlanes& planes, const Vec3& grain) {
+    FinenessOfSides all;
+    double finest = 0.0;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const ViewFrame frame = frameOf(sides[i].view);
+        all[i].resolution = 1.0 / std::sqrt(grainAlong(frame.right, grain) * grainAlong(frame.down, grain));
+        finest = std::max(finest, all[i].resolution);
+    }
+    for (PictureFineness& one : all) one.resolution /= finest;
+    if (!planes.sure) return all;
+    const Vec3 elevation = frameOf(sides[ontoPlaneSide].view).forward;
+    const double inPlane = std::min(1.0, grainAlong(planes.lateral, grain) / grainAlong(elevation, grain));
+    for (std::size_t i = 0; i < sides.size(); ++i)
+        if (i != ontoPlaneSide && i != ontoPlaneSide + 1) all[i].plane = inPlane;
+    return all;
+}
+
+/// Rounded, so that sides that only differ by rounding are told apart by their order.
+double comparedScore(const JudgedSide& judged) { return std::round(judged.score.total * 1e9) * 1e-9; }
+
+std::size_t bestOf(const SidesFinding& finding) {
+    std::size_t best = probeSide;
+    for (std::size_t i = 0; i < finding.sides.size(); ++i)
+        if (finding.sides[i].score.opened >= leastOpened &&
+            comparedScore(finding.sides[i]) > comparedScore(finding.sides[best]))
+            best = i;
+    const bool isClose = comparedScore(finding.sides[probeSide]) >= closeTo * comparedScore(finding.sides[best]);
+    return isClose ? probeSide : best;
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+
+std::string sentenceOf(const SidesFinding& finding) {
+    const JudgedSide& best = finding.sides[finding.best];
+    const std::string name = '"' + std::string(best.side.name) + '"';
+    if (!(best.score.total > 0.0)) return name + " comes first: no side surely shows anything behind fluid.";
+    std::string sentence =
+        name + " comes first: " + percent(best.score.opened) + " of its picture are surfaces behind fluid";
+    if (finding.best != probeSide) return sentence + ", seen more clearly than from any other side.";
+    return sentence + ", and no other side shows clearly more.";
+}
+
+}  // namespace
+
+bool hasFront(const JudgedSide& judged) {
+    return judged.front.sure && judged.front.answer == NearCutAnswer::wallBeforeFluid;
+}
+
+std::optional<SidesFinding> findSides(const Volume& volume, const Viewpoint& fromProbe, bool beamSure, CutShapes shapes,
+                                      const Progress& progress) {
+    const auto grain = grainMm(volume, progress);
+    if (!grain) return std::nullopt;
+    progress.at(0.2);
+    const auto echo = searchedEchoOf(volume, progress);
+    if (!echo) return std::nullopt;
+    progress.at(0.6);
+    SidesFinding finding;
+    const VolumeGeometry& geometry = volume.geometry();
+    finding.planes = scanPlanesOf(geometry, fromProbe, *grain);
+    const Sides sides = sidesOf(fromProbe, beamSure, finding.planes);
+    const FinenessOfSides fineness = finenessOf(sides, finding.planes, *grain);
+    parallelFor(std::size_t{0}, sides.size(), [&](std::size_t i) {
+        if (progress.cancelled()) return;
+        JudgedSide& judged = finding.sides[i];
+        judged.side = sides[i];
+        const SeenFluid seen = seenFluid(*echo, geometry, sides[i].view);
+        judged.front = nearCutOf(seen, geometry, shapes);
+        judged.score = scoreOf(seen, geometry, judged.front, beamSure && i == probeSide, fineness[i]);
+    });
+    if (progress.cancelled()) return std::nullopt;
+    finding.best = bestOf(finding);
+    finding.sentence = sentenceOf(finding);
+    progress.at(1.0);
+    return finding;
+}
+
+}  // namespace echolucent
