@@ -100,6 +100,7 @@ private:
 [[nodiscard]] std::shared_ptr<StudyCommand> lightStudy();
 [[nodiscard]] std::shared_ptr<StudyCommand> quietStudy();
 [[nodiscard]] std::shared_ptr<StudyCommand> cutStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> sidesStudy();
 [[nodiscard]] std::shared_ptr<StudyCommand> designersStudy();
 
 }  // namespace echolucent::cli

@@ -48,6 +48,7 @@ std::vector<std::pair<std::string, std::string>> quickRuns(const std::string& vo
             {"study otf", "--phantoms --size 48 --repeats 1 -o \"FOLDER/s\""},
             {"study contrast", "--size 48"},
             {"study cut", quoted + " --turn 0"},
+            {"study sides", quoted + " --picture-size 16 -o \"FOLDER/s\""},
             {"study designers", "--size 32 --seeds 1 --repeats 1 --picture-size 16 -o \"FOLDER/s\""},
             {"study light", "--phantom-size 24 --size 16x16 --rings 1 --repeats 1 -o \"FOLDER/s\""},
             {"study quiet", "--size 40 --seeds 1 --timed-edge 24 --repeats 1 -o \"FOLDER/s\""},
