@@ -25,7 +25,7 @@ enum class NearCutAnswer {
 /// What the search for the near cut found (docs/near-cut.md).
 struct NearCutFinding {
     NearCutAnswer answer = NearCutAnswer::noFluid;
-    double nearCutMm = 0.0;     ///< the flat cut, as Viewpoint::nearCutMm; above 0 for wallBeforeFluid only
+    double nearCutMm = 0.0;     ///< the flat cut, as FrontPlane::depthMm; above 0 for wallBeforeFluid only
     double behindDataMm = 0.0;  ///< the flat cut, from where the data begin along the view; for wallBeforeFluid only
     /// The curved cut, for wallBeforeFluid only. Empty if fitCurvedCut() makes none, if fewer tube cores are in fluid
     /// at it than 95 % of those at the flat cut, or if findFlatNearCut() searched.

@@ -38,7 +38,7 @@ double withoutRounding(double degrees) {
 }
 
 Viewpoint viewAlongSide(const Vec3& forward, const Vec3& down, BeamAxis axis) {
-    Viewpoint view = viewAlong(forward, down, axis, 0.0);
+    Viewpoint view = viewAlong(forward, down, axis);
     view.azimuthDegrees = withoutRounding(view.azimuthDegrees);
     view.elevationDegrees = withoutRounding(view.elevationDegrees);
     view.rollDegrees = withoutRounding(view.rollDegrees);

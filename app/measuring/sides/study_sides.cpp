@@ -57,7 +57,8 @@ Document documentOf(const ProbedScan& scan, const JudgedSide& judged) {
     const Viewpoint& view = judged.side.view;
     document.beam.axis = view.beamAxis;
     document.scene.side = directionOf(view);
-    if (hasFront(judged) && !judged.front.surface) document.scene.front.depthMm = judged.front.nearCutMm;
+    if (hasFront(judged) && !judged.front.surface)
+        document.scene.front = frontAcross(document.scene.side, judged.front.nearCutMm);
     if (hasFront(judged)) document.scene.front.surface = judged.front.surface;
     document.scene.pose = wholeVolumePose(scan.volume->dataBox(), view, document.scene.look.projection, 1.0);
     return document;

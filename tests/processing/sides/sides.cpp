@@ -35,7 +35,7 @@ TEST(Sides, LookAlongTheBeamAcrossItAndOntoThePlanes) {
                     frames[i] = frameOf(sides[i].view);
                     EXPECT_EQ(sides[i].number, static_cast<int>(i) + 1);
                     EXPECT_EQ(sides[i].view.beamAxis, axis);
-                    EXPECT_EQ(sides[i].view.nearCutMm, 0.0);
+                    EXPECT_FALSE(sides[i].view.frontPlane);
                     if (i < 2) continue;
                     EXPECT_LT(apart(frames[i].down, from.forward), 1e-12) << "the beam runs down";
                 }
@@ -51,9 +51,9 @@ TEST(Sides, LookAlongTheBeamAcrossItAndOntoThePlanes) {
 }
 
 TEST(Sides, LeaveOutTheCutsOfTheViewFromTheProbe) {
-    const Viewpoint cut{.nearCutMm = 5.0, .cutSurface = CutSurface{}, .box = OrientedBox{}};
+    const Viewpoint cut{.frontPlane = FrontPlane{{0, 0, 1}, 5.0}, .cutSurface = CutSurface{}, .box = OrientedBox{}};
     for (const Side& side : sidesOf(cut, true, surePlanes({1, 0, 0}))) {
-        EXPECT_EQ(side.view.nearCutMm, 0.0);
+        EXPECT_FALSE(side.view.frontPlane);
         EXPECT_FALSE(side.view.cutSurface || side.view.box);
     }
 }
