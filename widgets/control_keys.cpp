@@ -9,6 +9,7 @@
 #include <QDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QTabBar>
@@ -77,8 +78,9 @@ bool ControlKeys::eventFilter(QObject* watched, QEvent* event) {
         if (!button || qobject_cast<QDialog*>(button->window())) return false;
         if (type == QEvent::Polish && button->focusPolicy() != Qt::NoFocus) button->setFocusPolicy(Qt::TabFocus);
         QWidget* focused = QApplication::focusWidget();
-        if (type == QEvent::MouseButtonPress && focused && focused->window() == button->window() && isControl(*focused))
-            focused->clearFocus();
+        const bool isClicked = type == QEvent::MouseButtonPress && button->isEnabled() &&
+                               static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton;
+        if (isClicked && focused && focused->window() == button->window() && isControl(*focused)) focused->clearFocus();
         return false;
     }
     if (event->type() != QEvent::ShortcutOverride || watched != QApplication::focusWidget()) return false;

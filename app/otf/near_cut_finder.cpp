@@ -27,6 +27,7 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent)
 void NearCutFinder::find() {
     if (!m_parts.openStudy.volume()) return;
     m_looksFrom = viewpointOf(m_parts.model.document());
+    m_frontBefore = m_parts.model.document().scene.front;
     look();
 }
 
@@ -40,9 +41,7 @@ void NearCutFinder::look() {
             return [this, finding = *finding] { take(finding); };
         } catch (const std::bad_alloc&) {
             return [this] {
-                m_parts.messages.showMessage(MessageKind::error,
-                                             tr("Looking for the front needs more memory than this machine has."),
-                                             MessageEnd::withStudy(frontTopic));
+                tell(MessageKind::error, tr("Looking for the front needs more memory than this machine has."));
             };
         }
     });
@@ -54,6 +53,7 @@ void NearCutFinder::fromHere() {
     if (!volume) return;
     const Front& front = document.scene.front;
     if (!cuts(front)) return find();
+    cancel();
     const Pose pose = shownPose(document);
     const Vec3 middle = volume->dataBox().centreMm() + pose.offsetMm;
     setFront(acrossView(front, viewpointOf(document.beam.axis, pose.direction), middle, volume->geometry()),
@@ -61,14 +61,16 @@ void NearCutFinder::fromHere() {
 }
 
 void NearCutFinder::takeAway() {
+    cancel();
     if (cuts(m_parts.model.document().scene.front)) setFront({}, m_parts.model.document().scene.side);
 }
 
 void NearCutFinder::take(const NearCutFinding& finding) {
     const Front before = m_parts.model.document().scene.front;
+    if (before != m_frontBefore) return;  // a person has chosen another one meanwhile
     const QString said = QString::fromStdString(finding.message);
     if (finding.answer == NearCutAnswer::noFluid) {
-        tell(MessageKind::warning, tr("The front stays as it is. %1").arg(said));
+        tell(MessageKind::warning, cuts(before) ? tr("The front stays as it is. %1").arg(said) : said);
         return;
     }
     // In tenths of mm, as people set it.
@@ -103,7 +105,7 @@ void NearCutFinder::tell(MessageKind kind, const QString& text, const QList<Mess
     m_told = true;
     m_toldPicture = presentPicture();
     m_parts.messages.showMessage(
-        kind, text, kind == MessageKind::info ? MessageEnd::soon(frontTopic) : MessageEnd::withStudy(frontTopic),
+        kind, text, kind == MessageKind::error ? MessageEnd::withStudy(frontTopic) : MessageEnd::soon(frontTopic),
         actions);
 }
 

@@ -61,6 +61,7 @@ private:
 
     Parts m_parts;
     Viewpoint m_looksFrom;
+    Front m_frontBefore;  ///< when the newest search began
     Search m_search;
     std::shared_ptr<const Volume> m_searched;  ///< the volume of the newest search
     bool m_told = false;  ///< whether the newest message, true of m_toldPicture, may still be shown

@@ -24,7 +24,7 @@ bool looksFromProbe(const Document& document) {
     constexpr double leastCosine = 0.9998;  // a degree
     const Beam& beam = document.beam;
     const Vec3 sound = frameOf(viewAlongBeam(beam)).forward;
-    return frameOf(viewpointOf(beam.axis, document.scene.pose.direction, 0.0)).forward.dot(sound) > leastCosine;
+    return frameOf(viewpointOf(beam.axis, document.scene.pose.direction)).forward.dot(sound) > leastCosine;
 }
 
 /// The side from which the picture is seen. Nothing names the probe while nobody knows where it was.
@@ -34,8 +34,8 @@ QString sideLine(const Document& document) {
     return known && looksFromProbe(document) ? captionText("from the probe") : QString();
 }
 
-QString cutLine(const Front& front, bool lengthsKnown) {
-    if (!front.surface && !(front.depthMm > 0)) return {};
+QString frontLine(const Front& front, bool lengthsKnown) {
+    if (!cuts(front)) return {};
     const QString what = front.surface  ? captionText("front, bowed")
                          : lengthsKnown ? captionText("front %1 mm").arg(front.depthMm, 0, 'f', 1)
                                         : captionText("front");
@@ -92,7 +92,7 @@ bool curveIsOfAnotherView(const Document& document, const Viewpoint& ofOtf) {
 QString pictureCaption(const CaptionFacts& facts) {
     const Look& look = facts.document.scene.look;
     QStringList lines{
-        lineOf({sideLine(facts.document), cutLine(facts.document.scene.front, facts.lengthsKnown),
+        lineOf({sideLine(facts.document), frontLine(facts.document.scene.front, facts.lengthsKnown),
                 speckleLine(look.reduction, facts.speckle)}),
         lineOf({reductionLine(facts.reduction), designLine(facts.document, facts.designIsShown),
                 otfLine(facts.document),

@@ -33,13 +33,9 @@ void PictureControls::connectPanel() {
     const ViewPanel* panel = &m_parts.panel;
     connect(panel, &ViewPanel::frontChanged, this, [this](double mm) {
         if (!hasStudy()) return showDocument();
-        const std::shared_ptr<const Volume>& volume = m_parts.picture.volume();
+        const std::shared_ptr<const Volume> volume = m_parts.openStudy.volume();
         if (!volume) return showDocument();
-        m_parts.model.change(tr("front"), [&](Document& next) {
-            Front& front = next.scene.front;
-            front = cuts(front) ? movedTo(std::move(front), mm, volume->geometry())
-                                : frontAcross(shownPose(next).direction, mm);
-        });
+        m_parts.model.change(tr("front"), [&](Document& next) { setDepth(next, mm, volume->geometry()); });
     });
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
     connect(panel, &ViewPanel::lookChanged, this, &PictureControls::setLook);
@@ -59,6 +55,20 @@ void PictureControls::connectPicture() {
         m_parts.editor.setCursorIntensity(intensity);
     });
     connect(&m_parts.picture, &VolumeViewWidget::pictureDelivered, this, &PictureControls::tellPicture);
+}
+
+/// Moves the front along its own forward. A flat front that was moved to 0 is gone; if the slider brings one back
+/// before anything else changes, it has the direction of the one before.
+void PictureControls::setDepth(Document& next, double mm, const VolumeGeometry& geometry) {
+    Front& front = next.scene.front;
+    if (cuts(front)) {
+        m_goneFront = front.surface ? std::nullopt : std::optional(front.direction);
+        m_goneFrom = next.scene.pose;
+        front = movedTo(std::move(front), mm, geometry);
+    } else {
+        const bool comesBack = m_goneFront && m_goneFrom == next.scene.pose;
+        front = frontAcross(comesBack ? *m_goneFront : shownPose(next).direction, mm);
+    }
 }
 
 /// Whether a study is open. Without one there is nothing to cut and no beam.
@@ -129,7 +139,7 @@ void PictureControls::resetFront(const Document& opened) {
 
 void PictureControls::showDocument() {
     const Document& document = m_parts.model.document();
-    if (!hasStudy()) m_parts.panel.setFrontMm(0.0);
+    if (!m_parts.openStudy.volume()) m_parts.panel.setFrontMm(0.0);
     m_parts.panel.setBeamAxis(document.beam.axis);
     m_parts.panel.setLook(document.scene.look);
 }

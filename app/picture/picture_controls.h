@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/settings/settings.h"
+#include "app/study/open_study.h"
 #include "widgets/document/document_model.h"
 #include "widgets/paced_words.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -23,6 +24,7 @@ class PictureControls : public QObject {
 public:
     struct Parts {
         DocumentModel& model;
+        const OpenStudy& openStudy;
         VolumeViewWidget& picture;
         ViewPanel& panel;
         OtfEditor& editor;
@@ -52,13 +54,16 @@ private:
     [[nodiscard]] bool hasStudy() const;
     void setLook(const Look& look);
     void setBeamAxis(BeamAxis axis);
+    void setDepth(Document& next, double mm, const VolumeGeometry& geometry);
     void showDocument();
     void takeRenderer();
     void tellPicture(const PictureReport& report);
     void showCost();
 
     Parts m_parts;
-    PictureReport m_newest;  ///< of the picture on the screen
+    std::optional<ViewDirection> m_goneFront;  ///< of the flat front that the slider moved last
+    Pose m_goneFrom;                           ///< when the slider moved it
+    PictureReport m_newest;                    ///< of the picture on the screen
     PacedWords m_cost{[this] { showCost(); }};
     std::optional<PictureReport> m_movement;  ///< of the newest picture that followed the hand and has a frame rate
 };

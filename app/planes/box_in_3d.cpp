@@ -16,7 +16,6 @@ namespace {
 
 constexpr double stemShare = 0.08;    // of the data's extent along the front's forward
 constexpr double handleRadius = 7.0;  // plain pixels
-constexpr double leastDepthMm = 0.1;  // at 0 there would be no front left to hold
 constexpr double faceRadius = 5.0, edgeRadius = 3.5, cornerRadius = 3.5, centreRadius = 4.0;  // plain pixels
 
 /// Where the faces of a grip meet: the middle of a face or of an edge, a corner, or the centre.
@@ -60,6 +59,8 @@ BoxIn3d::BoxIn3d(DocumentModel& model, OpenStudy& openStudy, VolumeViewWidget& p
         m_before.reset();
         m_model.commitPreview();
     });
+    // What the hand holds belongs to the study before.
+    connect(&m_openStudy, &OpenStudy::aboutToReplace, &grips, &GripPointer::cancelDrag);
     connect(&grips, &GripPointer::dragCancelled, this, [this] {
         m_before.reset();
         m_model.cancelPreview();
@@ -196,10 +197,8 @@ void BoxIn3d::dragFront(const Vec3& mm) {
     const Vec3 seen = forward - view.forward * view.forward.dot(forward);
     constexpr double leastSeen = 0.06;
     const double moved = seen.dot(seen) > leastSeen ? mm.dot(seen) / seen.dot(seen) : mm.dot(view.down);
-    const auto depths = geometry.depthsAlong(forward);
     Document next = m_model.document();
-    const double depth = std::clamp(depthOf(front, geometry) + moved, leastDepthMm, depths.farthest - depths.nearest);
-    next.scene.front = movedTo(front, depth, geometry);
+    next.scene.front = movedBy(front, moved, before.beam.axis, geometry);
     m_model.preview(next, tr("front"));
 }
 

@@ -123,10 +123,7 @@ void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const 
 /// The front of a document, moved along its own forward as far as the volume reaches.
 Front DocumentPlanes::movedFront(const Document& document, double mm) const {
     const VolumeGeometry& geometry = m_openStudy.volume()->geometry();
-    const Front& front = document.scene.front;
-    const auto depths = geometry.depthsAlong(forwardOf(front, document.beam.axis));
-    const double depth = std::clamp(depthOf(front, geometry) + mm, 0.0, depths.farthest - depths.nearest);
-    return movedTo(front, depth, geometry);
+    return movedBy(document.scene.front, mm, document.beam.axis, geometry);
 }
 
 void DocumentPlanes::wheelFront(double mm, const QString& what) {

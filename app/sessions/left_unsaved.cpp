@@ -54,11 +54,14 @@ std::optional<Leftover> LeftUnsaved::take(const QString& file) {
 }
 
 void LeftUnsaved::open(const QString& file) {
+    m_opening = file;
     const auto found = std::ranges::find(m_list, file, &Leftover::file);
     if (found != m_list.end()) m_parts.openStudy.openSaved(file, {}, found->study);
 }
 
 void LeftUnsaved::discard(const QString& file) {
+    // While its study loads, it is no longer left.
+    if (m_parts.openStudy.loading() && file == m_opening) return;
     if (const auto left = take(file)) m_parts.autosave.discard({left->file, left->lock});
 }
 

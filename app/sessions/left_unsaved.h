@@ -66,6 +66,7 @@ private:
     std::deque<Leftover> m_list;  ///< oldest first
     QStringList m_told;           ///< files that a message has offered in this run
     QStringList m_offered;        ///< files of the newest message
+    QString m_opening;            ///< file that was asked for last
     QStringList m_damaged;        ///< sentences to tell with the next study
     NewestWinsThread m_taking;
 };

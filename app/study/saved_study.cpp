@@ -62,15 +62,6 @@ void nameStudy(SavedSession& session, const Study& study) {
     for (Snapshot& snapshot : session.snapshots) snapshot.document = ofStudy(std::move(snapshot.document), study);
 }
 
-/// Makes one surface of each front.
-void joinFronts(SavedSession& session, const VolumeGeometry& geometry) {
-    const auto join = [&geometry](Document& document) {
-        document.scene.front = withOneFront(std::move(document.scene.front), document.beam.axis, geometry);
-    };
-    join(session.document);
-    for (Snapshot& snapshot : session.snapshots) join(snapshot.document);
-}
-
 void nameStudy(SavedSession& session, const StudyReference& study) {
     session.document.study = study;
     for (Snapshot& snapshot : session.snapshots) snapshot.document.study = study;
@@ -104,7 +95,6 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
         auto study = simulatedStudy(*scan, progress);
         if (!study) return tl::unexpected(study.error());
         keepToPhases(*session, study->phases.size());
-        joinFronts(*session, study->phases.front()->geometry());
         return ReadSession{{file, std::move(*session)}, std::move(*study)};
     }
     const auto* named = std::get_if<StudyFile>(&session->document.study);
@@ -133,7 +123,6 @@ Result<SavedReading> readSaved(const std::string& file, const SavedStudyAnswer& 
     nameStudy(*session, found);
     nameStudy(*session, study);
     keepToPhases(*session, study.phases.size());
-    joinFronts(*session, study.phases.front()->geometry());
     read->opened = {file, std::move(*session)};
     // Made from the value: a tl::expected that is made from one of another type leaks.
     return SavedReading(std::move(*read));

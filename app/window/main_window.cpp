@@ -96,8 +96,9 @@ void MainWindow::createUnits() {
     m_editorOtfs = std::make_unique<EditorOtfs>(
         EditorOtfs::Parts{m_document, *m_otfs, *m_panes, *m_widgets.editor, *m_widgets.designers, *m_widgets.messages});
     m_widgets.method->showDocument(m_document);
-    m_pictureControls = std::make_unique<PictureControls>(PictureControls::Parts{
-        m_document, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor, *m_widgets.status, m_settings});
+    m_pictureControls = std::make_unique<PictureControls>(
+        PictureControls::Parts{m_document, m_openStudy, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
+                               *m_widgets.status, m_settings});
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
         *this, m_document, m_openStudy, m_works, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, m_openStudy, m_works, *m_otfs, *m_panes,

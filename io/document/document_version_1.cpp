@@ -207,10 +207,6 @@ void takeView(DocumentPane& read, const Lists& lists, const View& view) {
     scene.front = find(lists.cuts, first.cut)->value;
     // It lay across the view, whatever the motion had turned that to.
     if (scene.front.depthMm > 0.0) scene.front.direction = shownPose(read.document).direction;
-    if (!canBeOne(scene.front, read.document.beam.axis)) {
-        scene.front.depthMm = 0.0;
-        scene.front.direction = ViewDirection{};
-    }
     scene.look = find(lists.looks, first.look)->value;
     scene.box = find(lists.boxes, first.box)->value;
     scene.planes = find(lists.planes, first.planes)->value;

@@ -51,13 +51,13 @@ private:
     }
 };
 
-/// The depth of the ray's first interface from `entry` on, if it leads into `into`.
-std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointMm, const Vec3& forward, double entry,
-                                   double unit, InterfaceInto into) {
+/// The depth of the ray's first interface within what is left of it, if it leads into `into`.
+std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointMm, const Vec3& forward,
+                                   const DepthRange& left, double unit, InterfaceInto into) {
     // Far enough behind the boundary to be certainly behind it, and near enough to be in what it bounds.
     constexpr double justBehind = 1e-3;  // units
-    const auto surface = truth.firstInterfacePoint(pointMm, forward, entry);
-    if (!surface) return std::nullopt;
+    const auto surface = truth.firstInterfacePoint(pointMm, forward, left.from);
+    if (!surface || forward.dot(*surface) > left.to) return std::nullopt;
     if (into == InterfaceInto::object &&
         truth.materialAt(*surface + forward * (justBehind * unit)) != PhantomMaterial::object)
         return std::nullopt;
@@ -73,12 +73,12 @@ public:
         const Vec3 forward = frameOf(view).forward;
         const double nearPlane = nearPlaneDepthMm(view, geometry);
         const auto span = spanInBox(geometry, ray.pointMm, forward);
-        if (!span) return;
+        const auto left = leftByFront(view, geometry, ray.pointMm);
+        if (!span || !left) return;
         constexpr double rounding = 1e-9;  // units
         const double pointDepth = forward.dot(ray.pointMm);
-        const double from =
-            std::max({pointDepth + span->from, ray.fromDepthMm, entryDepthMm(view, geometry, ray.pointMm)});
-        const double to = std::min(pointDepth + span->to, ray.toDepthMm);
+        const double from = std::max({pointDepth + span->from, ray.fromDepthMm, left->from});
+        const double to = std::min({pointDepth + span->to, ray.toDepthMm, left->to});
         // Samples lie in the middle of steps counted from the near plane.
         const double first = std::max(0.0, std::ceil((from - nearPlane) / m_unit - 0.5 - rounding));
         const double last = std::floor((to - nearPlane) / m_unit - 0.5 + rounding);
@@ -143,8 +143,9 @@ std::vector<SurfaceRay> objectRays(const VolumeGeometry& geometry, const Phantom
         for (int column = 0; column < lattice.columns; ++column) {
             const Vec3 point =
                 frame.right * (lattice.firstRight + column * unit) + frame.down * (lattice.firstDown + row * unit);
-            const double entry = entryDepthMm(view, geometry, point);
-            if (const auto depth = surfaceDepth(truth, point, frame.forward, entry, unit, into))
+            const auto left = leftByFront(view, geometry, point);
+            if (!left) continue;
+            if (const auto depth = surfaceDepth(truth, point, frame.forward, *left, unit, into))
                 ofRow[static_cast<std::size_t>(row)].push_back({.pointMm = point, .surfaceDepthMm = *depth});
         }
     });

@@ -50,6 +50,10 @@ Document withBeam(Document document, const Beam& beam) {
         const ViewFrame axes = orientedBoxOf(box, document.beam.axis).axes;
         box.direction = directionOf(viewAlong(axes.forward, axes.down, beam.axis));
     }
+    if (Front& front = document.scene.front; front.depthMm > 0.0) {
+        const ViewFrame across = frameOf(viewpointOf(document.beam.axis, front.direction));
+        front.direction = directionOf(viewAlong(across.forward, across.down, beam.axis));
+    }
     document.scene.planes.direction = ViewDirection{};
     document.scene.planes.crops = {};
     document.beam = beam;

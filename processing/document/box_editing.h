@@ -19,8 +19,8 @@ namespace echolucent {
 /// withBox() with another side, from which the pose looks in. The box is switched on, and the motion's angle becomes 0.
 /// If the box was never set, it goes around all data.
 [[nodiscard]] Document withSide(Document document, BoxSide side, const DataBox& data);
-/// The document with another beam. The box keeps its place in the volume. The planes look along the new beam, without
-/// crops.
+/// The document with another beam. Box and front keep their places in the volume. The planes look along the new beam,
+/// without crops.
 [[nodiscard]] Document withBeam(Document document, const Beam& beam);
 /// Switches the box on or off. If it was never set, it goes around all data.
 [[nodiscard]] Document withBoxSwitched(Document document, bool on, const DataBox& data);

@@ -111,8 +111,7 @@ Document openedDocument(const Document& before, const StudyReference& study) {
 }
 
 std::string problemOf(const Document& document) {
-    if (const std::string problem = problemOf(document.scene, document.beam.axis); !problem.empty())
-        return "scene." + problem;
+    if (const std::string problem = problemOf(document.scene); !problem.empty()) return "scene." + problem;
     if (document.panes.empty() || document.panes.size() > mostPanes) return "panes must hold 1 to 4 panes";
     for (std::size_t i = 0; i < document.panes.size(); ++i)
         if (const std::string problem = problemOf(document.panes[i]); !problem.empty())

@@ -47,8 +47,10 @@ std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& 
     finds.cut = search(volume, viewpointOf(finds.beam.axis, sideOf(finds)), progress);
     if (!finds.cut) return std::nullopt;
     const double nearCutMm = makesFront(finds) ? finds.cut->nearCutMm : 0.0;
-    finds.exposure =
-        exposureFor(faceIntensity(volume, withFrontAcross(viewpointOf(finds.beam.axis, sideOf(finds)), nearCutMm)));
+    const Viewpoint shown = withFrontAcross(viewpointOf(finds.beam.axis, sideOf(finds)), nearCutMm);
+    const auto face = faceIntensity(volume, shown, progress);
+    if (!face) return std::nullopt;
+    finds.exposure = exposureFor(*face);
     return finds;
 }
 

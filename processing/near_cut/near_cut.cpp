@@ -110,13 +110,13 @@ std::string sentenceOf(const NearCutFinding& finding, bool spacingKnown) {
     const std::string doubt = finding.sure ? "" : " The search is not sure.";
     switch (finding.answer) {
         case NearCutAnswer::fluidAtFront:
-            return "The fluid begins at the front (" + of + "begin in it): no near cut is needed." + doubt;
+            return "The data begin in fluid (" + of + "begin in it): no front is needed." + doubt;
         case NearCutAnswer::wallBeforeFluid:
-            return "A wall stands before the fluid: behind a cut at " + oneDecimal(finding.nearCutMm) + " mm " +
+            return "A wall stands before the fluid: behind a front at " + oneDecimal(finding.nearCutMm) + " mm " +
                    (spacingKnown ? "" : "(by a guessed spacing) ") + of + "are in fluid." + doubt;
         case NearCutAnswer::noFluid:
-            if (finding.tubes == 0) return "No tube core meets data here, so no near cut can be suggested.";
-            return "No fluid was found (" + of + "meet none), so no near cut can be suggested." + doubt;
+            if (finding.tubes == 0) return "No tube core meets data here, so no front can be suggested.";
+            return "No fluid was found (" + of + "meet none), so no front can be suggested." + doubt;
     }
     return {};
 }

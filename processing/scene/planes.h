@@ -38,7 +38,7 @@ struct Planes {
     std::array<PlaneCrop, 3> crops{};  ///< of A, B and C
     double window = 1.0;               ///< normalised intensities from black to white, [1/256, 4]
     double level = 0.5;                ///< normalised intensity that is shown half bright, [-1, 2]
-    bool quiet = true;                 ///< true: shows quiet voxels if the look reduces speckle; false: raw voxels
+    bool quiet = false;                ///< true: shows quiet voxels if the look reduces speckle; false: raw voxels
     bool linesIn3d = false;            ///< whether the 3D view shows where the planes lie
     bool turnsView = false;            ///< whether what turns the planes turns the 3D view along
     friend bool operator==(const Planes&, const Planes&) = default;

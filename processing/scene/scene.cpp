@@ -11,16 +11,7 @@ namespace echolucent {
 namespace {
 
 constexpr ChoiceNames<2> frontSourceNames{"person", "found"};
-/// Farther than any volume; still finite as a float.
-constexpr double farthestMm = 1e30;
-/// The least cosine between a plane's and a surface's forward. Below it the plane has no depth over the nodes.
-constexpr double leastAcross = 0.1;
-
-/// The node (column, row) of a surface, grid mm, at depth 0.
-Vec3 nodeOf(const CutSurface& surface, int column, int row) {
-    return surface.frame.right * (surface.firstRightMm + surface.spacingMm * column) +
-           surface.frame.down * (surface.firstDownMm + surface.spacingMm * row);
-}
+constexpr double leastDepthMm = 0.1;  // of a front that a hand moves
 
 /// The node of a surface that lies nearest to the volume's centre, as a place in CutSurface::depthMm.
 std::size_t middleNodeOf(const CutSurface& surface, const VolumeGeometry& geometry) {
@@ -60,8 +51,15 @@ Front movedTo(Front front, double depthMm, const VolumeGeometry& geometry) {
     front.surface->depthMm.change([by](std::vector<float>& depths) {
         for (float& depth : depths) depth += by;
     });
+    if (front.depthMm > 0.0) front.depthMm = std::max(0.0, front.depthMm + static_cast<double>(by));
     front.source = FrontSource::person;
     return front;
+}
+
+Front movedBy(const Front& front, double mm, BeamAxis beam, const VolumeGeometry& geometry) {
+    const auto depths = geometry.depthsAlong(forwardOf(front, beam));
+    const double most = std::max(leastDepthMm, depths.farthest - depths.nearest);
+    return movedTo(front, std::clamp(depthOf(front, geometry) + mm, leastDepthMm, most), geometry);
 }
 
 Front acrossView(const Front& front, const Viewpoint& view, const Vec3& pointMm, const VolumeGeometry& geometry) {
@@ -90,39 +88,13 @@ Viewpoint behindFront(Viewpoint view, const Front& front) {
     return view;
 }
 
-bool canBeOne(const Front& front, BeamAxis beam) {
-    if (!front.surface || front.depthMm == 0.0) return true;
-    const Vec3 forward = frameOf(viewpointOf(beam, front.direction)).forward;
-    return forward.dot(front.surface->frame.forward) >= leastAcross;
-}
-
-Front withOneFront(Front front, BeamAxis beam, const VolumeGeometry& geometry) {
-    if (!front.surface || front.depthMm == 0.0) return front;
-    const Viewpoint view = viewpointOf(beam, std::exchange(front.direction, ViewDirection{}));
-    const Vec3 forward = frameOf(view).forward;
-    const double behind = std::min(std::exchange(front.depthMm, 0.0), depthAlongViewMm(view, geometry));
-    const double depth = nearPlaneDepthMm(view, geometry) + behind;
-    CutSurface& surface = *front.surface;
-    std::vector<float> depths = surface.depthMm;
-    const double rise = forward.dot(surface.frame.forward);
-    for (int row = 0; row < surface.rows; ++row)
-        for (int column = 0; column < surface.columns; ++column) {
-            float& node = depths[static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.columns) +
-                                 static_cast<std::size_t>(column)];
-            const double ofPlane = (depth - forward.dot(nodeOf(surface, column, row))) / rise;
-            node = std::max(node, static_cast<float>(std::min(ofPlane, farthestMm)));
-        }
-    surface.depthMm = std::move(depths);
-    return front;
-}
-
 Look shownLook(const Scene& scene) {
     Look look = scene.look;
     look.brightness *= scene.exposure;
     return look;
 }
 
-std::string problemOf(const Scene& scene, BeamAxis beam) {
+std::string problemOf(const Scene& scene) {
     if (!(scene.exposure > 0.0 && scene.exposure <= 1.0)) return "exposure must be above 0 and at most 1";
     if (const std::string problem = problemOf(scene.box); !problem.empty()) return "box " + problem;
     for (std::size_t i = 0; i < scene.strokes.size(); ++i)
@@ -131,7 +103,6 @@ std::string problemOf(const Scene& scene, BeamAxis beam) {
     if (scene.front.surface)
         if (const std::string problem = problemOf(*scene.front.surface); !problem.empty())
             return "front.surface " + problem;
-    if (!canBeOne(scene.front, beam)) return "front.direction must look about the same way as front.surface";
     return {};
 }
 

@@ -30,7 +30,7 @@ struct Front {
     /// Of a flat front: mm behind the volume's foremost point along `direction`, >= 0. 0: there is no flat front.
     double depthMm = 0.0;
     ViewDirection direction{};            ///< of a flat front, which lies across it; relative to the beam
-    std::optional<CutSurface> surface{};  ///< a bowed front. A file may state both: withOneFront() joins them
+    std::optional<CutSurface> surface{};  ///< a bowed front. A file may state both, and then both cut
     FrontSource source = FrontSource::person;
     friend bool operator==(const Front&, const Front&) = default;
 };
@@ -46,6 +46,9 @@ struct Front {
 /// The front moved along its own forward until depthOf() is `depthMm`, as a person's front. A flat front stops at 0,
 /// and then there is none.
 [[nodiscard]] Front movedTo(Front front, double depthMm, const VolumeGeometry& geometry);
+/// The front moved by `mm` along its own forward, as far as the volume reaches; a flat one stays 0.1 mm deep at least,
+/// so that a hand still holds it. The front must cut.
+[[nodiscard]] Front movedBy(const Front& front, double mm, BeamAxis beam, const VolumeGeometry& geometry);
 /// A flat front across a view, as a person's front. It passes through the place at which the line through `pointMm`
 /// along the view meets the front. If the line runs along the front or comes from behind it, it passes through the
 /// place of the front nearest to `pointMm`. Its depth is a whole number of tenths of a millimetre, and at least
@@ -75,17 +78,11 @@ struct Scene {
 
 /// The view behind the scene's front.
 [[nodiscard]] Viewpoint behindFront(Viewpoint view, const Front& front);
-/// Whether a front that is flat and bowed can be one surface: both must look about the same way. True if it is not
-/// both.
-[[nodiscard]] bool canBeOne(const Front& front, BeamAxis beam);
-/// The front as one surface. If it is flat and bowed, each node of the bowed one moves back to the flat one if that
-/// lies deeper. It must be canBeOne().
-[[nodiscard]] Front withOneFront(Front front, BeamAxis beam, const VolumeGeometry& geometry);
 /// The look as pictures of the volume show it: its brightness times the exposure.
 [[nodiscard]] Look shownLook(const Scene& scene);
 
 /// What is wrong with a scene, with its key ("box has a size that is not above 0"): lower case, no full stop. Empty if
 /// nothing is wrong.
-[[nodiscard]] std::string problemOf(const Scene& scene, BeamAxis beam);
+[[nodiscard]] std::string problemOf(const Scene& scene);
 
 }  // namespace echolucent

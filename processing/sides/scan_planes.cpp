@@ -45,8 +45,11 @@ std::string_view nameOf(ScanPlaneEvidence evidence) { return nameIn(evidenceName
 
 ScanPlanes scanPlanesOf(const VolumeGeometry& geometry, const Viewpoint& fromProbe, const Vec3& grainMm) {
     const ViewFrame frame = frameOf(fromProbe);
-    if (geometry.probe && geometry.probe->planesKnown)
-        return {frame.right, ScanPlaneEvidence::file, 1.0, true, "The file says how the scan planes lay."};
+    constexpr double sameWay = 1.0 - 1e-6;
+    // Of another beam, which a person chose, the file says nothing.
+    if (const auto& probe = geometry.probe; probe && probe->planesKnown && frame.forward.dot(probe->forward) > sameWay)
+        return {normalized(probe->down.cross(probe->forward)), ScanPlaneEvidence::file, 1.0, true,
+                "The file says how the scan planes lay."};
     ScanPlanes planes;
     planes.lateral = frame.right;
     planes.sentence = "It cannot be told how the scan planes lay.";

@@ -116,14 +116,24 @@ double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry) {
     return across ? cuttingFaceOf(*view.frontPlane, geometry).depthMm : geometry.depthsAlong(forward).nearest;
 }
 
-double entryDepthMm(const Viewpoint& view, const VolumeGeometry& geometry, const Vec3& pointMm) {
-    const double nearest = nearPlaneDepthMm(view, geometry);
+std::optional<DepthRange> leftByFront(const Viewpoint& view, const VolumeGeometry& geometry, const Vec3& pointMm) {
     const Vec3 forward = frameOf(view).forward;
-    if (!view.frontPlane || view.frontPlane->forward == forward) return nearest;
-    const CuttingFace face = cuttingFaceOf(*view.frontPlane, geometry);
-    const double slope = face.inwards.dot(forward);
-    if (!(slope > 0.0)) return nearest;
-    return std::max(nearest, forward.dot(pointMm) + (face.depthMm - face.inwards.dot(pointMm)) / slope);
+    DepthRange left{nearPlaneDepthMm(view, geometry), geometry.depthsAlong(forward).farthest};
+    if (view.frontPlane && view.frontPlane->forward != forward) {
+        constexpr double alongFront = 1e-9;
+        const CuttingFace face = cuttingFaceOf(*view.frontPlane, geometry);
+        const double slope = face.inwards.dot(forward), before = face.depthMm - face.inwards.dot(pointMm);
+        const double crossing = forward.dot(pointMm) + before / slope;
+        if (std::abs(slope) < alongFront) {
+            if (before > 0.0) return std::nullopt;
+        } else if (slope > 0.0) {
+            left.from = std::max(left.from, crossing);
+        } else {
+            left.to = std::min(left.to, crossing);
+        }
+    }
+    if (!(left.from < left.to)) return std::nullopt;
+    return left;
 }
 
 }  // namespace echolucent

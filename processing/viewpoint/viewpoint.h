@@ -76,9 +76,13 @@ struct Viewpoint {
 /// Nothing of the volume is left before this depth along the view, mm from the grid origin. If the view's flat front
 /// lies across the view, it is that of the front, else that of the foremost corner of the volume's box.
 [[nodiscard]] double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry);
-/// The depth along the view at which the line through a point (grid mm), along the view, comes out behind the view's
-/// flat front, mm from the grid origin; at least nearPlaneDepthMm(). A line that goes towards the front from behind has
-/// nearPlaneDepthMm().
-[[nodiscard]] double entryDepthMm(const Viewpoint& view, const VolumeGeometry& geometry, const Vec3& pointMm);
+/// Depths along a view, mm from the grid origin.
+struct DepthRange {
+    double from, to;
+};
+/// The part of the line through a point (grid mm), along the view, that lies behind the view's flat front and within
+/// the depths of the volume's box. Empty if there is none.
+[[nodiscard]] std::optional<DepthRange> leftByFront(const Viewpoint& view, const VolumeGeometry& geometry,
+                                                    const Vec3& pointMm);
 
 }  // namespace echolucent

@@ -92,11 +92,11 @@ private slots:
         open(m_file);
         // The search may be sure of this wall or not: what it found is put in place as opening does it.
         Document next = document();
-        next.scene.front = {.depthMm = 9.5, .source = FrontSource::found};
+        next.scene.front = frontAcross({}, 9.5, FrontSource::found);
         window().document().edit(next, "cut");
         waitUntilIdle();
         QVERIFY(window().volumeView().caption().contains("front 9.5 mm, found"));
-        QTest::keyClick(&window(), Qt::Key_N);
+        QTest::keyClick(&window(), Qt::Key_N, Qt::ShiftModifier);
         waitUntilIdle();
         QCOMPARE(document().scene.front, Front{});
         QVERIFY(!window().volumeView().caption().contains("front"));
@@ -106,7 +106,7 @@ private slots:
                                                 .message = "A wall stands before the fluid."});
         });
         QTest::keyClick(&window(), Qt::Key_N);
-        QTRY_COMPARE(document().scene.front, (Front{.depthMm = 7}));
+        QTRY_COMPARE(document().scene.front, frontAcross({}, 7));
         waitUntilIdle();
     }
 

@@ -91,7 +91,7 @@ private slots:
                                         {150, 10, 180},  {-20, -70, -90},  {5, 1e-9, 1e-9}, {-179, 33, 12}};
         for (int i = 0; i < 20; ++i)
             QTest::addRow("%d: azimuth %g, elevation %g, roll %g", i, angles[i][0], angles[i][1], angles[i][2])
-                << Viewpoint{BeamAxis(i % 6), angles[i][0], angles[i][1], angles[i][2], 0};
+                << Viewpoint{BeamAxis(i % 6), angles[i][0], angles[i][1], angles[i][2]};
     }
     void dragsTurnByTheirAngleAboutTheScreensAxes() {
         QFETCH(Viewpoint, from);

@@ -146,7 +146,8 @@ private slots:
         QTest::newRow("12 bit") << smallFetus(12) << Projection::parallel << 0.2 << 1.0;
         QTest::newRow("float") << asFloat(*bytes) << Projection::parallel << 0.2 << 1.0;
         QTest::newRow("perspective") << bytes << Projection::perspective << 0.2 << 1.0;
-        QTest::newRow("masked") << maskedToABall(*bytes) << Projection::parallel << 0.2 << 2.0;
+        QTest::newRow("masked") << maskedToABall(*bytes) << Projection::parallel << 0.2
+                                << 2.2;  // the border of VTK's mask has stairs, ours has none
         QTest::newRow("step of a unit") << bytes << Projection::parallel << 1.0 << 3.0;
     }
     void bothRenderersShowTheSame() {
@@ -198,7 +199,7 @@ private slots:
         compare(volume, PowerCurve{2, 0.5}, settings, 6.0);
         // Rays without data show nothing, whatever value lies there.
         // The ray caster smooths the border of the data, the card does not.
-        compare(maskedToABall(*volume), PowerCurve{2, 0.5}, settings, 11.0);
+        compare(maskedToABall(*volume), PowerCurve{2, 0.5}, settings, 13.0);
     }
 
     void shadingIsTheSame_data() {

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QObject>
 #include <QProgressBar>
@@ -321,7 +322,11 @@ private slots:
     }
 
     void goodNewsLeavesBySoonAndTroubleIsSeenAgain() {
-        MessageBar bar;
+        QWidget window;  // a bar with the focus would be read, and stay
+        auto* field = new QLineEdit(&window);
+        MessageBar bar(&window);
+        window.show();
+        field->setFocus();
         bar.setConfirmationMilliseconds(0);
         bar.showMessage(MessageKind::warning, "The spacing is unknown.", MessageEnd::withStudy("study"));
         bar.showMessage(MessageKind::info, "The picture was saved.", MessageEnd::soon("file"));
@@ -338,6 +343,16 @@ private slots:
         QVERIFY(bar.isVisible());
         QTRY_VERIFY(!bar.isVisible());
         QVERIFY(!bar.findChild<QPushButton*>("message.action.0"));
+    }
+
+    void closingGoodNewsLeavesTheTroubleThatNobodyHasRead() {
+        MessageBar bar;
+        bar.showMessage(MessageKind::error, "a.png could not be written.", MessageEnd::whenTakenBack("file"));
+        bar.showMessage(MessageKind::info, "The picture was copied.", MessageEnd::soon("copy"));
+        child<QToolButton>(bar, "message.close")->click();
+        QCOMPARE(bar.text(), "a.png could not be written.");
+        child<QToolButton>(bar, "message.close")->click();
+        QVERIFY(!bar.isVisible());
     }
 
     void eachKindOfTroubleHasOneMessageAndItsOwnEnd() {

@@ -234,8 +234,16 @@ void MessageBar::removeActions() {
     }
 }
 
-/// Puts away all that is true too: nobody wants to close one thing twice.
+/// Good news that lies over trouble goes alone: nobody has read the trouble. Else all that is there is put away,
+/// because nobody wants to close one thing twice.
 void MessageBar::closeByPerson() {
+    const auto isSoon = [](const Message& message) { return message.end.when == MessageEnd::When::soon; };
+    if (shown() != nullptr && isSoon(*shown()) && !std::ranges::all_of(m_messages, isSoon)) {
+        const QString closed = shown()->end.topic;
+        removeIf(isSoon);
+        emit putAway(closed);
+        return;
+    }
     const QString remark = m_remark;
     const QString topic = shown() != nullptr ? shown()->end.topic : QString();
     dismiss();

@@ -94,12 +94,14 @@ void DocumentModel::noteChecksum(const StudyReference& study) {
 void DocumentModel::lookAtPanes(const std::vector<Pane>& added) {
     if (m_document.panes.size() != 1)
         throw std::invalid_argument("DocumentModel::lookAtPanes: the document has several panes");
+    cancelPreview();
     m_look = LookedAt{added, m_document.comparison};
     set(withLook(m_document));
 }
 
 void DocumentModel::endLookAtPanes() {
     if (!m_look) return;
+    cancelPreview();
     Document own = ownDocument();
     m_look.reset();
     set(std::move(own));

@@ -83,8 +83,8 @@ QGroupBox* RoomPanel::createPlanes() {
     auto* group = new QGroupBox(tr("Planes A, B, C"));
     auto* column = new QVBoxLayout(group);
     column->setContentsMargins(6, 6, 6, 6);
-    auto* quiet = named(new QCheckBox(tr("Planes show quiet voxels")), "room.quiet", tr("Planes show quiet voxels"),
-                        tr("Off: the planes show the voxels that were read"));
+    auto* quiet = named(new QCheckBox(tr("Smooth the planes")), "room.quiet", tr("Smooth the planes"),
+                        tr("On: the planes are as smooth as the 3D picture. Off: they show the scan as it was read"));
     auto* lines = named(new QCheckBox(tr("Show planes in 3D")), "room.linesIn3d", tr("Show planes in 3D"),
                         tr("Draws where the planes lie over the 3D picture"));
     auto* along = named(new QCheckBox(tr("Turning planes turns the 3D view")), "room.turnsView",

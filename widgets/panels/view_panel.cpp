@@ -147,7 +147,7 @@ void ViewPanel::addCutGroup(QGridLayout& grid) {
     auto* row = new QHBoxLayout(buttons);
     row->setContentsMargins(0, 0, 0, 0);
     for (QPushButton* button : {suggest, fromHere, none}) row->addWidget(button, 1);
-    addRow(grid, nullptr, buttons);
+    grid.addWidget(buttons, grid.rowCount(), 0, 1, grid.columnCount());
     auto* show = named(new QCheckBox(tr("Show in 3D")), "view.front.show", tr("Show the front in 3D"),
                        tr("Draws the front over the 3D picture, with a handle that moves it"));
     connect(show, &QCheckBox::toggled, this, &ViewPanel::frontShownIn3d);

@@ -21,6 +21,7 @@
 #include "io/study/study_checksum.h"
 #include "processing/ascii_letters.h"
 #include "processing/document/turned_document.h"
+#include "processing/near_cut/bright_face.h"
 #include "processing/near_cut/near_cut.h"
 
 namespace echolucent::cli {
@@ -144,7 +145,6 @@ Result<DocumentStudy> readDocumentStudy(const std::string& path, const VolumeOpt
     if (!study) return tl::unexpected<Failure>(study.error());
     const VolumeGeometry& geometry = study->phases.front()->geometry();
     document = inGridOfStudy(std::move(document), study->turnedAxis, geometry);
-    document.scene.front = withOneFront(std::move(document.scene.front), document.beam.axis, geometry);
     const int phase = phaseOf(document, read->pane);
     if (phase < 0 || phase >= static_cast<int>(study->phases.size()))
         return fail(FailureKind::wrongUsage, path, "phases",
@@ -174,10 +174,12 @@ Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& 
                              .finds = finds};
     Document document = openedDocuments(fresh, opened, aspect).found;
     Scene& scene = document.scene;
-    if (view.nearCutSuggested())
+    if (view.nearCutSuggested()) {
         scene.front = frontAcross(scene.side, finds.cut->nearCutMm, FrontSource::found);
-    else if (view.said().front)
+        scene.exposure = finds.exposure = exposureFor(*faceIntensity(first, viewpointOf(document)));
+    } else if (view.said().front) {
         scene.front = frontAcross(scene.side, frontDepthMm(*asked));
+    }
     if (const auto kept = leavesSomething(first, viewpointOf(document)); !kept)
         return tl::unexpected<Failure>(kept.error());
     scene.phase = document.motion.otfPhase = volume.phase;

@@ -71,7 +71,8 @@ std::string jsonReport(const Volume& volume, const DesignRun& run, const OtfCont
     report["view"] = {{"beam_axis", echolucent::nameOf(run.view.beamAxis)},
                       {"azimuth", run.view.azimuthDegrees},
                       {"elevation", run.view.elevationDegrees},
-                      {"near_mm", frontDepthMm(run.view)}};
+                      {"near_mm", frontDepthMm(run.view)},
+                      {"front_forward", frontForwardJson(run.view)}};
     report["beam"] = {{"axis", echolucent::nameOf(beam.axis)},
                       {"source", beam.source},
                       {"confidence", beam.confidence ? Json(*beam.confidence) : Json()}};

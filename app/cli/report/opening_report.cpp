@@ -69,6 +69,7 @@ Json findsJson(const DocumentStudy& opened) {
                           {"confidence", cut->confidence},
                           {"sure", cut->sure},
                           {"taken", isFrontTaken(opened)}};
+    found["exposure"] = scene.exposure;
     found["reduction"] = nameOf(scene.look.reduction);
     const ImportFact* noData = factNamed(opened.study, "voxels without data");
     found["no_data"] = nullptr;

@@ -164,7 +164,8 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfCo
                       {"beam_axis", echolucent::nameOf(otf.view.beamAxis)},
                       {"azimuth", otf.view.azimuthDegrees},
                       {"elevation", otf.view.elevationDegrees},
-                      {"near_mm", frontDepthMm(otf.view)}};
+                      {"near_mm", frontDepthMm(otf.view)},
+                      {"front_forward", frontForwardJson(otf.view)}};
     report["beam"] = {
         {"axis", echolucent::nameOf(beam.axis)}, {"source", beam.source}, {"confidence", maybe(beam.confidence)}};
     report["reduction"] = echolucent::nameOf(otf.reduction);
@@ -214,8 +215,8 @@ std::string summary(const Volume& volume, const AdaptiveOtf& otf) {
                                      [](const TubeCore& tube) { return tube.status == TubeStatus::surface; });
     double sum = 0.0;
     for (const TubeCore& tube : otf.tubes) sum += tube.d;
-    std::string text = fmt::format("{}x{}x{} {}, view {} turned by {} and {} degrees, near cut {} mm\n", size[0],
-                                   size[1], size[2], volume.typeName(), echolucent::nameOf(otf.view.beamAxis),
+    std::string text = fmt::format("{}x{}x{} {}, view {} turned by {} and {} degrees, front {} mm\n", size[0], size[1],
+                                   size[2], volume.typeName(), echolucent::nameOf(otf.view.beamAxis),
                                    otf.view.azimuthDegrees, otf.view.elevationDegrees, frontDepthMm(otf.view));
     text += fmt::format("{} of {} tube cores meet the volume; {} have a surface, {} with a weight\n",
                         otf.tubesMeetingVolume, otf.tubes.size(), found, otf.tubesWithWeight);

@@ -9,4 +9,6 @@ Json finiteJson(double value) { return std::isfinite(value) ? Json(value) : Json
 
 Json vectorJson(const Vec3& vector) { return Json::array({vector[0], vector[1], vector[2]}); }
 
+Json frontForwardJson(const Viewpoint& view) { return view.frontPlane ? vectorJson(view.frontPlane->forward) : Json(); }
+
 }  // namespace echolucent::cli

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/geometry.h"
 
 namespace echolucent::cli {
@@ -13,5 +14,7 @@ using Json = nlohmann::ordered_json;
 /// The number; null if it is not finite.
 [[nodiscard]] Json finiteJson(double value);
 [[nodiscard]] Json vectorJson(const Vec3& vector);
+/// FrontPlane::forward of the view's flat front; null if it has none.
+[[nodiscard]] Json frontForwardJson(const Viewpoint& view);
 
 }  // namespace echolucent::cli

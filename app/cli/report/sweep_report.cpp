@@ -49,7 +49,8 @@ std::string sweepJson(const SweepReport& report) {
     json["view"] = {{"beam_axis", nameOf(report.start.beamAxis)},
                     {"azimuth", report.start.azimuthDegrees},
                     {"elevation", report.start.elevationDegrees},
-                    {"near_mm", frontDepthMm(report.start)}};
+                    {"near_mm", frontDepthMm(report.start)},
+                    {"front_forward", frontForwardJson(report.start)}};
     json["motion"] = {{"axis", nameOf(report.motion.axis)},
                       {"probe", movesProbe(report.motion.scenario) ? "moving" : "still"},
                       {"object", movesObject(report.motion.scenario) ? "moving" : "still"}};

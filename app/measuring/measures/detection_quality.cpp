@@ -13,8 +13,10 @@ namespace echolucent {
 std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                        const TubeAxis& axis, const Vec3& offsetMm) {
     const Vec3 start = axis.pointMm + offsetMm;
-    const auto point = truth.firstInterfacePoint(start, axis.directionMm, entryDepthMm(view, geometry, start));
-    if (!point) return std::nullopt;
+    const auto left = leftByFront(view, geometry, start);
+    if (!left) return std::nullopt;
+    const auto point = truth.firstInterfacePoint(start, axis.directionMm, left->from);
+    if (!point || axis.directionMm.dot(*point) > left->to) return std::nullopt;
     return axis.directionMm.dot(*point);
 }
 

@@ -213,7 +213,7 @@ std::string motionPage(const std::vector<MotionFigures>& cases) {
     addIntroduction(page);
     for (const MotionFigures& figures : cases) {
         page.heading(figures.motionCase.title);
-        page.paragraph(fmt::format("{} frames, {} phase(s), beam axis {}, near cut {:g} mm.", figures.frames.size(),
+        page.paragraph(fmt::format("{} frames, {} phase(s), beam axis {}, front {:g} mm.", figures.frames.size(),
                                    figures.motionCase.phases.size(), nameOf(figures.motionCase.start.beamAxis),
                                    frontDepthMm(figures.motionCase.start)));
         addModes(page, figures);

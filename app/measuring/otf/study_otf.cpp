@@ -118,7 +118,7 @@ private:
         if (!from) return tl::unexpected<Failure>(from.error());
         const auto& size = (*read)->geometry().size;
         study.subject = fmt::format(
-            "{} ({}x{}x{} voxels), beam axis {}, azimuth {}°, elevation {}°, near cut {} mm. Its true surfaces "
+            "{} ({}x{}x{} voxels), beam axis {}, azimuth {}°, elevation {}°, front {} mm. Its true surfaces "
             "are not known: there is no detection error, only the curve's.",
             volume.path, size[0], size[1], size[2], nameOf(from->beamAxis), from->azimuthDegrees,
             from->elevationDegrees, frontDepthMm(*from));

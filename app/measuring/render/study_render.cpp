@@ -55,7 +55,7 @@ private:
     std::string subjectOf(const Volume& rendered, const Viewpoint& from) const {
         const auto& size = rendered.geometry().size;
         return fmt::format(
-            "{} ({}x{}x{} voxels, {}), beam axis {}, azimuth {:g}°, elevation {:g}°, near cut {:g} mm, parallel "
+            "{} ({}x{}x{} voxels, {}), beam axis {}, azimuth {:g}°, elevation {:g}°, front {:g} mm, parallel "
             "projection, opacity curve {}{}, {}. Pictures of {}x{} pixels.",
             volume.path.empty() ? "The simulated fetus" : volume.path, size[0], size[1], size[2], rendered.typeName(),
             nameOf(from.beamAxis), from.azimuthDegrees, from.elevationDegrees, frontDepthMm(from), otf,

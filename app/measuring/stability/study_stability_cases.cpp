@@ -109,7 +109,7 @@ std::vector<ExtremeCase> extremeCases() {
     const Viewpoint oblique{.azimuthDegrees = 31, .elevationDegrees = 12};
     cases.push_back({"an ordinary surface, oblique", plane, oblique, {}, {}});
     cases.push_back({"constant 77, oblique", constantOf(usual, 77), oblique, {}, {}});
-    cases.push_back({"near cut behind the volume", plane, withFrontAcross({}, 1e6), {}, {}});
+    cases.push_back({"front behind the volume", plane, withFrontAcross({}, 1e6), {}, {}});
     cases.push_back({"T = 1", plane, {}, {}, 1});
     cases.push_back({"T = 102,400", plane, Viewpoint{}, {}, 320});
     cases.push_back({"d_max = 0", plane, {}, 0.0, {}});

@@ -13,8 +13,8 @@ namespace {
 constexpr double rounding = 1e-9;
 constexpr double noData = std::numeric_limits<double>::quiet_NaN();
 
-/// Sets where the slabs of a tube on voxels begin, and their number. A cut surface or the view's box may end the tube
-/// before the volume does.
+/// Sets where the slabs of a tube on voxels begin, and their number. The front, seen from behind, or the view's box may
+/// end the tube before the volume does.
 void placeOnVoxels(const TubeAxis& axis, const VolumeGeometry& geometry, bool endsEarlier, TubeSamples& samples) {
     samples.first = *axis.entryVoxel;
     for (int component = 0; component < 3; ++component) {
@@ -50,7 +50,7 @@ std::vector<TubeSamples> samplesOf(std::span<const TubeAxis> axes, const VolumeG
     for (std::size_t t = 0; t < axes.size(); ++t) {
         if (!axes[t].entryVoxel) continue;
         if (common.onVoxels) {
-            placeOnVoxels(axes[t], geometry, view.cutSurface || view.box, all[t]);
+            placeOnVoxels(axes[t], geometry, view.frontPlane || view.cutSurface || view.box, all[t]);
             continue;
         }
         all[t].first = *axes[t].entryVoxel + common.along * 0.5;

@@ -5,6 +5,7 @@
 
 #include "app/otf/pane_otfs.h"
 #include "io/writers/meta_image_writer.h"
+#include "processing/motion/otf_sweep.h"
 #include "tests/qt_program/test_classes.h"
 
 using namespace echolucent;
@@ -99,7 +100,7 @@ private slots:
         m_model->showFrame(5, 0);
         m_otfs->computeForThisView();
         awaitOtf();
-        QVERIFY(m_otfs->adaptive()->view == (Viewpoint{BeamAxis::plusZ, 15, 20, 30}));
+        QVERIFY(m_otfs->adaptive()->view == turned({BeamAxis::plusZ, 10, 20, 30}, MotionAxis::screenVertical, 5));
         QCOMPARE(m_model->steps().count(), 2);
         m_model->steps().undo();
         awaitOtf();
@@ -135,7 +136,7 @@ private slots:
         awaitOtf();
         QVERIFY(m_otfs->adaptive()->view == (Viewpoint{BeamAxis::plusZ, 12, 0, 0}));
         next = m_model->document();
-        next.scene.front.depthMm = 1;
+        next.scene.front = frontAcross({.azimuth = 12}, 1);
         m_model->edit(next, "cut");
         awaitOtf();
         QVERIFY(m_otfs->adaptive()->view == (withFrontAcross(Viewpoint{BeamAxis::plusZ, 12, 0, 0}, 1)));

@@ -146,7 +146,6 @@ INSTANTIATE_TEST_SUITE_P(
         WrongPart{"/scene/front/depth_mm", -1, "scene.front.depth_mm", "0 or more"},
         WrongPart{"/scene/front/source", "search", "scene.front.source", "must not be \"search\""},
         WrongPart{"/scene/front/surface/spacing_mm", 0, "", "scene.front.surface "},
-        WrongPart{"/scene/front/direction/azimuth", 0, "", "scene.front.direction must look about"},
         WrongPart{"/scene/look/mode", 1, "scene.look.mode", "must not be 1"},
         WrongPart{"/scene/look/light_elevation", 91, "scene.look.light_elevation", "-90 to 90"},
         WrongPart{"/scene/phase", 1.5, "scene.phase", "whole number"},

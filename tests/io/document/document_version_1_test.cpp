@@ -50,9 +50,7 @@ TEST(DocumentVersion1, EveryViewIsReadByItsId) {
     const auto third = documentPaneFromJson(text(), 3);
     ASSERT_TRUE(third) << third.error().sentence();
     Document expected = unusualDocumentOf01();
-    // The flat cut lay across this view, and the curved one looks another way.
-    expected.scene.front.depthMm = 0.0;
-    expected.scene.front.direction = ViewDirection{};
+    expected.scene.front.direction = shownPose(expected).direction;  // it lay across the view shown
     expected.scene.box = {};
     expected.panes = {{.curve = CurveKind::quartic, .designer = expected.panes[2].designer}};
     EXPECT_TRUE(third->document.scene == expected.scene);
@@ -120,6 +118,7 @@ TEST(DocumentVersion1, SnapshotsAreReadAsTheSession) {
     ASSERT_EQ(session->snapshots.size(), 2U);
     Document snapshot = session->document;
     snapshot.scene.motionAngle = 17;
+    snapshot.scene.front.direction = shownPose(snapshot).direction;
     EXPECT_TRUE(session->snapshots[0].document == snapshot);
     Document plain;
     plain.study = session->document.study;

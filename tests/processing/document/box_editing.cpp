@@ -178,5 +178,15 @@ TEST(BoxSection, BoxesMeetWhereTheyHaveAPlaceInCommon) {
     EXPECT_GT(apart, 50);
 }
 
+TEST(BoxEditing, AnotherBeamLeavesTheFrontInItsPlace) {
+    Document document;
+    document.scene.front = frontAcross({15, -20, 0}, 9);
+    const Document turned = withBeam(document, {BeamAxis::minusY, BeamSource::person});
+    EXPECT_LT(
+        length(forwardOf(turned.scene.front, BeamAxis::minusY) - forwardOf(document.scene.front, BeamAxis::plusZ)),
+        1e-12);
+    EXPECT_EQ(turned.scene.front.depthMm, 9);
+}
+
 }  // namespace
 }  // namespace echolucent

@@ -22,10 +22,20 @@ TEST(BrightFace, IsWhatRaysEndIn) {
     // Of even tissue a ray shows its intensity, apart from what 12 units let through, and from the last step's fade.
     for (const int face : {150, 204, 240}) {
         const double intensity = face / 255.0;
-        EXPECT_NEAR(faceIntensity(layers(static_cast<std::uint8_t>(face)), Viewpoint{}), intensity, 0.02) << face;
+        EXPECT_NEAR(faceIntensity(layers(static_cast<std::uint8_t>(face)), Viewpoint{}).value(), intensity, 0.02)
+            << face;
     }
-    EXPECT_NEAR(faceIntensity(layers(240), withFrontAcross({}, 14.0)), 90 / 255.0, 0.05) << "behind a cut";
-    EXPECT_EQ(faceIntensity(layers(240), withFrontAcross({}, 64.0)), 0.0) << "nothing is left";
+    EXPECT_NEAR(faceIntensity(layers(240), withFrontAcross({}, 14.0)).value(), 90 / 255.0, 0.05) << "behind a cut";
+    EXPECT_EQ(faceIntensity(layers(240), withFrontAcross({}, 64.0)).value(), 0.0) << "nothing is left";
+}
+
+TEST(BrightFace, TakesNoLongerForVoxelsThatAreFlat) {
+    // 24 x 24 x 8000 voxels whose smallest spacing is a thousandth of the others: rays of eight million units.
+    VolumeGeometry geometry = gridOf({24, 24, 8000}, {0.001, 1, 1});
+    const Volume even(geometry, std::vector<std::uint8_t>(static_cast<std::size_t>(geometry.voxelCount()), 0), 255.0);
+    EXPECT_EQ(faceIntensity(even, Viewpoint{}).value(), 0.0);
+    const std::atomic<bool> cancelled{true};
+    EXPECT_FALSE(faceIntensity(even, Viewpoint{}, {{}, &cancelled}));
 }
 
 TEST(BrightFace, OnlyAFaceThatIsAlmostWhiteIsShownDarker) {

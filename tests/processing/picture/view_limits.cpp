@@ -14,6 +14,7 @@
 #include "processing/ray_caster/ray_caster.h"
 #include "processing/scene/box.h"
 #include "processing/scene/pose.h"
+#include "tests/processing/grids.h"
 
 namespace echolucent {
 namespace {
@@ -228,6 +229,22 @@ TEST(ViewLimits, ABoxFitsIntoThePictureWithAllItsCorners) {
             EXPECT_LT(length(again.focalPoint - fitted.focalPoint), 1e-9);
             EXPECT_NEAR(again.heightMm, fitted.heightMm, 1e-9);
         }
+}
+
+TEST(ViewLimits, DepthsAreColouredFromWhatTheFrontLeaves) {
+    const VolumeGeometry geometry = gridOf({40, 40, 40});
+    RayCastSettings settings;
+    settings.camera.frame = frameOf(Viewpoint{});
+    EXPECT_DOUBLE_EQ(nearestDepthMm(settings, geometry), -0.5);
+    settings.front = CuttingFace{{0, 0, 1}, 12};
+    EXPECT_DOUBLE_EQ(nearestDepthMm(settings, geometry), 12);
+    settings.front = CuttingFace{{0, 0, -1}, -12};  // seen from behind
+    EXPECT_DOUBLE_EQ(nearestDepthMm(settings, geometry), -0.5);
+    // x + z >= 40 leaves nothing of the box before z = 0.5, where x = 39.5.
+    settings.front = CuttingFace{normalized(Vec3(1, 0, 1)), 40 * std::sqrt(0.5)};
+    EXPECT_NEAR(nearestDepthMm(settings, geometry), 0.5, 1e-9);
+    settings.front = CuttingFace{{0, 0, 1}, 1e300};
+    EXPECT_EQ(nearestDepthMm(settings, geometry), 1e300) << "nothing is left";
 }
 
 }  // namespace

@@ -68,6 +68,12 @@ struct Setting {
     double step;
 };
 
+/// The view behind a front that was made for another one.
+Viewpoint behindFrontOf(Viewpoint view, const Viewpoint& other) {
+    view.frontPlane = other.frontPlane;
+    return view;
+}
+
 const Setting settingsTried[] = {
     {"along z", {}, {1, 1, 1}, Interpolation::trilinear, Projection::parallel, 0.73},
     {"along -x", {BeamAxis::minusX, 0, 0, 0}, {0.7, 1.1, 0.4}, Interpolation::trilinear, Projection::parallel, 1.0},
@@ -89,6 +95,18 @@ const Setting settingsTried[] = {
      withFrontAcross({BeamAxis::minusY, -9, 41, 0}, 4.1),
      {1, 1, 1},
      Interpolation::nearest,
+     Projection::perspective,
+     0.9},
+    {"front of another view",
+     behindFrontOf({BeamAxis::plusZ, 33, -21, 10}, withFrontAcross({BeamAxis::plusZ, -14, 5, 0}, 6.1)),
+     {1, 0.9, 0.7},
+     Interpolation::trilinear,
+     Projection::parallel,
+     0.8},
+    {"front from behind, perspective",
+     behindFrontOf({BeamAxis::plusX, 5, 12, 0}, withFrontAcross({BeamAxis::minusX, 8, 0, 0}, 4.4)),
+     {1, 1.2, 0.8},
+     Interpolation::trilinear,
      Projection::perspective,
      0.9},
     {"thick slices", {BeamAxis::plusZ, 40, 25, 0}, {0.3, 0.3, 6}, Interpolation::trilinear, Projection::parallel, 1.0},

@@ -137,6 +137,11 @@ TEST(ScanPlanes, OfTheFileWin) {
     EXPECT_EQ(planes.evidence, ScanPlaneEvidence::file);
     EXPECT_TRUE(planes.sure);
     EXPECT_LT(apart(planes.lateral, across), 1e-9);
+    Viewpoint rolled = probe;
+    rolled.rollDegrees += 30;
+    EXPECT_LT(apart(scanPlanesOf(geometry, rolled, {1, 9, 1}).lateral, across), 1e-9) << "whatever is down";
+    EXPECT_NE(scanPlanesOf(geometry, {.beamAxis = BeamAxis::plusX}, {1, 9, 1}).evidence, ScanPlaneEvidence::file)
+        << "a beam that a person chose";
     geometry.probe->planesKnown = false;
     EXPECT_NE(scanPlanesOf(geometry, probe, {1, 9, 1}).evidence, ScanPlaneEvidence::file);
 }

@@ -43,6 +43,31 @@ TEST(TubeSamples, BeginAtTheFirstVoxelCentreBehindTheNearCut) {
     }
 }
 
+// Seen from behind, the front ends tube cores before the volume does.
+TEST(TubeSamples, LieBehindTheFrontFromWhereverItIsSeen) {
+    const Volume volume = randomBytes({40, 40, 40});
+    const AdaptiveOtfConfig config;
+    for (const Viewpoint& made : {Viewpoint{}, Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -35}}) {
+        const Viewpoint across = withFrontAcross(made, 17.3);
+        const CuttingFace face = cuttingFaceOf(*across.frontPlane, volume.geometry());
+        for (const BeamAxis axis :
+             {BeamAxis::plusX, BeamAxis::minusX, BeamAxis::plusY, BeamAxis::minusY, BeamAxis::plusZ, BeamAxis::minusZ})
+            for (const double azimuth : {0.0, 12.0}) {
+                Viewpoint view{.beamAxis = axis, .azimuthDegrees = azimuth};
+                view.frontPlane = across.frontPlane;
+                int read = 0;
+                for (const TubeSamples& samples : samplesFor(volume, view, config)) {
+                    read += samples.slabs;
+                    for (int slab = 0; slab < samples.slabs; ++slab) {
+                        const Vec3 place = volume.geometry().gridMmFromVoxel(samples.first + samples.along * slab);
+                        ASSERT_GE(face.inwards.dot(place), face.depthMm - 1e-6) << nameOf(axis) << azimuth;
+                    }
+                }
+                EXPECT_GT(read, 1000) << nameOf(axis) << azimuth;
+            }
+    }
+}
+
 TEST(TubeSamples, ReproduceALinearFieldAtAnyAngleAndSpacing) {
     VolumeGeometry geometry;
     geometry.size = {40, 30, 25};

@@ -170,19 +170,26 @@ TEST(Viewpoint, AFrontAcrossTheViewIsCountedFromTheForemostCorner) {
     EXPECT_NEAR(nearPlaneDepthMm(view, geometry), (-0.5 - 1.0) * std::sqrt(0.5), 1e-14);
 }
 
-TEST(Viewpoint, ALineEntersWhereItComesOutBehindTheFront) {
+TEST(Viewpoint, OfALineIsLeftWhatLiesBehindTheFront) {
     VolumeGeometry geometry;
     geometry.size = {40, 40, 40};
     Viewpoint view = withFrontAcross({}, 10.5);  // the plane z = 10
-    EXPECT_DOUBLE_EQ(entryDepthMm(view, geometry, {3, 4, 5}), 10.0);
+    EXPECT_DOUBLE_EQ(leftByFront(view, geometry, {3, 4, 5})->from, 10.0);
+    EXPECT_DOUBLE_EQ(leftByFront(view, geometry, {3, 4, 5})->to, 39.5);
     view.azimuthDegrees = 30;  // forward is (1/2, 0, sqrt(3)/2)
     const Vec3 forward = frameOf(view).forward;
     for (const Vec3& point : {Vec3(3, 4, 5), Vec3(30, 0, 30), Vec3(20, 1, -7)}) {
-        const Vec3 entry = point + forward * (entryDepthMm(view, geometry, point) - forward.dot(point));
+        const Vec3 entry = point + forward * (leftByFront(view, geometry, point)->from - forward.dot(point));
         EXPECT_NEAR(entry[2], 10.0, 1e-12);
     }
     view.azimuthDegrees = 120;  // comes from behind
-    EXPECT_DOUBLE_EQ(entryDepthMm(view, geometry, {3, 4, 5}), nearPlaneDepthMm(view, geometry));
+    const Vec3 back = frameOf(view).forward, point(20, 4, 30);
+    EXPECT_DOUBLE_EQ(leftByFront(view, geometry, point)->from, nearPlaneDepthMm(view, geometry));
+    EXPECT_NEAR((point + back * (leftByFront(view, geometry, point)->to - back.dot(point)))[2], 10.0, 1e-12);
+    view.azimuthDegrees = 90;  // runs along it
+    EXPECT_TRUE(leftByFront(view, geometry, {3, 4, 11}));
+    EXPECT_FALSE(leftByFront(view, geometry, {3, 4, 9}));
+    EXPECT_FALSE(leftByFront(withFrontAcross({}, 60), geometry, {3, 4, 5})) << "nothing is left";
 }
 
 }  // namespace
