@@ -149,7 +149,7 @@ private slots:
             found({.answer = NearCutAnswer::noFluid, .message = "No fluid was found."}));
         m_fixture.click("view.nearCut.suggest");
         QTRY_VERIFY(message()->isVisible());
-        QCOMPARE(message()->text(), "The front stays as it is. No fluid was found.");
+        QCOMPARE(message()->text(), "No fluid was found.");
         QCOMPARE(message()->kind(), MessageKind::warning);
         m_fixture.waitUntilIdle();
         QCOMPARE(frontDepthMm(m_fixture.window().volumeView().view()), 0.0);

@@ -29,7 +29,7 @@ TEST(NearAuto, SaysWhatItSuggestsAndReportsItInTheJson) {
     const std::size_t sentence = outcome.errors.find("A wall stands");
     ASSERT_NE(sentence, std::string::npos) << outcome.errors;
     ASSERT_EQ(std::sscanf(outcome.errors.c_str() + sentence,
-                          "A wall stands before the fluid: behind a cut at %lf mm %d of %d tube cores are in fluid.",
+                          "A wall stands before the fluid: behind a front at %lf mm %d of %d tube cores are in fluid.",
                           &said, &inFluid, &tubes),
               3)
         << outcome.errors;
@@ -49,7 +49,7 @@ TEST(NearAuto, SaysSoWhereNoneIsNeededOrNoneCanBeFound) {
     const Outcome unneeded =
         runProgram("otf \"" + shapesFile() + "\" --beam-axis +z --near auto --reduction off --json -");
     ASSERT_EQ(unneeded.status, 0) << unneeded.errors;
-    EXPECT_NE(unneeded.errors.find("The fluid begins at the front ("), std::string::npos) << unneeded.errors;
+    EXPECT_NE(unneeded.errors.find("The data begin in fluid ("), std::string::npos) << unneeded.errors;
     const json uncut = json::parse(unneeded.output);
     EXPECT_EQ(uncut["view"]["near_mm"], 0.0);
     EXPECT_EQ(uncut["made_of"]["found"]["front"]["answer"], "fluid at the front");
@@ -89,7 +89,7 @@ TEST(NearAuto, WorksForThePictureToo) {
         runProgram("render \"" + walledFile() + "\" --beam-axis +z --near auto --otf adaptive --size 64x64 -o \"" +
                    folder / "cut.png" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
-    EXPECT_NE(outcome.errors.find("A wall stands before the fluid: behind a cut at "), std::string::npos);
+    EXPECT_NE(outcome.errors.find("A wall stands before the fluid: behind a front at "), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(folder / "cut.png"));
 }
 
@@ -99,14 +99,14 @@ TEST(LongNearAuto, CutsWhereverAVolumeIsLookedAt) {
         runProgram("sweep \"" + walledFile() +
                    "\" --beam-axis +z --near auto --reduction off --from 0 --to 1 --smoothing none --csv -");
     ASSERT_EQ(sweep.status, 0) << sweep.errors;
-    EXPECT_NE(sweep.errors.find("A wall stands before the fluid: behind a cut at "), std::string::npos);
+    EXPECT_NE(sweep.errors.find("A wall stands before the fluid: behind a front at "), std::string::npos);
     // The first frame is the cut view: its last opacity stands at the end of the first row.
     const std::string row = sweep.output.substr(sweep.output.find('\n') + 1);
     const std::string firstRow = row.substr(0, row.find('\n'));
     EXPECT_DOUBLE_EQ(std::stod(firstRow.substr(firstRow.rfind(',') + 1)), cut["otf"]["opacity"].back().get<double>());
     const Outcome bench = runProgram("bench otf \"" + walledFile() + "\" --beam-axis +z --near auto --runs 1");
     ASSERT_EQ(bench.status, 0) << bench.errors;
-    EXPECT_EQ(bench.errors.rfind("A wall stands before the fluid: behind a cut at ", 0), 0u) << bench.errors;
+    EXPECT_EQ(bench.errors.rfind("A wall stands before the fluid: behind a front at ", 0), 0u) << bench.errors;
 }
 
 TEST(NearAuto, RefusesWhatIsNeitherANumberNorAuto) {

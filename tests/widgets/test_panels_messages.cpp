@@ -7,7 +7,6 @@
 #include <QCoreApplication>
 #include <QImage>
 #include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
 #include <QObject>
 #include <QProgressBar>
@@ -322,14 +321,15 @@ private slots:
     }
 
     void goodNewsLeavesBySoonAndTroubleIsSeenAgain() {
-        QWidget window;  // a bar with the focus would be read, and stay
-        auto* field = new QLineEdit(&window);
-        MessageBar bar(&window);
-        window.show();
-        field->setFocus();
+        MessageBar bar;
+        // Without a display every window that is shown is said to be under the pointer, and then it stays.
+        const auto showAside = [&bar](const auto&... message) {
+            bar.showMessage(message...);
+            bar.setAttribute(Qt::WA_UnderMouse, false);
+        };
         bar.setConfirmationMilliseconds(0);
-        bar.showMessage(MessageKind::warning, "The spacing is unknown.", MessageEnd::withStudy("study"));
-        bar.showMessage(MessageKind::info, "The picture was saved.", MessageEnd::soon("file"));
+        showAside(MessageKind::warning, QString("The spacing is unknown."), MessageEnd::withStudy("study"));
+        showAside(MessageKind::info, QString("The picture was saved."), MessageEnd::soon("file"));
         QCOMPARE(bar.text(), "The picture was saved.");
         QCOMPARE(bar.kind(), MessageKind::info);
         QTRY_COMPARE(bar.text(), "The spacing is unknown.");
@@ -339,7 +339,8 @@ private slots:
         QCOMPARE(bar.text(), "The spacing is unknown.");
         bar.endStudy();
         QVERIFY(!bar.isVisible());
-        bar.showMessage(MessageKind::info, "The preset was removed.", MessageEnd::soon(), {{"Take it back", {}}});
+        showAside(MessageKind::info, QString("The preset was removed."), MessageEnd::soon(),
+                  QList<MessageAction>{{"Take it back", {}}});
         QVERIFY(bar.isVisible());
         QTRY_VERIFY(!bar.isVisible());
         QVERIFY(!bar.findChild<QPushButton*>("message.action.0"));

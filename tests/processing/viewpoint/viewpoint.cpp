@@ -183,7 +183,7 @@ TEST(Viewpoint, OfALineIsLeftWhatLiesBehindTheFront) {
         EXPECT_NEAR(entry[2], 10.0, 1e-12);
     }
     view.azimuthDegrees = 120;  // comes from behind
-    const Vec3 back = frameOf(view).forward, point(20, 4, 30);
+    const Vec3 back = frameOf(view).forward, point(5, 4, 20);
     EXPECT_DOUBLE_EQ(leftByFront(view, geometry, point)->from, nearPlaneDepthMm(view, geometry));
     EXPECT_NEAR((point + back * (leftByFront(view, geometry, point)->to - back.dot(point)))[2], 10.0, 1e-12);
     view.azimuthDegrees = 90;  // runs along it
