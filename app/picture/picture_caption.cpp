@@ -27,7 +27,7 @@ bool looksFromProbe(const Document& document) {
     return frameOf(viewpointOf(beam.axis, document.scene.pose.direction)).forward.dot(sound) > leastCosine;
 }
 
-/// The side from which the picture is seen. Nothing names the probe while nobody knows where it was.
+/// "from the probe" if the picture is seen from there. Empty else, and if nobody knows where the probe was.
 QString sideLine(const Document& document) {
     const bool simulated = std::holds_alternative<SimulatedScan>(document.study);
     const bool known = simulated || document.beam.source != BeamSource::assumed;

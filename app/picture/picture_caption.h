@@ -35,9 +35,9 @@ struct CaptionFacts {
 /// The answer if the picture's OTF, computed or to come, is that of the viewpoint `ofOtf`.
 [[nodiscard]] bool curveIsOfAnotherView(const Document& document, const Viewpoint& ofOtf);
 
-/// At most two lines of what is true of the picture. The first says from where it is seen, its front and how much it
-/// was smoothed. The second says what else a person has to know: that voxels are means of several; which designer made
-/// the OTF; which phase the one OTF of all phases is of; that the curve was computed for another view.
+/// The caption has one or two lines. The first says the side, the front and the smoothing. The second says what else a
+/// person has to know: that voxels are means of several; which designer made the OTF; which phase gave the one OTF of
+/// all phases; that the curve was computed for another view.
 [[nodiscard]] QString pictureCaption(const CaptionFacts& facts);
 
 }  // namespace echolucent

@@ -61,11 +61,12 @@ DocumentPlanes::DocumentPlanes(DocumentModel& model, OpenStudy& openStudy, Works
 
 void DocumentPlanes::show() {
     const std::shared_ptr<const Volume> volume = m_openStudy.volume();
-    for (PlanePane* pane : m_panes) volume ? pane->setScene(sceneFor(*volume, pane->plane())) : pane->clear();
+    const BoxScene box = volume ? boxScene(*volume) : BoxScene{};
+    for (PlanePane* pane : m_panes) volume ? pane->setScene(sceneFor(*volume, box, pane->plane())) : pane->clear();
     resample();
 }
 
-PlaneScene DocumentPlanes::sceneFor(const Volume& volume, PlaneName plane) const {
+PlaneScene DocumentPlanes::sceneFor(const Volume& volume, const BoxScene& box, PlaneName plane) const {
     const Document& document = m_model.document();
     PlaneScene scene;
     scene.planes = document.scene.planes;
@@ -74,7 +75,7 @@ PlaneScene DocumentPlanes::sceneFor(const Volume& volume, PlaneName plane) const
     scene.unitMm = volume.geometry().unit();
     scene.lengthsKnown = volume.geometry().spacingKnown;
     scene.brightness = document.scene.look.brightness;
-    scene.box = boxScene(volume);
+    scene.box = box;
     scene.measurements = shownMeasurements(document.measurements, phaseOf(document, firstPane), volume.geometry());
     scene.letters = edgeLetters(frameOf(plane, scene.planes, scene.beam), scene.beam, volume.geometry());
     return scene;

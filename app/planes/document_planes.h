@@ -39,7 +39,7 @@ private:
     void show();
     void resample();
     [[nodiscard]] BoxScene boxScene(const Volume& volume) const;
-    [[nodiscard]] PlaneScene sceneFor(const Volume& volume, PlaneName plane) const;
+    [[nodiscard]] PlaneScene sceneFor(const Volume& volume, const BoxScene& box, PlaneName plane) const;
     void take(const Planes& next, const QString& what, DocumentModel::Gesture gesture);
     void wheelFront(double mm, const QString& what);
     [[nodiscard]] Front movedFront(const Document& document, double mm) const;

@@ -61,7 +61,8 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.model, &DocumentModel::panesChanged, this, &ShownStudy::showNumbers);
     connect(&m_parts.model, &DocumentModel::lookChanged, this, &ShownStudy::showRemarkAtRest);
     connect(&m_parts.model, &DocumentModel::boxChanged, this, &ShownStudy::showRemarkAtRest);
-    connect(&m_parts.model, &DocumentModel::changed, this, &ShownStudy::showFront);
+    for (const auto part : {&DocumentModel::frontChanged, &DocumentModel::beamChanged, &DocumentModel::poseChanged})
+        connect(&m_parts.model, part, this, &ShownStudy::showFront);
 }
 
 /// Names in the title what the picture shows: the open study, or the one that is coming, while it is dimmed.

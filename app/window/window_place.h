@@ -11,7 +11,7 @@ namespace echolucent {
 /// The size of the window at the first start if the screen has room for it: logical pixels, without the frame.
 inline constexpr QSize roomySize{1440, 920};
 
-/// A rectangle inside `room`: as large as `wanted` and where it is, as far as it fits.
+/// The rectangle `wanted`, made smaller and moved until it fits into `room`. If it fits, it stays as it is.
 [[nodiscard]] QRect inside(const QRect& wanted, const QRect& room);
 
 /// Makes a window no larger than its screen has room for, its frame included, and moves it there if somebody has placed

@@ -67,13 +67,13 @@ std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointM
 /// The samples of a ray and the depth of the first. Flat front, box and the ray's shown range limit them.
 class SampledRay {
 public:
-    SampledRay(const RaySampler& sampler, const SurfaceRay& ray, const Viewpoint& view)
+    /// `nearPlane` is nearPlaneDepthMm() of the view that looks along `forward`.
+    SampledRay(const RaySampler& sampler, const SurfaceRay& ray, const Vec3& forward, double nearPlane,
+               const LeftByFront& leftByFront)
         : m_surfaceDepth(ray.surfaceDepthMm), m_unit(sampler.volume().geometry().unit()) {
         const VolumeGeometry& geometry = sampler.volume().geometry();
-        const Vec3 forward = frameOf(view).forward;
-        const double nearPlane = nearPlaneDepthMm(view, geometry);
         const auto span = spanInBox(geometry, ray.pointMm, forward);
-        const auto left = leftByFront(view, geometry, ray.pointMm);
+        const auto left = leftByFront.of(ray.pointMm);
         if (!span || !left) return;
         constexpr double rounding = 1e-9;  // units
         const double pointDepth = forward.dot(ray.pointMm);
@@ -137,13 +137,14 @@ std::vector<SurfaceRay> objectRays(const VolumeGeometry& geometry, const Phantom
                                    InterfaceInto into) {
     const ViewFrame frame = frameOf(view);
     const RayLattice lattice(geometry, frame);
+    const LeftByFront leftByFront(view, geometry);
     const double unit = geometry.unit();
     std::vector<std::vector<SurfaceRay>> ofRow(static_cast<std::size_t>(lattice.rows));
     parallelFor(0, lattice.rows, [&](int row) {
         for (int column = 0; column < lattice.columns; ++column) {
             const Vec3 point =
                 frame.right * (lattice.firstRight + column * unit) + frame.down * (lattice.firstDown + row * unit);
-            const auto left = leftByFront(view, geometry, point);
+            const auto left = leftByFront.of(point);
             if (!left) continue;
             if (const auto depth = surfaceDepth(truth, point, frame.forward, *left, unit, into))
                 ofRow[static_cast<std::size_t>(row)].push_back({.pointMm = point, .surfaceDepthMm = *depth});
@@ -162,10 +163,14 @@ std::vector<SurfaceContrast> surfaceContrasts(const Volume& volume, std::span<co
 
 std::vector<SurfaceContrast> surfaceContrasts(const RaySampler& sampler, std::span<const SurfaceRay> rays,
                                               const Viewpoint& view, std::span<const OpacityTable> tables) {
+    const VolumeGeometry& geometry = sampler.volume().geometry();
+    const Vec3 forward = frameOf(view).forward;
+    const double nearPlane = nearPlaneDepthMm(view, geometry);
+    const LeftByFront leftByFront(view, geometry);
     std::vector<RayLight> lights(rays.size() * tables.size());
     parallelFor(LoopRange<std::size_t>(0, rays.size(), 64), [&](const auto& some) {
         for (std::size_t r = some.begin(); r < some.end(); ++r) {
-            const SampledRay ray(sampler, rays[r], view);
+            const SampledRay ray(sampler, rays[r], forward, nearPlane, leftByFront);
             for (std::size_t c = 0; c < tables.size(); ++c) lights[r * tables.size() + c] = ray.lightOf(tables[c]);
         }
     });

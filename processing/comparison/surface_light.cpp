@@ -65,8 +65,7 @@ SurfaceLight surfaceLightOf(const std::vector<TubeLight>& lights, std::size_t fi
 std::vector<std::size_t> samplesShown(const VolumeGeometry& geometry, const AdaptiveOtf& otf,
                                       std::span<const TubeAxis> axes) {
     std::vector<std::size_t> shown(axes.size(), std::numeric_limits<std::size_t>::max());
-    const bool frontIsAcross = otf.view.frontPlane && otf.view.frontPlane->forward == frameOf(otf.view).forward;
-    if (!otf.view.box && !otf.view.cutSurface && (!otf.view.frontPlane || frontIsAcross)) return shown;
+    if (!otf.view.box && !otf.view.cutSurface && !hasObliqueFront(otf.view)) return shown;
     const auto samples = samplesOf(axes, geometry, otf.view, otf.config.cells.size);
     for (std::size_t t = 0; t < shown.size(); ++t) shown[t] = static_cast<std::size_t>(samples[t].slabs);
     return shown;

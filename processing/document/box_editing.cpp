@@ -97,28 +97,26 @@ Document withSlab(Document document, PlaneName plane, double thicknessMm, const 
 }
 
 CutSurface surfaceOfFront(const Document& document, const Volume& volume) {
-    const Front& cut = document.scene.front;
-    if (cut.surface) return *cut.surface;
+    const Front& front = document.scene.front;
+    if (front.surface) return *front.surface;
     const BeamAxis beam = document.beam.axis;
     const Box& set = document.scene.box;
-    const Viewpoint looksIn = viewpointOf(beam, cut.depthMm > 0.0 ? cut.direction : document.scene.side);
+    const Viewpoint across = withFrontAcross(viewpointOf(beam, front.direction), front.depthMm);
     // The surface must cover this box.
     const OrientedBox place = orientedBoxOf(set.on ? set : wholeBox({}, beam, volume.dataBox()), beam);
     CutSurface surface;
-    surface.frame = frameOf(looksIn);
+    surface.frame = frameOf(across);
     constexpr int nodes = 33;
-    const double across = place.extentAlong(surface.frame.right), down = place.extentAlong(surface.frame.down);
-    surface.spacingMm = std::max(across, down) / (nodes - 1);
+    const double width = place.extentAlong(surface.frame.right), height = place.extentAlong(surface.frame.down);
+    surface.spacingMm = std::max(width, height) / (nodes - 1);
     const auto count = [&](double mm) { return std::max(2, static_cast<int>(std::ceil(mm / surface.spacingMm)) + 1); };
-    surface.columns = count(across);
-    surface.rows = count(down);
+    surface.columns = count(width);
+    surface.rows = count(height);
     surface.firstRightMm = surface.frame.right.dot(place.centreMm) - surface.spacingMm * (surface.columns - 1) / 2.0;
     surface.firstDownMm = surface.frame.down.dot(place.centreMm) - surface.spacingMm * (surface.rows - 1) / 2.0;
-    double front = surface.frame.forward.dot(place.centreMm) - place.extentAlong(surface.frame.forward) / 2.0;
-    if (cut.depthMm > 0.0)
-        front = std::max(front, nearPlaneDepthMm(withFrontAcross(looksIn, cut.depthMm), volume.geometry()));
+    const double depth = nearPlaneDepthMm(across, volume.geometry());
     const auto nodesInAll = static_cast<std::size_t>(surface.columns) * static_cast<std::size_t>(surface.rows);
-    surface.depthMm = std::vector<float>(nodesInAll, static_cast<float>(front));
+    surface.depthMm = std::vector<float>(nodesInAll, static_cast<float>(depth));
     return surface;
 }
 

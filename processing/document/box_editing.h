@@ -29,8 +29,7 @@ namespace echolucent {
 [[nodiscard]] Document withSlab(Document document, PlaneName plane, double thicknessMm, const DataBox& data);
 
 /// The document's front as a surface, ready to be bowed. If the front is bowed, its own. A flat front becomes a surface
-/// over the box, or over the box around all data if that is off. Without a front the surface lies where the box begins,
-/// across the scene's side.
+/// over the box, or over the box around all data if that is off. The front must cut.
 [[nodiscard]] CutSurface surfaceOfFront(const Document& document, const Volume& volume);
 /// Bows a surface by `mm` along its forward in the middle of its nodes. Towards their border the bow falls as
 /// (1 - u^2)(1 - v^2), with u and v from -1 to 1 over the nodes.

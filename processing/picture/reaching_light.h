@@ -10,8 +10,8 @@ namespace echolucent {
 /// each place. Chosen by looking.
 inline constexpr double ambientWithReachingLight = 0.5, diffuseWithReachingLight = 1.3;
 
-/// A step is lit by its gradient from some opacity on that it adds to its pixel. From this share of that opacity on, it
-/// is dark where no light reaches it; all light reaches what adds less.
+/// If a step adds a certain opacity to its pixel, it is lit by its gradient. If it adds at least this share of that
+/// opacity, the light volume says how much light reaches it. If it adds less, all light reaches it.
 inline constexpr double leastReachedShare = 1.0 / 16;
 
 /// What a sample's gradient says of the light on it, in the terms of Shading. All are 0 if the gradient is 0.

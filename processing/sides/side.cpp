@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <tuple>
 
 namespace echolucent {
@@ -31,27 +30,13 @@ constexpr WordsOfSides numbered{SideWords{"Side 1", "side-1"}, SideWords{"Side 2
                                 SideWords{"Side 3", "side-3"}, SideWords{"Side 4", "side-4"},
                                 SideWords{"Side 5", "side-5"}, SideWords{"Side 6", "side-6"}};
 
-double withoutRounding(double degrees) {
-    const double whole = std::round(degrees);
-    const double near = std::abs(degrees - whole) < 1e-6 ? whole : degrees;
-    return near == -180.0 ? 180.0 : near + 0.0;
-}
-
-Viewpoint viewAlongSide(const Vec3& forward, const Vec3& down, BeamAxis axis) {
-    Viewpoint view = viewAlong(forward, down, axis);
-    view.azimuthDegrees = withoutRounding(view.azimuthDegrees);
-    view.elevationDegrees = withoutRounding(view.elevationDegrees);
-    view.rollDegrees = withoutRounding(view.rollDegrees);
-    return view;
-}
-
 }  // namespace
 
 Sides sidesOf(const Viewpoint& fromProbe, bool beamSure, const ScanPlanes& planes) {
     const ViewFrame frame = frameOf(fromProbe);
     const Vec3 elevation = planes.lateral.cross(frame.forward);
     const auto along = [&](const Vec3& forward, const Vec3& down) {
-        return viewAlongSide(forward, down, fromProbe.beamAxis);
+        return withoutRounding(viewAlong(forward, down, fromProbe.beamAxis));
     };
     Viewpoint probe{.beamAxis = fromProbe.beamAxis,
                     .azimuthDegrees = fromProbe.azimuthDegrees,

@@ -52,7 +52,7 @@ FluidBefore findSurfaces(const SeenFluid& seen, std::vector<ShownTube>& shown) {
     return fluid;
 }
 
-/// How many pairs of neighbours in the picture there are of which one is open and the other is not.
+/// Counts the pairs of neighbouring tube cores of which one is open and the other is not.
 int rimOf(const TubeEcho& tubes, const std::vector<ShownTube>& shown) {
     int rim = 0;
     const auto compare = [&](const ShownTube& one, const ShownTube& other) {

@@ -61,6 +61,10 @@ Viewpoint withFrontAcross(Viewpoint view, double depthMm) {
     return view;
 }
 
+bool hasObliqueFront(const Viewpoint& view) {
+    return view.frontPlane && view.frontPlane->forward != frameOf(view).forward;
+}
+
 double frontDepthMm(const Viewpoint& view) { return view.frontPlane ? view.frontPlane->depthMm : 0.0; }
 
 Viewpoint turnedAbout(const Viewpoint& view, const Vec3& axis, double degrees) {
@@ -97,6 +101,15 @@ Viewpoint withinPoles(const Viewpoint& view) {
     return within;
 }
 
+Viewpoint withoutRounding(Viewpoint view) {
+    constexpr double rounding = 1e-6;  // degrees
+    for (double* angle : {&view.azimuthDegrees, &view.elevationDegrees, &view.rollDegrees}) {
+        const double whole = std::round(*angle);
+        if (std::abs(*angle - whole) < rounding) *angle = whole == -180.0 ? 180.0 : whole + 0.0;
+    }
+    return view;
+}
+
 Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry) {
     return normalized(geometry.voxelFromGridMm(frameOf(view).forward));
 }
@@ -111,19 +124,23 @@ CuttingFace cuttingFaceOf(const FrontPlane& front, const VolumeGeometry& geometr
 }
 
 double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry) {
-    const Vec3 forward = frameOf(view).forward;
-    const bool across = view.frontPlane && view.frontPlane->forward == forward;
-    return across ? cuttingFaceOf(*view.frontPlane, geometry).depthMm : geometry.depthsAlong(forward).nearest;
+    if (view.frontPlane && !hasObliqueFront(view)) return cuttingFaceOf(*view.frontPlane, geometry).depthMm;
+    return geometry.depthsAlong(frameOf(view).forward).nearest;
 }
 
-std::optional<DepthRange> leftByFront(const Viewpoint& view, const VolumeGeometry& geometry, const Vec3& pointMm) {
-    const Vec3 forward = frameOf(view).forward;
-    DepthRange left{nearPlaneDepthMm(view, geometry), geometry.depthsAlong(forward).farthest};
-    if (view.frontPlane && view.frontPlane->forward != forward) {
+LeftByFront::LeftByFront(const Viewpoint& view, const VolumeGeometry& geometry)
+    : m_forward(frameOf(view).forward),
+      m_depths{nearPlaneDepthMm(view, geometry), geometry.depthsAlong(m_forward).farthest} {
+    if (hasObliqueFront(view)) m_oblique = cuttingFaceOf(*view.frontPlane, geometry);
+}
+
+std::optional<DepthRange> LeftByFront::of(const Vec3& pointMm) const {
+    DepthRange left = m_depths;
+    if (m_oblique) {
         constexpr double alongFront = 1e-9;
-        const CuttingFace face = cuttingFaceOf(*view.frontPlane, geometry);
-        const double slope = face.inwards.dot(forward), before = face.depthMm - face.inwards.dot(pointMm);
-        const double crossing = forward.dot(pointMm) + before / slope;
+        const double slope = m_oblique->inwards.dot(m_forward);
+        const double before = m_oblique->depthMm - m_oblique->inwards.dot(pointMm);
+        const double crossing = m_forward.dot(pointMm) + before / slope;
         if (std::abs(slope) < alongFront) {
             if (before > 0.0) return std::nullopt;
         } else if (slope > 0.0) {

@@ -53,6 +53,8 @@ struct Viewpoint {
 /// The view with a flat front across it, `depthMm` behind the volume's foremost point along the view; without one if
 /// `depthMm` is 0 or less.
 [[nodiscard]] Viewpoint withFrontAcross(Viewpoint view, double depthMm);
+/// Whether the view has a flat front that does not lie across it.
+[[nodiscard]] bool hasObliqueFront(const Viewpoint& view);
 /// FrontPlane::depthMm of the view's flat front; 0 if it has none.
 [[nodiscard]] double frontDepthMm(const Viewpoint& view);
 
@@ -63,6 +65,10 @@ struct Viewpoint {
 
 /// The same view with an elevation in [-90, 90] degrees. If it had one, it keeps its bits.
 [[nodiscard]] Viewpoint withinPoles(const Viewpoint& view);
+
+/// The view with angles that are whole degrees where they are so but for rounding, and no angle of -180 degrees. The
+/// way through a frame leaves such angles.
+[[nodiscard]] Viewpoint withoutRounding(Viewpoint view);
 
 /// The unit view direction in voxel index space (divided by spacing per axis, then normalised).
 [[nodiscard]] Vec3 directionInVoxels(const Viewpoint& view, const VolumeGeometry& geometry);
@@ -80,9 +86,19 @@ struct Viewpoint {
 struct DepthRange {
     double from, to;
 };
-/// The part of the line through a point (grid mm), along the view, that lies behind the view's flat front and within
-/// the depths of the volume's box. Empty if there is none.
-[[nodiscard]] std::optional<DepthRange> leftByFront(const Viewpoint& view, const VolumeGeometry& geometry,
-                                                    const Vec3& pointMm);
+
+/// What the view's flat front leaves of lines along the view.
+class LeftByFront {
+public:
+    LeftByFront(const Viewpoint& view, const VolumeGeometry& geometry);
+    /// The part of the line through a point (grid mm) that lies behind the front and within the depths of the volume's
+    /// box. Empty if there is none.
+    [[nodiscard]] std::optional<DepthRange> of(const Vec3& pointMm) const;
+
+private:
+    Vec3 m_forward;
+    DepthRange m_depths;                   ///< of the volume's box behind a front across the view
+    std::optional<CuttingFace> m_oblique;  ///< the front, if it does not lie across the view
+};
 
 }  // namespace echolucent

@@ -46,6 +46,7 @@ void ValueSlider::setValue(double value) {
 
 void ValueSlider::setRange(double minimum, double maximum) {
     Q_ASSERT(minimum <= maximum);
+    if (minimum == this->minimum() && maximum == this->maximum()) return;
     const QSignalBlocker spinBoxBlocker(m_spinBox);
     m_spinBox->setRange(minimum, maximum);
     const QSignalBlocker sliderBlocker(m_slider);
@@ -54,7 +55,9 @@ void ValueSlider::setRange(double minimum, double maximum) {
     showOnSlider();
 }
 
-void ValueSlider::setSuffix(const QString& suffix) { m_spinBox->setSuffix(suffix); }
+void ValueSlider::setSuffix(const QString& suffix) {
+    if (suffix != m_spinBox->suffix()) m_spinBox->setSuffix(suffix);  // else it would be laid out anew
+}
 
 void ValueSlider::setStandard(double standard) {
     m_standard = standard;

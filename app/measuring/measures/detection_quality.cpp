@@ -13,7 +13,7 @@ namespace echolucent {
 std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                        const TubeAxis& axis, const Vec3& offsetMm) {
     const Vec3 start = axis.pointMm + offsetMm;
-    const auto left = leftByFront(view, geometry, start);
+    const auto left = LeftByFront(view, geometry).of(start);
     if (!left) return std::nullopt;
     const auto point = truth.firstInterfacePoint(start, axis.directionMm, left->from);
     if (!point || axis.directionMm.dot(*point) > left->to) return std::nullopt;

@@ -33,7 +33,7 @@ namespace {
 
 constexpr const char* csvName = "sides.csv";
 
-/// What is looked into, and from where it was scanned.
+/// A scan with the view from its probe.
 struct ProbedScan {
     std::string name;
     std::shared_ptr<const Volume> volume;

@@ -127,8 +127,7 @@ std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& 
     const bool onVoxels = tubesLieOnVoxels(geometry, view);
     const Vec3 centre = view.box ? view.box->centreMm : geometry.centreMm();
     auto faces = view.box ? facesThatCut(*view.box, geometry) : std::vector<CuttingFace>{};
-    if (view.frontPlane && view.frontPlane->forward != frame.forward)
-        faces.push_back(cuttingFaceOf(*view.frontPlane, geometry));
+    if (hasObliqueFront(view)) faces.push_back(cuttingFaceOf(*view.frontPlane, geometry));
 
     std::vector<TubeAxis> axes;
     axes.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));

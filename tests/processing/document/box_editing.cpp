@@ -111,7 +111,7 @@ TEST(BoxEditing, ASlabLiesAroundItsPlaneAndIsSeenAsThePlaneIs) {
     }
 }
 
-TEST(BoxEditing, TheStartSurfaceBeginsWhereThePictureDoes) {
+TEST(BoxEditing, TheSurfaceOfAFlatFrontLiesWhereTheFrontDoes) {
     Document document;
     const Volume volume = even();
     const auto depthAtCentre = [&](const Document& of) {
@@ -119,14 +119,14 @@ TEST(BoxEditing, TheStartSurfaceBeginsWhereThePictureDoes) {
         EXPECT_EQ(problemOf(surface), "");
         return surface.depthAt(volume.geometry().centreMm());
     };
-    EXPECT_NEAR(depthAtCentre(document), -0.5, 1e-6) << "the data's front";
-    document.scene.front.depthMm = 12;
-    EXPECT_NEAR(depthAtCentre(document), 11.5, 1e-6) << "the near cut";
+    document.scene.front = frontAcross({}, 12);
+    EXPECT_NEAR(depthAtCentre(document), 11.5, 1e-6);
     Document boxed = withBoxSwitched(document, true, volume.dataBox());
-    EXPECT_NEAR(depthAtCentre(boxed), 11.5, 1e-6) << "the near cut is deeper than the box's front";
     Box box = boxed.scene.box;
     box.sizeMm[2] = 20;
-    EXPECT_NEAR(depthAtCentre(withBox(boxed, box)), 29.5, 1e-6) << "the box's front is deeper";
+    EXPECT_NEAR(depthAtCentre(withBox(boxed, box)), 11.5, 1e-6) << "also if the box begins behind it";
+    document.scene.side = {40, 0, 0};
+    EXPECT_EQ(surfaceOfFront(document, volume).frame.forward, Vec3(0, 0, 1)) << "whatever the side";
     const CutSurface own = bowed(surfaceOfFront(document, volume), 3);
     document.scene.front = {.surface = own};
     EXPECT_TRUE(surfaceOfFront(document, volume) == own);
@@ -134,6 +134,7 @@ TEST(BoxEditing, TheStartSurfaceBeginsWhereThePictureDoes) {
 
 TEST(BoxEditing, ABowIsDeepestInTheMiddleAndLeavesTheBorder) {
     Document document;
+    document.scene.front = frontAcross({}, 3);
     const Volume volume = even();
     const CutSurface flat = surfaceOfFront(document, volume), surface = bowed(flat, 5);
     const Vec3 centre = volume.geometry().centreMm();

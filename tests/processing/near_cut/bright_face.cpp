@@ -44,19 +44,39 @@ TEST(BrightFace, OnlyAFaceThatIsAlmostWhiteIsShownDarker) {
     EXPECT_DOUBLE_EQ(exposureFor(0.9) * 0.9, calmFaceIntensity);
 }
 
-TEST(BrightFace, OpeningTakesItAndALookOnlyMultipliesIt) {
+/// A bright wall before a ball of tissue in fluid, or even bright tissue.
+Volume whiteScan(bool opens) {
+    const VolumeGeometry geometry = gridOf({64, 64, 64});
+    std::vector<std::uint8_t> voxels;
+    for (int z = 0; z < 64; ++z)
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const bool inFluid = opens && z >= 12 && z < 44;
+                voxels.push_back(static_cast<std::uint8_t>(inFluid ? 5 : z < 12 || !opens ? 250 : 120));
+            }
+    return Volume(geometry, std::move(voxels), 255.0);
+}
+
+TEST(BrightFace, OpeningDarkensAFaceThatStaysAndNoFaceThatIsCutAway) {
     const SaidOnOpening said{.beam = BeamAxis::plusZ};
-    const auto calm = findOnOpening(layers(150), {}, said), white = findOnOpening(layers(250), {}, said);
-    ASSERT_TRUE(calm && white);
+    const auto calm = findOnOpening(layers(150), {}, said), stays = findOnOpening(whiteScan(false), {}, said),
+               goes = findOnOpening(whiteScan(true), {}, said);
+    ASSERT_TRUE(calm && stays && goes);
     EXPECT_EQ(withFinds({}, *calm).scene.exposure, 1.0);
+    ASSERT_FALSE(makesFront(*stays));
+    EXPECT_NEAR(withFinds({}, *stays).scene.exposure, calmFaceIntensity / (250 / 255.0), 0.01);
+    ASSERT_TRUE(makesFront(*goes)) << goes->cut->message;
+    EXPECT_EQ(withFinds({}, *goes).scene.exposure, 1.0);
+}
+
+TEST(BrightFace, ALookOnlyMultipliesTheExposure) {
     Document document;
     document.scene.look.brightness = 1.5;
-    const bool cut = makesFront(*white);
-    document = withFinds(document, *white);
-    EXPECT_EQ(document.scene.exposure < 1.0, !cut);
+    document = withFinds(document, *findOnOpening(whiteScan(false), {}, {.beam = BeamAxis::plusZ}));
+    EXPECT_LT(document.scene.exposure, 0.7);
     EXPECT_EQ(document.scene.look.brightness, 1.5);
     EXPECT_DOUBLE_EQ(shownLook(document.scene).brightness, 1.5 * document.scene.exposure);
-    EXPECT_EQ(findOnOpening(layers(250), {}, {.beam = BeamAxis::plusZ, .front = true})->exposure, 1.0)
+    EXPECT_EQ(findOnOpening(whiteScan(false), {}, {.beam = BeamAxis::plusZ, .front = true})->exposure, 1.0)
         << "who chooses a front sees to the rest";
     EXPECT_EQ(openedDocument(document, {}).scene.exposure, 1.0) << "the next study has its own";
 }

@@ -11,9 +11,9 @@
 
 #include "app/measuring/measures/detection_quality.h"
 #include "processing/phantom/phantom.h"
-#include "processing/scan_conversion/scan_conversion.h"
 #include "processing/tube_core/slabs/tube_grid.h"
 #include "tests/processing/tube_core/plane_volume.h"
+#include "tests/processing/wobbler.h"
 
 namespace echolucent {
 namespace {
@@ -154,13 +154,7 @@ TEST(NearCut, OfACancelledRunIsNone) {
 TEST(NearCut, IsNotSoughtBehindWhatTheFluidOfAWideSectorSurrounds) {
     PhantomConfig config = defaultPhantom(PhantomScene::fetus);
     config.size = {100, 100, 100};
-    const PolarGeometry polar =
-        polarGeometry({PolarKind::wobbler, 0, 1, {-40, 40}, {-38, 38}, 39.6, 24.75}, config.size);
-    const ConversionGrid grid = conversionGrid(polar);
-    const ScanConversion conversion(polar, grid);
-    const auto sampled = makePolarPhantom(configOnGrid(config, grid), polar, grid);
-    const Volume volume =
-        Volume(grid.geometry, *conversion.convert(*sampled), std::nullopt).withDataMask(conversion.mask());
+    const Volume volume = scanOfWobbler(config);
     const auto found = findNearCut(volume, {});
     EXPECT_EQ(found->answer, NearCutAnswer::fluidAtFront) << found->message;
 }

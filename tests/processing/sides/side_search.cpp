@@ -14,11 +14,9 @@
 #include <vector>
 
 #include "processing/phantom/phantom.h"
-#include "processing/scan_conversion/conversion_grid.h"
-#include "processing/scan_conversion/polar_geometry.h"
-#include "processing/scan_conversion/scan_conversion.h"
 #include "processing/sides/side_search.h"
 #include "tests/processing/grids.h"
+#include "tests/processing/wobbler.h"
 
 namespace echolucent {
 namespace {
@@ -159,13 +157,7 @@ TEST(SideSearch, OpensSimulatedScansFromTheProbe) {
 /// A scan of a wobbler: its sector is dim at the border, and less than half of the tube cores begin in fluid.
 TEST(SideSearch, OpensTheFetusInAWideSectorFromTheProbe) {
     PhantomConfig config = simulated(PhantomScene::fetus, false, 6);
-    const PolarGeometry polar =
-        polarGeometry({PolarKind::wobbler, 0, 1, {-40, 40}, {-38, 38}, 39.6, 24.75}, config.size);
-    const ConversionGrid grid = conversionGrid(polar);
-    const ScanConversion conversion(polar, grid);
-    const auto sampled = makePolarPhantom(configOnGrid(config, grid), polar, grid);
-    const Volume volume =
-        Volume(grid.geometry, *conversion.convert(*sampled), std::nullopt).withDataMask(conversion.mask());
+    const Volume volume = scanOfWobbler(config);
     const SidesFinding found = *findSides(volume, {}, true);
     EXPECT_EQ(found.best, probeSide) << found.sentence;
     EXPECT_GT(found.sides[probeSide].score.total, 0.0);

@@ -170,26 +170,33 @@ TEST(Viewpoint, AFrontAcrossTheViewIsCountedFromTheForemostCorner) {
     EXPECT_NEAR(nearPlaneDepthMm(view, geometry), (-0.5 - 1.0) * std::sqrt(0.5), 1e-14);
 }
 
+TEST(Viewpoint, AnglesThatAreWholeButForRoundingAreWhole) {
+    const Viewpoint view = withoutRounding({BeamAxis::plusY, 90.0 - 1e-14, -1e-13, -180.0 + 1e-13});
+    EXPECT_EQ(view, (Viewpoint{BeamAxis::plusY, 90, 0, 180}));
+    EXPECT_FALSE(std::signbit(view.elevationDegrees));
+    EXPECT_EQ(withoutRounding({BeamAxis::plusY, 12.5, 1e-5, 3}), (Viewpoint{BeamAxis::plusY, 12.5, 1e-5, 3}));
+}
+
 TEST(Viewpoint, OfALineIsLeftWhatLiesBehindTheFront) {
     VolumeGeometry geometry;
     geometry.size = {40, 40, 40};
     Viewpoint view = withFrontAcross({}, 10.5);  // the plane z = 10
-    EXPECT_DOUBLE_EQ(leftByFront(view, geometry, {3, 4, 5})->from, 10.0);
-    EXPECT_DOUBLE_EQ(leftByFront(view, geometry, {3, 4, 5})->to, 39.5);
+    EXPECT_DOUBLE_EQ(LeftByFront(view, geometry).of({3, 4, 5})->from, 10.0);
+    EXPECT_DOUBLE_EQ(LeftByFront(view, geometry).of({3, 4, 5})->to, 39.5);
     view.azimuthDegrees = 30;  // forward is (1/2, 0, sqrt(3)/2)
     const Vec3 forward = frameOf(view).forward;
     for (const Vec3& point : {Vec3(3, 4, 5), Vec3(30, 0, 30), Vec3(20, 1, -7)}) {
-        const Vec3 entry = point + forward * (leftByFront(view, geometry, point)->from - forward.dot(point));
+        const Vec3 entry = point + forward * (LeftByFront(view, geometry).of(point)->from - forward.dot(point));
         EXPECT_NEAR(entry[2], 10.0, 1e-12);
     }
     view.azimuthDegrees = 120;  // comes from behind
     const Vec3 back = frameOf(view).forward, point(5, 4, 20);
-    EXPECT_DOUBLE_EQ(leftByFront(view, geometry, point)->from, nearPlaneDepthMm(view, geometry));
-    EXPECT_NEAR((point + back * (leftByFront(view, geometry, point)->to - back.dot(point)))[2], 10.0, 1e-12);
+    EXPECT_DOUBLE_EQ(LeftByFront(view, geometry).of(point)->from, nearPlaneDepthMm(view, geometry));
+    EXPECT_NEAR((point + back * (LeftByFront(view, geometry).of(point)->to - back.dot(point)))[2], 10.0, 1e-12);
     view.azimuthDegrees = 90;  // runs along it
-    EXPECT_TRUE(leftByFront(view, geometry, {3, 4, 11}));
-    EXPECT_FALSE(leftByFront(view, geometry, {3, 4, 9}));
-    EXPECT_FALSE(leftByFront(withFrontAcross({}, 60), geometry, {3, 4, 5})) << "nothing is left";
+    EXPECT_TRUE(LeftByFront(view, geometry).of({3, 4, 11}));
+    EXPECT_FALSE(LeftByFront(view, geometry).of({3, 4, 9}));
+    EXPECT_FALSE(LeftByFront(withFrontAcross({}, 60), geometry).of({3, 4, 5})) << "nothing is left";
 }
 
 }  // namespace
