@@ -176,7 +176,7 @@ private slots:
         });
         looking.lookAtPanes(added);
         QCOMPARE(looking.document().panes.size(), std::size_t{3});
-        QVERIFY_EXCEPTION_THROWN(looking.lookAtPanes(added), std::invalid_argument);
+        QVERIFY_THROWS_EXCEPTION(std::invalid_argument, looking.lookAtPanes(added));
         both([](DocumentModel& model) {
             model.change("turn", [](Document& next) { next.scene.pose.direction.azimuth = 30; });
         });
