@@ -1,5 +1,6 @@
 #include "processing/one_line.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -31,6 +32,9 @@ Letter firstLetter(std::string_view text) {
     return {code, bytes, true};
 }
 
+/// Whether a byte of UTF-8 is the first one of a letter.
+bool beginsLetter(char byte) { return (static_cast<std::uint8_t>(byte) & 0xc0U) != 0x80; }
+
 bool isBlankHere(char32_t code) {
     return code < 0x20 || (code >= 0x7f && code <= 0x9f) || code == 0x2028 || code == 0x2029 ||
            (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
@@ -50,6 +54,17 @@ std::string oneLine(std::string_view text, std::size_t longest) {
         text.remove_prefix(letter.bytes);
     }
     return line;
+}
+
+std::size_t letterCount(std::string_view text) {
+    return static_cast<std::size_t>(std::ranges::count_if(text, beginsLetter));
+}
+
+std::string_view firstLetters(std::string_view text, std::size_t most) {
+    std::size_t letters = 0, end = 0;
+    for (; end < text.size(); ++end)
+        if (beginsLetter(text[end]) && letters++ == most) break;
+    return text.substr(0, end);
 }
 
 }  // namespace echolucent

@@ -15,4 +15,9 @@ namespace echolucent {
 /// follows, which is not counted.
 [[nodiscard]] std::string oneLine(std::string_view text, std::size_t longest = std::numeric_limits<std::size_t>::max());
 
+/// The number of letters of a text in UTF-8: its code points.
+[[nodiscard]] std::size_t letterCount(std::string_view text);
+/// The text in UTF-8 up to and with its first `most` letters.
+[[nodiscard]] std::string_view firstLetters(std::string_view text, std::size_t most);
+
 }  // namespace echolucent

@@ -126,6 +126,8 @@ std::vector<KeyRow> windowRows() {
          "M, Shift+M",
          tr("takes the tool that measures distances, or angles in planes; or puts it away"),
          {{"room.measureDistance", "M"}, {"room.measureAngle", "Shift+M"}}},
+        {place, tr("Delete, F2 in the list of measurements"),
+         tr("removes the selected measurement; goes to the field of its name")},
         {place, "F", tr("shows the picture alone on the full screen, and leaves it"), {{"view.fullScreen", "F"}}},
         {place,
          "N, Shift+N",

@@ -13,9 +13,11 @@ namespace {
 
 QString rowText(const Measurement& measurement, const VolumeGeometry& geometry, bool phases) {
     const Result<std::string> value = measurementText(measurement, geometry);
-    const QString text = value ? QString::fromStdString(*value)
-                               : MeasurementControls::tr("%1 without a value").arg(textOf(nameOf(measurement.kind)));
-    QStringList words{MeasurementControls::tr("%1. %2").arg(measurement.id).arg(text)};
+    QString text = value ? QString::fromStdString(*value)
+                         : MeasurementControls::tr("%1 without a value").arg(textOf(nameOf(measurement.kind)));
+    if (!measurement.name.empty()) text.prepend(QString::fromStdString(measurement.name) + ' ');
+    // A name may hold a placeholder that QString::arg() would replace.
+    QStringList words{QString::number(measurement.id) + QStringLiteral(". ") + text};
     words << textOf(groundWords(measurement.ground));
     if (phases) words << MeasurementControls::tr("phase %1").arg(measurement.phase + 1);
     return words.join(QStringLiteral(", "));
@@ -28,6 +30,9 @@ MeasurementControls::MeasurementControls(const Parts& parts, QObject* parent) : 
     connect(panel, &MeasurementsPanel::toolChosen, &m_parts.hand, &MeasuringHand::setTool);
     connect(&m_parts.hand, &MeasuringHand::toolChanged, panel, [this] { m_parts.panel.setTool(m_parts.hand.tool()); });
     connect(panel, &MeasurementsPanel::chosen, this, &MeasurementControls::show);
+    connect(panel, &MeasurementsPanel::nameTyped, this, &MeasurementControls::setName);
+    connect(panel, &MeasurementsPanel::commentTyped, this, &MeasurementControls::setComment);
+    connect(panel, &MeasurementsPanel::typingEnded, this, [this] { --m_typing; });
     connect(panel, &MeasurementsPanel::removed, this, &MeasurementControls::remove);
     connect(panel, &MeasurementsPanel::allRemoved, this, &MeasurementControls::removeAll);
     connect(&m_parts.model, &DocumentModel::measurementsChanged, this, &MeasurementControls::list);
@@ -39,7 +44,8 @@ void MeasurementControls::list() {
     std::vector<MeasurementRow> rows;
     if (const std::shared_ptr<const Volume> volume = m_parts.openStudy.volume())
         for (const Measurement& each : m_parts.model.document().measurements)
-            rows.push_back({each.id, rowText(each, volume->geometry(), m_parts.openStudy.study()->phases.size() > 1)});
+            rows.push_back({each.id, rowText(each, volume->geometry(), m_parts.openStudy.study()->phases.size() > 1),
+                            QString::fromStdString(each.name), QString::fromStdString(each.comment)});
     m_parts.panel.setRows(rows);
 }
 
@@ -56,6 +62,25 @@ void MeasurementControls::show(int id) {
         Planes& planes = next.scene.planes;
         planes = planesHolding(planes, measurement->placesMm, next.beam.axis, m_parts.openStudy.volume()->dataBox());
     });
+}
+
+void MeasurementControls::setName(int id, const QString& typed) {
+    setText(id, &Measurement::name, measurementNameOf(typed.toStdString()), tr("name %1 %2"));
+}
+
+void MeasurementControls::setComment(int id, const QString& typed) {
+    setText(id, &Measurement::comment, measurementCommentOf(typed.toStdString()), tr("comment on %1 %2"));
+}
+
+void MeasurementControls::setText(int id, std::string Measurement::*member, const std::string& text,
+                                  const QString& what) {
+    Document next = m_parts.model.document();
+    const auto found = std::ranges::find(next.measurements, id, &Measurement::id);
+    if (found == next.measurements.end()) return;
+    const QString step = what.arg(textOf(nameOf(found->kind))).arg(id);
+    next.measurements.change(
+        [&, place = found - next.measurements.begin()](auto& all) { (*(all.begin() + place)).*member = text; });
+    m_parts.model.edit(next, step, m_typing);
 }
 
 void MeasurementControls::remove(int id) {

@@ -23,10 +23,11 @@ QString stepName(const Measurement& measurement) {
     return QStringLiteral("%1 %2").arg(textOf(nameOf(measurement.kind))).arg(measurement.id);
 }
 
-bool holds(const DataBox& box, const Vec3& gridMm) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (gridMm[axis] < box.lowMm[axis] || gridMm[axis] > box.highMm[axis]) return false;
-    return true;
+/// Why a place without data cannot be marked.
+QString refusalOf(const Volume& volume, const Vec3& gridMm) {
+    return volume.isCut() && holdsData(volume.withCut(nullptr), gridMm)
+               ? MeasuringHand::tr("That place was cut away. Mark a place that is shown.")
+               : MeasuringHand::tr("That place lies outside the scan. Mark a place in it.");
 }
 
 }  // namespace
@@ -128,8 +129,8 @@ void MeasuringHand::hoverInPlane(PlanePane& pane, const QPointF& pixel) {
 
 void MeasuringHand::markInPlane(PlanePane& pane, const QPointF& pixel) {
     const Vec3 place = pane.mapping().gridAt(pixel);
-    if (!holds(m_parts.openStudy.volume()->dataBox(), place))
-        return tell(tr("There is no data where you clicked, so nothing was marked. Click within the volume."));
+    const Volume& volume = *m_parts.openStudy.volume();
+    if (!holdsData(volume, place)) return tell(refusalOf(volume, place));
     mark(&pane, pixel, place, pane.mapping().mmPerPixel());
 }
 
@@ -240,7 +241,7 @@ void MeasuringHand::moveMark(PlanePane& pane, const QPointF& pixel) {
     // A place beside the plane keeps its distance from it.
     const Vec3 place = before->placesMm[m_held->place] + mapping.gridAt(pixel) - mapping.gridAt(m_pressedAt);
     moved->placesMm[m_held->place] = place;
-    if (!holds(m_parts.openStudy.volume()->dataBox(), place) || !measuredValue(*moved, geometry())) return;
+    if (!holdsData(*m_parts.openStudy.volume(), place) || !measuredValue(*moved, geometry())) return;
     const QString what = tr("move %1").arg(stepName(*moved));
     next.measurements = std::move(measurements);
     m_parts.model.preview(next, what);
@@ -265,7 +266,7 @@ void MeasuringHand::showMarking() {
         begun.id = 0;
         // No line to the pointer if a click there would mark nothing.
         const std::optional<Vec3> next = m_pointer ? std::optional(pane->mapping().gridAt(*m_pointer)) : std::nullopt;
-        if (next && holds(m_parts.openStudy.volume()->dataBox(), *next)) begun.placesMm.push_back(*next);
+        if (next && holdsData(*m_parts.openStudy.volume(), *next)) begun.placesMm.push_back(*next);
         std::optional<ShownMeasurement> shown = shownMeasurement(begun, geometry());
         // If the pointer is still on a place, there is no value yet.
         if (!shown) shown = ShownMeasurement{.kind = begun.kind, .placesMm = m_places};

@@ -182,10 +182,13 @@ Comparison comparisonIn(JsonFields& fields) {
 
 std::vector<Measurement> measurementsIn(JsonFields& root) {
     std::vector<Measurement> measurements;
-    for (JsonFields& fields : root.list("measurements", mostMeasurements))
-        measurements.push_back(
-            {static_cast<int>(fields.whole("id", 0, largestNumber)), fields.choice("kind", &measurementKindFromName),
-             fields.choice("ground", &measurementGroundFromName), fields.vectors("places_mm"), phaseIn(fields)});
+    for (JsonFields& fields : root.list("measurements", mostMeasurements)) {
+        Measurement& next = measurements.emplace_back(Measurement{
+            static_cast<int>(fields.whole("id", 0, largestNumber)), fields.choice("kind", &measurementKindFromName),
+            fields.choice("ground", &measurementGroundFromName), fields.vectors("places_mm"), phaseIn(fields)});
+        if (fields.has("name")) next.name = fields.text("name");
+        if (fields.has("comment")) next.comment = fields.text("comment");
+    }
     return measurements;
 }
 

@@ -149,11 +149,13 @@ ordered_json measurementsJson(const std::vector<Measurement>& measurements) {
     for (const Measurement& measurement : measurements) {
         ordered_json places = ordered_json::array();
         for (const Vec3& place : measurement.placesMm) places.push_back(triple(place));
-        entries.push_back({{"id", measurement.id},
-                           {"kind", nameOf(measurement.kind)},
-                           {"ground", nameOf(measurement.ground)},
-                           {"places_mm", places},
-                           {"phase", measurement.phase}});
+        ordered_json& entry = entries.emplace_back(ordered_json{{"id", measurement.id},
+                                                                {"kind", nameOf(measurement.kind)},
+                                                                {"ground", nameOf(measurement.ground)},
+                                                                {"places_mm", places},
+                                                                {"phase", measurement.phase}});
+        if (!measurement.name.empty()) entry["name"] = measurement.name;
+        if (!measurement.comment.empty()) entry["comment"] = measurement.comment;
     }
     return entries;
 }

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "processing/choice_names.h"
+#include "processing/one_line.h"
+#include "processing/sampling/sampler.h"
 
 namespace echolucent {
 
@@ -12,6 +14,31 @@ namespace {
 
 constexpr ChoiceNames<2> kindNames{"distance", "angle"};
 constexpr ChoiceNames<2> groundNames{"plane", "surface"};
+
+/// The text with each of its lines as oneLine().
+std::string withPlainLines(std::string_view text) {
+    std::string lines;
+    for (std::size_t begin = 0;;) {
+        const std::size_t end = text.find('\n', begin);
+        lines += oneLine(text.substr(begin, end == std::string_view::npos ? end : end - begin));
+        if (end == std::string_view::npos) return lines;
+        lines += '\n';
+        begin = end + 1;
+    }
+}
+
+std::string problemOfTexts(const Measurement& measurement) {
+    const auto tooLong = [](const std::string& text, std::size_t longest) { return letterCount(text) > longest; };
+    if (oneLine(measurement.name) != measurement.name)
+        return "name must be one line of UTF-8 without control characters";
+    if (tooLong(measurement.name, longestMeasurementName))
+        return "name must have at most " + std::to_string(longestMeasurementName) + " letters";
+    if (withPlainLines(measurement.comment) != measurement.comment)
+        return "comment must be UTF-8 without control characters other than the ends of lines";
+    if (tooLong(measurement.comment, longestMeasurementComment))
+        return "comment must have at most " + std::to_string(longestMeasurementComment) + " letters";
+    return {};
+}
 
 }  // namespace
 
@@ -52,6 +79,24 @@ Result<double> measuredValue(const Measurement& measurement, const VolumeGeometr
     return std::atan2(cv::norm(first.cross(second)), first.dot(second)) * 180.0 / std::numbers::pi;
 }
 
+std::string measurementNameOf(std::string_view typed) {
+    const auto trimmed = [](std::string_view text) {
+        const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+        return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+    };
+    const std::string line = oneLine(typed);
+    return std::string(trimmed(firstLetters(trimmed(line), longestMeasurementName)));
+}
+
+std::string measurementCommentOf(std::string_view typed) {
+    return std::string(firstLetters(withPlainLines(typed), longestMeasurementComment));
+}
+
+bool holdsData(const Volume& volume, const Vec3& gridMm) {
+    const Vec3 voxel = volume.geometry().voxelFromGridMm(gridMm);
+    return inBox(volume.geometry(), voxel) && VolumeSampler(volume).intensityAt(voxel).has_value();
+}
+
 std::string problemOf(const Measurement& measurement) {
     if (measurement.id < 1) return "id must be at least 1";
     if (measurement.phase < 0) return "phase must not be negative";
@@ -61,7 +106,7 @@ std::string problemOf(const Measurement& measurement) {
         return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);
     };
     if (!std::ranges::all_of(measurement.placesMm, finite)) return "places_mm must hold finite numbers";
-    return {};
+    return problemOfTexts(measurement);
 }
 
 }  // namespace echolucent

@@ -31,6 +31,9 @@ enum class MeasurementGround {
 [[nodiscard]] std::string_view nameOf(MeasurementGround ground);
 [[nodiscard]] std::optional<MeasurementGround> measurementGroundFromName(std::string_view name);
 
+/// The longest name and the longest comment of a measurement, letters.
+inline constexpr std::size_t longestMeasurementName = 80, longestMeasurementComment = 500;
+
 /// A measurement belongs to the volume: its places stay, however planes and camera are turned.
 struct Measurement {
     int id = 1;  ///< its number in the window, unique in a document, at least 1
@@ -38,6 +41,8 @@ struct Measurement {
     MeasurementGround ground = MeasurementGround::plane;
     std::vector<Vec3> placesMm{};  ///< grid mm, as many as the kind needs
     int phase = 0;                 ///< of a 4D study, counted from 0: the places were marked in it
+    std::string name{};            ///< what was measured ("BPD"), one line of UTF-8; empty if nobody has named it
+    std::string comment{};         ///< UTF-8, its lines end with "\n"; empty if there is none
     friend bool operator==(const Measurement&, const Measurement&) = default;
 };
 
@@ -46,6 +51,15 @@ struct Measurement {
 /// with the reason, if the spacing of the volume is unknown: then lengths and angles are no facts. Fails if the places
 /// of a distance coincide, or an angle's vertex with one of its other places.
 [[nodiscard]] Result<double> measuredValue(const Measurement& measurement, const VolumeGeometry& geometry);
+
+/// A text that a person typed, as the name of a measurement: oneLine(), without blanks at its ends, not too long.
+[[nodiscard]] std::string measurementNameOf(std::string_view typed);
+/// A text that a person typed, as the comment of a measurement: each of its lines oneLine(), not too long.
+[[nodiscard]] std::string measurementCommentOf(std::string_view typed);
+
+/// Whether planes show data at a place, grid mm: it lies in the volume's box, and VolumeSampler finds an intensity
+/// there. Only such a place may be marked.
+[[nodiscard]] bool holdsData(const Volume& volume, const Vec3& gridMm);
 
 /// What is wrong with a measurement that was read from a file: lower case, no full stop. Empty if nothing is wrong.
 [[nodiscard]] std::string problemOf(const Measurement& measurement);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "processing/one_line.h"
 #include "processing/viewpoint/box_section.h"
 
 namespace echolucent {
@@ -82,11 +83,25 @@ MeasurementLabel besideItsPlaces(const MeasurementWords& words, double aspect) {
 
 }  // namespace
 
-Result<std::string> measurementText(const Measurement& measurement, const VolumeGeometry& geometry) {
+Result<MeasurementNumber> measurementNumber(const Measurement& measurement, const VolumeGeometry& geometry) {
     const Result<double> value = measuredValue(measurement, geometry);
     if (!value) return tl::unexpected(value.error());
-    if (measurement.kind == MeasurementKind::angle) return fixedNumber(*value, 1) + "°";
-    return fixedNumber(*value, *value >= 1.0 ? 1 : *value >= 0.1 ? 2 : 3) + " mm";
+    if (measurement.kind == MeasurementKind::angle) return MeasurementNumber{fixedNumber(*value, 1), "°"};
+    return MeasurementNumber{fixedNumber(*value, *value >= 1.0 ? 1 : *value >= 0.1 ? 2 : 3), "mm"};
+}
+
+Result<std::string> measurementText(const Measurement& measurement, const VolumeGeometry& geometry) {
+    const Result<MeasurementNumber> number = measurementNumber(measurement, geometry);
+    if (!number) return tl::unexpected(number.error());
+    const char* const gap = measurement.kind == MeasurementKind::angle ? "" : " ";
+    return number->digits + gap + std::string(number->unit);
+}
+
+Result<std::string> measurementLabel(const Measurement& measurement, const VolumeGeometry& geometry) {
+    Result<std::string> text = measurementText(measurement, geometry);
+    if (!text || measurement.name.empty()) return text;
+    if (letterCount(measurement.name) <= longestShownName) return measurement.name + " " + *text;
+    return std::string(firstLetters(measurement.name, longestShownName - 1)) + "… " + *text;
 }
 
 std::string_view groundWords(MeasurementGround ground) {
@@ -96,7 +111,7 @@ std::string_view groundWords(MeasurementGround ground) {
 std::optional<ShownMeasurement> shownMeasurement(const Measurement& measurement, const VolumeGeometry& geometry) {
     ShownMeasurement shown{.id = measurement.id, .kind = measurement.kind, .placesMm = measurement.placesMm};
     if (measurement.placesMm.size() < placesNeeded(measurement.kind)) return shown;
-    const Result<std::string> text = measurementText(measurement, geometry);
+    const Result<std::string> text = measurementLabel(measurement, geometry);
     if (!text) return std::nullopt;
     shown.text = *text;
     if (measurement.kind == MeasurementKind::angle) shown.arcMm = arcOf(measurement.placesMm);

@@ -11,9 +11,23 @@
 
 namespace echolucent {
 
+/// The value of a measurement as tables hold it: "12.3" and "mm", or "47.1" and "°" (UTF-8).
+struct MeasurementNumber {
+    std::string digits;  ///< one decimal; of a distance below 1 mm two, below 0.1 mm three
+    std::string_view unit;
+};
+/// Fails as measuredValue() does.
+[[nodiscard]] Result<MeasurementNumber> measurementNumber(const Measurement& measurement,
+                                                          const VolumeGeometry& geometry);
 /// The value of a measurement in words: "12.3 mm", below 1 mm "0.47 mm", below 0.1 mm "0.047 mm"; "47.1°" (UTF-8).
 /// Lists, planes, the 3D view and exports all use these words. Fails as measuredValue() does.
 [[nodiscard]] Result<std::string> measurementText(const Measurement& measurement, const VolumeGeometry& geometry);
+
+/// The longest name that pictures show whole, letters.
+inline constexpr std::size_t longestShownName = 24;
+/// The name of a measurement and its value, as pictures show them: "BPD 47.1 mm". A longer name than longestShownName
+/// ends with "…" there. Without a name as measurementText(). Fails as measuredValue() does.
+[[nodiscard]] Result<std::string> measurementLabel(const Measurement& measurement, const VolumeGeometry& geometry);
 
 /// What the places of a measurement were marked on, in the words of lists and reports: "in a plane", "on a surface".
 [[nodiscard]] std::string_view groundWords(MeasurementGround ground);
@@ -24,7 +38,7 @@ struct ShownMeasurement {
     MeasurementKind kind = MeasurementKind::distance;
     std::vector<Vec3> placesMm{};  ///< grid mm; a line joins them in this order
     std::vector<Vec3> arcMm{};     ///< a second line, between the sides of an angle; else empty
-    std::string text{};            ///< measurementText(); empty if there is no value yet
+    std::string text{};            ///< measurementLabel(); empty if there is no value yet
     friend bool operator==(const ShownMeasurement&, const ShownMeasurement&) = default;
 };
 

@@ -39,5 +39,16 @@ TEST(OneLine, EndsAfterAWholeLetter) {
     EXPECT_EQ(oneLine("\x01", 0), "...");
 }
 
+TEST(OneLine, LettersAreCountedAndCutWhole) {
+    const std::string text = "M\u00fc\u5fc3\U0001f9e1x";
+    EXPECT_EQ(letterCount(""), 0u);
+    EXPECT_EQ(letterCount(text), 5u);
+    EXPECT_EQ(firstLetters(text, 0), "");
+    EXPECT_EQ(firstLetters(text, 2), "M\u00fc");
+    EXPECT_EQ(firstLetters(text, 4), "M\u00fc\u5fc3\U0001f9e1");
+    EXPECT_EQ(firstLetters(text, 5), text);
+    EXPECT_EQ(firstLetters(text, 6), text);
+}
+
 }  // namespace
 }  // namespace echolucent

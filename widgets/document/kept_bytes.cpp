@@ -31,7 +31,8 @@ std::size_t bytesBeside(const SharedList<ScalpelStroke>& strokes, const SharedLi
 std::size_t bytesBeside(const SharedList<Measurement>& measurements, const SharedList<Measurement>& others) {
     if (measurements.sharesWith(others)) return 0;
     std::size_t bytes = bytesOf(measurements);
-    for (const Measurement& each : measurements) bytes += each.placesMm.size() * sizeof(Vec3);
+    for (const Measurement& each : measurements)
+        bytes += each.placesMm.size() * sizeof(Vec3) + each.name.size() + each.comment.size();
     return bytes;
 }
 

@@ -10,18 +10,22 @@
 #include "processing/scene/measurement.h"
 
 class QAbstractButton;
+class QComboBox;
 class QListWidget;
+class QPlainTextEdit;
 
 namespace echolucent {
 
 struct MeasurementRow {
     int id = 1;    ///< of the measurement, not of the row
-    QString text;  ///< "1. 12.3 mm, in a plane"
+    QString text;  ///< "1. BPD 12.3 mm, in a plane"
+    QString name{}, comment{};
     friend bool operator==(const MeasurementRow&, const MeasurementRow&) = default;
 };
 
-/// Objects: measurements (this), measurements.distance, .angle, .list, .remove, .removeAll. An empty list is hidden
-/// with its buttons. No setter emits a signal.
+/// Objects: measurements (this), measurements.distance, .angle, .list, .name, .comment (of the measurement selected in
+/// the list), .remove, .removeAll. An empty list is hidden with its fields and buttons. In the list, Delete removes
+/// and F2 or a double click goes to the name. No setter emits a signal.
 class MeasurementsPanel : public QWidget {
     Q_OBJECT
 
@@ -37,17 +41,31 @@ signals:
     void toolChosen(std::optional<echolucent::MeasurementKind> tool);
     /// A row was clicked, or Enter pressed on it.
     void chosen(int id);
+    /// A person types the name or the comment of a measurement: emitted at each letter.
+    void nameTyped(int id, const QString& name);
+    void commentTyped(int id, const QString& comment);
+    /// The field was left, or another measurement was selected: what is typed from now on is a change of its own.
+    void typingEnded();
     void removed(int id);
     void allRemoved();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     QWidget* createList();
+    void createName();
+    void createComment();
     [[nodiscard]] int selectedId() const;
+    void showTexts();
+    void removeSelected();
 
     std::vector<MeasurementRow> m_rows;
     std::array<QAbstractButton*, 2> m_tools{};
-    QWidget* m_listed = nullptr;  ///< list and buttons
+    QWidget* m_listed = nullptr;  ///< list, fields and buttons
     QListWidget* m_list = nullptr;
+    QComboBox* m_name = nullptr;
+    QPlainTextEdit* m_comment = nullptr;
 };
 
 }  // namespace echolucent

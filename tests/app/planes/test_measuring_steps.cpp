@@ -131,13 +131,6 @@ private slots:
         QTest::keyClick(&a, Qt::Key_PageDown);
         press(a, QPointF(a.width() / 2.0 + 30, a.height() / 2.0));
         QCOMPARE(measurements().size(), 1u);
-        // Nothing is marked where there is no data, and the window says so.
-        key(Qt::Key_Escape);
-        QTest::keyClick(&a, Qt::Key_Minus);
-        press(a, QPointF(30, a.height() - 30.0));
-        QVERIFY2(message().contains("no data where you clicked"), qPrintable(message()));
-        press(a, QPointF(a.width() / 2.0, a.height() / 2.0));
-        QVERIFY(!message().contains("no data where you clicked"));
     }
 
     void theListGoesToPhaseAndPlane() {

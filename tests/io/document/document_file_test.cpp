@@ -57,6 +57,22 @@ TEST(DocumentFile, OnlyStudiesWhoseBlackIsNotZeroSaySo) {
     EXPECT_TRUE(asOpened(file, study) == file);
 }
 
+TEST(DocumentFile, AMeasurementWithoutNameAndCommentIsWrittenAsItEverWas) {
+    const auto object = nlohmann::ordered_json::parse(jsonOf(unusualDocument()));
+    const auto keysOf = [](const nlohmann::ordered_json& entry) {
+        std::vector<std::string> keys;
+        for (const auto& [key, value] : entry.items()) keys.push_back(key);
+        return keys;
+    };
+    const std::vector<std::string> ever{"id", "kind", "ground", "places_mm", "phase"};
+    EXPECT_EQ(keysOf(object["measurements"][1]), ever);
+    EXPECT_EQ(object["measurements"][0]["name"], "AO∠");
+    const auto read = documentFromJson(object.dump());
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->measurements[0].comment, "beside the \"spine\"\nagain in 2 weeks");
+    EXPECT_EQ(read->measurements[1].name, "");
+}
+
 TEST(DocumentFile, SaysWhichTubeCoresAreNeverPlacedOnlyWhereThereAreAny) {
     const nlohmann::ordered_json::json_pointer place("/method/parameters/without_tubes");
     EXPECT_FALSE(nlohmann::ordered_json::parse(jsonOf(Document{})).contains(place));
@@ -167,6 +183,9 @@ INSTANTIATE_TEST_SUITE_P(
         WrongPart{"/scene/motion_angle", 46, "scene.motion_angle", "-45 to 45"},
         WrongPart{"/motion/ping_pong", 1, "motion.ping_pong", "true or false"},
         WrongPart{"/beam/axis", "up", "beam.axis", "up"},
+        WrongPart{"/measurements/0/name", 3, "measurements[0].name", "text"},
+        WrongPart{"/measurements/0/name", "a\nb", "", "measurements[0].name must be one line"},
+        WrongPart{"/measurements/0/comment", std::string(501, 'a'), "", "measurements[0].comment must have at most"},
         WrongPart{"/comparison/second", 1, "", "comparison.first and second must differ"},
         WrongPart{"/comparison/wipe", 1.5, "comparison.wipe", "0 to 1"},
         WrongPart{"/scene/box/side", "front", "scene.box.side", "must not be \"front\""},
@@ -199,6 +218,7 @@ bool mayBeMissing(const std::string& place) {
     for (const char* optional : {"/study/file/bytes", "/study/file/files", "/study/file/conversion_mebibytes",
                                  "/study/file/study_mebibytes", "/study/file/black_from_data"})
         if (place == optional) return true;
+    if (place.starts_with("/measurements/")) return place.ends_with("/name") || place.ends_with("/comment");
     if (place.starts_with("/panes/")) {
         for (const char* ending : {"/without_tubes", "/phase", "/motion_otf", "/drawn", "/reference"})
             if (place.ends_with(ending)) return true;

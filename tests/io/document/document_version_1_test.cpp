@@ -17,12 +17,16 @@ std::string text() {
     return contentsOf(std::filesystem::path(__FILE__).parent_path() / "version_1" / "unusual.session.json");
 }
 
-/// What the session holds of unusualDocument(): 0.1 had no other axes and no planes that turn the view.
+/// What the session holds of unusualDocument(): 0.1 had no other axes, no planes that turn the view, and measurements
+/// without names and comments.
 Document unusualDocumentOf01() {
     Document document = unusualDocument();
     std::get<StudyFile>(document.study).options.blackAtZero = true;
     document.motion.axis = MotionAxis::z;
     document.scene.planes.turnsView = false;
+    document.measurements.change([](std::vector<Measurement>& measurements) {
+        for (Measurement& measurement : measurements) measurement.name = measurement.comment = {};
+    });
     return document;
 }
 

@@ -103,7 +103,9 @@ inline Document unusualDocument() {
                               .kind = MeasurementKind::angle,
                               .ground = MeasurementGround::surface,
                               .placesMm = {{0.1, 1.0 / 3.0, -2e-7}, {1e9, 0.30000000000000004, 5}, {7, 8, 9}},
-                              .phase = 4},
+                              .phase = 4,
+                              .name = "AO∠",
+                              .comment = "beside the \"spine\"\nagain in 2 weeks"},
                              {.id = 1, .placesMm = {{1, 2, 3}, {-1.0 / 7.0, 5, 6}}}};
     document.motion = {.axis = MotionAxis::screenHorizontal,
                        .scenario = MotionScenario::both,

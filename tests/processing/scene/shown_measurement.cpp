@@ -30,6 +30,23 @@ TEST(ShownMeasurement, SaysMillimetresWithEnoughDigits) {
     EXPECT_EQ(measurementText(angle, measuredGrid).value(), "47.1°");
 }
 
+TEST(ShownMeasurement, TheNameStandsBeforeTheValue) {
+    Measurement measurement{.placesMm = {{1, 2, 3}, {1, 2, 15.34}}, .name = "BPD"};
+    EXPECT_EQ(measurementText(measurement, measuredGrid).value(), "12.3 mm");
+    EXPECT_EQ(measurementLabel(measurement, measuredGrid).value(), "BPD 12.3 mm");
+    EXPECT_EQ(shownMeasurement(measurement, measuredGrid)->text, "BPD 12.3 mm");
+    EXPECT_EQ(measurementNumber(measurement, measuredGrid)->digits, "12.3");
+    EXPECT_EQ(measurementNumber(measurement, measuredGrid)->unit, "mm");
+    measurement.name = "";
+    EXPECT_EQ(measurementLabel(measurement, measuredGrid).value(), "12.3 mm");
+    measurement.name = "twenty-four letters long";
+    EXPECT_EQ(measurementLabel(measurement, measuredGrid).value(), "twenty-four letters long 12.3 mm");
+    measurement.name = "twenty-five letters longü";
+    EXPECT_EQ(measurementLabel(measurement, measuredGrid).value(), "twenty-five letters lon… 12.3 mm");
+    measurement.placesMm[1] = measurement.placesMm[0];
+    EXPECT_FALSE(measurementLabel(measurement, measuredGrid));
+}
+
 TEST(ShownMeasurement, SaysAPointWhateverTheLocale) {
     const std::string before = std::setlocale(LC_ALL, nullptr);
     for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8"}) {
