@@ -29,6 +29,34 @@ figcaption{color:#555;font-size:13px;max-width:32rem}svg,img{max-width:100%;heig
 img.pixels{image-rendering:pixelated}
 footer{margin-top:3rem;color:#555;font-size:13px}
 )";
+/// Of a page that has a sheet. On paper the sheet is a column in which the row of pictures takes what texts leave.
+constexpr std::string_view sheetStyle = R"(
+.lines{white-space:pre-line;overflow-wrap:anywhere}
+.sheet{max-width:1000px}.sheet p{max-width:none;margin:.4rem 0}.sheet h2{margin:1.2rem 0 .2rem}
+.sheet table{width:100%;table-layout:fixed;margin:.4rem 0}.sheet td{overflow-wrap:anywhere}
+.row{display:flex;gap:10px;margin:.8rem 0}.row figure{margin:0;flex:1 1 0;min-width:0}
+.others{flex:0 0 25%;display:flex;flex-direction:column;gap:8px}.others figure{flex:none}
+.below{flex-direction:column}.below .others{flex-direction:row;flex:none}.below .others figure{flex:1 1 0}
+.appendix{margin-top:4rem}
+@page{margin:12mm 14mm}
+@media print{
+body{font-size:9.5pt;line-height:1.35;margin:0;padding:0;max-width:none}
+h1{font-size:15pt;margin:0 0 1mm}h2{font-size:11pt;margin:4mm 0 1mm;break-after:avoid}
+table{font-size:9pt;margin:1mm 0}th,td{padding:.5mm 2mm}tr,figure{break-inside:avoid}
+figcaption,footer{font-size:8pt}
+.sheet{height:246mm;max-width:none;display:flex;flex-direction:column;break-after:page}
+.sheet p{margin:0 0 1mm}.sheet h2{margin:2.5mm 0 .5mm}.sheet table{margin:0}
+.sheet .row{flex:1 1 0;min-height:0;max-height:var(--most);margin:1mm 0}
+.sheet figure{display:flex;flex-direction:column;min-height:0;break-inside:auto}
+.sheet figcaption{order:-1}
+.sheet img{flex:1 1 0;min-height:0;width:100%;object-fit:contain;object-position:left top}
+.sheet .others{gap:1mm}.sheet .others figure{flex:1 1 0}
+.sheet .below .large{flex:var(--large) 1 0;display:flex;min-height:0}
+.sheet .below .others{flex:var(--others) 1 0;min-height:0}
+.appendix{margin:0;padding-bottom:7mm;-webkit-box-decoration-break:clone;box-decoration-break:clone}
+footer{position:fixed;bottom:0;left:0;margin:0}
+}
+)";
 constexpr std::string_view darkStyle =
     "body{background:#16191d;color:#dde1e6}caption,figcaption,footer{color:#a3abb5}"
     "th,td{border-color:#343a42}th{border-color:#7c8591}svg .ink{fill:#dde1e6}svg .grid{stroke:#343a42}"
@@ -39,7 +67,7 @@ std::string wholeStyle() {
     for (std::size_t i = 0; i < seriesColours.size(); ++i)
         dark += fmt::format("svg path.c{0}{{stroke:{1}}}svg path.marker.c{0}{{stroke:none;fill:{1}}}", i,
                             seriesColours[i].onDark);
-    return std::string(style) + "@media (prefers-color-scheme:dark){" + dark + "}\n";
+    return std::string(style) + "@media screen and (prefers-color-scheme:dark){" + dark + "}\n";
 }
 
 /// Whether a cell has no value: tables show dashes or blanks then.
@@ -142,6 +170,27 @@ std::string heatMapSvg(const HeatMap& map, int coarseness) {
         escaped(map.title), body);
 }
 
+/// The heights that pictures take on A4, mm: there is no use in more.
+struct HeightsOnPaper {
+    double large = 0.0, others = 0.0, row = 0.0;
+};
+HeightsOnPaper heightsOnPaper(const std::vector<PagePicture>& row, PictureRow how) {
+    constexpr double wide = 182.0, gap = 2.6, caption = 5.0;
+    const auto height = [](const PagePicture& picture, double width) {
+        return width * picture.height / std::max(1, picture.width) + caption;
+    };
+    const bool below = how == PictureRow::below;
+    const auto count = static_cast<double>(row.size() - 1);
+    const double narrow = below ? (wide - gap * (count - 1)) / count : 0.25 * wide;
+    HeightsOnPaper heights{.large = height(row.front(), below || count == 0 ? wide : wide - narrow - gap)};
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        const double next = height(row[i], narrow);
+        heights.others = below ? std::max(heights.others, next) : heights.others + next;
+    }
+    heights.row = below ? heights.large + heights.others + gap : std::max(heights.large, heights.others);
+    return heights;
+}
+
 }  // namespace
 
 HtmlPage::HtmlPage(std::string title, std::size_t byteLimit) : m_title(std::move(title)), m_byteLimit(byteLimit) {}
@@ -154,8 +203,10 @@ void HtmlPage::heading(const std::string& text) { add("<h2>" + escaped(text) + "
 
 void HtmlPage::paragraph(const std::string& text) { add("<p>" + escaped(text) + "</p>\n"); }
 
+void HtmlPage::lines(const std::string& text) { add("<p class=\"lines\">" + escaped(text) + "</p>\n"); }
+
 void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
-                     const std::string& caption) {
+                     const std::string& caption, const std::vector<int>& widths) {
     const auto numeric = numericColumns(columns.size(), rows);
     const auto cell = [&](std::string_view tag, std::size_t column, const std::string& text) {
         const bool right = column < numeric.size() && numeric[column];
@@ -163,6 +214,11 @@ void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<
     };
     std::string markup = "<div class=\"scroll\"><table>\n";
     if (!caption.empty()) markup += "<caption>" + escaped(caption) + "</caption>\n";
+    if (!widths.empty()) {
+        markup += "<colgroup>";
+        for (const int width : widths) markup += fmt::format("<col style=\"width:{}%\"/>", width);
+        markup += "</colgroup>\n";
+    }
     markup += "<thead><tr>";
     for (std::size_t c = 0; c < columns.size(); ++c) markup += cell("th", c, columns[c]);
     markup += "</tr></thead>\n<tbody>\n";
@@ -187,18 +243,49 @@ void HtmlPage::picture(const Picture& picture, const std::string& caption, int z
 }
 
 void HtmlPage::picture(int width, int height, std::vector<std::uint8_t> rgb, const std::string& caption, int zoom) {
+    addPicture({width, height, std::move(rgb), caption}, zoom);
+}
+
+void HtmlPage::addPicture(const PagePicture& picture, int zoom) {
+    const int width = picture.width, height = picture.height;
     if (width < 1 || height < 1 ||
-        rgb.size() != std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+        picture.rgb.size() != std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
         throw std::invalid_argument("HtmlPage::picture: the bytes do not fill the picture");
-    m_pieces.emplace_back([=, rgb = std::move(rgb)](int coarseness) {
-        const CoarsePicture image = coarser(width, height, rgb, coarseness);
+    m_pieces.emplace_back([picture, zoom](int coarseness) {
+        const CoarsePicture image = coarser(picture.width, picture.height, picture.rgb, coarseness);
         const bool pixelated = zoom > 1 || coarseness > 1;
         return fmt::format(
             "<figure><img alt=\"{0}\" width=\"{1}\" height=\"{2}\"{4} src=\"{3}\"/>"
             "<figcaption>{0}</figcaption></figure>\n",
-            escaped(caption), width * zoom, height * zoom, pngDataUri(image.width, image.height, image.rgb),
-            pixelated ? " class=\"pixels\"" : "");
+            escaped(picture.caption), picture.width * zoom, picture.height * zoom,
+            pngDataUri(image.width, image.height, image.rgb), pixelated ? " class=\"pixels\"" : "");
     });
+}
+
+void HtmlPage::beginSheet() {
+    if (!m_pieces.empty()) throw std::logic_error("HtmlPage::beginSheet: the sheet is not the first of the page");
+    m_hasSheet = true;
+    add("<section class=\"sheet\">\n<h1>" + escaped(m_title) + "</h1>\n");
+}
+
+void HtmlPage::pictures(const std::vector<PagePicture>& row, PictureRow how) {
+    if (row.empty()) return;
+    const HeightsOnPaper heights = heightsOnPaper(row, how);
+    add(fmt::format("<div class=\"row{}\" style=\"--most:{:.0f}mm;--large:{:.0f};--others:{:.0f}\">\n",
+                    how == PictureRow::below ? " below" : "", heights.row, heights.large, heights.others));
+    if (how == PictureRow::below) add("<div class=\"large\">\n");
+    addPicture(row.front(), 1);
+    if (how == PictureRow::below) add("</div>\n");
+    if (row.size() > 1) {
+        add("<div class=\"others\">\n");
+        for (std::size_t i = 1; i < row.size(); ++i) addPicture(row[i], 1);
+        add("</div>\n");
+    }
+    add("</div>\n");
+}
+
+void HtmlPage::appendix(const std::string& title) {
+    add("</section>\n<section class=\"appendix\">\n<h1>" + escaped(title) + "</h1>\n");
 }
 
 std::string HtmlPage::text() const {
@@ -210,11 +297,13 @@ std::string HtmlPage::text() const {
 
 std::string HtmlPage::textAt(int coarseness) const {
     std::string body;
+    if (!m_hasSheet) body += "<h1>" + escaped(m_title) + "</h1>\n";
     for (const auto& piece : m_pieces) body += piece(coarseness);
+    if (m_hasSheet) body += "</section>\n";
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-           escaped(m_title) + "</title>\n<style>" + wholeStyle() + "</style>\n</head>\n<body>\n<h1>" +
-           escaped(m_title) + "</h1>\n" + body +
+           escaped(m_title) + "</title>\n<style>" + wholeStyle() +
+           (m_hasSheet ? std::string(sheetStyle) : std::string()) + "</style>\n</head>\n<body>\n" + body +
            "<footer>Echolucent is not a medical device.</footer>\n</body>\n</html>\n";
 }
 

@@ -39,6 +39,19 @@ struct HeatMap {
     std::vector<double> values;  ///< row-major
 };
 
+/// A picture of 8-bit red, green, blue, rows from the top.
+struct PagePicture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;  ///< width * height * 3 bytes
+    std::string caption;
+};
+
+/// How a row of pictures stands on a sheet.
+enum class PictureRow {
+    beside,  ///< the first is large, the others stand beside it, one below the other: a low row
+    below,   ///< the first is as wide as the sheet, the others stand below it in a row: a high one
+};
+
 /// A report with all it needs inside. If a page exceeds its limit, all its pictures and maps are made coarser by one
 /// whole factor, up to `coarsest`. Even then text, tables and plots may exceed it.
 class HtmlPage {
@@ -54,9 +67,12 @@ public:
     explicit HtmlPage(std::string title, std::size_t byteLimit = mostBytes);
     void heading(const std::string& text);
     void paragraph(const std::string& text);
-    /// Adds a table. Columns of numbers are right-aligned.
+    /// Adds a text that keeps its ends of lines.
+    void lines(const std::string& text);
+    /// Adds a table. Columns of numbers are right-aligned. `widths` are those of the columns, percent of the table;
+    /// without them columns are as wide as they need.
     void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
-               const std::string& caption = {});
+               const std::string& caption = {}, const std::vector<int>& widths = {});
     void plot(const Plot& plot);
     /// Throws std::invalid_argument if the values of `map` do not fill whole rows, or if there are none.
     void heatMap(const HeatMap& map);
@@ -66,15 +82,25 @@ public:
     /// Adds a picture of 8-bit red, green, blue, rows from the top. Throws std::invalid_argument if `rgb` does not hold
     /// width * height * 3 bytes.
     void picture(int width, int height, std::vector<std::uint8_t> rgb, const std::string& caption, int zoom = 1);
+    /// Begins a sheet: what a printer puts on one side of A4 or Letter. Its row of pictures shrinks to what its texts
+    /// leave, of 246 mm. Throws std::logic_error if anything was added before.
+    void beginSheet();
+    /// Adds pictures to a sheet. Throws std::invalid_argument as picture() does.
+    void pictures(const std::vector<PagePicture>& row, PictureRow how = PictureRow::beside);
+    /// Ends the sheet. What follows has a title of its own, and a printer begins another side for it. Each side of
+    /// paper says that this is not a medical device.
+    void appendix(const std::string& title);
     /// The whole page. Its last sentence says that this is not a medical device.
     [[nodiscard]] std::string text() const;
 
 private:
     [[nodiscard]] std::string textAt(int coarseness) const;
     void add(std::string markup);
+    void addPicture(const PagePicture& picture, int zoom);
 
     std::string m_title;
     std::size_t m_byteLimit;
+    bool m_hasSheet = false;
     /// The page's markup, piece by piece. A call gives it with pictures coarser by a factor.
     std::vector<std::function<std::string(int coarseness)>> m_pieces;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/pages/html_page.h"
+#include "app/report/first_page.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/designers/choice/designer.h"
 #include "processing/picture/look.h"
@@ -27,22 +28,73 @@ Rows rowsOf(const ParameterTable<Values>& table, const Values& values) {
     return rows;
 }
 
+/// Whose study it is, in one line.
 void addPatient(HtmlPage& page, const CaseReport& report) {
     if (!report.patient) return;
     const Patient& patient = *report.patient;
-    page.heading("Patient");
-    page.table({"fact", "value"}, {{"name", patient.name},
-                                   {"identification", patient.id},
-                                   {"date of birth", patient.birthDate},
-                                   {"sex", patient.sex},
-                                   {"date of the study", patient.studyDate}});
+    std::string facts;
+    const auto add = [&facts](std::string_view words, const std::string& value) {
+        if (!value.empty()) facts += fmt::format("{}{}{}", facts.empty() ? "" : " · ", words, value);
+    };
+    add("", patient.name);
+    add("identification ", patient.id);
+    add("born ", patient.birthDate);
+    add("sex ", patient.sex);
+    add("study of ", patient.studyDate);
+    if (!facts.empty()) page.paragraph("Patient: " + facts);
 }
 
-void addPictures(HtmlPage& page, const CaseReport& report) {
-    page.heading("Pictures");
-    for (const ReportPane& pane : report.panes)
-        page.picture(pane.image.width(), pane.image.height(), rgbBytesOf(pane.image), pane.caption.toStdString());
-    for (const QString& sentence : report.explanation) page.paragraph(sentence.toStdString());
+/// The 3D view first: it is the large one. Beside few texts all pictures are larger.
+void addPictures(HtmlPage& page, const CaseReport& report, const FirstPageTexts& texts) {
+    constexpr double fewTexts = 45.0;  // mm
+    std::vector<PagePicture> row;
+    for (const ReportPane& pane : report.panes) {
+        PagePicture picture{pane.image.width(), pane.image.height(), rgbBytesOf(pane.image),
+                            pane.caption.toStdString()};
+        row.insert(pane.is3d ? row.begin() : row.end(), std::move(picture));
+    }
+    page.pictures(row, row.size() > 1 && texts.heightMm <= fewTexts ? PictureRow::below : PictureRow::beside);
+}
+
+/// A measurement as the first page tells it, whose reader asks neither for its number nor for its places.
+FirstPageRow rowOf(const Measurement& measurement, const CaseReport& report) {
+    FirstPageRow row{.name = measurement.name, .value = {}, .unit = {}, .comment = measurement.comment};
+    if (row.name.empty()) row.name = fmt::format("{} {}", nameOf(measurement.kind), measurement.id);
+    if (report.phases > 1) row.name += fmt::format(", phase {}", measurement.phase + 1);
+    if (const auto number = measurementNumber(measurement, report.geometry)) {
+        row.value = number->digits;
+        row.unit = number->unit;
+    } else {
+        row.comment = number.error().sentence() + (row.comment.empty() ? "" : " ") + row.comment;
+    }
+    return row;
+}
+
+void addText(HtmlPage& page, const std::string& title, const std::string& text) {
+    if (text.empty()) return;
+    page.heading(title);
+    page.lines(text);
+}
+
+void addFirstTexts(HtmlPage& page, const CaseReport& report, const FirstPageTexts& texts) {
+    page.heading("Measurements");
+    Rows rows;
+    for (const FirstPageRow& row : texts.rows) rows.push_back({row.name, row.value, row.unit, row.comment});
+    if (rows.empty() && texts.leftOut == 0)
+        page.paragraph("Nothing was measured.");
+    else
+        page.table({"name", "value", "unit", "comment"}, rows, {}, {26, 12, 8, 54});
+    addText(page, "Impression", texts.impression.text);
+    addText(page, "Comment", texts.comment.text);
+    QStringList continued;
+    if (texts.leftOut > 0)
+        continued
+            << QStringLiteral("%1 more of %2 measurements").arg(texts.leftOut).arg(report.document.measurements.size());
+    if (!texts.rowsAreWhole) continued << QStringLiteral("comments on measurements");
+    if (!texts.impression.isWhole) continued << QStringLiteral("the impression");
+    if (!texts.comment.isWhole) continued << QStringLiteral("the comment");
+    if (!continued.isEmpty())
+        page.paragraph("Continued in the appendix: " + continued.join(QStringLiteral(", ")).toStdString() + ".");
 }
 
 /// The logarithm of the counts, so that rare intensities show beside the background. The highest value is 1.
@@ -98,16 +150,16 @@ std::string placesText(const std::vector<Vec3>& places) {
 }
 
 void addMeasurements(HtmlPage& page, const CaseReport& report) {
-    page.heading("Measurements");
-    if (report.document.measurements.empty()) return page.paragraph("Nothing was measured.");
+    if (report.document.measurements.empty()) return;
+    page.heading("Measurements and their places");
     Rows rows;
     for (const Measurement& measurement : report.document.measurements) {
         const auto value = measurementText(measurement, report.geometry);
-        rows.push_back({std::to_string(measurement.id), std::string(nameOf(measurement.kind)),
+        rows.push_back({std::to_string(measurement.id), std::string(nameOf(measurement.kind)), measurement.name,
                         value ? *value : value.error().sentence(), std::string(groundWords(measurement.ground)),
-                        std::to_string(measurement.phase + 1), placesText(measurement.placesMm)});
+                        std::to_string(measurement.phase + 1), placesText(measurement.placesMm), measurement.comment});
     }
-    page.table({"number", "kind", "value", "marked", "phase", "places (mm of the grid)"}, rows);
+    page.table({"number", "kind", "name", "value", "marked", "phase", "places (mm of the grid)", "comment"}, rows);
 }
 
 void addParameters(HtmlPage& page, const CaseReport& report) {
@@ -143,10 +195,23 @@ void addTimes(HtmlPage& page, const CaseReport& report) {
 
 std::string caseReportPage(const CaseReport& report) {
     HtmlPage page("Case report: " + report.study.toStdString(), HtmlPage::anyBytes);
-    page.paragraph(fmt::format("Made on {} with Echolucent {}. Not a medical device: not for diagnosis or treatment.",
-                               report.made.toStdString(), report.version.toStdString()));
+    const std::string made =
+        fmt::format("Made on {} with Echolucent {}. Not a medical device: not for diagnosis or treatment.",
+                    report.made.toStdString(), report.version.toStdString());
+    std::vector<FirstPageRow> rows;
+    for (const Measurement& measurement : report.document.measurements) rows.push_back(rowOf(measurement, report));
+    const FirstPageTexts texts = textsOfFirstPage(rows, report.impression, report.comment);
+    page.beginSheet();
+    page.paragraph(made);
     addPatient(page, report);
-    addPictures(page, report);
+    addPictures(page, report, texts);
+    addFirstTexts(page, report, texts);
+    page.appendix("Appendix: " + report.study.toStdString());
+    page.paragraph(made);
+    if (!texts.impression.isWhole) addText(page, "Impression, whole", report.impression);
+    if (!texts.comment.isWhole) addText(page, "Comment, whole", report.comment);
+    page.heading("What the picture shows");
+    for (const QString& sentence : report.explanation) page.paragraph(sentence.toStdString());
     addMeasurements(page, report);
     addCurves(page, report);
     addParameters(page, report);

@@ -1,4 +1,4 @@
-// A case report as one page of HTML: what a person set for a study, what the study shows and what was measured.
+// A case report as one file of HTML: a page that says what was found, and an appendix that says how.
 #pragma once
 
 #include <QImage>
@@ -19,6 +19,7 @@ namespace echolucent {
 struct ReportPane {
     QString caption;
     QImage image;
+    bool is3d = false;
 };
 
 /// How long something took.
@@ -41,13 +42,17 @@ struct CaseReport {
     std::optional<OpacityCurve> designed{};        ///< that OTF's upper curve (upperCurveOf()), if it is there
     IntensityHistogram histogram;                  ///< of the raw voxels
     VolumeGeometry geometry;                       ///< of the measured volume
+    std::size_t phases = 1;                        ///< of the study
     std::vector<ImportFact> facts;                 ///< the import report
     std::vector<std::string> warnings;             ///< of reading
     std::vector<ReportTime> times;
-    std::optional<Patient> patient;  ///< only if a person asked for it
+    std::optional<Patient> patient;       ///< only if a person asked for it
+    std::string impression{}, comment{};  ///< UTF-8, as a person typed them
 };
 
-/// The page. It needs no other file.
+/// The file. It needs no other one. Its first page holds pictures, measurements, impression and comment, and fits one
+/// sheet of A4 or Letter (HtmlPage::beginSheet()). What has no room there (textsOfFirstPage()) and all the rest stand
+/// in the appendix.
 [[nodiscard]] std::string caseReportPage(const CaseReport& report);
 
 }  // namespace echolucent

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDateTime>
+#include <QPointer>
 #include <utility>
 
 #include "app/files/save_dialog.h"
@@ -25,19 +26,27 @@ namespace {
 
 constexpr const char* reportTopic = "report";
 
-/// What the thread reads from the study's files.
-struct PatientSource {
-    std::vector<std::string> files;
-    std::string series;
-};
+/// What a person typed, and what the files say of the rest.
+Patient withTyped(Patient ofFiles, const Patient& typed) {
+    for (std::string Patient::*fact :
+         {&Patient::name, &Patient::id, &Patient::birthDate, &Patient::sex, &Patient::studyDate})
+        if (!(typed.*fact).empty()) ofFiles.*fact = typed.*fact;
+    return ofFiles;
+}
 
+ReportPatient shownPatient(const Patient& patient) {
+    return {QString::fromStdString(patient.name), QString::fromStdString(patient.id),
+            QString::fromStdString(patient.birthDate), QString::fromStdString(patient.sex)};
+}
+
+/// `source`: the files that say what nobody typed of the patient; none if nothing is read of them.
 Result<void> writeReport(CaseReport report, const std::optional<PatientSource>& source,
                          const std::vector<std::string>& inputs, const std::string& path, const Progress& progress) {
     if (const auto allowed = refuseToOverwrite(inputs, {path}); !allowed) return allowed;
     if (source) {
         auto patient = restricted::readPatient(source->files, source->series, progress);
         if (!patient) return tl::unexpected(patient.error());
-        report.patient = std::move(*patient);
+        report.patient = withTyped(std::move(*patient), report.patient.value_or(Patient{}));
     }
     progress.at(0.2);
     const std::string page = caseReportPage(report);
@@ -61,9 +70,12 @@ ReportSaving::ReportSaving(const Parts& parts)
     : QObject(&parts.window),
       m_parts(parts),
       m_waits(parts.works, work()),
+      m_reading(parts.works, QStringLiteral("patient"), {.urgency = Urgency::report}),
       m_writing(parts.works, QStringLiteral("case report"), work()) {
     connect(&m_parts.works, &Works::changed, this, &ReportSaving::followRest);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
+        m_impression.clear();
+        m_comment.clear();
         if (m_wanted)
             endUnwritten(tr("The case report %1 was not written, since another study was opened before it was taken.")
                              .arg(m_parts.names.nameOfOther(m_wanted->path)));
@@ -80,18 +92,65 @@ Work ReportSaving::work() {
 void ReportSaving::choose() {
     const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
-    ReportDialog dialog(areDicomFiles(study->files), QString::fromStdString(burnedInTextNote(*study)), &m_parts.window);
-    connect(&m_parts.openStudy, &OpenStudy::studyOpened, &dialog, &QDialog::reject);
-    if (dialog.exec() != QDialog::Accepted) return;
+    ReportDialog dialog({.filesNamePatient = areDicomFiles(study->files),
+                         .patientIsShown = !m_parts.names.showsNumbers(),
+                         .note = QString::fromStdString(burnedInTextNote(*study)),
+                         .comment = m_comment,
+                         .impression = m_impression},
+                        &m_parts.window);
+    bool isOfOther = false;
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, &dialog, [&] {
+        isOfOther = true;
+        dialog.reject();
+    });
+    connect(&dialog, &ReportDialog::patientAsked, this, [&] { showPatientOfFiles(dialog); });
+    const bool isAccepted = dialog.exec() == QDialog::Accepted;
+    m_reading.cancel();
+    const std::string studyDate = std::exchange(m_patient, std::nullopt).value_or(Patient{}).studyDate;
+    if (isOfOther) return;
+    const ReportChoice choice = dialog.choice();
+    m_impression = choice.impression;
+    m_comment = choice.comment;
+    if (!isAccepted) return;
     const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
                                           {.title = tr("Save case report"),
                                            .filter = tr("Pages (*.html)"),
                                            .name = m_parts.proposedName(QStringLiteral("report")),
                                            .suffix = QStringLiteral("html")});
-    if (!path.isEmpty()) save(path, dialog.withPatient());
+    if (path.isEmpty()) return;
+    save(path, {.impression = choice.impression.toStdString(),
+                .comment = choice.comment.toStdString(),
+                .withPatient = choice.withPatient,
+                .patient = {.name = choice.patient.name.toStdString(),
+                            .id = choice.patient.id.toStdString(),
+                            .birthDate = choice.patient.birthDate.toStdString(),
+                            .sex = choice.patient.sex.toStdString(),
+                            .studyDate = choice.withPatient ? studyDate : std::string()},
+                .restFromFiles = choice.restFromFiles});
 }
 
-void ReportSaving::save(const QString& path, bool withPatient) {
+std::optional<PatientSource> ReportSaving::patientSource() const {
+    const Study* study = m_parts.openStudy.study();
+    if (study == nullptr) return std::nullopt;
+    const auto* file = std::get_if<StudyFile>(&m_parts.openStudy.reference());
+    return PatientSource{study->files, file ? file->options.series : std::string()};
+}
+
+/// Reads the patient for the dialog, which may be gone before that has ended.
+void ReportSaving::showPatientOfFiles(ReportDialog& dialog) {
+    m_reading.submit([this, source = *patientSource(),
+                      asking = QPointer(&dialog)](const Progress& progress) -> NewestWinsThread::Deliver {
+        const auto patient = restricted::readPatient(source.files, source.series, progress);
+        return [this, patient, asking] {
+            if (!asking) return;
+            if (!patient) return asking->showPatientProblem(m_parts.names.sentenceOf(patient.error()));
+            m_patient = *patient;
+            asking->showPatient(shownPatient(*patient));
+        };
+    });
+}
+
+void ReportSaving::save(const QString& path, const ReportWords& words) {
     if (m_parts.openStudy.study() == nullptr) return;
     if (m_wanted || m_writing.busy()) {
         m_parts.messages.showMessage(MessageKind::info, tr("A report is being made. Wait for it, or cancel it."),
@@ -99,7 +158,7 @@ void ReportSaving::save(const QString& path, bool withPatient) {
         return;
     }
     m_parts.player.pause();
-    m_wanted = Wanted{path, withPatient};
+    m_wanted = Wanted{path, words};
     m_taken.reset();
     m_waits.begin();
 }
@@ -142,10 +201,12 @@ void ReportSaving::write() {
     const Wanted wanted = *std::exchange(m_wanted, std::nullopt);
     CaseReport taken = std::move(std::exchange(m_taken, std::nullopt)->report);
     const Study& study = *m_parts.openStudy.study();
+    taken.impression = wanted.words.impression;
+    taken.comment = wanted.words.comment;
     std::optional<PatientSource> source;
-    if (wanted.withPatient) {
-        const auto* file = std::get_if<StudyFile>(&m_parts.openStudy.reference());
-        source = PatientSource{study.files, file ? file->options.series : std::string()};
+    if (wanted.words.withPatient) {
+        taken.patient = wanted.words.patient;
+        if (wanted.words.restFromFiles) source = patientSource();
     }
     m_writing.begin(
         wanted.path,
@@ -174,6 +235,7 @@ CaseReport ReportSaving::windowState() const {
     }
     report.histogram = openStudy.histogram();
     report.geometry = openStudy.volume()->geometry();
+    report.phases = study.phases.size();
     const auto& finds = openStudy.finds();
     for (const ImportFact& fact : finds ? importReport(study, finds->beam) : study.facts)
         report.facts.push_back({fact.name, shown(fact.value), shown(fact.source)});
@@ -192,7 +254,7 @@ std::optional<ReportPane> ReportSaving::pane(std::size_t index) const {
     }
     if (!m_parts.picture.isVisible()) return std::nullopt;
     return ReportPane{captions[index],
-                      pictureToKeep(m_parts.picture, m_parts.openStudy, m_parts.model.document().measurements)};
+                      pictureToKeep(m_parts.picture, m_parts.openStudy, m_parts.model.document().measurements), true};
 }
 
 std::vector<ReportTime> ReportSaving::times() const {

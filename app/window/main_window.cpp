@@ -299,7 +299,9 @@ void MainWindow::open(const QString& path, const ReadOptions& options) { m_openi
 void MainWindow::openSimulatedScan() { m_openStudy.openSimulatedScan(); }
 bool MainWindow::openCurve(const QString& path) { return m_files->openCurve(path); }
 bool MainWindow::saveCurve(const QString& path) { return m_files->saveCurve(path); }
-void MainWindow::saveReport(const QString& path, bool withPatient) { m_report->save(path, withPatient); }
+void MainWindow::saveReport(const QString& path, bool withPatient) {
+    m_report->save(path, {.withPatient = withPatient});
+}
 bool MainWindow::savePicture(const QString& path) { return m_files->savePicture(path); }
 
 void MainWindow::restoreSettings() {

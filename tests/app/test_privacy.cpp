@@ -3,11 +3,17 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <QAction>
+#include <QCheckBox>
 #include <QDir>
 #include <QDirIterator>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QProcess>
+#include <QPushButton>
 #include <QStandardPaths>
 #include <QTextStream>
+#include <QTimer>
 #include <cstdio>
 
 #include "app/motion/movie_files.h"
@@ -17,6 +23,7 @@
 #include "tests/app/telling_names.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/dialogs/report_dialog.h"
 #include "widgets/panels/presets_panel.h"
 
 using namespace echolucent;
@@ -166,6 +173,48 @@ private slots:
         close();
         QVERIFY(report.remove());
         const QStringList left = foundAtHome();
+        QVERIFY2(left.isEmpty(), qPrintable(left.join('\n')));
+    }
+
+    void aPatientThatIsTypedIsInItsReportAlone() {
+        showWithSettings(path("settings.ini"));
+        useLook(Look{});
+        open(m_study);
+        QTimer::singleShot(0, this, [this] {
+            auto* dialog = window().findChild<ReportDialog*>("report");
+            QVERIFY(dialog != nullptr);
+            auto* patient = dialog->findChild<QCheckBox*>("report.patient");
+            auto* name = dialog->findChild<QLineEdit*>("report.patientName");
+            auto* id = dialog->findChild<QLineEdit*>("report.patientId");
+            QTest::mouseClick(patient, Qt::LeftButton, {}, QPoint(10, patient->height() / 2));
+            // The fields show what the files say, and take something else.
+            QTRY_VERIFY(!id->text().isEmpty());
+            QCOMPARE(foundIn((name->text() + ' ' + id->text()).toUtf8(), m_markers, "fields").size(), 2);
+            name->selectAll();
+            QTest::keyClicks(name, "Typed Name");
+            QTimer::singleShot(0, this, [this] {
+                auto* files = window().findChild<QFileDialog*>("saveFile");
+                QVERIFY(files != nullptr);
+                files->selectFile(path("typed.html"));
+                static_cast<QDialog*>(files)->done(QDialog::Accepted);
+            });
+            QTest::mouseClick(dialog->findChild<QPushButton*>("report.save"), Qt::LeftButton);
+        });
+        child<QAction>("file.saveReport")->trigger();
+        waitUntilIdle();
+        QFile report(path("typed.html"));
+        QVERIFY(report.open(QIODevice::ReadOnly));
+        const QByteArray page = report.readAll();
+        QVERIFY(page.contains("Patient: Typed Name · "));
+        QStringList found = foundIn(page, m_markers, "report");
+        found.sort();
+        QCOMPARE(found, (QStringList{"report: PatientBirthDate", "report: PatientID", "report: StudyDate"}));
+        window().close();
+        close();
+        QVERIFY(report.remove());
+        m_markers.append(Marker{"Typed", "Typed Name"});
+        const QStringList left = foundAtHome();
+        m_markers.removeLast();
         QVERIFY2(left.isEmpty(), qPrintable(left.join('\n')));
     }
 

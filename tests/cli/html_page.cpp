@@ -256,6 +256,46 @@ TEST(HtmlPage, BytesThatDoNotFillAPictureAreRefused) {
     EXPECT_EQ(countOf(page.text(), "<img"), 1U);
 }
 
+PagePicture pictureCalled(const std::string& caption) { return {2, 2, std::vector<std::uint8_t>(12, 90), caption}; }
+
+TEST(HtmlPage, ASheetEndsAtItsAppendix) {
+    HtmlPage page("case");
+    page.beginSheet();
+    page.paragraph("first");
+    page.pictures({pictureCalled("large"), pictureCalled("one"), pictureCalled("other")});
+    page.lines("two\nlines <b>");
+    page.table({"name", "value"}, {{"BPD", "47.1"}}, {}, {70, 30});
+    page.appendix("the rest");
+    page.paragraph("second");
+    const std::string text = page.text();
+    EXPECT_EQ(problemOf(text), "");
+    const auto at = [&text](const std::string& part) { return text.find(part, text.find("<body>")); };
+    EXPECT_EQ(at("<section class=\"sheet\">\n<h1>case</h1>"), at("<body>") + 7);
+    EXPECT_LT(at("first"), at("</section>\n<section class=\"appendix\">\n<h1>the rest</h1>"));
+    EXPECT_LT(at("<h1>the rest</h1>"), at("second"));
+    EXPECT_LT(at("alt=\"large\""), at("<div class=\"others\">"));
+    EXPECT_LT(at("<div class=\"others\">"), at("alt=\"one\""));
+    EXPECT_NE(at("<p class=\"lines\">two\nlines &lt;b&gt;</p>"), std::string::npos);
+    // Of 182 mm the others have a quarter, a gap 2.6 mm, and each picture a caption of 5 mm.
+    EXPECT_NE(at("<div class=\"row\" style=\"--most:139mm;--large:139;--others:101\">"), std::string::npos)
+        << text.substr(at("<div"), 80);
+    EXPECT_NE(at("<col style=\"width:70%\"/>"), std::string::npos);
+    EXPECT_EQ(countOf(text, "<h1>"), 2U);
+    for (const char* rule : {"@page{", "break-after:page", "footer{position:fixed"})
+        EXPECT_EQ(countOf(text, rule), 1U) << rule;
+    HtmlPage high("high");
+    high.beginSheet();
+    high.pictures({pictureCalled("large"), pictureCalled("one"), pictureCalled("other")}, PictureRow::below);
+    EXPECT_EQ(problemOf(high.text()), "");
+    EXPECT_EQ(countOf(high.text(), "<div class=\"row below\" style=\"--most:284mm;--large:187;--others:95\">"), 1U);
+    // A page without a sheet is as ever.
+    HtmlPage plain("plain");
+    plain.paragraph("first");
+    EXPECT_THROW(plain.beginSheet(), std::logic_error);
+    EXPECT_EQ(countOf(plain.text(), "@page{"), 0U);
+    EXPECT_EQ(countOf(plain.text(), "<body>\n<h1>plain</h1>\n<p>first</p>"), 1U);
+}
+
 TEST(HtmlPage, AHeatMapHasWholeRows) {
     HtmlPage page("map");
     EXPECT_THROW(page.heatMap({"map", "x", "y", 0, 1, 0, 1, 2, {0, 1, 0}}), std::invalid_argument);
