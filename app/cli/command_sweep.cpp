@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,8 +25,10 @@
 #include "app/cli/sweep_frames.h"
 #include "io/output/atomic_file.h"
 #include "io/study/import_report.h"
+#include "io/writers/looped_pictures.h"
 #include "io/writers/movie_file.h"
 #include "processing/motion/flicker.h"
+#include "processing/motion/movie_length.h"
 #include "processing/motion/otf_sweep.h"
 
 namespace echolucent::cli {
@@ -39,7 +42,8 @@ struct SweepOptions {
     MethodOptions method;
     LookOptions look;
     std::string axis, smoothing, object, probe, size = "512x512";
-    std::optional<double> from, to, step, frameRate;
+    std::optional<double> from, to, step, frameRate, seconds;
+    std::optional<int> loops;
     bool oneOtf = false, pictureFlicker = false, words = false;
     std::string csv, json, movie;
 
@@ -49,11 +53,23 @@ struct SweepOptions {
 constexpr int largestFrameEdge = 4096;
 constexpr double mostFrames = 100'000;
 constexpr double leastFrameRate = 1.0, largestFrameRate = 1000.0;
+constexpr int mostLoops = 1000;
+constexpr double mostSeconds = 3600.0;
 
 Result<std::array<int, 2>> frameSizeFrom(const SweepOptions& options) {
     if (options.frameRate && !(*options.frameRate >= leastFrameRate && *options.frameRate <= largestFrameRate))
         return wrongUsage("--frame-rate", "must be 1 to 1000 a second");
     return parseWholePair(options.size, 1, largestFrameEdge, "--size", "512x512");
+}
+
+/// How long the movie is; one loop of the frames if nobody says.
+Result<MovieLength> lengthFrom(const SweepOptions& options) {
+    if (options.loops && (*options.loops < 1 || *options.loops > mostLoops))
+        return wrongUsage("--loops", "must be 1 to 1000");
+    if (options.seconds && !(*options.seconds > 0.0 && *options.seconds <= mostSeconds))
+        return wrongUsage("--seconds", "must be above 0, at most 3600");
+    if (options.seconds) return MovieLength{MovieLengthUnit::seconds, *options.seconds};
+    return MovieLength{MovieLengthUnit::loops, static_cast<double>(options.loops.value_or(1))};
 }
 
 /// The range of angles. framesFrom() adds what moves. Fails (wrong usage) if an angle or the step is out of range, or
@@ -108,17 +124,20 @@ Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& made, 
     const HeldFrames held = heldFrames(made.document.motion, made.study.phaseTimes, phases, 1.0 / largestFrameRate);
     const double rate =
         options.frameRate.value_or(std::clamp(1.0 / held.pictureSeconds, leastFrameRate, largestFrameRate));
+    const std::vector<int> shown = framesOfPictures(held.pictures, *lengthFrom(options), rate);
+    if (static_cast<double>(shown.size()) > mostFrames)
+        return wrongUsage("--loops and --seconds", "make more than 100000 pictures", "Make the movie shorter.");
     auto movie = MovieFile::begin(options.movie, size[0], size[1], rate);
     if (!movie) return tl::unexpected<Failure>(movie.error());
     const std::string words = options.words ? pictureWordsOf(made.study.phases.front()->geometry()) : "";
-    for (std::size_t i = 0; i < swept.size(); ++i) {
-        const SweptOtf& frame = swept[i];
-        std::vector<std::uint8_t> rgb = overBackground(caster.picture(frame.frame, frame.shown, size), Vec3(0, 0, 0));
+    const auto make = [&](int number) -> Result<MoviePicture> {
+        const SweptOtf& frame = swept[static_cast<std::size_t>(number)];
+        MoviePicture rgb = overBackground(caster.picture(frame.frame, frame.shown, size), Vec3(0, 0, 0));
         writeWords(rgb, size[0], size[1], words);
-        for (int picture = 0; picture < held.pictures[i]; ++picture)
-            if (auto added = movie->add(rgb); !added) return added;
-    }
-    return movie->finish();
+        return rgb;
+    };
+    const auto added = addLooped(shown, make, [&](std::span<const std::uint8_t> rgb) { return movie->add(rgb); });
+    return added ? movie->finish() : added;
 }
 
 Result<void> writeReport(const SweepOptions& options, SweepReport& report, FrameCaster& caster,
@@ -201,9 +220,11 @@ Result<void> sweep(const SweepOptions& options, const CLI::App& command, const I
     if (!range) return tl::unexpected<Failure>(range.error());
     const auto size = frameSizeFrom(options);
     if (!size) return tl::unexpected<Failure>(size.error());
+    if (const auto length = lengthFrom(options); !length) return tl::unexpected<Failure>(length.error());
     if (auto possible = checkSweepOutputs(options, *size); !possible) return possible;
-    if (auto checked = options.document.check(command, {"--from", "--to", "--step", "--csv", "--json", "--movie",
-                                                        "--picture-flicker", "--size", "--frame-rate", "--words"});
+    if (auto checked = options.document.check(
+            command, {"--from", "--to", "--step", "--csv", "--json", "--movie", "--picture-flicker", "--size",
+                      "--frame-rate", "--loops", "--seconds", "--words"});
         !checked)
         return checked;
     const auto made = options.document.path.empty()
@@ -270,8 +291,20 @@ void addOutputs(CLI::App& command, SweepOptions& options) {
     command.add_option("--csv", options.csv, "The OTFs as shown, one frame a row; - is standard output")
         ->type_name("FILE");
     command.add_option("--json", options.json, "Frames and flicker figures; - is standard output")->type_name("FILE");
-    command.add_option("--movie", options.movie, "The rendered frames; the name ends in .avi, .mp4 or .mkv")
-        ->type_name("FILE.mp4");
+    auto* movie =
+        command.add_option("--movie", options.movie, "The rendered frames; the name ends in .avi, .mp4 or .mkv")
+            ->type_name("FILE.mp4");
+    auto* loops = command
+                      .add_option("--loops", options.loops,
+                                  "How often the movie shows its frames: beats of a heart, turns of a probe [1]")
+                      ->type_name("NUMBER")
+                      ->needs(movie);
+    command
+        .add_option("--seconds", options.seconds,
+                    "How long the movie is; its frames are shown over and over, and the last loop may end early")
+        ->type_name("SECONDS")
+        ->needs(movie)
+        ->excludes(loops);
     command.add_flag("--picture-flicker", options.pictureFlicker,
                      "Also the flicker of the pictures, into the JSON: renders each frame up to six times");
     command.add_option("--size", options.size, "Pixels of the movie and of --picture-flicker")

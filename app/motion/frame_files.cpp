@@ -7,11 +7,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <span>
 
 #include "app/picture/picture_caption.h"
 #include "io/output/output_place.h"
 #include "io/output/overwriting.h"
 #include "io/output/unfinished_file.h"
+#include "io/writers/looped_pictures.h"
 #include "io/writers/movie_file.h"
 #include "io/writers/picture_file.h"
 #include "processing/picture/picture.h"
@@ -130,18 +133,60 @@ std::vector<int> phasesOf(const PaneFrames& frames) {
     return phases;
 }
 
-/// Hands each frame to `take`, in turn.
-template <typename Take>
-Result<void> eachFrame(const FrameOrder& order, PaneFrames& frames, const Progress& progress, const Take& take) {
+Result<void> writeSeries(const FrameOrder& order, PaneFrames& frames, const Progress& progress) {
+    const std::vector<std::string> paths = filesOf(order.output, order.choice, frames.count());
+    PictureSeries series;
     for (int frame = 0; frame < frames.count(); ++frame) {
         const Progress ofFrame{
             [&](double share) { progress.at((frame + share) / static_cast<double>(frames.count())); }, progress.cancel};
         const auto rgb = pixelsOf(order, frames, frame, ofFrame);
         if (!rgb || progress.cancelled()) return cancelled(order);
-        if (auto taken = take(frame, *rgb); !taken) return taken;
+        if (auto added = series.add(paths[static_cast<std::size_t>(frame)], order.choice.size, *rgb); !added)
+            return added;
         ofFrame.at(1.0);
     }
-    return {};
+    if (const auto finished = series.finish(); !finished || !order.choice.replace) return finished;
+    return removePictures(filesOfLongerSeries(order.output, order.choice, frames.count()));
+}
+
+/// The frame that each picture of the movie shows; of frames that look alike, the first.
+std::vector<int> framesOfMovie(const FrameOrder& order, const PaneFrames& frames) {
+    const std::vector<int> held =
+        heldFrames(order.document.motion, order.phaseTimes, phasesOf(frames), 1.0 / MovieDialog::largestRate).pictures;
+    std::vector<int> shown = framesOfPictures(held, order.choice.length, order.choice.framesPerSecond);
+    for (int& frame : shown) frame = frames.firstLike(frame);
+    return shown;
+}
+
+Result<void> writeMovie(const FrameOrder& order, PaneFrames& frames, const Progress& progress) {
+    const QSize size = order.choice.size;
+    auto movie =
+        MovieFile::begin(order.choice.path.toStdString(), size.width(), size.height(), order.choice.framesPerSecond);
+    if (!movie) return tl::unexpected<Failure>(movie.error());
+    const std::vector<int> shown = framesOfMovie(order, frames);
+    // Rendering takes most of the time, and packed frames next to none.
+    constexpr double shareOfRendering = 0.95;
+    const auto toRender = static_cast<double>(std::set<int>(shown.begin(), shown.end()).size());
+    int rendered = 0, added = 0;
+    const auto tell = [&](double share) {
+        progress.at(shareOfRendering * std::min(1.0, (rendered + share) / toRender) +
+                    (1.0 - shareOfRendering) * added / static_cast<double>(shown.size()));
+    };
+    const auto make = [&](int frame) -> Result<MoviePicture> {
+        auto rgb = pixelsOf(order, frames, frame, {tell, progress.cancel});
+        if (!rgb) return cancelled(order);
+        ++rendered;
+        return *std::move(rgb);
+    };
+    const auto add = [&](std::span<const std::uint8_t> rgb) -> Result<void> {
+        if (progress.cancelled()) return cancelled(order);
+        if (auto done = movie->add(rgb); !done) return done;
+        ++added;
+        tell(0.0);
+        return {};
+    };
+    const auto all = addLooped(shown, make, add);
+    return all ? movie->finish(progress) : all;
 }
 
 }  // namespace
@@ -184,28 +229,8 @@ Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int 
 
 Result<void> writeFrames(const FrameOrder& order, const Progress& progress) {
     PaneFrames frames(order.document, firstPane, order.phases);
-    const QSize size = order.choice.size;
-    if (order.output == FrameOutput::series) {
-        const std::vector<std::string> paths = filesOf(order.output, order.choice, frames.count());
-        PictureSeries series;
-        const auto taken = eachFrame(order, frames, progress, [&](int frame, const std::vector<std::uint8_t>& rgb) {
-            return series.add(paths[static_cast<std::size_t>(frame)], size, rgb);
-        });
-        if (!taken) return taken;
-        if (const auto finished = series.finish(); !finished || !order.choice.replace) return finished;
-        return removePictures(filesOfLongerSeries(order.output, order.choice, frames.count()));
-    }
-    auto movie =
-        MovieFile::begin(order.choice.path.toStdString(), size.width(), size.height(), order.choice.framesPerSecond);
-    if (!movie) return tl::unexpected<Failure>(movie.error());
-    const std::vector<int> held =
-        heldFrames(order.document.motion, order.phaseTimes, phasesOf(frames), 1.0 / MovieDialog::largestRate).pictures;
-    const auto taken = eachFrame(order, frames, progress, [&](int frame, const std::vector<std::uint8_t>& rgb) {
-        Result<void> added;
-        for (int i = 0; added && i < held[static_cast<std::size_t>(frame)]; ++i) added = movie->add(rgb);
-        return added;
-    });
-    return taken ? movie->finish(progress) : taken;
+    return order.output == FrameOutput::series ? writeSeries(order, frames, progress)
+                                               : writeMovie(order, frames, progress);
 }
 
 }  // namespace echolucent

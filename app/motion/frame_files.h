@@ -33,13 +33,15 @@ struct FrameOrder {
 [[nodiscard]] Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int frames,
                                            const std::vector<std::string>& study);
 
-/// Writes every frame of one turn (PaneFrames), over black. Adds labels and measurements if the choice wants them.
-/// Files appear only once the last frame is made. If the writing fails or is cancelled before that
-/// (FailureKind::cancelled, within a frame), the old files stay as they were. After the last frame, a picture of a
-/// series may still fail to take its place. If so, the pictures before it that replaced no file are removed, and those
-/// that replaced one stay. If the choice replaces, the pictures of a longer series (filesOfLongerSeries()) are removed
-/// once all of this series are in place. The writing fails if one of them cannot be removed. Without labels a picture
-/// of a series equals that of `render --document`, to the bit. Any thread may call this. It loads the movie's encoder.
+/// Writes every frame of one turn (PaneFrames), over black: each as one picture of a series; in a movie as often as
+/// MovieChoice::length says (framesOfPictures()), though it is rendered once (addLooped()). Adds labels and
+/// measurements if the choice wants them. Files appear only once the last frame is made. If the writing fails or is
+/// cancelled before that (FailureKind::cancelled, within a frame), the old files stay as they were. After the last
+/// frame, a picture of a series may still fail to take its place. If so, the pictures before it that replaced no file
+/// are removed, and those that replaced one stay. If the choice replaces, the pictures of a longer series
+/// (filesOfLongerSeries()) are removed once all of this series are in place. The writing fails if one of them cannot be
+/// removed. Without labels a picture of a series equals that of `render --document`, to the bit. Any thread may call
+/// this. It loads the movie's encoder.
 [[nodiscard]] Result<void> writeFrames(const FrameOrder& order, const Progress& progress = {});
 
 }  // namespace echolucent

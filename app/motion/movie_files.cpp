@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <QWidget>
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "app/files/save_dialog.h"
@@ -39,19 +38,18 @@ void MovieFiles::ask(FrameOutput output) {
                                      MessageEnd::whenTakenBack(movieTopic));
         return;
     }
-    const HeldFrames held = heldInMovie();
-    auto* dialog = new MovieDialog(
-        output,
-        {.plays = whatPlays(),
-         .frames = output == FrameOutput::movie ? std::accumulate(held.pictures.begin(), held.pictures.end(), 0)
-                                                : frameCount(),
-         .ofView = m_parts.viewPixels(),
-         .choice = proposal(output),
-         .note = QString::fromStdString(burnedInTextNote(*m_parts.openStudy.study())),
-         .folderShown = !m_parts.names.showsNumbers(),
-         .hindrance = [this, output](const MovieChoice& choice) { return hindrance(output, choice); },
-         .choosePath = [this, output](const QString& path) { return choosePath(output, path); }},
-        &m_parts.window);
+    auto* dialog =
+        new MovieDialog(output,
+                        {.plays = whatPlays(),
+                         .held = heldInMovie(),
+                         .loops = movesProbe(m_parts.model.document().motion.scenario) ? tr("turns") : tr("beats"),
+                         .ofView = m_parts.viewPixels(),
+                         .choice = proposal(output),
+                         .note = QString::fromStdString(burnedInTextNote(*m_parts.openStudy.study())),
+                         .folderShown = !m_parts.names.showsNumbers(),
+                         .hindrance = [this, output](const MovieChoice& choice) { return hindrance(output, choice); },
+                         .choosePath = [this, output](const QString& path) { return choosePath(output, path); }},
+                        &m_parts.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, output] { begin(output, dialog->choice()); });
     // Another study has other frames.

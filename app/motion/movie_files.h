@@ -67,7 +67,7 @@ private:
 
     Parts m_parts;
     FrameOutput m_output = FrameOutput::movie;  ///< of the files being written
-    MovieChoice m_last;                         ///< the last choice: its size and labels are proposed again
+    MovieChoice m_last;                         ///< the last choice: its size, length and labels are proposed again
     // Last, so that its thread has ended before anything above is destroyed.
     FileWriting m_writing;
 };

@@ -31,6 +31,16 @@ Document PaneFrames::documentOf(int frame) const {
     return shown;
 }
 
+int PaneFrames::firstLike(int frame) const {
+    const bool smoothed = designerConfigOf(m_document, m_pane) == nullptr &&
+                          smoothingOf(m_document.motion.otf).value_or(OtfSmoothing::none) != OtfSmoothing::none;
+    if (smoothed) return frame;
+    const MotionPosition& at = position(frame);
+    const auto first = std::ranges::find_if(
+        m_turn, [&at](const MotionPosition& each) { return each.angle == at.angle && each.phase == at.phase; });
+    return static_cast<int>(first - m_turn.begin());
+}
+
 std::optional<PaneOtf> PaneFrames::unsmoothed(int frame, const Progress& progress) {
     const bool one = !smoothingOf(m_document.motion.otf);
     const MotionPosition& at = position(frame);

@@ -39,6 +39,9 @@ public:
     /// The document that shows a frame at rest. If each frame has its own OTF, smoothed or not, the document's OTF is
     /// computed along the frame's direction.
     [[nodiscard]] Document documentOf(int frame) const;
+    /// The first frame whose picture this one has, to the bit: on the way back a motion passes the places of its way
+    /// there. If OTFs are smoothed, each frame has its own.
+    [[nodiscard]] int firstLike(int frame) const;
     /// The picture of a frame. Frames may be asked for in any order; one after another is quickest. The result is empty
     /// only if progress.cancel was raised.
     [[nodiscard]] std::optional<PanePicture> picture(int frame, int width, int height, const Progress& progress = {});

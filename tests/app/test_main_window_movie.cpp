@@ -96,6 +96,30 @@ private slots:
         QCOMPARE(count, phaseCount);
     }
 
+    void aMovieOfThreeBeatsShowsItsFramesThreeTimes() {
+        open(moving());
+        playThePhases();
+        const QString path = out().filePath("beats.mkv");
+        QTest::keyClick(&window(), Qt::Key_P, Qt::ShiftModifier);
+        QDialog* dialog = theDialog();
+        type(in<QSpinBox>(dialog, "width"), "64");
+        type(in<QSpinBox>(dialog, "height"), "48");
+        QCOMPARE(in<QDoubleSpinBox>(dialog, "length")->value(), 1.0);
+        type(in<QDoubleSpinBox>(dialog, "length"), "3");
+        write(in<QLineEdit>(dialog, "path"), path);
+        QCOMPARE(in<QLabel>(dialog, "sentence")->text(), QString("12 frames, 0.6 s"));
+        QVERIFY(save(dialog));
+        cv::VideoCapture movie(path.toStdString(), cv::CAP_FFMPEG);
+        std::vector<cv::Mat> frames;
+        for (cv::Mat frame; movie.read(frame);) frames.push_back(frame.clone());
+        QCOMPARE(frames.size(), std::size_t{3 * phaseCount});
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            const std::size_t first = i % phaseCount;
+            QCOMPARE(cv::norm(frames[i], frames[first], cv::NORM_INF), 0.0);
+            if (first > 0) QVERIFY(cv::norm(frames[i], frames[0], cv::NORM_INF) > 0.0);
+        }
+    }
+
     void aSeriesIsThePicturesToTheBit() {
         open(moving());
         playThePhases();

@@ -1,5 +1,6 @@
 // The dialog for movies and series of pictures: what it proposes, what it refuses, and what it replaces.
 #include <QAction>
+#include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QImage>
@@ -31,9 +32,49 @@ private slots:
         QVERIFY2(in<QLabel>(dialog, "plays")->text().contains("probe from −45° to +45° (screen's vertical)"),
                  qPrintable(in<QLabel>(dialog, "plays")->text()));
         QCOMPARE(in<QDoubleSpinBox>(dialog, "rate")->value(), motionDegreesPerSecond);
+        QCOMPARE(in<QComboBox>(dialog, "lengthUnit")->itemText(0), QString("turns"));
+        QCOMPARE(in<QLabel>(dialog, "sentence")->text(), QString("180 frames, 6.0 s"));
         QTest::keyClick(dialog, Qt::Key_Escape);
         QTRY_VERIFY(window().findChild<QDialog*>("movieDialog") == nullptr);
         QVERIFY(window().idle());
+    }
+
+    void theLengthIsBeatsOrTurnsOrSeconds() {
+        open(moving());
+        playThePhases();
+        child<QAction>("file.saveMovie")->trigger();
+        QDialog* dialog = theDialog();
+        auto* length = in<QDoubleSpinBox>(dialog, "length");
+        auto* unit = in<QComboBox>(dialog, "lengthUnit");
+        const auto sentence = [dialog] { return in<QLabel>(dialog, "sentence")->text(); };
+        QCOMPARE(unit->itemText(0), QString("beats"));
+        type(length, "5");
+        QCOMPARE(sentence(), QString("20 frames, 1.0 s"));
+        unit->setCurrentIndex(1);
+        QCOMPARE(length->value(), 1.0);  // the movie is as long as it was
+        type(length, "2.5");
+        QCOMPARE(sentence(), QString("50 frames, 2.5 s"));
+        type(in<QDoubleSpinBox>(dialog, "rate"), "10");
+        QCOMPARE(sentence(), QString("25 frames, 2.5 s"));
+        unit->setCurrentIndex(0);
+        QCOMPARE(length->value(), 6.0);  // whole beats
+        QCOMPARE(sentence(), QString("24 frames, 2.4 s"));
+        type(in<QSpinBox>(dialog, "width"), "32");
+        type(in<QSpinBox>(dialog, "height"), "32");
+        write(in<QLineEdit>(dialog, "path"), out().filePath("heart.mp4"));
+        QVERIFY(save(dialog));
+        // The length is proposed again, and a series of pictures has none.
+        QTRY_VERIFY(window().findChild<QDialog*>("movieDialog") == nullptr);
+        child<QAction>("file.saveMovie")->trigger();
+        QCOMPARE(in<QDoubleSpinBox>(theDialog(), "length")->value(), 6.0);
+        QTest::keyClick(theDialog(), Qt::Key_Escape);
+        QTRY_VERIFY(window().findChild<QDialog*>("movieDialog") == nullptr);
+        child<QAction>("file.savePictureSeries")->trigger();
+        QVERIFY(!in<QDoubleSpinBox>(theDialog(), "length")->isVisible());
+        QVERIFY(!in<QComboBox>(theDialog(), "lengthUnit")->isVisible());
+        QCOMPARE(in<QLabel>(theDialog(), "sentence")->text(), QString("4 pictures"));
+        QTest::keyClick(theDialog(), Qt::Key_Escape);
+        QTRY_VERIFY(window().findChild<QDialog*>("movieDialog") == nullptr);
     }
 
     void theDialogRefusesWhatCannotBeWritten() {

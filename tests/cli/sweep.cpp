@@ -247,6 +247,24 @@ TEST(SweepMovie, HoldsTheRenderedFrames) {
     }
 }
 
+TEST(SweepMovie, ShowsItsFramesOverAndOver) {
+    const Folder folder;
+    const std::string path = folder / "m.mkv";
+    const std::string sweep = "sweep " + quoted(movingFile()) + " --size 48x32 --movie " + quoted(path);
+    const std::size_t phases = readStudy(movingFile())->phases.size();
+    const auto expectLoops = [&](const std::string& options, std::size_t pictures) {
+        const Outcome outcome = runProgram(sweep + options);
+        ASSERT_EQ(outcome.status, 0) << outcome.errors;
+        const std::vector<cv::Mat> frames = framesOf(path);
+        ASSERT_EQ(frames.size(), pictures) << options;
+        for (std::size_t i = 0; i < pictures; ++i)
+            EXPECT_EQ(cv::norm(frames[i], frames[i % phases], cv::NORM_INF), 0.0) << options << ' ' << i;
+        EXPECT_GT(cv::norm(frames[0], frames[1], cv::NORM_INF), 0.0) << options;
+    };
+    expectLoops(" --loops 3", 3 * phases);
+    expectLoops(" --seconds 0.7 --frame-rate 10", 7);
+}
+
 TEST(SweepMovie, FailsInOneSentenceAndLeavesNothing) {
     const Folder folder;
     const Outcome outcome =
@@ -281,7 +299,11 @@ TEST(SweepUsage, EndsInOneSentence) {
         {"--size 0x5", "--size"},
         {"--csv - --json -", "standard output"},
         {"--csv \"" + folder / "a\" --json \"" + folder / "a\"", "named twice"},
-        {"--frame-rate 0", "--frame-rate"}};
+        {"--frame-rate 0", "--frame-rate"},
+        {"--loops 3", "--movie"},
+        {"--movie \"" + folder / "m.mkv\" --loops 0", "--loops must be 1 to 1000"},
+        {"--movie \"" + folder / "m.mkv\" --seconds -1", "--seconds must be above 0"},
+        {"--movie \"" + folder / "m.mkv\" --seconds 1 --loops 2", "excludes"}};
     for (const auto& [options, says] : rows) {
         const Outcome outcome = runProgram("sweep \"" + shapesFile() + "\" " + options);
         EXPECT_EQ(outcome.status, 2) << options << "\n" << outcome.errors;

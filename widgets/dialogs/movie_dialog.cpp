@@ -13,6 +13,9 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
@@ -66,6 +69,14 @@ void MovieDialog::createControls() {
     m_rate->setDecimals(3);
     m_rate->setRange(leastRate, largestRate);
     connect(m_rate, &QDoubleSpinBox::valueChanged, this, &MovieDialog::look);
+    const QString lengthTip =
+        tr("How long the movie is. A beat is one loop over the phases that play, a turn one of the probe");
+    m_length = named<QDoubleSpinBox>(new ShortSpinBox, "movieDialog.length", tr("Length"), lengthTip);
+    connect(m_length, &QDoubleSpinBox::valueChanged, this, &MovieDialog::look);
+    m_lengthUnit = named(new QComboBox, "movieDialog.lengthUnit", tr("Unit of the length"), lengthTip);
+    m_lengthUnit->addItem(m_facts.loops, static_cast<int>(MovieLengthUnit::loops));
+    m_lengthUnit->addItem(tr("seconds"), static_cast<int>(MovieLengthUnit::seconds));
+    connect(m_lengthUnit, &QComboBox::currentIndexChanged, this, &MovieDialog::takeLengthUnit);
     m_labels = named(new QCheckBox(tr("Caption, scale bar, axes, frame and measurements")), "movieDialog.labels",
                      tr("Labels in the pictures"));
     connect(m_labels, &QCheckBox::toggled, this, &MovieDialog::look);
@@ -114,6 +125,11 @@ void MovieDialog::arrange() {
     keepsRoom.setRetainSizeWhenHidden(true);
     m_replace->setSizePolicy(keepsRoom);
 
+    auto* length = new QHBoxLayout;
+    length->addWidget(m_length);
+    length->addWidget(m_lengthUnit);
+    length->addStretch(1);
+
     auto* grid = new QGridLayout(this);
     grid->addWidget(new QLabel(tr("Plays")), 0, 0);
     grid->addWidget(plays, 0, 1);
@@ -122,24 +138,29 @@ void MovieDialog::arrange() {
     if (movie) {
         grid->addWidget(labelFor(m_rate, tr("Frames a second")), 2, 0);
         grid->addWidget(m_rate, 2, 1, Qt::AlignLeft);
+        grid->addWidget(labelFor(m_length, tr("Length")), 3, 0);
     } else {
+        for (QWidget* ofMovie :
+             {static_cast<QWidget*>(m_rate), static_cast<QWidget*>(m_length), static_cast<QWidget*>(m_lengthUnit)})
+            ofMovie->hide();
         m_rate->setParent(this);
-        m_rate->hide();
     }
-    grid->addWidget(labelFor(m_labels, tr("Labels")), 3, 0);
-    grid->addWidget(m_labels, 3, 1);
-    grid->addWidget(labelFor(m_path, movie ? tr("File") : tr("Files")), 4, 0);
-    grid->addLayout(path, 4, 1);
-    grid->addWidget(m_sentence, 5, 1);
-    grid->addWidget(m_replace, 6, 1);
-    if (!m_facts.note.isEmpty()) grid->addWidget(noteLabel(m_facts.note, "movieDialog.note"), 7, 0, 1, 2);
-    grid->addWidget(buttons, 8, 0, 1, 2);
+    grid->addLayout(length, 3, 1);
+    grid->addWidget(labelFor(m_labels, tr("Labels")), 4, 0);
+    grid->addWidget(m_labels, 4, 1);
+    grid->addWidget(labelFor(m_path, movie ? tr("File") : tr("Files")), 5, 0);
+    grid->addLayout(path, 5, 1);
+    grid->addWidget(m_sentence, 6, 1);
+    grid->addWidget(m_replace, 7, 1);
+    if (!m_facts.note.isEmpty()) grid->addWidget(noteLabel(m_facts.note, "movieDialog.note"), 8, 0, 1, 2);
+    grid->addWidget(buttons, 9, 0, 1, 2);
     grid->setColumnStretch(1, 1);
     followTyping(*this, *m_save, [this] { look(); });
     resize(620, sizeHint().height());
 }
 
 void MovieDialog::showChoice(const MovieChoice& choice) {
+    showLength(choice.length);
     m_width->setValue(choice.size.width());
     m_height->setValue(choice.size.height());
     m_rate->setValue(choice.framesPerSecond);
@@ -162,6 +183,41 @@ void MovieDialog::takePreset(int index) {
     m_height->setValue(movie ? even(size.height()) : size.height());
 }
 
+void MovieDialog::showLength(const MovieLength& length) {
+    const bool loops = length.unit == MovieLengthUnit::loops;
+    const QSignalBlocker unit(m_lengthUnit), number(m_length);
+    m_unit = length.unit;
+    selectData(m_lengthUnit, static_cast<int>(length.unit));
+    m_length->setDecimals(loops ? 0 : 1);
+    m_length->setRange(loops ? 1.0 : leastSeconds, loops ? mostLoops : mostSeconds);
+    m_length->setValue(length.amount);
+}
+
+/// Keeps the movie about as long as it was.
+void MovieDialog::takeLengthUnit() {
+    const auto unit = static_cast<MovieLengthUnit>(m_lengthUnit->currentData().toInt());
+    if (unit == m_unit) return;
+    const double amount = m_length->value();
+    showLength({unit, unit == MovieLengthUnit::loops ? std::max(1.0, std::round(amount / loopSeconds()))
+                                                     : amount * loopSeconds()});
+    look();
+}
+
+MovieLength MovieDialog::length() const { return {m_unit, m_length->value()}; }
+
+double MovieDialog::loopSeconds() const {
+    return std::accumulate(m_facts.held.pictures.begin(), m_facts.held.pictures.end(), 0) / m_rate->value();
+}
+
+/// How long the movie or the series is.
+QString MovieDialog::lengthWords(const MovieChoice& chosen) const {
+    if (m_output == FrameOutput::series) return tr("%1 pictures").arg(m_facts.held.pictures.size());
+    const auto frames = framesOfPictures(m_facts.held.pictures, chosen.length, chosen.framesPerSecond).size();
+    return tr("%1 frames, %2 s")
+        .arg(frames)
+        .arg(QLocale::c().toString(static_cast<double>(frames) / chosen.framesPerSecond, 'f', 1));
+}
+
 MovieChoice MovieDialog::choice() const {
     const bool movie = m_output == FrameOutput::movie;
     const QSize size(m_width->value(), m_height->value());
@@ -169,6 +225,7 @@ MovieChoice MovieDialog::choice() const {
     return {.path = path.isEmpty() ? path : m_folder.filePath(path),
             .size = movie ? QSize(even(size.width()), even(size.height())) : size,
             .framesPerSecond = m_rate->value(),
+            .length = length(),
             .labels = m_labels->isChecked(),
             .replace = m_replace->isChecked()};
 }
@@ -182,12 +239,7 @@ void MovieDialog::look() {
     }
     m_preset->setCurrentIndex(preset);
     const MovieHindrance hindrance = m_facts.hindrance(chosen);
-    const QString length = m_output == FrameOutput::movie
-                               ? tr("%1 frames, %2 s")
-                                     .arg(m_facts.frames)
-                                     .arg(QLocale::c().toString(m_facts.frames / chosen.framesPerSecond, 'f', 1))
-                               : tr("%1 pictures").arg(m_facts.frames);
-    m_sentence->setText(hindrance.sentence.isEmpty() ? length : hindrance.sentence);
+    m_sentence->setText(hindrance.sentence.isEmpty() ? lengthWords(chosen) : hindrance.sentence);
     m_replace->setVisible(hindrance.replaces);
     m_save->setEnabled(hindrance.sentence.isEmpty() || (hindrance.replaces && chosen.replace));
 }

@@ -8,6 +8,9 @@
 #include <functional>
 #include <optional>
 
+#include "processing/motion/motion_choice.h"
+#include "processing/motion/movie_length.h"
+
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
@@ -29,6 +32,7 @@ struct MovieChoice {
     QString path{};  ///< of the movie; of a series "NAME.png": its files are NAME-0001.png and so on
     QSize size{512, 512};
     double framesPerSecond = 25.0;  ///< of a movie
+    MovieLength length{};           ///< of a movie
     bool labels = true;
     bool replace = false;  ///< files that are there already may be replaced
 };
@@ -39,7 +43,8 @@ struct MovieHindrance {
     bool replaces = false;  ///< files exist that a person may replace; the sentence says so
 };
 
-/// Objects: movieDialog (this), movieDialog.plays, .preset (of sizes), .width, .height, .rate (of a movie), .labels,
+/// Objects: movieDialog (this), movieDialog.plays, .preset (of sizes), .width, .height, .rate, .length, .lengthUnit
+/// (these three of a movie), .labels,
 /// .path, .choosePath, .sentence (the hindrance, or how long the movie is), .replace (seen if the files exist), .note
 /// (if there is one), .save, .cancel. Save is enabled if there is no hindrance, or if the person ticks .replace. Movies
 /// count their pixels in twos: odd sizes are rounded down.
@@ -49,7 +54,8 @@ class MovieDialog : public QDialog {
 public:
     struct Facts {
         QString plays{};       ///< what the frames show, a few words
-        int frames = 1;        ///< the number of frames
+        HeldFrames held{};     ///< the frames of one loop, and how long a movie holds each of them
+        QString loops{};       ///< what loops of these frames are called: "beats"
         QSize ofView{};        ///< pixels of the view, offered as a size too
         MovieChoice choice{};  ///< what is proposed
         QString note{};        ///< a sentence to read before saving; empty if there is none
@@ -67,6 +73,8 @@ public:
     [[nodiscard]] MovieChoice choice() const;
 
     static constexpr double leastRate = 0.5, largestRate = 120.0;
+    /// Of a movie's length.
+    static constexpr double mostLoops = 99, leastSeconds = 0.1, mostSeconds = 600;
 
 private:
     void createControls();
@@ -74,6 +82,11 @@ private:
     void showChoice(const MovieChoice& choice);
     void showPath(const QString& path);
     void takePreset(int index);
+    void takeLengthUnit();
+    void showLength(const MovieLength& length);
+    [[nodiscard]] MovieLength length() const;
+    [[nodiscard]] double loopSeconds() const;
+    [[nodiscard]] QString lengthWords(const MovieChoice& chosen) const;
     void look();
 
     FrameOutput m_output;
@@ -81,7 +94,9 @@ private:
     QDir m_folder;  ///< used if a person types a name without a folder
     QComboBox* m_preset = nullptr;
     QSpinBox *m_width = nullptr, *m_height = nullptr;
-    QDoubleSpinBox* m_rate = nullptr;
+    QDoubleSpinBox *m_rate = nullptr, *m_length = nullptr;
+    QComboBox* m_lengthUnit = nullptr;
+    MovieLengthUnit m_unit = MovieLengthUnit::loops;  ///< that the number in m_length has
     QCheckBox *m_labels = nullptr, *m_replace = nullptr;
     QLineEdit* m_path = nullptr;
     QPushButton *m_choosePath = nullptr, *m_save = nullptr, *m_cancel = nullptr;

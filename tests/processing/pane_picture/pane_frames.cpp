@@ -94,6 +94,11 @@ TEST(PaneFrames, PhasesComeBackWithTheSameBits) {
     EXPECT_TRUE(pixels(frames.picture(1, pictureWidth, pictureHeight)) == second) << "asked for twice";
     EXPECT_TRUE(pixels(frames.picture(2, pictureWidth, pictureHeight)) != second);
     EXPECT_TRUE(pixels(frames.picture(3, pictureWidth, pictureHeight)) == second) << "the way back";
+    for (const auto& [frame, first] : {std::pair(0, 0), {1, 1}, {2, 2}, {3, 1}})
+        EXPECT_EQ(frames.firstLike(frame), first) << frame;
+    document.motion.otf = MotionOtf::mean;
+    const PaneFrames smoothed(document, firstPane, phases);
+    EXPECT_EQ(smoothed.firstLike(3), 3) << "its OTF is smoothed over other frames";
 }
 
 TEST(PaneFrames, OneOtfIsThatOfItsPhase) {
