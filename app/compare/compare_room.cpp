@@ -142,6 +142,7 @@ void CompareRoom::createMenu() {
     compare->setCheckable(true);
     connect(compare, &QAction::triggered, this, &CompareRoom::setShown);
     connect(this, &CompareRoom::shownChanged, compare, &QAction::setChecked);
+    m_parts.panel.setSwitch(*compare);
     auto* figures = new QMenu(tr("Compare &for a lesson"), menu);
     figures->setObjectName(QStringLiteral("menu.compare"));
     const auto addFigure = [&](const QString& text, const QString& name, int number) {

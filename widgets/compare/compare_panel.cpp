@@ -1,5 +1,6 @@
 #include "widgets/compare/compare_panel.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -11,6 +12,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <variant>
 
@@ -102,11 +104,19 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Compare"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
+    column->addWidget(m_switch = new QToolButton);
+    m_switch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     column->addWidget(createPanes());
     column->addWidget(m_layoutGroup = createLayout());
     column->addWidget(m_tableGroup = createTable());
     column->addStretch(1);
     showAll();
+}
+
+void ComparePanel::setSwitch(QAction& compares) {
+    m_switch->setDefaultAction(&compares);
+    named(m_switch, "compare.switch", tr("Compare OTFs"),
+          tr("Shows two to four OTFs beside each other under one camera, and leaves the comparison (F5)"));
 }
 
 QGroupBox* ComparePanel::createPanes() {
@@ -296,7 +306,8 @@ void ComparePanel::setLimits(int phases, int tubes) {
 
 void ComparePanel::setMeasuringFlicker(bool measuring) {
     m_measuring = measuring;
-    m_flicker->setEnabled(!measuring && !m_panes.empty());
+    enableOrSayWhy(*m_flicker, !measuring && !m_panes.empty(),
+                   measuring ? tr("It is being measured.") : tr("Nothing is compared."));
 }
 
 void ComparePanel::showAll() {
@@ -335,11 +346,11 @@ void ComparePanel::showAll() {
     m_second->setCurrentIndex(m_comparison.second);
     m_amplification->setValue(m_comparison.amplification);
     const bool pair = m_comparison.layout != ComparisonLayout::sideBySide;
-    m_first->setEnabled(pair);
-    m_second->setEnabled(pair);
-    m_amplification->setEnabled(m_comparison.layout == ComparisonLayout::difference);
-    m_layoutGroup->setEnabled(!m_panes.empty());
-    m_tableGroup->setEnabled(!m_panes.empty());
+    for (QComboBox* one : {m_first, m_second})
+        enableOrSayWhy(*one, pair, tr("The layout shows all panes side by side."));
+    enableOrSayWhy(*m_amplification, m_comparison.layout == ComparisonLayout::difference,
+                   tr("The layout shows no difference."));
+    for (QGroupBox* group : {m_layoutGroup, m_tableGroup}) group->setVisible(!m_panes.empty());
     setMeasuringFlicker(m_measuring);
 }
 

@@ -8,6 +8,7 @@
 #include "processing/document/panes.h"
 #include "widgets/compare/compare_rows.h"
 
+class QAction;
 class QComboBox;
 class QDoubleSpinBox;
 class QGroupBox;
@@ -15,6 +16,7 @@ class QLabel;
 class QPushButton;
 class QSpinBox;
 class QTableWidget;
+class QToolButton;
 
 namespace echolucent {
 
@@ -22,15 +24,17 @@ namespace echolucent {
 /// has an OTF of its own in a motion, and with ", phase 3" if it has a phase of its own.
 [[nodiscard]] QString nameOfPane(const Pane& choice);
 
-/// Objects: compare (this), compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4, compare.motion2 …
-/// 4, compare.layout, compare.first, compare.second, compare.amplification, compare.table, compare.measureFlicker,
-/// compare.copyText, compare.copyCsv, compare.savePage, compare.note. No setter emits a signal.
+/// Objects: compare (this), compare.switch, compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4,
+/// compare.motion2 … 4, compare.layout, compare.first, compare.second, compare.amplification, compare.table,
+/// compare.measureFlicker, compare.copyText, compare.copyCsv, compare.savePage, compare.note. No setter emits a signal.
 class ComparePanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit ComparePanel(QWidget* parent = nullptr);
 
+    /// The button on top begins and ends the comparison, as this action does, which outlives the panel.
+    void setSwitch(QAction& compares);
     /// The panes compared. Without a pane, a person can set nothing but the number of panes.
     void setPanes(const std::vector<Pane>& panes);
     void setComparison(const Comparison& comparison);
@@ -72,6 +76,7 @@ private:
     std::vector<CompareRow> m_rows;
     int m_phases = 1, m_tubes = 1;
     bool m_measuring = false;
+    QToolButton* m_switch = nullptr;
     QSpinBox* m_count = nullptr;
     std::array<PaneControls, mostPanes> m_controls{};
     QComboBox* m_layout = nullptr;

@@ -1,5 +1,6 @@
 #include "widgets/controls/panel_controls.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QEvent>
 #include <QLabel>
@@ -35,6 +36,28 @@ void wheelNeedsFocus(QWidget* control) {
     control->setFocusPolicy(Qt::StrongFocus);
     control->installEventFilter(new WheelFilter(control));
 }
+
+namespace {
+
+template <typename Control>
+void enableWithReason(Control& control, bool enabled, const QString& whyNot) {
+    constexpr const char* key = "toolTipIfEnabled";
+    control.setEnabled(enabled);
+    const QVariant kept = control.property(key);
+    const QString meaning = kept.isValid() ? kept.toString() : control.toolTip();
+    control.setProperty(key, enabled ? QVariant() : QVariant(meaning));
+    if (enabled && !kept.isValid()) return;
+    const bool both = !enabled && !meaning.isEmpty();
+    control.setToolTip(enabled ? meaning : both ? meaning + QLatin1Char('\n') + whyNot : whyNot);
+}
+
+}  // namespace
+
+void enableOrSayWhy(QWidget& control, bool enabled, const QString& whyNot) {
+    enableWithReason(control, enabled, whyNot);
+}
+
+void enableOrSayWhy(QAction& action, bool enabled, const QString& whyNot) { enableWithReason(action, enabled, whyNot); }
 
 QLabel* labelFor(QWidget* control, const QString& text) {
     auto* label = new QLabel(text);

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <string_view>
 
+class QAction;
 class QComboBox;
 class QLabel;
 class QProgressBar;
@@ -23,6 +24,11 @@ Widget* named(Widget* widget, const QString& objectName, const QString& accessib
     widget->setToolTip(toolTip);
     return widget;
 }
+
+/// Enables a control or an action of a menu, or disables it. While it is disabled its tool tip ends with the sentence
+/// `whyNot`. Nobody else sets the tool tip meanwhile.
+void enableOrSayWhy(QWidget& control, bool enabled, const QString& whyNot);
+void enableOrSayWhy(QAction& action, bool enabled, const QString& whyNot);
 
 /// A tool tip that shows any text as it is, also one that looks like HTML.
 [[nodiscard]] QString literalToolTip(const QString& text);

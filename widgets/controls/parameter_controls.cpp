@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "widgets/controls/number_box.h"
-#include "widgets/controls/panel_controls.h"
 #include "widgets/controls/short_spin_box.h"
 #include "widgets/controls/value_slider.h"
 
@@ -121,6 +120,10 @@ ParameterControl sliderControl(const ParameterDefault& each, const QString& name
 }
 
 }  // namespace
+
+QString whyGreyed(const AnyParameter& row) {
+    return QObject::tr("It plays a part only %1.").arg(QString::fromStdString(whenOf(row)));
+}
 
 ParameterControl parameterControl(const ParameterDefault& row, const QString& group, NumberControl numbers,
                                   const QObject* listener, std::function<void(const ParameterValue&)> taken) {

@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "processing/parameters/parameter.h"
-
-class QLabel;
+#include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
 
@@ -37,6 +36,9 @@ enum class NumberControl {
                                                 NumberControl numbers, const QObject* listener,
                                                 std::function<void(const ParameterValue&)> taken);
 
+/// Why the control of a row is greyed that plays no part: "It plays a part only in direct mode."
+[[nodiscard]] QString whyGreyed(const AnyParameter& row);
+
 /// Values, and a control for each of their rows that panels show. A number keeps all its digits until a person moves
 /// it, however few its control shows.
 template <typename Values>
@@ -55,7 +57,7 @@ public:
     }
 
     [[nodiscard]] const Values& values() const { return m_values; }
-    /// Calls no callback. Rows that play no part are disabled.
+    /// Calls no callback. Rows that play no part are disabled, and their tool tips say when they play one.
     void setValues(const Values& values) {
         m_values = values;
         for (const Parameter<Values>& row : m_table)
@@ -75,7 +77,7 @@ private:
     void enable() {
         for (const Parameter<Values>& row : m_table)
             if (const auto found = m_controls.find(row.name); found != m_controls.end())
-                found->second.widget->setEnabled(playsAPart(row, m_values));
+                enableOrSayWhy(*found->second.widget, playsAPart(row, m_values), whyGreyed(row));
     }
 
     const ParameterTable<Values>& m_table;

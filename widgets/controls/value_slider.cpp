@@ -20,6 +20,9 @@ ValueSlider::ValueSlider(const QString& name, const QString& accessibleName, dou
     m_spinBox->setDecimals(decimals);
     m_spinBox->setSingleStep(step);
     m_spinBox->setAlignment(Qt::AlignRight);
+    // Nothing can be set before there is a range. The default ranges of the two differ.
+    m_spinBox->setRange(0, 0);
+    m_slider->setRange(0, 0);
     m_slider->setMinimumWidth(60);
     wheelNeedsFocus(m_slider);
     wheelNeedsFocus(m_spinBox);
@@ -72,7 +75,8 @@ void ValueSlider::setStandard(double standard) {
 /// The reset compares the numbers as the spin box shows them: rounding is no change.
 void ValueSlider::showReset() {
     if (m_reset != nullptr)
-        m_reset->setEnabled(m_spinBox->textFromValue(m_standard) != m_spinBox->textFromValue(value()));
+        enableOrSayWhy(*m_reset, m_spinBox->textFromValue(m_standard) != m_spinBox->textFromValue(value()),
+                       tr("It has its value at start."));
 }
 
 void ValueSlider::showOnSlider() {

@@ -243,8 +243,10 @@ void OtfEditor::connectModel() {
         // Names that people gave to presets and snapshots stand in them.
         m_undo->setText(literalMenuText(undo));
         m_redo->setText(literalMenuText(redo));
-        m_undo->setToolTip(literalToolTip(tr("%1 (Ctrl+Z)").arg(undo)));
-        m_redo->setToolTip(literalToolTip(tr("%1 (Ctrl+Shift+Z)").arg(redo)));
+        m_undo->setToolTip(steps().canUndo() ? literalToolTip(tr("%1 (Ctrl+Z)").arg(undo))
+                                             : tr("Undo (Ctrl+Z)\nNothing was changed."));
+        m_redo->setToolTip(steps().canRedo() ? literalToolTip(tr("%1 (Ctrl+Shift+Z)").arg(redo))
+                                             : tr("Redo (Ctrl+Shift+Z)\nNothing was undone."));
     };
     connect(&steps(), &DocumentSteps::changed, this, showSteps);
     showSteps();
@@ -307,11 +309,13 @@ void OtfEditor::showState() {
     m_pages->setCurrentIndex(static_cast<int>(shown.designed ? allCurveKinds.size() : indexOf(shown.active)));
     const QString copied = shown.designed ? QString::fromStdString(shown.designer) : tr("adaptive");
     m_copyAdaptive->setText(tr("Copy %1 into nodes").arg(copied));
-    m_copyAdaptive->setToolTip(
+    const bool canCopy = shown.designed ? shown.design.has_value() : computed;
+    const QString copying =
         shown.designed
             ? tr("Copy the largest opacity of each intensity into few nodes, within %1").arg(copiedCurveMaxError)
-            : tr("Copy the adaptive curve into few nodes, within %1 of its opacity").arg(copiedCurveMaxError));
-    m_copyAdaptive->setEnabled(shown.designed ? shown.design.has_value() : computed);
+            : tr("Copy the adaptive curve into few nodes, within %1 of its opacity").arg(copiedCurveMaxError);
+    m_copyAdaptive->setToolTip(canCopy ? copying : tr("%1\nIt is not computed yet.").arg(copying));
+    m_copyAdaptive->setEnabled(canCopy);
     m_designNote->setText(shown.design ? tr("%1 made the OTF from the volume. The panel Designers says how and has its "
                                             "parameters. To edit its curve, copy it into nodes.")
                                              .arg(copied)
@@ -319,9 +323,11 @@ void OtfEditor::showState() {
     const bool ofVolume = shown.designed || shown.active == CurveKind::adaptive;
     const bool nothingToReset = ofVolume && shown.adjustment == CurveAdjustment{};
     m_reset->setEnabled(!nothingToReset);
-    m_reset->setToolTip(nothingToReset ? tr("The %1 curve comes from the volume").arg(renderedName())
-                                       : tr("Reset the %1 curve (C)").arg(renderedName()));
-    m_deleteNode->setEnabled(m_model.selectedNode() >= 0 && m_model.canRemoveNode());
+    m_reset->setToolTip(nothingToReset
+                            ? tr("The %1 curve comes from the volume, and nothing was changed.").arg(renderedName())
+                            : tr("Reset the %1 curve (C)").arg(renderedName()));
+    enableOrSayWhy(*m_deleteNode, m_model.selectedNode() >= 0 && m_model.canRemoveNode(),
+                   tr("No node is selected that a curve can spare."));
     if (m_hoveredNode >= static_cast<int>(shown.manual.nodes.size())) m_hoveredNode = -1;
     if (m_hoveredNode >= 0) m_hovered = shown.manual.nodes[static_cast<std::size_t>(m_hoveredNode)];
     showReadout();

@@ -180,7 +180,8 @@ void DesignerPanel::showParts() {
     bool parameters = false;
     if (m_config) forEachParameter(std::as_const(*m_config), [&](const auto&, const auto&) { parameters = true; });
     m_parameters->setVisible(parameters);
-    m_reset->setEnabled(m_config && *m_config != defaultConfigOf(designerOf(*m_config)));
+    enableOrSayWhy(*m_reset, m_config && *m_config != defaultConfigOf(designerOf(*m_config)),
+                   tr("The parameters have their values at start."));
     m_emphasis->setVisible(kindlmann != nullptr && kindlmann->emphasis == BoundaryEmphasis::drawn);
     if (kindlmann != nullptr) m_emphasis->setNodes(kindlmann->drawn);
 }

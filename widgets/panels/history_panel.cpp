@@ -125,8 +125,7 @@ void HistoryPanel::editName(int snapshot) {
 
 void HistoryPanel::enableButtons() {
     const bool any = m_snapshots->currentRow() >= 0;
-    m_rename->setEnabled(any);
-    m_remove->setEnabled(any);
+    for (QToolButton* button : {m_rename, m_remove}) enableOrSayWhy(*button, any, tr("No snapshot is selected."));
 }
 
 }  // namespace echolucent

@@ -253,7 +253,7 @@ void MethodPanel::showConfig() {
             of(row.name).show(*row.get(m_config));
         else if (const auto value = valueIfChosen(row))
             of(row.name).show(*value);
-        of(row.name).widget->setEnabled(applies(row));
+        enableOrSayWhy(*of(row.name).widget, applies(row), whyGreyed(row));
     }
     showReading();
 }

@@ -150,7 +150,7 @@ void PhaseOrder::limitRange() {
     const QSignalBlocker first(m_first), last(m_last);
     m_first->setRange(1, m_last->value());
     m_last->setRange(m_first->value(), m_phases);
-    m_all->setEnabled(m_first->value() > 1 || m_last->value() < m_phases);
+    enableOrSayWhy(*m_all, m_first->value() > 1 || m_last->value() < m_phases, tr("All phases play already."));
 }
 
 void PhaseOrder::tellRange() {

@@ -104,6 +104,7 @@ void PresetsPanel::createActions() {
     m_more->setFocusPolicy(Qt::StrongFocus);
     m_more->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* menu = new QMenu(m_more);
+    menu->setToolTipsVisible(true);
     const auto add = [this, menu](const QString& text, const QString& name, auto&& run) {
         QAction* action = menu->addAction(text);
         action->setObjectName(name);
@@ -201,9 +202,11 @@ void PresetsPanel::fitHeight() {
 void PresetsPanel::enableActions() {
     const int preset = selected();
     const bool own = preset >= 0 && m_presets[preset].own;
-    m_rename->setEnabled(own);
-    m_remove->setEnabled(own);
-    m_export->setEnabled(preset >= 0);
+    const QString none = tr("No preset is selected.");
+    const QString builtIn = preset < 0 ? none : tr("This preset belongs to the program.");
+    enableOrSayWhy(*m_rename, own, builtIn);
+    enableOrSayWhy(*m_remove, own, builtIn);
+    enableOrSayWhy(*m_export, preset >= 0, none);
 }
 
 int PresetsPanel::selected() const {

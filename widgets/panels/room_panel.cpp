@@ -70,9 +70,10 @@ RoomPanel::RoomPanel(DocumentModel& document, QWidget* parent) : QWidget(parent)
     setAccessibleName(tr("Planes, box and scalpel"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
-    column->addWidget(createPlanes());
-    column->addWidget(createBox());
+    // What is taken in the hand first stands on top.
     column->addWidget(createScalpel());
+    column->addWidget(createBox());
+    column->addWidget(createPlanes());
     column->addStretch(1);
     m_document.bind(&DocumentModel::boxChanged, this, [this](const Document&) { showBox(); });
     m_document.bind(&DocumentModel::strokesChanged, this, [this](const Document&) { showStrokes(); });
@@ -93,10 +94,10 @@ QGroupBox* RoomPanel::createPlanes() {
                            "reference point"));
     auto* window = new ValueSlider("room.window", tr("Window"), 0.01, 2);
     window->setRange(leastPlaneWindow, largestPlaneWindow);
-    window->setToolTip(tr("Intensities from black to white; right drag to the right in a plane"));
+    window->setToolTip(tr("How many greys lie between black and white; right drag to the right in a plane"));
     auto* level = new ValueSlider("room.level", tr("Level"), 0.01, 2);
     level->setRange(leastPlaneLevel, largestPlaneLevel);
-    level->setToolTip(tr("The intensity shown half bright; right drag down in a plane"));
+    level->setToolTip(tr("The grey that is shown half bright; right drag down in a plane"));
     const auto change = [this](const QString& what, auto member) {
         return [this, what, member](auto value) {
             m_document.change(what, [&](Document& next) { next.scene.planes.*member = value; });
@@ -283,7 +284,7 @@ void RoomPanel::showBox() {
     for (std::size_t i = 0; i < m_sizes.size(); ++i) {
         const QSignalBlocker blocker(m_sizes[i]);
         m_sizes[i]->setValue(box.sizeMm[static_cast<int>(i)]);
-        m_sizes[i]->setEnabled(box.on);
+        enableOrSayWhy(*m_sizes[i], box.on, tr("Show only the box first (B)."));
     }
 }
 
@@ -324,9 +325,11 @@ ScalpelSettings RoomPanel::scalpel() const {
 }
 
 void RoomPanel::updateEnabled() {
-    m_limit->setEnabled(m_limited->isChecked());
-    m_takeBack->setEnabled(m_strokes->currentRow() >= 0);
-    m_takeAllBack->setEnabled(m_strokes->count() > 0);
+    enableOrSayWhy(*m_limit, m_limited->isChecked(), tr("Tick the box before it first."));
+    const bool any = m_strokes->count() > 0;
+    enableOrSayWhy(*m_takeBack, m_strokes->currentRow() >= 0,
+                   any ? tr("No stroke is selected.") : tr("The scalpel has cut nothing."));
+    enableOrSayWhy(*m_takeAllBack, any, tr("The scalpel has cut nothing."));
 }
 
 }  // namespace echolucent
