@@ -135,7 +135,7 @@ std::vector<KeyRow> windowRows() {
          {{"view.frontFromHere", "N"}, {"view.noFront", "Shift+N"}}},
         {place,
          "Q, Shift+Q; L",
-         tr("more or less speckle reduction; the next light"),
+         tr("more or less smoothing; the next light"),
          {{"view.moreReduction", "Q"}, {"view.lessReduction", "Shift+Q"}, {"view.nextLighting", "L"}}},
         {place,
          "Space, ←, →",

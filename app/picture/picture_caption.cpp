@@ -63,7 +63,7 @@ QString otfLine(const Document& document) {
     const MotionChoice& motion = document.motion;
     if (motion.otf != MotionOtf::oneOtf || !needsComputedOtf(document, firstPane)) return {};
     if (!movesObject(motion.scenario) && motion.otfPhase == phaseOf(document, firstPane)) return {};
-    return captionText("OTF of phase %1").arg(motion.otfPhase + 1);
+    return captionText("curve of phase %1").arg(motion.otfPhase + 1);
 }
 
 QString designLine(const Document& document, bool isShown) {

@@ -39,6 +39,10 @@ void PictureControls::connectPanel() {
     });
     connect(panel, &ViewPanel::beamAxisChanged, this, &PictureControls::setBeamAxis);
     connect(panel, &ViewPanel::lookChanged, this, &PictureControls::setLook);
+    connect(panel, &ViewPanel::lightAmountChanged, this, [this](const Look& look) {
+        m_parts.model.change(tr("light"), [&look](Document& next) { next.scene.look = look; });
+        keep();
+    });
     connect(panel, &ViewPanel::lookReset, this, [this](const Look& look, const QString& group) {
         m_parts.model.change(tr("reset %1").arg(group.toLower()), [&look](Document& next) { next.scene.look = look; });
         keep();
@@ -142,6 +146,7 @@ void PictureControls::showDocument() {
     if (!m_parts.openStudy.volume()) m_parts.panel.setFrontMm(0.0);
     m_parts.panel.setBeamAxis(document.beam.axis);
     m_parts.panel.setLook(document.scene.look);
+    m_parts.panel.setFrontThere(cuts(document.scene.front));
 }
 
 /// Takes the person's choice of renderer. If the choice is a graphics card that is not usable (that of another machine,

@@ -20,7 +20,7 @@ QuietPhases::QuietPhases(Works& works, QObject* parent)
     : QObject(parent),
       m_reduce(&quietVolume),
       m_thread(works, QStringLiteral("speckle reduction"),
-               {.words = tr("reducing speckle"), .urgency = Urgency::quietening, .cancel = [this] { cancel(); }}) {
+               {.words = tr("smoothing"), .urgency = Urgency::quietening, .cancel = [this] { cancel(); }}) {
     connect(&m_thread, &NewestWinsThread::busyChanged, this, &QuietPhases::busyChanged);
 }
 

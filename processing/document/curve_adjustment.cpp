@@ -49,9 +49,7 @@ const ParameterTable<CurveAdjustment>& adjustmentParameters() {
     using namespace parameter_rows;
     static const ParameterTable<CurveAdjustment> table{
         {number<&CurveAdjustment::threshold>(
-             {"threshold", "Threshold",
-              "To the right only brighter echoes show; moves the rise of the curve that is rendered", "",
-              "chosen by looking"},
+             {"threshold", "Threshold", "To the right only brighter echoes show", "", "chosen by looking"},
              {-0.5, 0.5}),
          number<&CurveAdjustment::transparency>(
              {"transparency", "Transparency", "To the right you see deeper; black fluid stays clear either way", "",

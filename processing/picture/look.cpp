@@ -66,9 +66,8 @@ ParameterTable<Look> lookTable() {
                                                           "What is mixed into the picture, along the same rays", "",
                                                           byLooking})),
             choice<reductions, &Look::reduction>(
-                {"reduction", "Speckle reduction",
-                 "How much speckle is taken out of the voxels that the picture is made of", "",
-                 "docs/speckle.md; chosen by looking"}),
+                {"reduction", "Smoothing", "How much the grain of speckle is smoothed away before the picture is made",
+                 "", "docs/speckle.md; chosen by looking"}),
             playing(isDirect, inDirectMode,
                     choice<lightings, &Look::lighting>(
                         {"lighting", "Light",

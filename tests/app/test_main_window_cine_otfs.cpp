@@ -31,7 +31,7 @@ private slots:
 
     void theCaptionSaysOfWhichPhaseTheOneOtfIs() {
         open(moving());
-        const auto said = [this] { return window().volumeView().caption().contains("OTF of phase 1"); };
+        const auto said = [this] { return window().volumeView().caption().contains("curve of phase 1"); };
         QVERIFY(said());  // as in every frame of the motion
         QTest::keyClick(&window(), Qt::Key_Period);
         waitUntilIdle();

@@ -17,6 +17,7 @@
 
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
+#include "widgets/panels/light_amount.h"
 #include "widgets/panels/view_panel.h"
 
 using namespace echolucent;
@@ -200,6 +201,77 @@ private slots:
             QVERIFY2(!reset->isEnabled(), name);
         }
         QCOMPARE(panel.look(), lookAtStart());
+    }
+
+    void oneSliderGoesFromFlatToDeepShadows() {
+        QCOMPARE(lightAmount(lookAtStart()), 0.75);
+        QCOMPARE(withLightAmount(lookAtStart(), 0.75), lookAtStart());
+        Look look = withLightAmount(lookAtStart(), 0.4);
+        QCOMPARE(look.lighting, Lighting::depth);
+        QVERIFY(look.reaching.shadow == 0.4 && look.reaching.occlusion == 0.4);
+        QCOMPARE(look.reaching.translucency, lookAtStart().reaching.translucency);
+        QCOMPARE(lightAmount(look), 0.4);
+        look = withLightAmount(look, 0);
+        QCOMPARE(look.lighting, Lighting::flat);
+        QCOMPARE(look.light, lookAtStart().light);
+        QCOMPARE(lightAmount(look), 0.0);
+        look.lighting = Lighting::surface;
+        QVERIFY(lightAmount(look) > 0.0 && lightAmount(look) < 0.1);
+        look.lighting = Lighting::depth;  // light without any shadow is light
+        look.reaching = {};
+        look.reaching.shadow = look.reaching.occlusion = 0.0;
+        QVERIFY(lightAmount(look) > 0.0);
+
+        ViewPanel panel;
+        AllSignals all(panel);
+        QSignalSpy moved(&panel, &ViewPanel::lightAmountChanged);
+        auto* slider = child<QSlider>(panel, "view.lightAmount");
+        auto* number = child<QDoubleSpinBox>(panel, "view.lightAmount.value");
+        QCOMPARE(number->value(), 75.0);
+        QVERIFY(qAbs(slider->value() - 0.75 * slider->maximum()) < 1);
+        QTest::keyClick(slider, Qt::Key_Home);
+        QCOMPARE(moved.takeFirst().first().value<Look>().lighting, Lighting::flat);
+        QTest::keyClick(slider, Qt::Key_End);
+        QCOMPARE(moved.takeFirst().first().value<Look>().reaching.shadow, 1.0);
+        QCOMPARE(panel.look().lighting, Lighting::depth);
+        QCOMPARE(all.count(), 2);
+        // The slider follows whoever sets the light.
+        QTest::keyClick(child<QComboBox>(panel, "view.lighting"), Qt::Key_Home);
+        QCOMPARE(number->value(), 0.0);
+    }
+
+    void whatIsGreyedSaysWhy() {
+        ViewPanel panel;
+        auto* none = child<QPushButton>(panel, "view.front.none");
+        const QString meaning = none->toolTip();
+        panel.setFrontThere(false);
+        QVERIFY(!none->isEnabled());
+        QVERIFY(none->toolTip().endsWith("There is no front to take away."));
+        panel.setFrontThere(true);
+        QCOMPARE(none->toolTip(), meaning);
+        Look look = lookAtStart();
+        look.mode = RenderMode::maximum;
+        panel.setLook(look);
+        QWidget* light = child<QSlider>(panel, "view.lightAmount")->parentWidget();
+        QVERIFY(!light->isEnabled());
+        QVERIFY(light->toolTip().endsWith("There is light in the mode Direct rendering only (More)."));
+        QVERIFY(child<QComboBox>(panel, "view.lighting")->toolTip().endsWith("It plays a part only in direct mode."));
+        panel.setLook(lookAtStart());
+        QVERIFY(!light->toolTip().contains("only"));
+    }
+
+    void moreOpensWhatIsSetRarely() {
+        ViewPanel panel;
+        panel.show();
+        auto* more = child<QToolButton>(panel, "view.more");
+        QTest::mouseClick(more, Qt::LeftButton);
+        for (const char* name : {"view.brightness", "view.reduction", "view.lightAmount", "view.nearCut",
+                                 "view.nearCut.suggest", "view.front.fromHere", "view.front.none"})
+            QVERIFY2(child<QWidget>(panel, name)->isVisible(), name);
+        for (const char* name : {"view.lighting", "view.colourMap", "view.renderer", "view.beamAxis", "view.mode"})
+            QVERIFY2(!child<QWidget>(panel, name)->isVisible(), name);
+        panel.setMoreShown(true);
+        QVERIFY(child<QWidget>(panel, "view.beamAxis")->isVisible());
     }
 
     void everyGroupHasAReset() {

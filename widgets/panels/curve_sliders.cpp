@@ -32,6 +32,7 @@ CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent)
         grid->addWidget(m_controls.of(row.name).label, line, 0);
         grid->addWidget(m_controls.of(row.name).widget, line, 1);
     }
+    grid->setColumnMinimumWidth(0, 92);  // in line with the panel below
     grid->addWidget(reset, grid->count() / 2, 1, Qt::AlignRight);
     grid->setContentsMargins(9, 9, 9, 0);
 }

@@ -8,10 +8,12 @@
 #include <QStandardItemModel>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/parameter_controls.h"
 #include "widgets/controls/value_slider.h"
+#include "widgets/panels/light_amount.h"
 
 namespace echolucent {
 namespace {
@@ -65,25 +67,55 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
         tr("How deep the front lies in the body. What lies before it is cut away from wherever you look"));
     m_look = std::make_unique<ParameterControls<Look>>(lookParameters(), "view", NumberControl::resettingSlider,
                                                        [this](const Look& look, const AnyParameter&) {
-                                                           updateForMode();
+                                                           followLook();
                                                            emit lookChanged(look);
                                                        });
     QWidget* lighting = m_look->of("lighting").widget;
     lighting->setToolTip(tr("%1. Ctrl + left drag in the picture moves the light").arg(lighting->toolTip()));
+    createLight();
     createChoices();
     arrange();
     setFrontRange(100);
     setGraphicsCardUsable(false);
-    updateForMode();
+    followLook();
     connectControls();
 }
 
 ViewPanel::~ViewPanel() = default;
 
 void ViewPanel::connectControls() {
+    connect(m_light, &ValueSlider::valueChanged, this, [this](double percent) {
+        setLook(withLightAmount(look(), percent / 100.0));
+        emit lightAmountChanged(look());
+    });
     connect(m_front, &ValueSlider::valueChanged, this, &ViewPanel::frontChanged);
     connect(m_renderer, &QComboBox::currentIndexChanged, this, [this] { emit rendererChanged(renderer()); });
     connect(m_beamAxis, &QComboBox::currentIndexChanged, this, [this] { emit beamAxisChanged(beamAxis()); });
+}
+
+void ViewPanel::createLight() {
+    constexpr double step = 100.0 * leastLight;
+    m_light = new ValueSlider("view.lightAmount", tr("Light, from flat to strong"), step, 0);
+    m_light->setToolTip(
+        tr("To the left the picture is flat. To the right light falls on it, and what the light does not reach grows "
+           "darker. Ctrl + left drag in the picture moves the light"));
+    m_light->setRange(0, 100);
+    m_light->setSuffix(tr(" %"));
+    m_light->setStandard(100.0 * lightAmount(lookAtStart()));
+}
+
+QToolButton* ViewPanel::createMore() {
+    m_more = named(new QToolButton, "view.more", tr("More"),
+                   tr("Opens and closes the other settings: light, colours, projection, beam"));
+    m_more->setText(tr("More"));
+    m_more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_more->setFocusPolicy(Qt::StrongFocus);
+    m_more->setCheckable(true);
+    connect(m_more, &QToolButton::toggled, this, [this](bool open) {
+        m_more->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+        m_rest->setVisible(open);
+    });
+    return m_more;
 }
 
 void ViewPanel::createChoices() {
@@ -118,16 +150,44 @@ QLayout* ViewPanel::createButtons() {
 }
 
 void ViewPanel::arrange() {
-    auto* grid = new QGridLayout;
-    grid->setColumnMinimumWidth(0, labelWidth);
-    grid->setColumnStretch(1, 1);
-    addCutGroup(*grid);
-    addLookGroups(*grid);
-    addViewGroup(*grid);
+    const auto newGrid = [] {
+        auto* grid = new QGridLayout;
+        grid->setColumnMinimumWidth(0, labelWidth);
+        grid->setColumnStretch(1, 1);
+        return grid;
+    };
+    QGridLayout *first = newGrid(), *rest = newGrid();
+    addPictureRows(*first);
+    addCutGroup(*first);
+    addLookGroups(*rest);
+    addViewGroup(*rest);
+    m_rest = new QWidget;
+    auto* below = new QVBoxLayout(m_rest);
+    below->setContentsMargins(0, 0, 0, 0);
+    below->addLayout(rest);
+    below->addLayout(createButtons());
     auto* layout = new QVBoxLayout(this);
-    layout->addLayout(grid);
-    layout->addLayout(createButtons());
+    layout->addLayout(first);
+    layout->addWidget(createMore(), 0, Qt::AlignLeft);
+    layout->addWidget(m_rest);
     layout->addStretch(1);
+    m_more->setChecked(true);
+}
+
+/// What a person turns most.
+void ViewPanel::addPictureRows(QGridLayout& grid) {
+    const auto& brightness = m_look->of("brightness");
+    addRow(grid, brightness.label, brightness.widget);
+    const auto& smoothing = m_look->of("reduction");
+    m_resetSmoothing = resetButton("view.speckle.reset", tr("Reset: smoothing"));
+    connect(m_resetSmoothing, &QToolButton::clicked, this, [this] { resetLook(tr("Smoothing"), {"reduction"}); });
+    auto* row = new QWidget;
+    auto* both = new QHBoxLayout(row);
+    both->setContentsMargins(0, 0, 0, 0);
+    both->addWidget(smoothing.widget, 1);
+    both->addWidget(m_resetSmoothing);
+    addRow(grid, smoothing.label, row);
+    addRow(grid, labelFor(m_light, tr("Light")), m_light);
 }
 
 void ViewPanel::addCutGroup(QGridLayout& grid) {
@@ -140,17 +200,18 @@ void ViewPanel::addCutGroup(QGridLayout& grid) {
     auto* fromHere = named(new QPushButton(tr("From here")), "view.front.fromHere", tr("Front from here"),
                            tr("Tilts the front so that it lies across what you see now (N)"));
     connect(fromHere, &QPushButton::clicked, this, &ViewPanel::frontFromHereRequested);
-    auto* none = named(new QPushButton(tr("None")), "view.front.none", tr("No front"),
-                       tr("Takes the front away, so that nothing is cut off before the picture (Shift+N)"));
-    connect(none, &QPushButton::clicked, this, &ViewPanel::noFrontRequested);
+    m_noFront = named(new QPushButton(tr("None")), "view.front.none", tr("No front"),
+                      tr("Takes the front away, so that nothing is cut off before the picture (Shift+N)"));
+    connect(m_noFront, &QPushButton::clicked, this, &ViewPanel::noFrontRequested);
     auto* buttons = new QWidget;
     auto* row = new QHBoxLayout(buttons);
     row->setContentsMargins(0, 0, 0, 0);
-    for (QPushButton* button : {suggest, fromHere, none}) row->addWidget(button, 1);
+    for (QPushButton* button : {suggest, fromHere, m_noFront}) row->addWidget(button, 1);
     grid.addWidget(buttons, grid.rowCount(), 0, 1, grid.columnCount());
     auto* show = named(new QCheckBox(tr("Show in 3D")), "view.front.show", tr("Show the front in 3D"),
                        tr("Draws the front over the 3D picture, with a handle that moves it"));
     connect(show, &QCheckBox::toggled, this, &ViewPanel::frontShownIn3d);
+    m_frontIn3d = show;
     addRow(grid, nullptr, show);
 }
 
@@ -164,12 +225,12 @@ void ViewPanel::addLookGroups(QGridLayout& grid) {
         {"light",
          tr("Light"),
          {"lighting", "light_azimuth", "light_elevation", "light_softness", "shadow", "occlusion", "translucency"}},
-        {"speckle", tr("Speckle"), {"reduction"}},
-        {"colours", tr("Colours"), {"brightness", "colour_map", "depth_colouring"}},
+        {"colours", tr("Colours"), {"colour_map", "depth_colouring"}},
         {"rendering", tr("Rendering"), {"mode", "mixing", "mixed_mode", "interpolation", "projection"}}};
     const auto placed = [&groups](std::string_view name) {
-        return std::ranges::any_of(
-            groups, [name](const Group& group) { return std::ranges::find(group.rows, name) != group.rows.end(); });
+        return name == "brightness" || name == "reduction" || std::ranges::any_of(groups, [name](const Group& group) {
+                   return std::ranges::find(group.rows, name) != group.rows.end();
+               });
     };
     for (const Parameter<Look>& row : lookParameters())
         if (row.inPanels && !placed(row.name)) groups.back().rows.push_back(row.name);
@@ -209,7 +270,20 @@ void ViewPanel::resetLook(const QString& group, const std::vector<std::string_vi
     emit lookReset(look, group);
 }
 
-void ViewPanel::updateForMode() { m_modeRemark->setVisible(look().mode != RenderMode::direct); }
+void ViewPanel::followLook() {
+    const bool direct = look().mode == RenderMode::direct;
+    m_modeRemark->setVisible(!direct);
+    m_light->setValue(std::round(100.0 * lightAmount(look())));
+    enableOrSayWhy(*m_resetSmoothing, look().reduction != lookAtStart().reduction, tr("It has its value at start."));
+    enableOrSayWhy(*m_light, direct, tr("There is light in the mode Direct rendering only (More)."));
+}
+
+void ViewPanel::setMoreShown(bool shown) { m_more->setChecked(shown); }
+
+void ViewPanel::setFrontThere(bool there) {
+    enableOrSayWhy(*m_noFront, there, tr("There is no front to take away."));
+    enableOrSayWhy(*m_frontIn3d, there, tr("There is no front."));
+}
 
 double ViewPanel::frontMm() const { return m_front->value(); }
 
@@ -224,7 +298,7 @@ const Look& ViewPanel::look() const { return m_look->values(); }
 
 void ViewPanel::setLook(const Look& look) {
     m_look->setValues(look);
-    updateForMode();
+    followLook();
 }
 
 RendererChoice ViewPanel::renderer() const { return chosen<RendererChoice>(m_renderer); }
