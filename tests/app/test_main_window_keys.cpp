@@ -54,7 +54,8 @@ private slots:
     }
 
     void arrowsOfRadioButtonsAndSlidersTurnNoProbe() {
-        useLook(lookAtStart());  // a lit picture, whose light has a slider
+        useLook(lookAtStart());      // a lit picture, whose light has a slider
+        window().resize(1280, 720);  // room for all buttons of the motion
         auto* first = child<QRadioButton>("motion.mode.static");
         first->setFocus();
         QTest::keyClick(first, Qt::Key_Right);

@@ -129,7 +129,7 @@ private slots:
             for (int i = 0; i < axis->count(); ++i) texts << axis->itemText(i);
             return texts;
         };
-        const QStringList usual{"Screen's vertical", "Screen's horizontal", "In the picture's plane"};
+        const QStringList usual{"Upright", "Across", "In plane"};
         QCOMPARE(listed(), usual);
         QCOMPARE(axis->currentText(), usual.first());
         panel.setChoice({.axis = MotionAxis::y});
@@ -145,6 +145,7 @@ private slots:
     void onlyWhatPlaysAPartIsShown() {
         MotionPanel panel;
         panel.setStudy(20, {});
+        panel.resize(1600, 80);  // room for all
         panel.show();
         constexpr std::array ofPhases{"motion.phase", "motion.phase.value", "motion.firstPhase",
                                       "motion.phasesPingPong"};

@@ -50,32 +50,42 @@ void FlowLayout::setGeometry(const QRect& rect) {
     arrange(rect, true);
 }
 
-int FlowLayout::arrange(const QRect& rect, bool apply) const {
-    const int count = this->count();
-    int top = rect.top();
-    for (int first = 0; first < count;) {
-        int width = 0, height = 0, end = first, wide = 0;
-        for (; end < count; ++end) {
-            const QLayoutItem* item = itemAt(end);
+std::vector<FlowLayout::Line> FlowLayout::lines(int width) const {
+    std::vector<Line> lines;
+    for (int first = 0; first < count(); first = lines.back().end) {
+        Line line{first, first};
+        for (; line.end < count(); ++line.end) {
+            const QLayoutItem* item = itemAt(line.end);
             if (item->isEmpty()) continue;
-            const int wider = width + (width > 0 ? spacing() : 0) + item->sizeHint().width();
-            if (width > 0 && wider > rect.width()) break;
-            width = wider;
-            height = std::max(height, item->sizeHint().height());
-            wide += takesRoom(*item) ? 1 : 0;
+            const int wider = line.width + (line.width > 0 ? spacing() : 0) + item->sizeHint().width();
+            if (line.width > 0 && wider > width) break;
+            line.width = wider;
+            line.height = std::max(line.height, item->sizeHint().height());
+            line.wide += takesRoom(*item) ? 1 : 0;
         }
-        int left = rect.left(), spare = std::max(0, rect.width() - width);
-        for (int i = first; apply && i < end; ++i) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+int FlowLayout::rows(int width) const {
+    return static_cast<int>(std::ranges::count_if(lines(width), [](const Line& line) { return line.width > 0; }));
+}
+
+int FlowLayout::arrange(const QRect& rect, bool apply) const {
+    int top = rect.top();
+    for (const Line& line : lines(rect.width())) {
+        int left = rect.left(), spare = std::max(0, rect.width() - line.width), wide = line.wide;
+        for (int i = line.first; apply && i < line.end; ++i) {
             QLayoutItem* item = itemAt(i);
             if (item->isEmpty()) continue;
-            if (i == m_stretchBefore && i > first) left += std::exchange(spare, 0);
+            if (i == m_stretchBefore && i > line.first) left += std::exchange(spare, 0);
             const int more = takesRoom(*item) ? spare / wide-- : 0;
             spare -= more;
-            item->setGeometry({left, top, item->sizeHint().width() + more, height});
+            item->setGeometry({left, top, item->sizeHint().width() + more, line.height});
             left += item->sizeHint().width() + more + spacing();
         }
-        top += height + (end < count ? spacing() / 2 : 0);
-        first = end;
+        top += line.height + (line.end < count() ? spacing() / 2 : 0);
     }
     return top - rect.top();
 }

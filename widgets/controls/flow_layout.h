@@ -16,6 +16,9 @@ public:
     explicit FlowLayout(int spacing, QWidget* parent = nullptr);
     ~FlowLayout() override;
 
+    /// How many lines a width takes.
+    [[nodiscard]] int rows(int width) const;
+
     void addStretch() { m_stretchBefore = count(); }
 
     void addItem(QLayoutItem* item) override { m_items.push_back(item); }
@@ -30,6 +33,13 @@ public:
     void setGeometry(const QRect& rect) override;
 
 private:
+    /// A line: the items from `first` to before `end`, hidden ones among them.
+    struct Line {
+        int first = 0, end = 0;
+        int width = 0, height = 0;
+        int wide = 0;  ///< items that expand
+    };
+    [[nodiscard]] std::vector<Line> lines(int width) const;
     /// Places the items in the rectangle, or only measures them. Returns their height.
     int arrange(const QRect& rect, bool apply) const;
 

@@ -4,22 +4,25 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QResizeEvent>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
-#include <QStyleOptionSlider>
+#include <QToolButton>
 #include <cmath>
 #include <utility>
 
 #include "widgets/controls/flow_layout.h"
 #include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/panels/angle_slider.h"
 #include "widgets/panels/phase_controls.h"
 
 namespace echolucent {
@@ -41,32 +44,6 @@ QIcon playIcon(bool playing, const QColor& colour) {
     return QIcon(pixmap);
 }
 
-/// Marks every 15 degrees below the groove. Style sheets draw no tick marks on sliders.
-class AngleSlider : public QSlider {
-public:
-    AngleSlider() : QSlider(Qt::Horizontal) {
-        setRange(firstMotionAngle, lastMotionAngle);
-        setPageStep(15);
-        setMinimumSize(56, 26);
-    }
-
-protected:
-    void paintEvent(QPaintEvent* event) override {
-        QSlider::paintEvent(event);
-        QStyleOptionSlider option;
-        initStyleOption(&option);
-        const int handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this).width();
-        QColor colour = palette().color(QPalette::WindowText);
-        colour.setAlphaF(0.6);
-        QPainter painter(this);
-        for (int angle = minimum(); angle <= maximum(); angle += pageStep()) {
-            const int x =
-                handle / 2 + QStyle::sliderPositionFromValue(minimum(), maximum(), angle, width() - handle - 1);
-            painter.fillRect(x, height() - 4, 1, angle == 0 ? 4 : 2, colour);
-        }
-    }
-};
-
 /// "¼×", "1×", "0.7×".
 QString speedText(double speed) {
     if (speed == 0.25) return QStringLiteral("¼×");
@@ -76,6 +53,20 @@ QString speedText(double speed) {
 
 QString bytesText(std::size_t bytes) {
     return QLocale::c().formattedDataSize(static_cast<qint64>(bytes), 0, QLocale::DataSizeTraditionalFormat);
+}
+
+}  // namespace
+
+namespace {
+
+/// For the list in the bar, which is narrow. Its tool tip says what they mean.
+QString shortAxisText(MotionAxis axis) {
+    switch (axis) {
+        case MotionAxis::screenVertical: return MotionPanel::tr("Upright");
+        case MotionAxis::screenHorizontal: return MotionPanel::tr("Across");
+        case MotionAxis::picturePlane: return MotionPanel::tr("In plane");
+        default: return MotionPanel::axisText(axis);
+    }
 }
 
 }  // namespace
@@ -118,8 +109,8 @@ void MotionPanel::createControls() {
     m_angleValue->setMinimumWidth(m_angleValue->fontMetrics().horizontalAdvance(angleText(firstMotionAngle)) + 4);
     m_axis = named(new QComboBox, "motion.axis", tr("Axis of the motion"),
                    tr("The axis about which the view turns: upright or across the screen, as it lay when the motion "
-                      "began; in the picture's plane the picture turns like a wheel"));
-    for (const MotionAxis axis : screenAxes) m_axis->addItem(axisText(axis), static_cast<int>(axis));
+                      "began; in plane the picture turns like a wheel"));
+    for (const MotionAxis axis : screenAxes) m_axis->addItem(shortAxisText(axis), static_cast<int>(axis));
     wheelNeedsFocus(m_axis);
     m_pingPong = named(new QCheckBox(tr("Back and forth")), "motion.pingPong", tr("Back and forth"),
                        tr("The probe turns back at the ends; otherwise the motion starts from −45° again"));
@@ -137,9 +128,9 @@ void MotionPanel::createSpeed() {
 
 void MotionPanel::createChoices() {
     m_scenario = named(new QComboBox, "motion.scenario", tr("What moves"));
-    m_scenario->addItem(tr("Moving probe"), static_cast<int>(MotionScenario::probe));
-    m_scenario->addItem(tr("Moving object"), static_cast<int>(MotionScenario::object));
-    m_scenario->addItem(tr("Both move"), static_cast<int>(MotionScenario::both));
+    m_scenario->addItem(tr("Probe"), static_cast<int>(MotionScenario::probe));
+    m_scenario->addItem(tr("Object"), static_cast<int>(MotionScenario::object));
+    m_scenario->addItem(tr("Both"), static_cast<int>(MotionScenario::both));
     wheelNeedsFocus(m_scenario);
 
     m_modeGroup = new QButtonGroup(this);
@@ -226,7 +217,7 @@ void MotionPanel::arrange() {
     angle->addWidget(secondaryLabel(angleText(lastMotionAngle)));
     angle->addWidget(m_angleValue);
 
-    auto* first = new FlowLayout(8);
+    auto* first = m_firstRow = new FlowLayout(8);
     first->addWidget(m_play);
     first->addWidget(m_phase);
     first->addWidget(m_phaseOrder);
@@ -235,8 +226,10 @@ void MotionPanel::arrange() {
     first->addWidget(m_pingPong);
     first->addWidget(m_speed);
     first->addWidget(m_scenario);
+    first->addWidget(m_folded = createFold());
 
-    auto* second = new FlowLayout(10);
+    m_otfs = new QWidget;
+    auto* second = m_otfRow = new FlowLayout(10, m_otfs);
     for (QRadioButton* button : m_modes) {
         second->addWidget(button);
         if (button == m_modes.front()) second->addWidget(m_otfPhase);
@@ -246,12 +239,52 @@ void MotionPanel::arrange() {
 
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(first);
-    layout->addLayout(second);
+    layout->addWidget(m_otfs);
 
     // After a click on the bar its keys are the window's: Space plays, the arrows turn the probe. So what is clicked
     // gives the focus to the bar, but for sliders, whose arrows do the same, and fields.
     setFocusPolicy(Qt::ClickFocus);
     for (QComboBox* list : findChildren<QComboBox*>()) list->setFocusPolicy(Qt::TabFocus);
+}
+
+QToolButton* MotionPanel::createFold() {
+    auto* button = named(new QToolButton, "motion.otf", tr("OTF of the frames"), tr("Which OTF the frames show"));
+    button->setText(tr("OTF"));
+    m_popup = new QFrame(this, Qt::Popup);
+    m_popup->setObjectName("motion.otf.popup");
+    m_popup->setFrameShape(QFrame::StyledPanel);
+    new QVBoxLayout(m_popup);
+    connect(button, &QToolButton::clicked, this, [this, button] {
+        m_popup->adjustSize();
+        const QPoint right = button->mapToGlobal(QPoint(button->width(), 0));
+        m_popup->move(right - QPoint(m_popup->width(), m_popup->height()));
+        m_popup->show();
+    });
+    return button;
+}
+
+void MotionPanel::setOtfsShown(bool shown) {
+    m_otfsShown = shown;
+    foldOtfs();
+}
+
+/// The bar has two rows at most, so that the picture stays large: if there is no room, the choice of the OTF opens from
+/// a button.
+void MotionPanel::foldOtfs() {
+    const QMargins around = layout()->contentsMargins();
+    const int room = width() - around.left() - around.right();
+    m_folded->hide();
+    // Before it is seen the bar has no width that means anything.
+    const bool folds = isVisible() && m_otfsShown && m_firstRow->rows(room) + m_otfRow->rows(room) > 2;
+    if (folds != (m_otfs->parentWidget() == m_popup))
+        (folds ? static_cast<QWidget*>(m_popup) : this)->layout()->addWidget(m_otfs);
+    m_otfs->setVisible(m_otfsShown);
+    m_folded->setVisible(folds);
+}
+
+void MotionPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (event->oldSize().width() != event->size().width()) foldOtfs();
 }
 
 void MotionPanel::setPlaying(bool playing) {
@@ -273,6 +306,7 @@ void MotionPanel::changeEvent(QEvent* event) {
 }
 
 void MotionPanel::showEvent(QShowEvent* event) {
+    foldOtfs();
     QWidget::showEvent(event);
     showPlayIcon();
 }
@@ -323,7 +357,7 @@ void MotionPanel::setChoice(const MotionChoice& choice) {
     m_pingPong->setChecked(choice.pingPong);
     m_modes[static_cast<std::size_t>(choice.otf)]->setChecked(true);
     m_otfPhase->setValue(choice.otfPhase + 1);
-    m_otfPhase->setEnabled(choice.otf == MotionOtf::oneOtf);
+    enableOrSayWhy(*m_otfPhase, choice.otf == MotionOtf::oneOtf, tr("Choose \"Of phase\" first."));
     showSpeed();
     showWhatMoves();
 }
@@ -334,7 +368,7 @@ void MotionPanel::showAxis() {
     constexpr int usual = static_cast<int>(screenAxes.size());
     while (m_axis->count() > usual) m_axis->removeItem(usual);
     const int axis = static_cast<int>(m_choice.axis);
-    if (m_axis->findData(axis) < 0) m_axis->addItem(axisText(m_choice.axis), axis);
+    if (m_axis->findData(axis) < 0) m_axis->addItem(shortAxisText(m_choice.axis), axis);
     m_axis->setCurrentIndex(m_axis->findData(axis));
 }
 
@@ -366,6 +400,7 @@ void MotionPanel::showWhatMoves() {
     m_axis->setVisible(probe);
     m_pingPong->setVisible(probe);
     m_otfPhase->setVisible(phases);
+    foldOtfs();
     QRadioButton& one = *m_modes[static_cast<std::size_t>(MotionOtf::oneOtf)];
     one.setText(phases ? tr("Of phase") : tr("One OTF"));
     one.setAccessibleName(phases ? tr("The OTF of one phase for every frame") : tr("One OTF for every frame"));

@@ -11,14 +11,17 @@
 class QButtonGroup;
 class QCheckBox;
 class QComboBox;
+class QFrame;
 class QLabel;
 class QPushButton;
 class QRadioButton;
 class QSlider;
 class QSpinBox;
+class QToolButton;
 
 namespace echolucent {
 
+class FlowLayout;
 class PhaseOrder;
 class PhaseSlider;
 
@@ -32,15 +35,15 @@ struct KeptMotion {
 
 /// Objects: motion.play, motion.angle, motion.angle.value (read-out), motion.axis, motion.pingPong, motion.speed,
 /// motion.scenario, motion.mode.static, .eachView, .mean, .movingLeastSquares, .leastFlicker, motion.otfPhase,
-/// motion.frameRate, and those of PhaseSlider and PhaseOrder. Controls that play no part in the present motion are
-/// hidden. No setter emits a signal.
+/// motion.frameRate, motion.otf (opens the choice of the OTF if the bar is narrow), and those of PhaseSlider and
+/// PhaseOrder. Controls that play no part in the present motion are hidden. No setter emits a signal.
 class MotionPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit MotionPanel(QWidget* parent = nullptr);
 
-    /// What the list of axes calls an axis.
+    /// An axis in a sentence. The list of axes calls it by a shorter name.
     [[nodiscard]] static QString axisText(MotionAxis axis);
     [[nodiscard]] bool playing() const { return m_playing; }
     void setPlaying(bool playing);
@@ -57,6 +60,8 @@ public:
     [[nodiscard]] const MotionChoice& choice() const { return m_choice; }
     /// If the study has one phase, only the probe may move.
     void setChoice(const MotionChoice& choice);
+    /// Whether the choice of the frames' OTF is seen, and with it how many frames a second there are. [true]
+    void setOtfsShown(bool shown);
     /// Shows frames per second; the tool tip says what is kept in memory. Without a rate the read-out is empty.
     void setFrameRate(std::optional<double> framesPerSecond, const KeptMotion& kept = {});
 
@@ -72,6 +77,7 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void createControls();
@@ -80,6 +86,8 @@ private:
     void connectControls();
     void connectChoices();
     void arrange();
+    [[nodiscard]] QToolButton* createFold();
+    void foldOtfs();
     void showAngle();
     void showPlayIcon();
     void showAxis();
@@ -103,6 +111,11 @@ private:
     QComboBox* m_scenario = nullptr;
     std::array<QRadioButton*, allMotionOtfs.size()> m_modes{};  // in the order of allMotionOtfs
     QButtonGroup* m_modeGroup = nullptr;
+    FlowLayout *m_firstRow = nullptr, *m_otfRow = nullptr;
+    bool m_otfsShown = true;
+    QWidget* m_otfs = nullptr;        ///< the row of the OTF; folded, it stands in the popup
+    QToolButton* m_folded = nullptr;  ///< opens the popup
+    QFrame* m_popup = nullptr;
     QSpinBox* m_otfPhase = nullptr;
     QLabel* m_frameRate = nullptr;
 };
