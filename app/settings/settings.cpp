@@ -27,6 +27,7 @@ constexpr auto geometryKey = "window/geometry";
 constexpr auto stateKey = "window/state";
 constexpr auto rendererKey = "picture/renderer";
 constexpr auto themeKey = "window/theme";
+constexpr auto faceKey = "window/face";
 constexpr auto paneLayoutKey = "window/paneLayout";
 constexpr auto presetsOpenKey = "picture/presetsOpen";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
@@ -182,6 +183,8 @@ bool Settings::histogramLogarithmic() const { return boolOr(m_store.value(histog
 void Settings::setHistogramLogarithmic(bool logarithmic) { m_store.setValue(histogramKey, logarithmic); }
 Theme Settings::theme() const { return choiceOr(m_store.value(themeKey), &themeFromName, Theme::dark); }
 void Settings::setTheme(Theme theme) { m_store.setValue(themeKey, textOf(nameOf(theme))); }
+Face Settings::face() const { return choiceOr(m_store.value(faceKey), &faceFromName, Face::review); }
+void Settings::setFace(Face face) { m_store.setValue(faceKey, textOf(nameOf(face))); }
 PaneLayout Settings::paneLayout() const {
     return paneLayoutFromName(m_store.value(paneLayoutKey).toString().toStdString()).value_or(PaneLayout::only3d);
 }

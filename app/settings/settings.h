@@ -5,6 +5,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "app/settings/face.h"
 #include "app/settings/settings_store.h"
 #include "processing/document/document.h"
 #include "processing/picture/look.h"
@@ -70,6 +71,8 @@ public:
     void setHistogramLogarithmic(bool logarithmic);
     [[nodiscard]] Theme theme() const;  ///< [dark]
     void setTheme(Theme theme);
+    [[nodiscard]] Face face() const;  ///< [review]
+    void setFace(Face face);
     [[nodiscard]] PaneLayout paneLayout() const;  ///< [only3d]
     void setPaneLayout(PaneLayout layout);
     /// Path of the file of a person's own presets (io/document/preset_file.h), beside the settings file.

@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QStatusBar>
+#include <QToolBar>
 #include <utility>
 
 namespace echolucent {
@@ -20,6 +21,7 @@ void FullScreen::enter() {
     m_docks = m_window.saveState();
     m_windowState = m_window.windowState();
     QList<QWidget*> around{m_window.menuBar(), m_window.statusBar()};
+    for (auto* bar : m_window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) around << bar;
     around += m_panels;
     for (QWidget* widget : around) {
         if (widget->isHidden()) continue;

@@ -11,8 +11,8 @@ class QMainWindow;
 
 namespace echolucent {
 
-/// Hides the window's docks, menu bar and status bar, and `panels` of its central widget. Shows them again exactly as
-/// they were.
+/// Hides the window's docks, tool bars, menu bar and status bar, and `panels` of its central widget. Shows them again
+/// exactly as they were.
 class FullScreen : public QObject {
     Q_OBJECT
 

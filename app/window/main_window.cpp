@@ -30,10 +30,13 @@
 #include "app/window/full_screen.h"
 #include "app/window/review_room.h"
 #include "app/window/theme.h"
+#include "app/window/window_faces.h"
 #include "app/window/window_menus.h"
 #include "app/window/window_place.h"
+#include "app/window/window_tool_bar.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/opening_label.h"
+#include "widgets/controls/panel_controls.h"
 #include "widgets/controls/run_status.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/curve_canvas.h"
@@ -46,7 +49,7 @@
 namespace echolucent {
 
 namespace {
-constexpr int layoutVersion = 3;  // of the docks; an arrangement of an older version is not restored
+constexpr int layoutVersion = 4;  // of the docks; an arrangement of an older version is not restored
 }  // namespace
 
 MainWindow::MainWindow(const QString& settingsFile, const std::function<void(OpenStudy&)>& begin)
@@ -270,6 +273,7 @@ void MainWindow::createActions() {
     commands.resetView = [this] { emit m_widgets.controls->resetRequested(); };
     commands.reduceSpeckle = [this](int levels) { m_pictureControls->reduceSpeckle(levels); };
     commands.frontFromHere = [this] { emit m_widgets.controls->frontFromHereRequested(); };
+    commands.findFront = [this] { emit m_widgets.controls->frontSuggestionRequested(); };
     commands.noFront = [this] { emit m_widgets.controls->noFrontRequested(); };
     commands.nextLighting = [this] { m_pictureControls->nextLighting(); };
     commands.computeForThisView = [this] { m_otfs->computeForThisView(); };
@@ -277,15 +281,22 @@ void MainWindow::createActions() {
     commands.turnMotion = [this](int degrees) { m_motionPlayer.stepBy(degrees); };
     commands.stepPhase = [this](int step) { m_motion->stepPhase(step); };
     commands.explain = [this] { showDockOf(*m_widgets.explain); };
-    createMenus(*this, *m_widgets.editor, dockOf(*m_widgets.course), commands);
+    createMenus(*this, *m_widgets.editor, m_widgets.docks, dockOf(*m_widgets.course), commands);
     findChild<QAction*>("view.lightTheme")->setChecked(m_settings.theme() == Theme::light);
     findChild<QAction*>("view.numbersForNames")->setChecked(m_names.showsNumbers());
-    connect(&m_openStudy, &OpenStudy::studyOpened, this,
-            [this] { findChild<QAction*>("file.chooseSeries")->setEnabled(m_openStudy.seriesBeside() != nullptr); });
+    const auto countSeries = [this] {
+        enableOrSayWhy(*findChild<QAction*>("file.chooseSeries"), m_openStudy.seriesBeside() != nullptr,
+                       tr("The folder holds no other series."));
+    };
+    connect(&m_openStudy, &OpenStudy::studyOpened, this, countSeries);
+    countSeries();
     connect(&m_sessions->leftUnsaved(), &LeftUnsaved::listChanged, this, &MainWindow::countLeftUnsaved);
     countLeftUnsaved();
     m_room->createMenu(*this);
     m_compare->createMenu();
+    m_faces = std::make_unique<WindowFaces>(
+        WindowFaces::Parts{*this, m_settings, *m_widgets.status, *m_widgets.controls, *m_widgets.motion});
+    createToolBar({*this, m_document, m_openStudy, *m_faces, dockOf(*m_widgets.editor)});
 }
 
 void MainWindow::countLeftUnsaved() {
@@ -317,7 +328,8 @@ void MainWindow::restoreSettings() {
         logarithmic->setChecked(m_settings.histogramLogarithmic());
     if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
     keepOnScreen(*this);
-    if (const QByteArray state = m_settings.windowState(); !state.isEmpty()) restoreState(state, layoutVersion);
+    const QByteArray state = m_settings.windowState();
+    m_faces->restore(!state.isEmpty() && restoreState(state, layoutVersion));
 }
 
 void MainWindow::keepSettings() {

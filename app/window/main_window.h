@@ -37,6 +37,7 @@ class ReportSaving;
 class ReviewRoom;
 class SessionKeeping;
 class StudyOpening;
+class WindowFaces;
 
 /// Owns the document, the threads behind the open study and the widgets, and connects them. Its units hold what happens
 /// between them. No unit and no widget keeps what the document holds.
@@ -77,11 +78,17 @@ public:
     /// The OTFs of the motion so far.
     [[nodiscard]] const OtfCourse& otfCourse() const { return m_course; }
 
+    /// Review and Teach. A lesson enters Teach and returns.
+    [[nodiscard]] WindowFaces& faces() { return *m_faces; }
+
     /// What Escape ends. A part that begins something that Escape ends adds itself.
     [[nodiscard]] EscapeOrder& escapeOrder() { return m_escapes; }
 
     /// A few sentences: what the picture shows and why it looks so.
     [[nodiscard]] QString explanation() const;
+
+    /// None: the menu View holds the panels of the present face.
+    QMenu* createPopupMenu() override { return nullptr; }
 
 signals:
     void idleChanged(bool idle);
@@ -148,6 +155,7 @@ private:
     std::unique_ptr<ReportSaving> m_report;
     std::unique_ptr<SessionKeeping> m_sessions;
     std::unique_ptr<HistoryControls> m_history;
+    std::unique_ptr<WindowFaces> m_faces;
     bool m_idle = true;               ///< as it was told last
     bool m_planesTabWasThere = true;  ///< before the comparison was shown
     bool m_shown = false;

@@ -4,6 +4,7 @@
 #include "app/compare/compare_room.h"
 #include "app/window/main_window.h"
 #include "app/window/review_room.h"
+#include "app/window/window_faces.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/controls/message_bar.h"
@@ -71,7 +72,7 @@ void MainWindow::arrangeForComparison(bool shown) {
     } else {
         planes.setVisible(m_planesTabWasThere);
     }
-    compare.setVisible(shown);
+    compare.setVisible(shown || m_faces->face() == Face::teach);
     (shown ? compare : dockOf(*m_widgets.controls)).raise();
 }
 

@@ -1,5 +1,6 @@
 #include "app/window/window_layout.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
@@ -11,6 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "app/window/dock_title.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/controls/message_bar.h"
@@ -68,9 +70,10 @@ private:
 struct Dock {
     const char* title;
     const char* name;
+    const char* holds;  ///< for the tool tip of its name
     std::vector<QWidget*> panels;
     std::vector<int> stretches{1};  ///< of the panels; 0: as high as it needs to be
-    bool shown = true;              ///< at the first start. The tabs of those that are shown fill the column
+    bool shown = false;             ///< at the first start, in the face Review
 };
 
 QWidget* contentOf(const Dock& dock) {
@@ -84,21 +87,24 @@ QWidget* contentOf(const Dock& dock) {
 }
 
 /// One column of panels, tabbed by a person's tasks. Opening one makes nothing grow beside the 3D view. The first dock
-/// is in front.
-void addDocks(QMainWindow& window, const std::vector<Dock>& docks) {
+/// is in front. Returns them in their order.
+QList<QDockWidget*> addDocks(QMainWindow& window, const std::vector<Dock>& docks) {
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    QDockWidget* first = nullptr;
+    QList<QDockWidget*> made;
     for (const Dock& each : docks) {
         auto* dock = new QDockWidget(QMainWindow::tr(each.title), &window);
         dock->setObjectName(each.name);
+        dock->toggleViewAction()->setToolTip(QMainWindow::tr(each.holds));
         dock->setWidget(new PanelScrollArea(contentOf(each), dock));
         window.addDockWidget(Qt::RightDockWidgetArea, dock);
-        if (first != nullptr) window.tabifyDockWidget(first, dock);
+        if (!made.isEmpty()) window.tabifyDockWidget(made.front(), dock);
         if (!each.shown) dock->hide();
-        if (first == nullptr) first = dock;
+        made << dock;
     }
-    first->raise();
-    window.resizeDocks({first}, {columnWidth}, Qt::Horizontal);
+    for (QDockWidget* dock : made) dock->setTitleBarWidget(new DockTitle(window, *dock, made));
+    made.front()->raise();
+    window.resizeDocks({made.front()}, {columnWidth}, Qt::Horizontal);
+    return made;
 }
 
 }  // namespace
@@ -140,18 +146,36 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     layout.history = new HistoryPanel(document.steps(), &window);
     const std::vector<Dock> docks{
         // What a person turns first stands on top.
-        {"Picture", "dock.view", {layout.presets, sliders, layout.controls}, {0, 0, 1}},
-        {"Curve", "dock.otfEditor", {layout.editor}},
+        {.title = "Picture",
+         .name = "dock.view",
+         .holds = "Presets, threshold, transparency, brightness, smoothing, light and the front",
+         .panels = {layout.presets, sliders, layout.controls},
+         .stretches = {0, 0, 1},
+         .shown = true},
+        {"Curve",
+         "dock.otfEditor",
+         "Which echoes show, and how strongly: the curve over the histogram",
+         {layout.editor}},
         // The list of measurements is visible while measuring, above what is set once.
-        {"Planes", "dock.room", {layout.measurements, layout.room}, {0, 1}},
-        {"Method", "dock.method", {layout.method}},
-        {"Designers", "dock.designers", {layout.designers}},
-        {.title = "Compare", .name = "dock.compare", .panels = {layout.compare}, .shown = false},
-        {"Study", "dock.study", {layout.facts, layout.history}, {3, 2}},
-        {.title = "Motion", .name = "dock.motionMap", .panels = {layout.course}, .shown = false},
-        {.title = "Explain", .name = "dock.explain", .panels = {layout.explain}, .shown = false},
+        {.title = "Measure",
+         .name = "dock.room",
+         .holds = "Measurements, scalpel, render box and planes",
+         .panels = {layout.measurements, layout.room},
+         .stretches = {0, 1},
+         .shown = true},
+        {"Method", "dock.method", "The parameters of the adaptive OTF, and what it found", {layout.method}},
+        {"Designers", "dock.designers", "Other ways to make the OTF", {layout.designers}},
+        {"Compare", "dock.compare", "Two to four OTFs under one camera, and their measures", {layout.compare}},
+        {.title = "Study",
+         .name = "dock.study",
+         .holds = "What the file says, the history and its snapshots",
+         .panels = {layout.facts, layout.history},
+         .stretches = {3, 2},
+         .shown = true},
+        {"Motion", "dock.motionMap", "The OTF over the angle or the phase", {layout.course}},
+        {"Explain", "dock.explain", "What the picture shows, and why (F1)", {layout.explain}},
     };
-    addDocks(window, docks);
+    layout.docks = addDocks(window, docks);
 
     layout.status = new RunStatus(&window);
     window.statusBar()->addWidget(layout.status, 1);

@@ -1,6 +1,7 @@
 // The widgets of the window and where they stand.
 #pragma once
 
+#include <QList>
 #include <array>
 
 class QDockWidget;
@@ -59,6 +60,7 @@ struct WindowLayout {
     ExplainPanel* explain = nullptr;
     HistoryPanel* history = nullptr;
     RunStatus* status = nullptr;
+    QList<QDockWidget*> docks{};  ///< in the order in which people are shown their names
 };
 
 /// Makes the widgets and puts them into the window: planes and picture in the middle, the panels in one column of tabs

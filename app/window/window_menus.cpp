@@ -47,7 +47,7 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     addAction(file, tr("&Open volume…"), "file.open", commands.openFile);
     addAction(file, tr("Open &folder of DICOM slices…"), "file.openFolder", commands.openFolder);
     addAction(file, tr("Open &raw volume…"), "file.openRaw", commands.openRawFile);
-    addAction(file, tr("Other series of t&his folder…"), "file.chooseSeries", commands.chooseSeries)->setEnabled(false);
+    addAction(file, tr("Other series of t&his folder…"), "file.chooseSeries", commands.chooseSeries);
     QMenu* recent = file->addMenu(tr("Recen&t files"));
     recent->setObjectName("file.recent");
     auto* style = new PictureMenuStyle;
@@ -71,21 +71,24 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     addAction(file, tr("&Quit"), "file.quit", [&window] { window.close(); });
 }
 
-void createViewMenu(QMainWindow& window, const WindowCommands& commands) {
+void createViewMenu(QMainWindow& window, const QList<QDockWidget*>& panels, const WindowCommands& commands) {
     QMenu* view = window.menuBar()->addMenu(tr("&View"));
+    view->setObjectName("menu.view");
     addAction(view, tr("&Reset view"), "view.resetView", commands.resetView);
     addAction(view, tr("Reset &all"), "view.resetAll", commands.resetAll);
-    addAction(view, tr("Reduce speckle &more"), "view.moreReduction", [reduce = commands.reduceSpeckle] { reduce(1); });
-    addAction(view, tr("Reduce speckle &less"), "view.lessReduction",
-              [reduce = commands.reduceSpeckle] { reduce(-1); });
-    addAction(view, tr("Fro&nt from here"), "view.frontFromHere", commands.frontFromHere);
+    addAction(view, tr("Smooth &more"), "view.moreReduction", [reduce = commands.reduceSpeckle] { reduce(1); });
+    addAction(view, tr("Smooth &less"), "view.lessReduction", [reduce = commands.reduceSpeckle] { reduce(-1); });
+    addAction(view, tr("Front from &here"), "view.frontFromHere", commands.frontFromHere);
+    addAction(view, tr("Fi&nd the front"), "view.findFront", commands.findFront);
     addAction(view, tr("N&o front"), "view.noFront", commands.noFront);
     addAction(view, tr("Next l&ight"), "view.nextLighting", commands.nextLighting);
     addAction(view, tr("&Full screen"), "view.fullScreen", commands.toggleFullScreen);
     addSwitch(view, tr("Show n&umbers instead of names"), "view.numbersForNames", commands.numbersForNames);
     addSwitch(view, tr("Light &theme"), "view.lightTheme", commands.lightTheme);
     QMenu* docks = view->addMenu(tr("Panels"));
-    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) docks->addAction(dock->toggleViewAction());
+    docks->setObjectName("menu.panels");
+    docks->setToolTipsVisible(true);
+    for (const QDockWidget* panel : panels) docks->addAction(panel->toggleViewAction());
 }
 
 void createOtfMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands& commands) {
@@ -101,6 +104,7 @@ void createOtfMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands&
 
 void createMotionMenu(QMainWindow& window, QDockWidget& course, const WindowCommands& commands) {
     QMenu* motion = window.menuBar()->addMenu(tr("&Motion"));
+    motion->setObjectName("menu.motion");
     addAction(motion, tr("&Play or pause"), "motion.playOrPause", commands.playOrPause);
     addAction(motion, tr("One degree back"), "motion.back", [turn = commands.turnMotion] { turn(-1); });
     addAction(motion, tr("One degree on"), "motion.on", [turn = commands.turnMotion] { turn(1); });
@@ -138,7 +142,8 @@ void keepKeys(QMainWindow& window) {
 
 }  // namespace
 
-void createMenus(QMainWindow& window, OtfEditor& editor, QDockWidget& course, const WindowCommands& commands) {
+void createMenus(QMainWindow& window, OtfEditor& editor, const QList<QDockWidget*>& panels, QDockWidget& course,
+                 const WindowCommands& commands) {
     createFileMenu(window, editor, commands);
     // The editor's actions have their own shortcuts.
     QMenu* edit = window.menuBar()->addMenu(tr("&Edit"));
@@ -146,7 +151,7 @@ void createMenus(QMainWindow& window, OtfEditor& editor, QDockWidget& course, co
     addAction(edit, tr("&History"), "edit.history", commands.showHistory);
     edit->addSeparator();
     addAction(edit, tr("&Copy picture"), "edit.copyPicture", commands.copyPicture);
-    createViewMenu(window, commands);
+    createViewMenu(window, panels, commands);
     createOtfMenu(window, editor, commands);
     createMotionMenu(window, course, commands);
     QMenu* help = window.menuBar()->addMenu(tr("&Help"));

@@ -1,6 +1,7 @@
 // The window's menus; their keys stand in the table of keys.
 #pragma once
 
+#include <QList>
 #include <QString>
 #include <functional>
 
@@ -16,7 +17,7 @@ class OtfEditor;
 struct WindowCommands {
     std::function<void()> openFile, openFolder, openRawFile, chooseSeries, openSimulatedScan, savePicture, saveMovie,
         savePictureSeries, saveReport, copyPicture, resetView, resetAll, computeForThisView, playOrPause, explain,
-        nextLighting, frontFromHere, noFront, toggleFullScreen;
+        nextLighting, frontFromHere, findFront, noFront, toggleFullScreen;
     std::function<void()> saveSession, saveSessionAs, showHistory;
     std::function<void(int levels)> reduceSpeckle;  ///< by `levels` more; less if negative
     std::function<void(int degrees)> turnMotion;
@@ -26,8 +27,9 @@ struct WindowCommands {
     std::function<void(QMenu&menu)> fillRecentFiles, fillLeftUnsaved;
 };
 
-/// Fills the menu bar. `course` is the dock of the OTF over the angle. It has an action of its own besides that of
-/// every dock.
-void createMenus(QMainWindow& window, OtfEditor& editor, QDockWidget& course, const WindowCommands& commands);
+/// Fills the menu bar. `panels` are all docks in their order. `course` is the dock of the OTF over the angle. It has an
+/// action of its own besides that of every dock.
+void createMenus(QMainWindow& window, OtfEditor& editor, const QList<QDockWidget*>& panels, QDockWidget& course,
+                 const WindowCommands& commands);
 
 }  // namespace echolucent

@@ -79,7 +79,10 @@ class TestBurnedInText : public QObject, private WindowFixture {
     }
 
 private slots:
-    void initTestCase() { wearTheme(Theme::dark); }
+    void initTestCase() {
+        wearTheme(Theme::dark);
+        teach();
+    }
     void init() {
         show();
         window().resize(1280, 720);

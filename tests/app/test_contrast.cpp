@@ -10,8 +10,8 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
-#include <QTabBar>
 #include <QTableWidget>
+#include <QToolBar>
 #include <algorithm>
 #include <map>
 
@@ -102,11 +102,7 @@ private slots:
         measureIn(*child<MessageBar>("message"));
         measureIn(*window().statusBar());
         measureIn(*child("motion"));
-        for (QTabBar* tabs : window().findChildren<QTabBar*>()) {
-            const QImage image = tabs->grab().toImage();
-            for (int tab = 0; tab < tabs->count(); ++tab)
-                if (tabs->isVisible()) measure(image, tabs->tabRect(tab), tabs->tabText(tab));
-        }
+        measureIn(*child<QToolBar>("toolBar"));
         for (QMenu* menu : window().menuBar()->findChildren<QMenu*>()) {
             if (menu->actions().isEmpty()) continue;
             menu->ensurePolished();

@@ -24,7 +24,10 @@ class TestMainWindowDesigners : public QObject, private SessionFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        teach();
+    }
     void init() {
         begin();
         auto* dock = child<QDockWidget>("dock.designers");

@@ -25,6 +25,7 @@ class TestMainWindowFiles : public QObject, private WindowFixture {
 private slots:
     void initTestCase() {
         lookAtNoPicture();
+        teach();
         QVERIFY(m_out.isValid());
         wearTheme(Theme::dark);
         m_file = file("visit.7.mha", {smallPhantom(PhantomScene::shapes, 5)});

@@ -24,6 +24,7 @@ class TestMainWindowHand : public QObject, private RoomFixture {
 private slots:
     void initTestCase() {
         lookAtNoPicture();
+        teach();
         m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }
     void init() {

@@ -30,6 +30,7 @@ class TestMainWindowKeys : public QObject, private WindowFixture {
 private slots:
     void initTestCase() {
         lookAtNoPicture();
+        teach();
         m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }
     void init() {

@@ -1,5 +1,7 @@
 // The window at 1280 x 720: one column of tabs, nothing clipped, messages over the picture, the full screen.
 #include <QAbstractScrollArea>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
@@ -10,10 +12,13 @@
 #include <QScrollBar>
 #include <QSlider>
 #include <QStatusBar>
-#include <QTabBar>
 #include <QTableWidget>
+#include <QToolBar>
+#include <QToolButton>
 #include <QWindow>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/window/theme.h"
 #include "tests/app/window_fixture.h"
@@ -23,6 +28,9 @@
 using namespace echolucent;
 
 namespace {
+
+/// Screens of small and usual machines.
+constexpr QSize screenSizes[] = {{1024, 768}, {1280, 720}, {1366, 768}};
 
 /// Colour of a place of the screen, other windows above it included.
 QColor onScreen(const QWidget& widget, const QPoint& place) {
@@ -38,9 +46,11 @@ class TestMainWindowLayout : public QObject, private WindowFixture {
 private slots:
     void initTestCase() {
         lookAtNoPicture();
+        teach();
         wearTheme(Theme::dark);
         const auto still = smallPhantom(PhantomScene::shapes, 5);
         m_file = file("still.mha", {still});
+        m_moving = file("moving.mha", {still, still, still});
         VolumeGeometry unknown = still->geometry();
         unknown.spacingKnown = false;
         m_unknown = file("unknown.mha", {std::make_shared<const Volume>(unknown, still->voxels())});
@@ -77,30 +87,66 @@ private slots:
         }
     }
 
-    void onePanelIsInFrontOfTheOthersOfItsColumn() {
-        const auto titles = [this] {
-            QStringList texts;
-            const QTabBar* tabs = tabBar();
-            for (int i = 0; tabs != nullptr && i < tabs->count(); ++i) texts << tabs->tabText(i);
-            return texts;
-        };
-        const QStringList atStart{"Picture", "Curve", "Planes", "Method", "Designers", "Study"};
-        QCOMPARE(titles(), atStart);
-        // No title is cut of those that are there at the start.
-        const QTabBar* tabs = tabBar();
-        for (int i = 0; i < tabs->count(); ++i)
-            QVERIFY2(tabs->tabRect(i).width() >= tabs->fontMetrics().horizontalAdvance(atStart[i]) + 8 &&
-                         tabs->rect().contains(tabs->tabRect(i)),
-                     qPrintable(atStart[i]));
-        const QList<QDockWidget*> docks = window().findChildren<QDockWidget*>();
-        for (QDockWidget* dock : docks) dock->show();
-        QCOMPARE(titles(), QStringList({"Picture", "Curve", "Planes", "Method", "Designers", "Compare", "Study",
-                                        "Motion", "Explain"}));
+    void everyScreenShowsAllNamesAndBarsInBothFaces() {
+        for (const QSize& size : screenSizes) {
+            window().resize(size);
+            for (const char* face : {"face.teach", "face.review"}) {
+                click(face);
+                QCoreApplication::processEvents();
+                namesAreWhole();
+                QStringList names;
+                for (const QAbstractButton* tab : namesInFront()) names << tab->text();
+                const QStringList all{"Picture", "Curve", "Measure", "Method", "Designers",
+                                      "Compare", "Study", "Motion",  "Explain"};
+                QCOMPARE(names, face == QByteArray("face.teach") ? all : QStringList({"Picture", "Measure", "Study"}));
+                toolBarIsWhole();
+                QVERIFY2(rowsOfMotionBar() <= 2, qPrintable(QString("%1 rows").arg(rowsOfMotionBar())));
+            }
+        }
+    }
+
+    void theMotionBarFoldsRatherThanGrow() {
+        open(m_moving);
+        window().resize(1024, 768);
+        auto* scenario = child<QComboBox>("motion.scenario");
+        auto* modes = child("motion.mode.mean");
+        for (int i = 0; i < scenario->count(); ++i) {
+            scenario->setCurrentIndex(i);
+            QCoreApplication::processEvents();
+            QVERIFY2(rowsOfMotionBar() <= 2, qPrintable(scenario->currentText()));
+            QVERIFY(modes->isVisible() || child("motion.otf")->isVisible());
+        }
+        QVERIFY(!modes->isVisible());
+        click("motion.otf");
+        QTRY_VERIFY(modes->isVisible());
+        QTest::mouseClick(modes, Qt::LeftButton);
+        QCOMPARE(window().document().document().motion.otf, MotionOtf::mean);
+        QTest::keyClick(child("motion.otf.popup"), Qt::Key_Escape);
+        QTRY_VERIFY(!modes->isVisible());
+        window().resize(1600, 768);
+        QTRY_VERIFY(modes->isVisible());
+        QVERIFY(!child("motion.otf")->isVisible());
+        waitUntilIdle();
+    }
+
+    void aClickOnANameBringsItsPanelToTheFront() {
+        for (const char* name : {"dock.method", "dock.explain", "dock.view"}) {
+            auto* dock = child<QDockWidget>(name);
+            for (QAbstractButton* tab : namesInFront())
+                if (tab->text() == dock->windowTitle()) QTest::mouseClick(tab, Qt::LeftButton);
+            QTRY_VERIFY(!dock->visibleRegion().isEmpty());
+            for (const QAbstractButton* tab : namesInFront())
+                QCOMPARE(tab->isChecked(), tab->text() == dock->windowTitle());
+        }
+        click("dock.view.close");
+        QVERIFY(child<QDockWidget>("dock.view")->isHidden());
+        QTRY_COMPARE(namesInFront().size(), 8);
     }
 
     void everyPanelScrollsInsideItselfAndShowsAllOfItsWidth_data() { whetherSpacingIsKnown(); }
     void everyPanelScrollsInsideItselfAndShowsAllOfItsWidth() {
         openAsSaid();
+        window().resize(1024, 768);  // the column is as wide as on every screen
         for (QDockWidget* dock : window().findChildren<QDockWidget*>()) {
             const int picture = window().volumeView().width();
             dock->show();
@@ -140,7 +186,9 @@ private slots:
             for (const QAbstractButton* button : dock->widget()->findChildren<QAbstractButton*>())
                 if (button->isVisible() && !button->text().isEmpty())
                     QVERIFY2(button->width() >= button->minimumSizeHint().width(), qPrintable(button->text()));
+            saysWhy(*dock);
         }
+        saysWhy(*child("motion"));
     }
 
     void theSourceOfAFactIsInSight() {
@@ -153,6 +201,7 @@ private slots:
         for (int row = 0; row < facts->rowCount(); ++row) {
             if (facts->item(row, 1)->text() != "ElementSpacing") continue;
             found = true;
+            facts->scrollToItem(facts->item(row, 1));
             const QRect place = facts->visualRect(facts->model()->index(row, 1));
             QVERIFY(facts->viewport()->rect().contains(place));
             QVERIFY(place.width() >= facts->fontMetrics().horizontalAdvance("ElementSpacing"));
@@ -187,8 +236,8 @@ private slots:
         const QSize before = window().size();
         const auto seen = [this] {
             QStringList names;
-            for (const char* name : {"dock.view", "dock.otfEditor", "dock.method", "dock.study", "dock.motionMap",
-                                     "dock.explain", "motion", "study.facts", "adaptive.strength"})
+            for (const char* name : {"toolBar", "dock.view", "dock.otfEditor", "dock.method", "dock.study",
+                                     "dock.motionMap", "dock.explain", "motion", "study.facts", "adaptive.strength"})
                 if (child<QWidget>(name)->isVisible()) names << name;
             if (window().menuBar()->isVisible()) names << "menu";
             if (window().statusBar()->isVisible()) names << "status";
@@ -263,10 +312,64 @@ private slots:
     }
 
 private:
-    [[nodiscard]] const QTabBar* tabBar() {
-        for (const QTabBar* tabs : window().findChildren<QTabBar*>())
-            if (tabs->isVisible() && tabs->parentWidget() == &window()) return tabs;
-        return nullptr;
+    /// Every greyed control has a sentence at the end of its tool tip.
+    void saysWhy(const QWidget& part) {
+        for (const QWidget* control : part.findChildren<QWidget*>()) {
+            const bool isControl =
+                qobject_cast<const QAbstractButton*>(control) || qobject_cast<const QAbstractSlider*>(control) ||
+                qobject_cast<const QAbstractSpinBox*>(control) || qobject_cast<const QComboBox*>(control);
+            if (!isControl || !control->isVisible() || control->isEnabled()) continue;
+            QString tip;
+            for (const QWidget* each = control; tip.isEmpty() && each != &part; each = each->parentWidget())
+                tip = each->toolTip();
+            QVERIFY2(tip.endsWith('.'), qPrintable(control->objectName() + ": " + tip));
+        }
+    }
+
+    /// As many rows as the names need.
+    void namesAreWhole() {
+        const QList<QAbstractButton*> names = namesInFront();
+        for (const QAbstractButton* name : names) {
+            QVERIFY2(name->width() >= name->sizeHint().width(), qPrintable(name->text()));
+            QVERIFY2(window().rect().contains(QRect(name->mapTo(&window(), QPoint(0, 0)), name->size())),
+                     qPrintable(name->text()));
+            QVERIFY(name->parentWidget()->rect().contains(name->geometry()));
+            for (const QAbstractButton* other : names)
+                QVERIFY(other == name || !other->geometry().intersects(name->geometry()));
+        }
+    }
+    void toolBarIsWhole() {
+        const auto* bar = child<QToolBar>("toolBar");
+        for (QAction* action : bar->actions()) {
+            const auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
+            if (button == nullptr) continue;
+            QVERIFY2(button->isVisible() && bar->rect().contains(button->geometry()), qPrintable(button->objectName()));
+            QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->objectName()));
+        }
+    }
+    /// Lines of controls that lie one below the other.
+    int rowsOfMotionBar() {
+        QWidget* bar = child("motion");
+        std::vector<QRect> controls;
+        for (const QWidget* control : bar->findChildren<QWidget*>())
+            if (control->isVisible() && control->objectName().startsWith("motion."))
+                controls.emplace_back(control->mapTo(bar, QPoint(0, 0)), control->size());
+        std::ranges::sort(controls, {}, &QRect::top);
+        int rows = 0, bottom = -1;
+        for (const QRect& control : controls) {
+            if (control.center().y() > bottom) ++rows;
+            bottom = std::max(bottom, control.bottom());
+        }
+        return rows;
+    }
+    /// The names in the head of the dock that is in front.
+    [[nodiscard]] QList<QAbstractButton*> namesInFront() {
+        QList<QAbstractButton*> names;
+        for (const QDockWidget* dock : window().findChildren<QDockWidget*>())
+            if (dock->isVisible() && !dock->visibleRegion().isEmpty())
+                for (auto* button : dock->titleBarWidget()->findChildren<QAbstractButton*>())
+                    if (button->isVisible() && button->objectName().contains(".tab.")) names << button;
+        return names;
     }
 
     static void whetherSpacingIsKnown() {
@@ -280,7 +383,7 @@ private:
         QCOMPARE(window().openStudy().volume()->geometry().spacingKnown, known);
     }
 
-    QString m_file, m_unknown;
+    QString m_file, m_moving, m_unknown;
 };
 
 ECHOLUCENT_TEST_CLASS(TestMainWindowLayout)

@@ -195,6 +195,7 @@ private slots:
         QTest::keyClick(m_fixture.child<QComboBox>("adaptive.form"), Qt::Key_End);  // the product, which has a strength
         m_fixture.waitUntilIdle();
         auto* strength = m_fixture.child<QSlider>("adaptive.strength");
+        m_fixture.click("face.teach");
         m_fixture.child<QDockWidget>("dock.method")->raise();
         QTRY_VERIFY(strength->isVisible());
         strength->setFocus();

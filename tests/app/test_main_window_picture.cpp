@@ -45,6 +45,7 @@ private slots:
 
     void aModeOfThePanelIsShownAndExplained() {
         const std::shared_ptr<const Picture> direct = view().picture();
+        click("view.more");
         choose("view.mode", RenderMode::maximum);
         waitUntilIdle();
         QCOMPARE(view().settings().mode, RenderMode::maximum);
@@ -63,6 +64,7 @@ private slots:
 
     void depthColoursOfThePanelAreShownAndExplained() {
         QVERIFY(!view().settings().depthColouring);
+        click("view.more");
         click("view.depthColouring");
         waitUntilIdle();
         QVERIFY(view().settings().depthColouring.has_value());

@@ -37,6 +37,7 @@ private slots:
         QCOMPARE(settings.look().lighting, Lighting::depth);
         QCOMPARE(settings.renderer(), RendererChoice::automatic);
         QCOMPARE(settings.theme(), Theme::dark);
+        QCOMPARE(settings.face(), Face::review);
     }
 
     void everythingComesBackFromTheFile() {

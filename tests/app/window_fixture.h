@@ -52,6 +52,7 @@ public:
         QFile::remove(settingsFile());
         QDir(temporaryFolder().filePath("settings-data")).removeRecursively();
         if (look != lookAtStart()) Settings(settingsFile()).setLook(look);
+        if (m_teaches) Settings(settingsFile()).setFace(Face::teach);
         showAgain();
     }
     /// Shows the window of another start, with the present settings and what the start before left.
@@ -91,6 +92,8 @@ public:
     /// For a class that looks at no picture: its windows have a small one. From now on only the next waitUntilIdle()
     /// waits until the picture is fine.
     void lookAtNoPicture() { m_looksAtNoPicture = true; }
+    /// For a class that looks at what Teach alone shows: from now on show() begins in Teach, and not in Review.
+    void teach() { m_teaches = true; }
     [[nodiscard]] MainWindow& window() { return *m_window; }
     [[nodiscard]] const QTemporaryDir& temporaryFolder() const { return m_folder; }
     [[nodiscard]] QString settingsFile() const { return m_folder.filePath("settings.ini"); }
@@ -107,7 +110,7 @@ public:
 private:
     QTemporaryDir m_folder;
     std::unique_ptr<MainWindow> m_window;
-    bool m_waitsForFinePictures = true, m_looksAtNoPicture = false;
+    bool m_waitsForFinePictures = true, m_looksAtNoPicture = false, m_teaches = false;
 };
 
 }  // namespace echolucent

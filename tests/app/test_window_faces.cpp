@@ -1,0 +1,195 @@
+// Review and Teach: which panels and menus each offers, and what stays the same.
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <set>
+
+#include "app/compare/compare_room.h"
+#include "app/window/window_faces.h"
+#include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
+
+using namespace echolucent;
+
+class TestWindowFaces : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        lookAtNoPicture();
+        m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
+    void init() {
+        show();
+        window().resize(1280, 720);
+    }
+    void cleanup() { close(); }
+
+    void theStartIsReviewAndTeachShowsAll() {
+        QCOMPARE(window().faces().face(), Face::review);
+        QVERIFY(child<QToolButton>("face.review")->isChecked());
+        QVERIFY(child<QAction>("view.review")->isChecked());
+        QCOMPARE(openPanels(), QStringList({"Picture", "Measure", "Study"}));
+        QCOMPARE(entriesOf("menu.panels"), QStringList({"Picture", "Curve", "Measure", "Study"}));
+        QVERIFY(!menuBarShows("menu.otf"));
+        QVERIFY(!child<QMenu>("menu.room")->actions().contains(child<QAction>("room.compare")));
+        QVERIFY(!child("view.beamAxis")->isVisible() && child("view.lightAmount")->isVisible());
+        QVERIFY(!child("motion.mode.mean")->isVisible() && child("motion.play")->isVisible());
+        open(m_file);
+        QVERIFY(!child("status.otf")->isVisible());
+        const QStringList room = entriesOf("menu.room"), panels = entriesOf("menu.panels");
+
+        click("face.teach");
+        QCOMPARE(window().faces().face(), Face::teach);
+        QVERIFY(!child<QToolButton>("face.review")->isChecked() && child<QAction>("view.teach")->isChecked());
+        const QStringList all{"Picture", "Curve", "Measure", "Method", "Designers",
+                              "Compare", "Study", "Motion",  "Explain"};
+        QCOMPARE(openPanels(), all);
+        QCOMPARE(entriesOf("menu.panels"), all);
+        QVERIFY(menuBarShows("menu.otf"));
+        QVERIFY(child<QMenu>("menu.room")->actions().contains(child<QAction>("room.compare")));
+        QVERIFY(child("view.beamAxis")->isVisible());
+        QVERIFY(child("motion.mode.mean")->isVisible());
+        QVERIFY(child("status.otf")->isVisible());
+        QVERIFY(child<QLabel>("status.renderer")->text().contains(" ms"));
+        child<QDockWidget>("dock.method")->raise();
+
+        child<QAction>("view.review")->trigger();
+        QCOMPARE(openPanels(), QStringList({"Picture", "Measure", "Study"}));
+        QTRY_VERIFY(child("view.lightAmount")->isVisible());  // the panel that was in front is gone
+        QCOMPARE(entriesOf("menu.room"), room);
+        QCOMPARE(entriesOf("menu.panels"), panels);
+        QVERIFY(!child<QLabel>("status.renderer")->text().contains(" ms"));
+        QCOMPARE(window().document().steps().count(), 0);
+    }
+
+    void faceAndPanelsAreRememberedOverARestart() {
+        click("face.teach");
+        child<QDockWidget>("dock.designers")->close();
+        click("face.review");
+        click("face.teach");
+        QVERIFY(child<QDockWidget>("dock.designers")->isHidden());
+        window().close();
+        close();
+        showAgain();
+        QCOMPARE(window().faces().face(), Face::teach);
+        QVERIFY(child<QToolButton>("face.teach")->isChecked());
+        QVERIFY(openPanels().contains("Method") && !openPanels().contains("Designers"));
+        QVERIFY(menuBarShows("menu.otf"));
+        click("face.review");
+        click("toolBar.curve");
+        window().close();
+        close();
+        showAgain();
+        QCOMPARE(openPanels(), QStringList({"Picture", "Curve", "Measure", "Study"}));
+        QVERIFY(!menuBarShows("menu.otf"));
+    }
+
+    void everyControlKeepsItsNameInBoth() {
+        const std::set<QString> review = namesOfControls();
+        click("face.teach");
+        QCOMPARE(namesOfControls(), review);
+        for (const char* name : {"adaptive.strength", "otfEditor.canvas", "designer.choice", "motion.mode.mean",
+                                 "view.beamAxis", "compare.layout", "toolBar.sides", "menu.sides", "face.review"})
+            QVERIFY2(review.contains(name), name);
+    }
+
+    void keysMeanTheSameInReview() {
+        open(m_file);
+        QTest::keyClick(&window(), Qt::Key_3);
+        QCOMPARE(window().document().document().panes.at(firstPane).curve, CurveKind::linear);
+        QTest::keyClick(&window(), Qt::Key_F1);
+        QTRY_VERIFY(child("explain.picture")->isVisible());
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QVERIFY(window().compareRoom().shown());
+        QTRY_VERIFY(child("compare.layout")->isVisible());
+        click("face.teach");
+        click("face.review");  // what is compared keeps its panel
+        QVERIFY(!child<QDockWidget>("dock.compare")->isHidden());
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QCOMPARE(openPanels(), QStringList({"Picture", "Measure", "Study", "Explain"}));
+        waitUntilIdle();
+    }
+
+    void curveOpensBesideTheOthers() {
+        auto* button = child<QToolButton>("toolBar.curve");
+        auto* dock = child<QDockWidget>("dock.otfEditor");
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_VERIFY(child("otfEditor.canvas")->isVisible());
+        QVERIFY(button->isChecked());
+        QCOMPARE(openPanels(), QStringList({"Picture", "Curve", "Measure", "Study"}));
+        child<QDockWidget>("dock.view")->raise();
+        QTRY_VERIFY(!button->isChecked());  // it lies behind: a click brings it to the front
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_VERIFY(!dock->visibleRegion().isEmpty());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(dock->isHidden() && !button->isChecked());
+    }
+
+    void aToolDoesWhatTheMenuDoesOrSaysWhyNot() {
+        for (const char* name : {"sides", "layout", "box", "front", "scalpel", "measure", "save", "reset"}) {
+            auto* button = child<QToolButton>(QString("toolBar.") + name);
+            QVERIFY2(!button->isEnabled() && button->toolTip().endsWith("\nOpen a volume first."), name);
+        }
+        QVERIFY(child("toolBar.open")->isEnabled());
+        open(m_file);
+        for (const char* name : {"sides", "layout", "box", "front", "scalpel", "measure", "save", "reset"}) {
+            auto* button = child<QToolButton>(QString("toolBar.") + name);
+            QVERIFY2(button->isEnabled() && !button->toolTip().contains("first"), name);
+        }
+        Document next = window().document().document();
+        next.scene.front = Front{};
+        window().document().edit(next, "no front");
+        QVERIFY(!child<QAction>("view.noFront")->isEnabled());
+        QVERIFY(child<QAction>("view.noFront")->toolTip().endsWith("There is no front to take away."));
+        next.scene.front = frontAcross({}, 20);
+        window().document().edit(next, "front");
+        QVERIFY(child<QAction>("view.noFront")->isEnabled());
+        click("toolBar.box");
+        QVERIFY(window().document().document().scene.box.on);
+        QTest::keyClick(&window(), Qt::Key_B);
+        QVERIFY(!child<QToolButton>("toolBar.box")->isChecked());
+        click("toolBar.scalpel");
+        QVERIFY(child<QAction>("room.scalpel")->isChecked());
+        click("toolBar.measure");  // one tool is in the hand at a time
+        QVERIFY(child<QAction>("room.measureDistance")->isChecked());
+        QVERIFY(!child<QToolButton>("toolBar.scalpel")->isChecked());
+        child<QAction>("room.measureAngle")->trigger();
+        QVERIFY(child<QToolButton>("toolBar.measure")->isChecked());
+        QTest::keyClick(&window(), Qt::Key_Escape);
+        QVERIFY(!child<QToolButton>("toolBar.measure")->isChecked());
+        waitUntilIdle();
+    }
+
+private:
+    QStringList openPanels() {
+        QStringList names;
+        for (const char* name : {"dock.view", "dock.otfEditor", "dock.room", "dock.method", "dock.designers",
+                                 "dock.compare", "dock.study", "dock.motionMap", "dock.explain"})
+            if (auto* dock = child<QDockWidget>(name); !dock->isHidden()) names << dock->windowTitle();
+        return names;
+    }
+    QStringList entriesOf(const char* menu) {
+        QStringList texts;
+        for (const QAction* action : child<QMenu>(menu)->actions()) texts << action->text().remove('&');
+        return texts;
+    }
+    bool menuBarShows(const char* menu) { return child<QMenu>(menu)->menuAction()->isVisible(); }
+    /// Of all controls and actions, but for the heads of docks, which make their names when they are seen.
+    std::set<QString> namesOfControls() {
+        std::set<QString> names;
+        for (const QObject* each : window().findChildren<QObject*>())
+            if (const QString name = each->objectName();
+                !name.isEmpty() && !name.startsWith("qt_") && !name.contains(".tab."))
+                names.insert(name);
+        return names;
+    }
+    QString m_file;
+};
+
+ECHOLUCENT_TEST_CLASS(TestWindowFaces)
+
+#include "test_window_faces.moc"
