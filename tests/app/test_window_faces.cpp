@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QToolBar>
 #include <QToolButton>
 #include <set>
@@ -40,6 +41,11 @@ private slots:
         QVERIFY(!child("motion.mode.mean")->isVisible() && child("motion.play")->isVisible());
         open(m_file);
         QVERIFY(!child("status.otf")->isVisible());
+        for (const char* dock : {"dock.study", "dock.room", "dock.view"}) {
+            child<QDockWidget>(dock)->raise();
+            QCoreApplication::processEvents();
+            speaksPlainly();
+        }
         const QStringList room = entriesOf("menu.room"), panels = entriesOf("menu.panels");
 
         click("face.teach");
@@ -187,6 +193,22 @@ private:
                 names.insert(name);
         return names;
     }
+    /// What a person sees in Review, and what the tool tips say, is in words of the field. The status line's tool tip
+    /// is for experts.
+    void speaksPlainly() {
+        static const QRegularExpression jargon(
+            QStringLiteral("\\bOTFs?\\b|voxel|tube core|grid axis|\\bstep on a ray|designer|adaptive"),
+            QRegularExpression::CaseInsensitiveOption);
+        for (const QWidget* each : window().findChildren<QWidget*>()) {
+            if (!each->isVisible()) continue;
+            QStringList words;
+            if (!each->objectName().startsWith("status.")) words << each->toolTip();
+            if (const auto* label = qobject_cast<const QLabel*>(each)) words << label->text();
+            if (const auto* button = qobject_cast<const QAbstractButton*>(each)) words << button->text();
+            for (const QString& said : words) QVERIFY2(!jargon.match(said).hasMatch(), qPrintable(said));
+        }
+    }
+
     QString m_file;
 };
 

@@ -137,7 +137,8 @@ QGroupBox* RoomPanel::createBox() {
     auto* column = new QVBoxLayout(group);
     column->setContentsMargins(6, 6, 6, 6);
     m_box = named(new QCheckBox(tr("Show only what lies in it")), "room.box", tr("Show only what lies in the box"),
-                  tr("The box limits picture and tube cores; drag it in the planes and in the picture"));
+                  tr("What lies outside is not shown and does not shape the curve; drag the box in the planes and in "
+                     "the picture"));
     // If the document refuses the change, show what the document says.
     connect(m_box, &QCheckBox::toggled, this, [this](bool on) {
         emit boxSwitched(on);
@@ -158,7 +159,7 @@ void RoomPanel::addFronts(QVBoxLayout& column) {
         const QString name = textOf(nameOf(side));
         auto* button =
             createSwitch(sideText(side), "room.front." + name, tr("Look in from the side: %1").arg(sideText(side)),
-                         tr("The picture looks in from this side of the box, and so do the tube cores"));
+                         tr("The picture looks in from this side of the box"));
         connect(button, &QToolButton::clicked, this, [this, side] {
             emit frontChosen(side);
             showBox();
