@@ -119,6 +119,7 @@ private slots:
         QVERIFY(!modes->isVisible());
         click("motion.otf");
         QTRY_VERIFY(modes->isVisible());
+        QVERIFY(window().geometry().contains(child("motion.otf.popup")->geometry()));
         QTest::mouseClick(modes, Qt::LeftButton);
         QCOMPARE(window().document().document().motion.otf, MotionOtf::mean);
         QTest::keyClick(child("motion.otf.popup"), Qt::Key_Escape);

@@ -254,10 +254,9 @@ QToolButton* MotionPanel::createFold() {
     m_popup->setObjectName("motion.otf.popup");
     m_popup->setFrameShape(QFrame::StyledPanel);
     new QVBoxLayout(m_popup);
-    connect(button, &QToolButton::clicked, this, [this, button] {
+    connect(button, &QToolButton::clicked, this, [this] {
         m_popup->adjustSize();
-        const QPoint right = button->mapToGlobal(QPoint(button->width(), 0));
-        m_popup->move(right - QPoint(m_popup->width(), m_popup->height()));
+        m_popup->move(mapToGlobal(QPoint(0, -m_popup->height())));  // above the bar
         m_popup->show();
     });
     return button;
