@@ -91,7 +91,7 @@ void NearCutFinder::tellOpening(const NearCutFinding& finding) {
 /// Offers the bowed front if there is one, and the way back if `back` has a value.
 QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const std::optional<Front>& back) {
     QList<MessageAction> actions;
-    if (finding.surface)
+    if (finding.surface && !m_parts.model.document().scene.front.surface)
         actions << MessageAction{tr("Bow it"), [this, surface = finding.surface] {
                                      setFront({.surface = surface}, directionOf(m_looksFrom));
                                  }};

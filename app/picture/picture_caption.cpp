@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "app/otf/editor_otfs.h"
+#include "processing/document/side_taking.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "widgets/controls/panel_controls.h"
 
@@ -27,11 +28,20 @@ bool looksFromProbe(const Document& document) {
     return frameOf(viewpointOf(beam.axis, document.scene.pose.direction)).forward.dot(sound) > leastCosine;
 }
 
-/// "from the probe" if the picture is seen from there. Empty else, and if nobody knows where the probe was.
-QString sideLine(const Document& document) {
-    const bool simulated = std::holds_alternative<SimulatedScan>(document.study);
-    const bool known = simulated || document.beam.source != BeamSource::assumed;
-    return known && looksFromProbe(document) ? captionText("from the probe") : QString();
+/// "onto the scan plane" if the picture is seen from one of the six sides, and whether that is so because it was taken
+/// last time. Until the sides are found: "from the probe" if the picture is seen from there. Empty else.
+QString sideLine(const CaptionFacts& facts) {
+    const Document& document = facts.document;
+    if (facts.sides == nullptr) {
+        const bool simulated = std::holds_alternative<SimulatedScan>(document.study);
+        const bool known = simulated || document.beam.source != BeamSource::assumed;
+        return known && looksFromProbe(document) ? captionText("from the probe") : QString();
+    }
+    const auto place = sideAlong(*facts.sides, document.beam.axis, document.scene.pose.direction);
+    if (!place) return {};
+    QString name = textOf(facts.sides->sides[*place].side.name);
+    name[0] = name[0].toLower();
+    return place == facts.remembered ? captionText("%1, as last time").arg(name) : name;
 }
 
 QString frontLine(const Front& front, bool lengthsKnown) {
@@ -92,7 +102,7 @@ bool curveIsOfAnotherView(const Document& document, const Viewpoint& ofOtf) {
 QString pictureCaption(const CaptionFacts& facts) {
     const Look& look = facts.document.scene.look;
     QStringList lines{
-        lineOf({sideLine(facts.document), frontLine(facts.document.scene.front, facts.lengthsKnown),
+        lineOf({sideLine(facts), frontLine(facts.document.scene.front, facts.lengthsKnown),
                 speckleLine(look.reduction, facts.speckle)}),
         lineOf({reductionLine(facts.reduction), designLine(facts.document, facts.designIsShown),
                 otfLine(facts.document),

@@ -6,6 +6,7 @@
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/document.h"
+#include "processing/sides/side_search.h"
 #include "processing/volume/reduction.h"
 
 namespace echolucent {
@@ -21,8 +22,11 @@ enum class ShownSpeckle {
 struct CaptionFacts {
     const Document& document;
     ShownSpeckle speckle = ShownSpeckle::asRead;
-    bool curveOfAnotherView = false;       ///< as curveIsOfAnotherView()
-    bool designIsShown = true;             ///< if the first pane has a designer, whether that designer's OTF is shown
+    bool curveOfAnotherView = false;      ///< as curveIsOfAnotherView()
+    bool designIsShown = true;            ///< if the first pane has a designer, whether that designer's OTF is shown
+    const SidesFinding* sides = nullptr;  ///< of the document's beam; null until they are found
+    /// Place of the side that opening took because a person took it last of such a scan.
+    std::optional<std::size_t> remembered{};
     bool lengthsKnown = true;              ///< the volume's spacing is known, so lengths in mm may be told
     std::optional<Reduction> reduction{};  ///< of the volume, if the file holds more voxels than were kept
 };

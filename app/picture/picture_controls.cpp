@@ -111,9 +111,9 @@ void PictureControls::setBeamAxis(BeamAxis axis) {
     });
 }
 
-void PictureControls::resetView() {
-    m_parts.model.change(tr("reset view"), [this](Document& next) {
-        next.scene.pose = m_parts.picture.wholeVolume(viewAlongBeam(next.beam));
+void PictureControls::resetView(const ViewDirection& direction) {
+    m_parts.model.change(tr("reset view"), [&](Document& next) {
+        next.scene.pose = m_parts.picture.wholeVolume(viewpointOf(next.beam.axis, direction));
     });
 }
 
@@ -126,19 +126,20 @@ void PictureControls::resetAll(const Document& opened) {
         next = withCurve(std::move(next), firstPane, opened.panes.at(firstPane).curve);
         next.scene.front = opened.scene.front;
         next.scene.look = opened.scene.look;
+        next.scene.exposure = opened.scene.exposure;
         next.scene.box = opened.scene.box;
         next.scene.planes = opened.scene.planes;
         next.scene.strokes = opened.scene.strokes;
-        const Viewpoint alongBeam = viewAlongBeam(next.beam);
+        const Viewpoint fromSide = viewpointOf(next.beam.axis, opened.scene.side);
         const VolumeViewWidget& picture = m_parts.picture;
-        next.scene.pose = picture.volume() ? picture.wholeVolume(alongBeam, picture.volume()->dataBox())
-                                           : picture.wholeVolume(alongBeam);
+        next.scene.pose = picture.volume() ? picture.wholeVolume(fromSide, picture.volume()->dataBox())
+                                           : picture.wholeVolume(fromSide);
     });
     keep();
 }
 
-void PictureControls::resetFront(const Document& opened) {
-    m_parts.model.change(tr("reset front"), [&opened](Document& next) { next.scene.front = opened.scene.front; });
+void PictureControls::resetFront(const Front& front) {
+    m_parts.model.change(tr("reset front"), [&front](Document& next) { next.scene.front = front; });
 }
 
 void PictureControls::showDocument() {

@@ -36,12 +36,13 @@ public:
     /// Takes the look and the renderer of the last start.
     void restore();
     void keep();
-    /// Shows the whole volume, seen along the beam, as one step.
-    void resetView();
-    /// Sets beam, look, front, side, curves, box, planes and strokes as in `opened`, the document that opening gave.
-    /// The first pane gets the curve that it had, and the whole data fill the picture, seen along the beam. One step.
+    /// Shows the whole volume, seen in a direction, as one step.
+    void resetView(const ViewDirection& direction);
+    /// Sets beam, look, exposure, front, side, curves, box, planes and strokes as in `opened`, the document that
+    /// opening gave. The first pane gets the curve that it had, and the whole data fill the picture, seen from the
+    /// side. One step.
     void resetAll(const Document& opened);
-    void resetFront(const Document& opened);
+    void resetFront(const Front& front);
     /// Raises the speckle reduction by `levels`, or lowers it if `levels` is negative. Stops at the weakest and the
     /// strongest.
     void reduceSpeckle(int levels);

@@ -124,7 +124,6 @@ std::vector<Vec3> BoxIn3d::addBox(Overlay& overlay) {
     m_grips.clear();
     if (!set.on) return {};
     const OrientedBox box = orientedBoxOf(set, document.beam.axis);
-    const BoxFace side = faceOf(set.side);
     const Vec3 looking = frameOf(viewpointOf(document)).forward;
     const auto facesViewer = [&](const BoxFace& face) { return outwardNormal(box, face).dot(looking) < 0.0; };
     m_grips = allGrips();
@@ -134,7 +133,6 @@ std::vector<Vec3> BoxIn3d::addBox(Overlay& overlay) {
     for (const Grip& grip : m_grips) {
         const Vec3 place = placeOf(box, grip);
         places.push_back(place);
-        const bool ofSide = std::ranges::find(grip, side) != grip.end();
         const bool seen = grip.empty() || std::ranges::any_of(grip, facesViewer);
         const double radius = grip.empty()       ? centreRadius
                               : grip.size() == 1 ? faceRadius
@@ -146,7 +144,7 @@ std::vector<Vec3> BoxIn3d::addBox(Overlay& overlay) {
         const int along = 3 - grip[0].axis - grip[1].axis;
         const Vec3 half = outwardNormal(box, {along, 1}) * (0.5 * box.sizeMm[along]);
         overlay.spaceLines.push_back(
-            {place - half, place + half, sceneColourOf(seen ? boxColour() : boxBehindColour()), ofSide ? 3.0 : 1.5});
+            {place - half, place + half, sceneColourOf(seen ? boxColour() : boxBehindColour()), 1.5});
     }
     return places;
 }
@@ -220,7 +218,8 @@ void BoxIn3d::drag(const Vec3& mm) {
         box = withFaceMoved(box, face, mm.dot(seen) / squared, m_openStudy.volume()->geometry().unit());
     }
     // The drag changes the box alone. Other changes since it began stay.
-    const Document next = withBox(m_model.document(), movedBox(before.scene.box, box, before.beam.axis));
+    Document next = m_model.document();
+    next.scene.box = movedBox(before.scene.box, box, before.beam.axis);
     m_model.preview(next, m_held.empty() ? tr("move box") : tr("size of the box"));
 }
 

@@ -87,7 +87,6 @@ BoxScene DocumentPlanes::boxScene(const Volume& volume) const {
     BoxScene scene;
     scene.leastMm = volume.geometry().unit();
     if (box.on) scene.box = orientedBoxOf(box, document.beam.axis);
-    scene.side = faceOf(box.side);
     if (cuts(document.scene.front)) scene.front = surfaceOfFront(document, volume);
     return scene;
 }
@@ -116,7 +115,7 @@ void DocumentPlanes::takeBox(const BoxGrip& grip, const BoxDrag& dragged, const 
     switch (grip.kind) {
         case BoxGrip::Kind::bow: next.scene.front = {.surface = dragged.front}; break;
         case BoxGrip::Kind::front: next.scene.front = movedFront(before, dragged.frontMm); break;
-        default: next = withBox(std::move(next), movedBox(before.scene.box, dragged.box, before.beam.axis));
+        default: next.scene.box = movedBox(before.scene.box, dragged.box, before.beam.axis);
     }
     m_model.preview(next, what);
 }

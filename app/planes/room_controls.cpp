@@ -8,7 +8,6 @@ RoomControls::RoomControls(DocumentModel& model, OpenStudy& openStudy, const Vol
                            RoomPanel& panel, QObject* parent)
     : QObject(parent), m_model(model), m_openStudy(openStudy), m_picture(picture) {
     connect(&panel, &RoomPanel::boxSwitched, this, &RoomControls::switchBox);
-    connect(&panel, &RoomPanel::frontChosen, this, &RoomControls::chooseFront);
     connect(&panel, &RoomPanel::boxSizeChanged, this, &RoomControls::resizeBox);
     connect(&panel, &RoomPanel::wholeBoxRequested, this, &RoomControls::makeWhole);
     connect(&panel, &RoomPanel::slabRequested, this, &RoomControls::makeSlab);
@@ -24,11 +23,6 @@ void RoomControls::switchBox(bool on) {
                  on ? tr("show the box") : tr("leave the box"));
 }
 
-void RoomControls::chooseFront(BoxSide front) {
-    if (!m_openStudy.volume()) return;
-    m_model.edit(fitted(withSide(m_model.document(), front, m_openStudy.volume()->dataBox())), tr("front of the box"));
-}
-
 /// The document with a pose that shows the whole box.
 Document RoomControls::fitted(Document document) const {
     document.scene.pose = m_picture.wholeVolume(viewpointOf(document), m_openStudy.volume()->dataBox());
@@ -36,18 +30,15 @@ Document RoomControls::fitted(Document document) const {
 }
 
 void RoomControls::resizeBox(int axis, double mm) {
-    Box box = m_model.document().scene.box;
-    box.sizeMm[axis] = mm;
-    m_model.edit(withBox(m_model.document(), box), tr("size of the box"));
+    m_model.change(tr("size of the box"), [&](Document& next) { next.scene.box.sizeMm[axis] = mm; });
 }
 
 void RoomControls::makeWhole() {
     if (!m_openStudy.volume()) return;
-    const Document& document = m_model.document();
-    Box box = document.scene.box;
-    box.direction = {};
-    m_model.edit(withBox(document, wholeBox(box, document.beam.axis, m_openStudy.volume()->dataBox())),
-                 tr("box around all data"));
+    Document next = m_model.document();
+    next.scene.box.direction = {};
+    next.scene.box = wholeBox(next.scene.box, next.beam.axis, m_openStudy.volume()->dataBox());
+    m_model.edit(next, tr("box around all data"));
 }
 
 void RoomControls::makeSlab(PlaneName plane, double thicknessMm) {

@@ -19,8 +19,6 @@ public:
                  QObject* parent = nullptr);
 
     void switchBox(bool on);
-    /// Looks in through a side of the box. The whole box fills the picture.
-    void chooseFront(BoxSide front);
 
 private:
     [[nodiscard]] Document fitted(Document document) const;

@@ -173,7 +173,7 @@ void ShownStudy::beginDocument() {
         m_parts.model.begin(openStudy.saved()->session.document);
     } else {
         m_parts.model.begin(opened.plain);
-        m_parts.model.edit(m_opened, tr("beam and cut found on opening"));  // one step that can be undone
+        m_parts.model.edit(m_opened, tr("beam, side and front found on opening"));  // one step that can be undone
     }
     m_parts.motion.beginAtRest();
     showFront();

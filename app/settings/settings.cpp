@@ -29,6 +29,8 @@ constexpr auto rendererKey = "picture/renderer";
 constexpr auto themeKey = "window/theme";
 constexpr auto faceKey = "window/face";
 constexpr auto paneLayoutKey = "window/paneLayout";
+constexpr auto sidesTakenKey = "picture/sidesTaken";
+constexpr auto sidesShownKey = "picture/sidesShown";
 constexpr auto presetsOpenKey = "picture/presetsOpen";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
 constexpr auto activeCurveKey = "otfEditor/activeCurve";
@@ -198,6 +200,27 @@ QString Settings::autosaveFolder() const { return m_dataFolder + QStringLiteral(
 QStringList Settings::leftSessionsPutAway() const { return m_store.value(leftSessionsKey).toStringList(); }
 void Settings::setLeftSessionsPutAway(const QStringList& files) { m_store.setValue(leftSessionsKey, files); }
 QString Settings::recentPicturesFolder() const { return m_dataFolder + QStringLiteral("/recent"); }
+
+QMap<QString, QString> Settings::sidesTaken() const {
+    // Kinds and words in turn, the newest last.
+    const QStringList stored = m_store.value(sidesTakenKey).toStringList();
+    QMap<QString, QString> taken;
+    for (qsizetype i = 0; i + 1 < stored.size(); i += 2) taken.insert(stored[i], stored[i + 1]);
+    return taken;
+}
+
+void Settings::setSideTaken(const QString& kind, const QString& word) {
+    constexpr qsizetype mostKinds = 50;
+    QStringList stored = m_store.value(sidesTakenKey).toStringList(), next;
+    for (qsizetype i = 0; i + 1 < stored.size(); i += 2)
+        if (stored[i] != kind) next << stored[i] << stored[i + 1];
+    if (!word.isEmpty()) next << kind << word;
+    while (next.size() > 2 * mostKinds) next.remove(0, 2);
+    if (next != stored) m_store.setValue(sidesTakenKey, next);
+}
+
+bool Settings::sidesShown() const { return boolOr(m_store.value(sidesShownKey), true); }
+void Settings::setSidesShown(bool shown) { m_store.setValue(sidesShownKey, shown); }
 bool Settings::presetsOpen() const { return boolOr(m_store.value(presetsOpenKey), false); }
 void Settings::setPresetsOpen(bool open) { m_store.setValue(presetsOpenKey, open); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QMap>
 #include <QString>
 #include <QStringList>
 
@@ -85,6 +86,12 @@ public:
     void setLeftSessionsPutAway(const QStringList& files);
     /// The folder for the small pictures of recent files, in dataFolder().
     [[nodiscard]] QString recentPicturesFolder() const;
+    /// The side that a person took last of a kind of scan (kindOfScan()), by kind: Side::word. The last fifty kinds.
+    [[nodiscard]] QMap<QString, QString> sidesTaken() const;
+    /// An empty `word` forgets the kind.
+    void setSideTaken(const QString& kind, const QString& word);
+    [[nodiscard]] bool sidesShown() const;  ///< [true]: whether the strip of sides is shown
+    void setSidesShown(bool shown);
     [[nodiscard]] bool presetsOpen() const;  ///< [false]: whether the gallery of presets is open
     void setPresetsOpen(bool open);
     /// Axis, OTF, speed and order of the frames. What moves and the phases belong to the study and stay the default.

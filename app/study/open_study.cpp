@@ -130,13 +130,13 @@ void OpenStudy::load(const StudyReference& reference, StudyReader reader, const 
     m_asked = asked.value_or(path);
     m_loadingClock.start();
     emit loadingBegun();
-    m_loader.submit([this, reference, path, options,
+    m_loader.submit([this, reference, path, options, taken = m_sidesTaken ? m_sidesTaken() : SidesByKind{},
                      reader = std::move(reader)](const Progress& progress) -> NewestWinsThread::Deliver {
         Progress telling = progress;
         telling.coarse = [this](const CoarseVolume& coarse) {
             m_loader.deliverMeanwhile([this, coarse] { emit coarseVolumeRead(coarse); });
         };
-        auto read = lookThrough(reader, path.toStdString(), telling);
+        auto read = lookThrough(reader, path.toStdString(), telling, taken);
         if (progress.cancelled()) return {};
         if (!read) {
             return [this, path, options, failure = read.error()] {

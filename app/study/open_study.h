@@ -46,6 +46,8 @@ public:
     /// Sets where to look for a session's study if it is not in its place. `search` is called whenever a session is
     /// opened.
     void setStudySearch(std::function<StudySearch()> search) { m_studySearch = std::move(search); }
+    /// Sets what says the sides that a person took last (lookThrough()). It is called whenever a study is asked for.
+    void setSidesTaken(std::function<SidesByKind()> taken) { m_sidesTaken = std::move(taken); }
     /// The session whose study is open; no value if the study was opened by itself.
     [[nodiscard]] const std::optional<OpenedSession>& saved() const { return m_saved; }
     /// Loads the series at the index `entry` of a list.
@@ -178,6 +180,7 @@ private:
     std::optional<OpeningFinds> m_finds;
     std::optional<OpenedSession> m_saved;
     std::function<StudySearch()> m_studySearch;
+    std::function<SidesByKind()> m_sidesTaken;
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase
     int m_phase = 0;
     std::optional<int> m_alsoWanted;  ///< see alsoWant()

@@ -39,12 +39,23 @@ StudyReader readerOf(const StudyFile& file) {
     };
 }
 
-Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& path, const Progress& progress) {
+std::string kindOfScan(const Study& study) {
+    std::string kind;
+    for (const char* name : {"format", "manufacturer", "model"}) {
+        const auto fact = std::ranges::find(study.facts, name, &ImportFact::name);
+        if (fact == study.facts.end() || fact->value.empty()) continue;
+        kind += (kind.empty() ? "" : " / ") + fact->value;
+    }
+    return kind;
+}
+
+Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& path, const Progress& progress,
+                                  const SidesByKind& taken) {
     try {
         bool isCoarseTold = false;
         const auto tellCoarse = [&](const CoarseVolume& coarse) {
             isCoarseTold = true;
-            if (progress.coarse) progress.coarse(coarse);
+            if (progress.coarse && taken.empty()) progress.coarse(coarse);
         };
         Progress telling = progress;
         telling.coarse = tellCoarse;
@@ -59,7 +70,11 @@ Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& pa
         // Make the histograms here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
         for (const auto& phase : phases) looked.histograms.push_back(intensityHistogram(*phase));
         const bool simulated = saved && std::holds_alternative<SimulatedScan>(saved->session.document.study);
-        if (!path.empty() && !simulated) looked.finds = findOnOpening(*phases.front(), {nullptr, progress.cancel});
+        if (path.empty() || simulated) return looked;
+        SaidOnOpening said;
+        if (const auto side = taken.find(kindOfScan(*looked.opening.study)); side != taken.end())
+            said.sideOfKind = side->second;
+        looked.finds = findOnOpening(*phases.front(), {nullptr, progress.cancel}, said);
         return looked;
     } catch (const std::bad_alloc&) {
         return fail(FailureKind::unreadable, path, {}, "needs more memory than this machine has",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,11 @@ using StudyReader = std::function<Result<Opening>(const Progress&)>;
 /// list.
 [[nodiscard]] StudyReader readerOf(const StudyFile& file);
 
+/// A kind of scan: format, maker and model, as far as the study says them. It holds nothing of a patient.
+[[nodiscard]] std::string kindOfScan(const Study& study);
+/// The sides that a person took last, as words (Side::word), by kindOfScan().
+using SidesByKind = std::map<std::string, std::string>;
+
 /// An opening, and what was found of its study; empty without a study.
 struct LookedThrough {
     Opening opening;
@@ -41,9 +47,10 @@ struct LookedThrough {
 };
 
 /// Reads a study and looks it through. Of a large study, progress.coarse is told once: before it is read, or, if it
-/// cannot be read in part, before it is looked through. Sessions do not tell it. `path` is for sentences; it is empty
-/// if the scan is simulated. Fails as the reader does, and (unreadable) if memory runs out or the file system fails.
+/// cannot be read in part, before it is looked through. Sessions do not tell it, and nothing does if `taken` holds a
+/// side: then another side might be seen at first. `path` is for sentences; it is empty if the scan is simulated. Fails
+/// as the reader does, and (unreadable) if memory runs out or the file system fails.
 [[nodiscard]] Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& path,
-                                                const Progress& progress);
+                                                const Progress& progress, const SidesByKind& taken = {});
 
 }  // namespace echolucent

@@ -21,11 +21,13 @@
 #include "app/picture/picture_caption.h"
 #include "app/picture/picture_controls.h"
 #include "app/picture/preset_controls.h"
+#include "app/picture/side_controls.h"
 #include "app/report/report_saving.h"
 #include "app/sessions/history_controls.h"
 #include "app/sessions/session_keeping.h"
 #include "app/study/recent_pictures.h"
 #include "app/study/study_opening.h"
+#include "app/study/study_sides.h"
 #include "app/window/curve_and_picture_files.h"
 #include "app/window/full_screen.h"
 #include "app/window/review_room.h"
@@ -38,6 +40,7 @@
 #include "widgets/controls/opening_label.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/run_status.h"
+#include "widgets/controls/side_strip.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/panels/explain_panel.h"
@@ -62,7 +65,7 @@ MainWindow::MainWindow(const QString& settingsFile, const std::function<void(Ope
     resize(roomySize);
     m_document.setHand([this] { return m_hand.current(); });
     m_widgets = layOut(*this, m_works, m_document, m_course);
-    m_fullScreen = new FullScreen(*this, {m_widgets.motion});
+    m_fullScreen = new FullScreen(*this, {m_widgets.motion, m_widgets.sides});
     m_escapes.add(EscapeStep::drag, [this] { return m_widgets.picture->cancelDrag(); });
     m_escapes.add(EscapeStep::fullScreen, [this] { return m_fullScreen->leave(); });
     createUnits();
@@ -102,6 +105,16 @@ void MainWindow::createUnits() {
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, m_openStudy, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
                                *m_widgets.status, m_settings});
+    m_sides = std::make_unique<StudySides>(m_document, m_openStudy, m_works);
+    m_sideControls = std::make_unique<SideControls>(SideControls::Parts{
+        m_document, m_openStudy, *m_sides, *m_widgets.picture, *m_widgets.sides, m_settings, m_works});
+    connect(m_sideControls.get(), &SideControls::taking, &m_motionPlayer, &MotionPlayer::pause);
+    m_openStudy.setSidesTaken([this] {
+        SidesByKind taken;
+        for (const auto& [kind, word] : m_settings.sidesTaken().asKeyValueRange())
+            taken.emplace(kind.toStdString(), word.toStdString());
+        return taken;
+    });
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
         *this, m_document, m_openStudy, m_works, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, m_openStudy, m_works, *m_otfs, *m_panes,
@@ -185,7 +198,7 @@ void MainWindow::connectUnits() {
 
 void MainWindow::connectResets() {
     connect(m_widgets.controls, &ViewPanel::resetRequested, this, [this] {
-        m_pictureControls->resetView();
+        m_pictureControls->resetView(m_sideControls->directionOfSide(m_shownStudy->opened()));
         m_motion->rewind();
     });
     connect(m_widgets.controls, &ViewPanel::resetAllRequested, this, [this] {
@@ -193,7 +206,7 @@ void MainWindow::connectResets() {
         m_pictureControls->resetAll(m_shownStudy->opened());
     });
     connect(m_widgets.controls, &ViewPanel::frontResetRequested, this,
-            [this] { m_pictureControls->resetFront(m_shownStudy->opened()); });
+            [this] { m_pictureControls->resetFront(m_sideControls->frontOfSide(m_shownStudy->opened())); });
 }
 
 /// The bar of messages shows names as names or as numbers, whoever says the sentence.
@@ -225,6 +238,8 @@ void MainWindow::connectCaption() {
                             .speckle = shownSpeckle(),
                             .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), m_otfs->adaptive().get()),
                             .designIsShown = designIsShown(),
+                            .sides = m_sides->finding().get(),
+                            .remembered = rememberedSide(),
                             .lengthsKnown = m_openStudy.volume()->geometry().spacingKnown,
                             .reduction = m_openStudy.volume()->geometry().reduction}));
     };
@@ -232,6 +247,12 @@ void MainWindow::connectCaption() {
     connect(m_compare.get(), &CompareRoom::cameraMoved, m_motion.get(), &MotionFrames::endByHand);
     // The next phase would begin the cancelled work anew.
     connect(m_otfs.get(), &PaneOtfs::cancelled, &m_motionPlayer, &MotionPlayer::pause);
+}
+
+std::optional<std::size_t> MainWindow::rememberedSide() const {
+    const auto& finds = m_openStudy.finds();
+    const bool remembered = finds && finds->source == SideSource::remembered && finds->sides == m_sides->finding();
+    return remembered ? finds->place : std::nullopt;
 }
 
 bool MainWindow::designIsShown() const {
@@ -275,6 +296,8 @@ void MainWindow::createActions() {
     commands.frontFromHere = [this] { emit m_widgets.controls->frontFromHereRequested(); };
     commands.findFront = [this] { emit m_widgets.controls->frontSuggestionRequested(); };
     commands.noFront = [this] { emit m_widgets.controls->noFrontRequested(); };
+    for (QAction* action : m_sideControls->actions()) commands.sides << action;
+    commands.showSides = [this](bool shown) { m_widgets.sides->setVisible(shown); };
     commands.nextLighting = [this] { m_pictureControls->nextLighting(); };
     commands.computeForThisView = [this] { m_otfs->computeForThisView(); };
     commands.playOrPause = [this] { m_motionPlayer.togglePlaying(); };
@@ -326,6 +349,8 @@ void MainWindow::restoreSettings() {
     m_document.begin(document);
     if (auto* logarithmic = m_widgets.editor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
         logarithmic->setChecked(m_settings.histogramLogarithmic());
+    findChild<QAction*>("view.sides")->setChecked(m_settings.sidesShown());
+    m_widgets.sides->setVisible(m_settings.sidesShown());
     if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
     keepOnScreen(*this);
     const QByteArray state = m_settings.windowState();
@@ -341,6 +366,7 @@ void MainWindow::keepSettings() {
     m_settings.setActiveCurve(m_document.document().panes.at(firstPane).curve);
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
     m_compare->setShown(false);  // the next start begins without the comparison
+    m_settings.setSidesShown(findChild<QAction*>("view.sides")->isChecked());
     m_settings.setWindowGeometry(saveGeometry());
     m_settings.setWindowState(saveState(layoutVersion));
     m_settings.save();

@@ -36,7 +36,9 @@ class RecentPictures;
 class ReportSaving;
 class ReviewRoom;
 class SessionKeeping;
+class SideControls;
 class StudyOpening;
+class StudySides;
 class WindowFaces;
 
 /// Owns the document, the threads behind the open study and the widgets, and connects them. Its units hold what happens
@@ -117,6 +119,8 @@ private:
     void restoreSettings();
     void keepSettings();
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
+    /// The place of the side that opening took because a person took it last of such a scan.
+    [[nodiscard]] std::optional<std::size_t> rememberedSide() const;
     /// Whether the first pane's OTF is of the kind of designer that the document asks for.
     [[nodiscard]] bool designIsShown() const;
 
@@ -140,6 +144,8 @@ private:
     std::unique_ptr<DocumentView> m_view;
     std::unique_ptr<EditorOtfs> m_editorOtfs;
     std::unique_ptr<PictureControls> m_pictureControls;
+    std::unique_ptr<StudySides> m_sides;
+    std::unique_ptr<SideControls> m_sideControls;
     std::unique_ptr<PresetControls> m_presets;
     std::unique_ptr<MotionFrames> m_motion;
     std::unique_ptr<ShownStudy> m_shownStudy;

@@ -63,7 +63,8 @@ void MainWindow::connectProgress() {
     });
 }
 
-/// A comparison shows no planes, so the tab of the planes makes way for that of the comparison.
+/// A comparison shows no planes, so the tab of the planes makes way for that of the comparison. Its pictures take the
+/// room of the strip.
 void MainWindow::arrangeForComparison(bool shown) {
     QDockWidget &planes = dockOf(*m_widgets.room), &compare = dockOf(*m_widgets.compare);
     if (shown) {
@@ -73,6 +74,7 @@ void MainWindow::arrangeForComparison(bool shown) {
         planes.setVisible(m_planesTabWasThere);
     }
     compare.setVisible(shown || m_faces->face() == Face::teach);
+    m_widgets.sides->setVisible(!shown && findChild<QAction*>("view.sides")->isChecked());
     (shown ? compare : dockOf(*m_widgets.controls)).raise();
 }
 

@@ -123,15 +123,6 @@ void ReviewRoom::addBox(QMenu& menu) {
     connect(box, &QAction::triggered, &m_controls, &RoomControls::switchBox);
     m_parts.model.bind(&DocumentModel::boxChanged, box,
                        [box](const Document& document) { box->setChecked(document.scene.box.on); });
-    QMenu* fronts = menu.addMenu(tr("&Look in from"));
-    const std::array texts{tr("&Top"), tr("&Bottom"), tr("&Left"), tr("&Right"), tr("&Near"), tr("&Far")};
-    for (const BoxSide side : allBoxSides) {
-        const auto index = static_cast<int>(side);
-        QAction* action = fronts->addAction(texts[static_cast<std::size_t>(side)]);
-        action->setObjectName(QStringLiteral("room.lookInFrom%1").arg(index + 1));
-        action->setShortcut(keyOf(action->objectName()));
-        connect(action, &QAction::triggered, this, [this, side] { m_controls.chooseFront(side); });
-    }
 }
 
 void ReviewRoom::addScalpel(QMenu& menu) {

@@ -18,6 +18,7 @@
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/opening_label.h"
 #include "widgets/controls/run_status.h"
+#include "widgets/controls/side_strip.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/curve_sliders.h"
@@ -64,6 +65,33 @@ private:
     void followWidth() {
         setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
     }
+};
+
+/// The rooms with the strip of sides: left of them, or below them if they would else be narrow.
+class RoomsWithStrip : public QWidget {
+public:
+    RoomsWithStrip(SideStrip* strip, QWidget* rooms, QWidget* parent) : QWidget(parent), m_strip(strip) {
+        m_row = new QBoxLayout(QBoxLayout::LeftToRight, this);
+        m_row->setContentsMargins(0, 0, 0, 0);
+        m_row->setSpacing(0);
+        m_row->addWidget(strip);
+        m_row->addWidget(rooms, 1);
+    }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QWidget::resizeEvent(event);
+        constexpr int narrow = 780;
+        const bool below = width() < narrow;
+        const auto direction = below ? QBoxLayout::BottomToTop : QBoxLayout::LeftToRight;
+        if (direction == m_row->direction()) return;
+        m_row->setDirection(direction);
+        m_strip->setOrientation(below ? Qt::Horizontal : Qt::Vertical);
+    }
+
+private:
+    QBoxLayout* m_row;
+    SideStrip* m_strip;
 };
 
 /// A dock of the column: its panels from top to bottom.
@@ -123,7 +151,8 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     layout.rooms->addWidget(layout.panes);
     layout.rooms->addWidget(layout.compared);
     layout.motion = new MotionPanel(centre);
-    column->addWidget(layout.rooms, 1);
+    layout.sides = new SideStrip(centre);
+    column->addWidget(new RoomsWithStrip(layout.sides, layout.rooms, centre), 1);
     column->addWidget(layout.motion);
     window.setCentralWidget(centre);
     layout.messages = new MessageBar(centre);

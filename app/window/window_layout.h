@@ -31,6 +31,7 @@ class PlanePane;
 class PresetsPanel;
 class RoomPanel;
 class RunStatus;
+class SideStrip;
 class StudyPanel;
 class ViewPanel;
 class VolumeViewWidget;
@@ -40,6 +41,7 @@ class Works;
 struct WindowLayout {
     MessageBar* messages = nullptr;
     OpeningLabel* opening = nullptr;
+    SideStrip* sides = nullptr;
     QStackedWidget* rooms = nullptr;  ///< the review room, then the comparison
     PaneGrid* panes = nullptr;
     CompareGrid* compared = nullptr;
@@ -63,8 +65,9 @@ struct WindowLayout {
     QList<QDockWidget*> docks{};  ///< in the order in which people are shown their names
 };
 
-/// Makes the widgets and puts them into the window: planes and picture in the middle, the panels in one column of tabs
-/// beside them, the messages over the picture's lower edge. Works and document must outlive them.
+/// Makes the widgets and puts them into the window: planes and picture in the middle, the strip of sides left of them,
+/// the panels in one column of tabs right of them, the messages over the picture's lower edge. Works and document must
+/// outlive them.
 [[nodiscard]] WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, const OtfCourse& course);
 
 /// The dock in which a panel stands. Throws std::invalid_argument if it stands in none.

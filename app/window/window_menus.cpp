@@ -78,6 +78,10 @@ void createViewMenu(QMainWindow& window, const QList<QDockWidget*>& panels, cons
     addAction(view, tr("Reset &all"), "view.resetAll", commands.resetAll);
     addAction(view, tr("Smooth &more"), "view.moreReduction", [reduce = commands.reduceSpeckle] { reduce(1); });
     addAction(view, tr("Smooth &less"), "view.lessReduction", [reduce = commands.reduceSpeckle] { reduce(-1); });
+    QMenu* sides = view->addMenu(tr("S&ides of the scan"));
+    sides->setObjectName("view.menuOfSides");
+    sides->addActions(commands.sides);
+    addSwitch(view, tr("Strip of si&des"), "view.sides", commands.showSides);
     addAction(view, tr("Front from &here"), "view.frontFromHere", commands.frontFromHere);
     addAction(view, tr("Fi&nd the front"), "view.findFront", commands.findFront);
     addAction(view, tr("N&o front"), "view.noFront", commands.noFront);

@@ -52,9 +52,13 @@ private:
                            barText("Opens a volume (Ctrl+O); the arrow has more")}),
                 {"file.open", "file.openFolder", "file.openRaw", "file.chooseSeries"}, "file.open")
             ->addActions({menuNamed("file.recent")->menuAction(), action("file.openSimulatedScan")});
-        QToolButton* sides = needingStudy(
-            {ToolPicture::sides, "sides", barText("Sides"), barText("Looks into the scan from one of six sides")});
-        addMenu(sides, {})->setObjectName("menu.sides");
+        QToolButton* sides = needingStudy({ToolPicture::sides, "sides", barText("Sides"),
+                                           barText("Looks into the scan from one of six sides (Ctrl+1 to Ctrl+6)")});
+        QMenu* six = addMenu(sides, {"room.lookInFrom1", "room.lookInFrom2", "room.lookInFrom3", "room.lookInFrom4",
+                                     "room.lookInFrom5", "room.lookInFrom6"});
+        six->setObjectName("menu.sides");
+        six->addSeparator();
+        six->addAction(action("view.sides"));
         addMenu(needingStudy({ToolPicture::layout, "layout", barText("Layout"),
                               barText("The 3D picture alone, or with planes A, B and C (F2, F3, F4)")}),
                 {"room.only3d", "room.quad", "room.large3d"});

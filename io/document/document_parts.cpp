@@ -92,12 +92,11 @@ CutSurface surfaceIn(JsonFields fields) {
     return surface;
 }
 
-Box boxIn(JsonFields& fields, const char* sideKey) {
+Box boxIn(JsonFields& fields) {
     Box box{.on = fields.flag("on")};
     box.direction = directionIn(fields.object("direction"));
     box.centreMm = fields.vector("centre_mm");
     box.sizeMm = fields.vector("size_mm");
-    box.side = fields.choice(sideKey, &boxSideFromName);
     return box;
 }
 

@@ -19,8 +19,7 @@ inline constexpr std::int64_t largestNumber = 1'000'000;
 [[nodiscard]] ViewDirection directionIn(JsonFields fields);
 [[nodiscard]] Pose poseIn(JsonFields& fields);
 [[nodiscard]] CutSurface surfaceIn(JsonFields fields);
-/// `sideKey` holds the side through which tube cores look in.
-[[nodiscard]] Box boxIn(JsonFields& fields, const char* sideKey);
+[[nodiscard]] Box boxIn(JsonFields& fields);
 [[nodiscard]] Planes planesIn(JsonFields& fields);
 /// Of the key "strokes".
 [[nodiscard]] std::vector<ScalpelStroke> strokesIn(JsonFields& fields);

@@ -34,7 +34,7 @@ Scene sceneIn(JsonFields fields) {
     scene.look = lookIn(look);
     if (fields.has("exposure")) scene.exposure = fields.number("exposure", 0.0, 1.0);
     JsonFields box = fields.object("box");
-    scene.box = boxIn(box, "side");
+    scene.box = boxIn(box);
     JsonFields planes = fields.object("planes");
     scene.planes = planesIn(planes);
     scene.strokes = strokesIn(fields);

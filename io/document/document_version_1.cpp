@@ -55,8 +55,6 @@ Front cutIn(JsonFields& fields) {
     return cut;
 }
 
-Box boxWithFrontIn(JsonFields& fields) { return boxIn(fields, "front"); }
-
 template <typename Value>
 std::vector<Listed<Value>> listIn(JsonFields& root, const char* key, Value (*valueIn)(JsonFields&)) {
     std::vector<Listed<Value>> list;
@@ -85,7 +83,7 @@ Lists listsIn(JsonFields& root) {
                 .poses = listIn(root, "poses", &poseIn),
                 .cuts = listIn(root, "cuts", &cutIn),
                 .looks = listIn(root, "looks", &lookIn),
-                .boxes = listIn(root, "boxes", &boxWithFrontIn),
+                .boxes = listIn(root, "boxes", &boxIn),
                 .planes = listIn(root, "planes", &planesIn),
                 .strokes = listIn(root, "strokes", &strokesIn),
                 .phases = listIn(root, "phases", &phaseIn),

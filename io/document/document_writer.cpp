@@ -74,8 +74,7 @@ ordered_json boxJson(const Box& box) {
     return {{"on", box.on},
             {"direction", directionJson(box.direction)},
             {"centre_mm", triple(box.centreMm)},
-            {"size_mm", triple(box.sizeMm)},
-            {"side", nameOf(box.side)}};
+            {"size_mm", triple(box.sizeMm)}};
 }
 
 ordered_json planesJson(const Planes& planes) {

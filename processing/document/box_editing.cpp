@@ -11,18 +11,6 @@ bool neverSet(const Box& box) { return box.sizeMm == Box{}.sizeMm; }
 
 }  // namespace
 
-BoxFace faceOf(BoxSide side) {
-    switch (side) {
-        case BoxSide::top: return {2, -1};
-        case BoxSide::bottom: return {2, 1};
-        case BoxSide::left: return {0, -1};
-        case BoxSide::right: return {0, 1};
-        case BoxSide::near: return {1, 1};
-        case BoxSide::far: return {1, -1};
-    }
-    return {};
-}
-
 Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam) {
     Box next = box;
     next.centreMm = moved.centreMm;
@@ -30,18 +18,6 @@ Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam) {
     if (moved.axes != orientedBoxOf(box, beam).axes)
         next.direction = directionOf(viewAlong(moved.axes.forward, moved.axes.down, beam));
     return next;
-}
-
-Document withBox(Document document, const Box& box) {
-    const Box before = document.scene.box;
-    const BeamAxis beam = document.beam.axis;
-    document.scene.box = box;
-    const bool looksInAnew = box.side != before.side || box.direction != before.direction;
-    if (box.on && (!before.on || looksInAnew)) document.scene.side = directionFrom(box.side, box, beam);
-    // Without a box the tube cores look along the beam again, unless they look another way than through the box's side.
-    if (!box.on && before.on && document.scene.side == directionFrom(before.side, before, beam))
-        document.scene.side = document.beam.lean;
-    return document;
 }
 
 Document withBeam(Document document, const Beam& beam) {
@@ -64,30 +40,22 @@ Document withBoxSwitched(Document document, bool on, const DataBox& data) {
     Box box = document.scene.box;
     if (on && neverSet(box)) box = wholeBox(box, document.beam.axis, data);
     box.on = on;
-    return withBox(std::move(document), box);
-}
-
-Document withSide(Document document, BoxSide side, const DataBox& data) {
-    Document next = withBoxSwitched(std::move(document), true, data);
-    Box box = next.scene.box;
-    box.side = side;
-    next = withBox(std::move(next), box);
-    next.scene.motionAngle = 0.0;
-    Pose& pose = next.scene.pose;
-    pose = turnedTo(pose, next.beam.axis, next.scene.side);
-    return next;
+    document.scene.box = box;
+    return document;
 }
 
 Document withSlab(Document document, PlaneName plane, double thicknessMm, const DataBox& data) {
     const Planes& planes = document.scene.planes;
     const ViewFrame seen = frameOf(plane, planes, document.beam.axis);
-    Box box{.on = true, .direction = {}, .side = BoxSide::top};
+    Box box{.on = true, .direction = {}};
     box.direction = directionOf(viewAlong(seen.forward, seen.down, document.beam.axis));
     box = wholeBox(box, document.beam.axis, data);
     const Vec3 forward = orientedBoxOf(box, document.beam.axis).axes.forward;
     box.centreMm += forward * forward.dot(referencePointOf(planes, data) - box.centreMm);
     box.sizeMm[2] = thicknessMm;
-    Document next = withBox(std::move(document), box);
+    Document next = std::move(document);
+    next.scene.box = box;
+    next.scene.side = box.direction;
     next.scene.motionAngle = 0.0;
     // A slab before the front would be cut away.
     next.scene.front = Front{};

@@ -2,23 +2,13 @@
 #pragma once
 
 #include "processing/document/document.h"
-#include "processing/viewpoint/box_section.h"
 
 namespace echolucent {
-
-[[nodiscard]] BoxFace faceOf(BoxSide side);
 
 /// The box with the place, size and axes of `moved`. If the axes are those of `box`, the box's direction keeps its
 /// bits.
 [[nodiscard]] Box movedBox(const Box& box, const OrientedBox& moved, BeamAxis beam);
 
-/// The document with the box. If the box is on, and was switched on or turned or got another side, the scene's side
-/// becomes the box's: the adaptive OTF looks in through it. If the box is switched off and the scene's side was the
-/// box's, the OTF looks along the beam again.
-[[nodiscard]] Document withBox(Document document, const Box& box);
-/// withBox() with another side, from which the pose looks in. The box is switched on, and the motion's angle becomes 0.
-/// If the box was never set, it goes around all data.
-[[nodiscard]] Document withSide(Document document, BoxSide side, const DataBox& data);
 /// The document with another beam. Box and front keep their places in the volume. The planes look along the new beam,
 /// without crops.
 [[nodiscard]] Document withBeam(Document document, const Beam& beam);

@@ -4,7 +4,10 @@
 #include <utility>
 
 #include "processing/beam/probe_view.h"
+#include "processing/choice_names.h"
+#include "processing/document/side_taking.h"
 #include "processing/near_cut/bright_face.h"
+#include "processing/volume/coarse_grid.h"
 
 namespace echolucent {
 
@@ -20,7 +23,65 @@ BeamSource sourceOf(BeamEvidence evidence) {
     return BeamSource::person;
 }
 
-ViewDirection sideOf(const OpeningFinds& finds) { return finds.side.value_or(finds.lean); }
+constexpr ChoiceNames<3> sideSourceNames{"found", "person", "remembered"};
+
+/// The axis of the beam that the document takes: one that is not sure stays the assumed one.
+BeamAxis takenAxis(const BeamGuess& beam) { return beam.sure ? beam.axis : Beam{}.axis; }
+
+bool looksForSides(const SaidOnOpening& said) {
+    return !said.side.empty() || !(said.beam || said.direction || said.front);
+}
+
+/// The place of the side that comes first: of a large volume, the one that its coarse volume shows.
+std::optional<std::size_t> firstSide(const Volume& volume, const OpeningFinds& finds, const Progress& progress) {
+    const auto coarse = coarseVolumeOf(volume);
+    if (!coarse) return finds.sides->best;
+    const auto found = findOnOpening(*coarse->voxels, {{}, progress.cancel});
+    if (!found) return std::nullopt;
+    const bool sameBeam = takenAxis(found->beam) == takenAxis(finds.beam) && found->beam.sure == finds.beam.sure;
+    return sameBeam ? found->place : finds.sides->best;
+}
+
+/// Takes one of the six sides. False only if the search was cancelled.
+bool takeSide(const Volume& volume, const SaidOnOpening& said, OpeningFinds& finds, const Progress& progress) {
+    const Viewpoint fromProbe = viewpointOf(takenAxis(finds.beam), finds.lean);
+    auto sides = findSides(volume, fromProbe, finds.beam.sure, CutShapes::flatAndCurved, progress);
+    if (!sides) return false;
+    finds.sides = std::make_shared<const SidesFinding>(std::move(*sides));
+    Sides named;
+    for (std::size_t i = 0; i < named.size(); ++i) named[i] = finds.sides->sides[i].side;
+    if (!said.side.empty()) {
+        finds.source = SideSource::person;
+        finds.place = sideNamed(named, said.side);
+    } else if (const auto place = sideNamed(named, said.sideOfKind)) {
+        finds.source = SideSource::remembered;
+        finds.place = place;
+    } else {
+        finds.place = firstSide(volume, finds, progress);
+    }
+    if (progress.cancelled()) return false;
+    const JudgedSide& taken = finds.sides->sides[finds.place.value_or(probeSide)];
+    finds.side = directionOf(taken.side.view);
+    if (said.front) return true;
+    finds.cut = taken.front;
+    finds.exposure = taken.exposure;
+    return true;
+}
+
+/// Searches along the direction that a person said, or from the probe. False only if the search was cancelled.
+bool takeDirection(const Volume& volume, const SaidOnOpening& said, OpeningFinds& finds, const Progress& progress) {
+    finds.side = said.direction.value_or(finds.lean);
+    if (said.direction) finds.source = SideSource::person;
+    if (said.front || (!finds.beam.sure && !said.direction)) return true;
+    const Viewpoint along = viewpointOf(takenAxis(finds.beam), finds.side);
+    auto cut = findNearCut(volume, along, progress);
+    if (!cut) return false;
+    const auto face = faceIntensity(volume, behindFound(along, *cut), progress);
+    if (!face) return false;
+    finds.cut = std::move(*cut);
+    finds.exposure = exposureFor(*face);
+    return true;
+}
 
 /// All data, seen from the scene's side.
 Document shownWhole(Document document, const DataBox& box, double aspect) {
@@ -31,10 +92,10 @@ Document shownWhole(Document document, const DataBox& box, double aspect) {
 
 }  // namespace
 
-std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& progress, const SaidOnOpening& said,
-                                          NearCutSearch search) {
+std::string_view nameOf(SideSource source) { return nameIn(sideSourceNames, source); }
+
+std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& progress, const SaidOnOpening& said) {
     OpeningFinds finds;
-    finds.side = said.side;
     if (said.beam) {
         finds.beam = {.axis = *said.beam, .confidence = 1.0, .sure = true};
     } else {
@@ -43,29 +104,18 @@ std::optional<OpeningFinds> findOnOpening(const Volume& volume, const Progress& 
         finds.beam = std::move(*beam);
         if (const auto& probe = volume.geometry().probe) finds.lean = directionOf(viewFromProbe(*probe));
     }
-    if (said.front || (!finds.beam.sure && !said.side)) return finds;
-    finds.cut = search(volume, viewpointOf(finds.beam.axis, sideOf(finds)), progress);
-    if (!finds.cut) return std::nullopt;
-    const double nearCutMm = makesFront(finds) ? finds.cut->nearCutMm : 0.0;
-    const Viewpoint shown = withFrontAcross(viewpointOf(finds.beam.axis, sideOf(finds)), nearCutMm);
-    const auto face = faceIntensity(volume, shown, progress);
-    if (!face) return std::nullopt;
-    finds.exposure = exposureFor(*face);
+    const bool whole =
+        looksForSides(said) ? takeSide(volume, said, finds, progress) : takeDirection(volume, said, finds, progress);
+    if (!whole) return std::nullopt;
     return finds;
 }
 
-bool makesFront(const OpeningFinds& finds) {
-    return finds.cut && finds.cut->sure && finds.cut->answer == NearCutAnswer::wallBeforeFluid;
-}
-
 Document withFinds(Document document, const OpeningFinds& finds) {
-    if (!finds.beam.sure && !finds.side) return document;
     if (finds.beam.sure) document.beam = {finds.beam.axis, sourceOf(finds.beam.evidence), finds.lean};
-    document.scene.side = sideOf(finds);
-    document.scene.exposure = finds.exposure;
-    if (makesFront(finds))
-        document.scene.front =
-            frontAcross(sideOf(finds), std::round(10 * finds.cut->nearCutMm) / 10, FrontSource::found);
+    Scene& scene = document.scene;
+    scene.side = finds.side;
+    scene.exposure = finds.exposure;
+    if (finds.cut) scene.front = frontOf(viewpointOf(document.beam.axis, finds.side), *finds.cut);
     return document;
 }
 

@@ -79,8 +79,6 @@ CutSurface turnedSurface(const CutSurface& surface, const GridTurn& turn) {
 Box turnedBox(Box box, BeamAxis before, const GridTurn& turn) {
     box.direction = turn.view(box.direction, before);
     if (box.sizeMm != Vec3(0, 0, 0)) box.centreMm = turn.place(box.centreMm);
-    if (box.side == BoxSide::left || box.side == BoxSide::right)
-        box.side = box.side == BoxSide::left ? BoxSide::right : BoxSide::left;
     return box;
 }
 

@@ -17,13 +17,16 @@ struct ShownOnRay {
 };
 
 /// `step` is the way from sample to sample, in grid mm, `units` its length.
-ShownOnRay shownOnRay(const VolumeSampler& sampler, const VolumeGeometry& geometry, Vec3 place, const Vec3& step,
-                      double units, double steps) {
+ShownOnRay shownOnRay(const VolumeSampler& sampler, const VolumeGeometry& geometry,
+                      const std::optional<CutSurface>& front, Vec3 place, const Vec3& step, double units,
+                      double steps) {
     constexpr double ended = 0.02;
     ShownOnRay shown;
     double left = 1.0;
     for (double i = 0.5; i < steps && left > ended; ++i) {
-        const Vec3 voxel = geometry.voxelFromGridMm(place + step * i);
+        const Vec3 here = place + step * i;
+        if (front && front->cutsAway(here)) continue;
+        const Vec3 voxel = geometry.voxelFromGridMm(here);
         if (!inBox(geometry, voxel)) continue;
         const double intensity = sampler.intensityAt(voxel).value_or(0.0);
         const double opacity = 1.0 - std::pow(1.0 - intensity * intensity, units);
@@ -53,7 +56,7 @@ std::optional<double> faceIntensity(const Volume& volume, const Viewpoint& view,
         };
         for (int column = 0; column < raysAcross && !progress.cancelled(); ++column)
             rays[static_cast<std::size_t>(row * raysAcross + column)] = shownOnRay(
-                sampler, geometry,
+                sampler, geometry, view.cutSurface,
                 frame.right * between(across, column) + frame.down * between(down, row) + frame.forward * begin,
                 frame.forward * step, step / unit, (along.farthest - begin) / step);
     });

@@ -10,8 +10,9 @@
 namespace echolucent {
 
 /// The median, over 1024 rays along the view, of the intensity that each shows in the end, with opacity x^2 a unit and
-/// without light. Rays that end less than half opaque do not count; 0 if there are no others. A ray has at most 4096
-/// steps, of a unit if that is enough. The result is empty only if progress.cancel was raised.
+/// without light. What the view's front cuts away is not seen. Rays that end less than half opaque do not count; 0 if
+/// there are no others. A ray has at most 4096 steps, of a unit if that is enough. The result is empty only if
+/// progress.cancel was raised.
 [[nodiscard]] std::optional<double> faceIntensity(const Volume& volume, const Viewpoint& view,
                                                   const Progress& progress = {});
 

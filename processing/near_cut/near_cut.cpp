@@ -140,6 +140,17 @@ std::optional<NearCutFinding> found(const Volume& volume, const Viewpoint& view,
 
 std::string_view nameOf(NearCutAnswer answer) { return nameIn(answerNames, answer); }
 
+bool makesFront(const NearCutFinding& finding) {
+    return finding.sure && finding.answer == NearCutAnswer::wallBeforeFluid;
+}
+
+Viewpoint behindFound(Viewpoint view, const NearCutFinding& finding) {
+    if (!makesFront(finding)) return view;
+    if (!finding.surface) return withFrontAcross(std::move(view), finding.nearCutMm);
+    view.cutSurface = finding.surface;
+    return view;
+}
+
 NearCutFinding nearCutOf(const SeenFluid& seen, const VolumeGeometry& geometry, CutShapes shapes) {
     auto [finding, flatSample] = judged(seen);
     if (finding.answer == NearCutAnswer::wallBeforeFluid) {

@@ -39,6 +39,11 @@ struct NearCutFinding {
     std::string message{};              ///< a sentence that says the answer
 };
 
+/// Whether a program may make a front from the finding without asking: a sure wall before fluid.
+[[nodiscard]] bool makesFront(const NearCutFinding& finding);
+/// A view behind the front of the finding, bowed if a bowed one was found; the view itself unless makesFront().
+[[nodiscard]] Viewpoint behindFound(Viewpoint view, const NearCutFinding& finding);
+
 /// Looks along a view for large dark regions with a wall before and behind them. It stays within the view's box and
 /// ignores the view's cuts. The volume's resolution hardly changes the answer, because the size of the cells that the
 /// search reads is a share of the data's extent. The answer has the same bits for any number of threads. The result is

@@ -6,7 +6,6 @@
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/document/opening_finds.h"
-#include "processing/near_cut/near_cut.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "processing/ray_caster/ray_caster.h"
 
@@ -36,7 +35,7 @@ std::optional<Picture> coarsePicture(const Document& before, std::size_t pane, c
                                      int height, const Progress& progress) {
     const Progress silent{{}, progress.cancel};
     const Volume& volume = *coarse.voxels;
-    const auto finds = findOnOpening(volume, silent, {}, &findFlatNearCut);
+    const auto finds = findOnOpening(volume, silent);
     if (!finds) return std::nullopt;
     const Document document =
         openedDocuments(before, {.box = volume.dataBox(), .finds = finds}, static_cast<double>(width) / height).found;

@@ -9,26 +9,27 @@ namespace echolucent {
 namespace {
 
 struct SideWords {
-    std::string_view name, word;
+    std::string_view name, word, label;
 };
 using WordsOfSides = std::array<SideWords, std::tuple_size_v<Sides>>;
 
-constexpr SideWords fromProbeWords{"From the probe", "probe"}, fromBehindWords{"From behind", "behind"};
+constexpr SideWords fromProbeWords{"From the probe", "probe", "1 Probe"},
+    fromBehindWords{"From behind", "behind", "2 Behind"};
 constexpr WordsOfSides byPlanes{fromProbeWords,
                                 fromBehindWords,
-                                SideWords{"Onto the scan plane", "onto"},
-                                SideWords{"Onto the back of the scan plane", "onto-back"},
-                                SideWords{"Along the scan plane, from the left", "along-left"},
-                                SideWords{"Along the scan plane, from the right", "along-right"}};
+                                SideWords{"Onto the scan plane", "onto", "3 Onto plane"},
+                                SideWords{"Onto the back of the scan plane", "onto-back", "4 Onto back"},
+                                SideWords{"Along the scan plane, from the left", "along-left", "5 From left"},
+                                SideWords{"Along the scan plane, from the right", "along-right", "6 From right"}};
 constexpr WordsOfSides acrossBeam{fromProbeWords,
                                   fromBehindWords,
-                                  SideWords{"Across the beam, 1", "across-1"},
-                                  SideWords{"Across the beam, 2", "across-2"},
-                                  SideWords{"Across the beam, 3", "across-3"},
-                                  SideWords{"Across the beam, 4", "across-4"}};
-constexpr WordsOfSides numbered{SideWords{"Side 1", "side-1"}, SideWords{"Side 2", "side-2"},
-                                SideWords{"Side 3", "side-3"}, SideWords{"Side 4", "side-4"},
-                                SideWords{"Side 5", "side-5"}, SideWords{"Side 6", "side-6"}};
+                                  SideWords{"Across the beam, 1", "across-1", "3 Across beam"},
+                                  SideWords{"Across the beam, 2", "across-2", "4 Across beam"},
+                                  SideWords{"Across the beam, 3", "across-3", "5 Across beam"},
+                                  SideWords{"Across the beam, 4", "across-4", "6 Across beam"}};
+constexpr WordsOfSides numbered{SideWords{"Side 1", "side-1", "Side 1"}, SideWords{"Side 2", "side-2", "Side 2"},
+                                SideWords{"Side 3", "side-3", "Side 3"}, SideWords{"Side 4", "side-4", "Side 4"},
+                                SideWords{"Side 5", "side-5", "Side 5"}, SideWords{"Side 6", "side-6", "Side 6"}};
 
 }  // namespace
 
@@ -51,7 +52,7 @@ Sides sidesOf(const Viewpoint& fromProbe, bool beamSure, const ScanPlanes& plane
     const WordsOfSides& words = !beamSure ? numbered : planes.sure ? byPlanes : acrossBeam;
     Sides sides;
     for (std::size_t i = 0; i < sides.size(); ++i)
-        sides[i] = {static_cast<int>(i) + 1, words[i].name, words[i].word, views[i]};
+        sides[i] = {static_cast<int>(i) + 1, words[i].name, words[i].word, words[i].label, views[i]};
     return sides;
 }
 

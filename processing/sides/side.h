@@ -14,10 +14,11 @@ namespace echolucent {
 
 /// One of the six sides of a scan.
 struct Side {
-    int number = 1;         ///< 1 to 6, the place in the fixed order of sidesOf()
-    std::string_view name;  ///< for a person, sentence case: "Onto the scan plane"; lasts for ever
-    std::string_view word;  ///< for a command line: "onto"; lasts for ever
-    Viewpoint view{};       ///< along the side, uncut
+    int number = 1;          ///< 1 to 6, the place in the fixed order of sidesOf()
+    std::string_view name;   ///< for a person, sentence case: "Onto the scan plane"; lasts for ever
+    std::string_view word;   ///< for a command line: "onto"; lasts for ever
+    std::string_view label;  ///< for a person, if there is little room: "3 Onto plane"; lasts for ever
+    Viewpoint view{};        ///< along the side, uncut
     friend bool operator==(const Side&, const Side&) = default;
 };
 

@@ -80,7 +80,7 @@ bool isTrusted(const SeenFluid& seen, const NearCutFinding& front, bool alongBea
 std::vector<int> firstShownSamples(const SeenFluid& seen, const VolumeGeometry& geometry, const NearCutFinding& front) {
     const TubeEcho& tubes = seen.tubes;
     std::vector<int> first(tubes.tubes());
-    if (!front.sure || front.answer != NearCutAnswer::wallBeforeFluid) return first;
+    if (!makesFront(front)) return first;
     const double flatMm = geometry.depthsAlong(tubes.frame.forward).nearest + front.nearCutMm;
     for (std::size_t tube = 0; tube < first.size(); ++tube) {
         const auto columns = static_cast<std::size_t>(tubes.columns);

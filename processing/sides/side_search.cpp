@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "processing/near_cut/bright_face.h"
 #include "processing/near_cut/seen_fluid.h"
 #include "processing/parallel.h"
 #include "processing/sides/grain.h"
@@ -61,10 +62,6 @@ std::string sentenceOf(const SidesFinding& finding) {
 
 }  // namespace
 
-bool hasFront(const JudgedSide& judged) {
-    return judged.front.sure && judged.front.answer == NearCutAnswer::wallBeforeFluid;
-}
-
 std::optional<SidesFinding> findSides(const Volume& volume, const Viewpoint& fromProbe, bool beamSure, CutShapes shapes,
                                       const Progress& progress) {
     const auto grain = grainMm(volume, progress);
@@ -85,6 +82,8 @@ std::optional<SidesFinding> findSides(const Volume& volume, const Viewpoint& fro
         const SeenFluid seen = seenFluid(*echo, geometry, sides[i].view);
         judged.front = nearCutOf(seen, geometry, shapes);
         judged.score = scoreOf(seen, geometry, judged.front, beamSure && i == probeSide, fineness[i]);
+        judged.exposure =
+            exposureFor(faceIntensity(volume, behindFound(judged.side.view, judged.front), progress).value_or(0.0));
     });
     if (progress.cancelled()) return std::nullopt;
     finding.best = bestOf(finding);

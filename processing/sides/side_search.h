@@ -19,12 +19,10 @@ namespace echolucent {
 /// A side with what was found for it.
 struct JudgedSide {
     Side side{};
-    NearCutFinding front{};  ///< searched for along the side; if it is not sure, the side has no front
+    NearCutFinding front{};  ///< searched for along the side; the side has one without asking if makesFront()
     SideScore score{};
+    double exposure = 1.0;  ///< exposureFor() of the face that the side shows behind its front
 };
-
-/// Whether a side has a front without asking: a wall before fluid, and a sure search.
-[[nodiscard]] bool hasFront(const JudgedSide& judged);
 
 /// The six sides of a scan, and which one comes first (docs/sides.md).
 struct SidesFinding {

@@ -17,7 +17,10 @@ namespace echolucent {
 
 class SessionFixture : public WindowFixture {
 public:
-    SessionFixture() : m_small(smallPhantom(PhantomScene::shapes, 5)) { lookAtNoPicture(); }
+    SessionFixture() : m_small(smallPhantom(PhantomScene::shapes, 5)) {
+        lookAtNoPicture();
+        lookAlongAssumedBeam();
+    }
 
     /// A window that shows studyFile(), "heart.mha" unless another name is given.
     void begin(const QString& name = QStringLiteral("heart.mha")) {

@@ -21,6 +21,7 @@ class TestMainWindowHistory : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAlongAssumedBeam();
         lookAtNoPicture();
         QLocale::setDefault(QLocale::c());
         m_file = file("heart.mha", {smallPhantom(PhantomScene::shapes, 5)});

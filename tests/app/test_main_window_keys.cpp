@@ -29,6 +29,7 @@ class TestMainWindowKeys : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAlongAssumedBeam();
         lookAtNoPicture();
         teach();
         m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});

@@ -32,6 +32,7 @@ class TestMainWindowNearCut : public QObject {
 
 private slots:
     void initTestCase() {
+        m_fixture.lookAlongAssumedBeam();
         QLocale::setDefault(QLocale::c());
         m_fixture.lookAtNoPicture();
         m_file = m_fixture.file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});

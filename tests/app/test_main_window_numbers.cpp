@@ -25,6 +25,7 @@ class TestMainWindowNumbers : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAlongAssumedBeam();
         lookAtNoPicture();
         m_file = file("heart.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }

@@ -53,7 +53,7 @@ private slots:
         QVERIFY(!window().volumeView().caption().contains("probe"));
     }
 
-    void theViewFromTheProbeThatTheFileStatesIsTheDefaultOne() {
+    void theViewFromTheProbeThatTheFileStatesIsThatOfSide1() {
         const ViewFrame stated = frameOf({BeamAxis::minusY, 15, -20, 40});
         const std::string path = temporaryFolder().filePath("leaning.dcm").toStdString();
         EnhancedUsDetails details;
@@ -63,6 +63,8 @@ private slots:
         open(QString::fromStdString(path));
         QCOMPARE(document().beam.source, BeamSource::file);
         QCOMPARE(document().beam.axis, BeamAxis::minusY);
+        QTest::keyClick(&window(), Qt::Key_1, Qt::ControlModifier);
+        waitUntilIdle();
         const auto looksAlong = [this] { return frameOf(viewpointOf(document())); };
         QVERIFY(length(looksAlong().forward - stated.forward) < 1e-6);
         QVERIFY(length(looksAlong().right - stated.right) < 1e-6);  // the marker's side is at the right of the picture

@@ -19,6 +19,7 @@ class TestMainWindowUndo : public QObject, private WindowFixture {
 
 private slots:
     void initTestCase() {
+        lookAlongAssumedBeam();
         QLocale::setDefault(QLocale::c());
         m_file = file("shapes.mha", {smallPhantom(PhantomScene::shapes, 5)});
         m_moving =

@@ -16,7 +16,7 @@ namespace echolucent {
 namespace {
 
 nlohmann::json designOf(const std::string& arguments) {
-    const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" --json - " + arguments);
+    const Outcome outcome = runProgram("otf \"" + shapesFile() + "\" --side 1 --json - " + arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return nlohmann::json::parse(outcome.output);
 }

@@ -157,7 +157,7 @@ TEST(OtfJson, SaysWhereTheBeamIsFrom) {
 }
 
 TEST(OtfJson, HoldsVolumeViewParametersTubesAndCurve) {
-    const json otf = otfOf(shapesFile());
+    const json otf = otfOf(shapesFile(), "--side 1");
     EXPECT_EQ(otf["message"], "");
     EXPECT_EQ(otf["volume"]["size"], (json{110, 100, 120}));
     EXPECT_EQ(otf["volume"]["spacing_mm"], (json{0.5, 0.5, 0.5}));

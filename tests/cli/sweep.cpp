@@ -44,7 +44,8 @@ std::string quoted(const std::string& path) {
 std::string movingFile() { return phantomFile("moving.mha", "--size 56 --phases 3 --seed 4"); }
 
 TEST(SweepCsv, HoldsAFrameARowWithTheOtfOfItsView) {
-    const auto rows = sweptRows(quoted(shapesFile()) + " --axis x --from -10 --to 10 --step 5 --smoothing none");
+    const auto rows =
+        sweptRows(quoted(shapesFile()) + " --beam-axis +z --axis x --from -10 --to 10 --step 5 --smoothing none");
     ASSERT_EQ(rows.size(), 6u);
     ASSERT_EQ(rows[0].size(), 5u + 256);
     EXPECT_EQ(rows[0][0], "frame");

@@ -38,18 +38,6 @@ QToolButton* createSwitch(const QString& text, const QString& name, const QStrin
     return button;
 }
 
-QString sideText(BoxSide side) {
-    switch (side) {
-        case BoxSide::top: return RoomPanel::tr("Top");
-        case BoxSide::bottom: return RoomPanel::tr("Bottom");
-        case BoxSide::left: return RoomPanel::tr("Left");
-        case BoxSide::right: return RoomPanel::tr("Right");
-        case BoxSide::near: return RoomPanel::tr("Near");
-        case BoxSide::far: return RoomPanel::tr("Far");
-    }
-    return {};
-}
-
 QString scalpelToolText(ScalpelTool tool) {
     switch (tool) {
         case ScalpelTool::freehand: return RoomPanel::tr("Freehand");
@@ -145,29 +133,9 @@ QGroupBox* RoomPanel::createBox() {
         showBox();
     });
     column->addWidget(m_box);
-    addFronts(*column);
     addSizes(*column);
     addSlab(*column);
     return group;
-}
-
-void RoomPanel::addFronts(QVBoxLayout& column) {
-    column.addWidget(secondaryLabel(tr("Look in from (Ctrl + 1 to 6)")));
-    auto* grid = new QGridLayout;
-    for (const BoxSide side : allBoxSides) {
-        const auto index = static_cast<std::size_t>(side);
-        const QString name = textOf(nameOf(side));
-        auto* button =
-            createSwitch(sideText(side), "room.front." + name, tr("Look in from the side: %1").arg(sideText(side)),
-                         tr("The picture looks in from this side of the box"));
-        connect(button, &QToolButton::clicked, this, [this, side] {
-            emit frontChosen(side);
-            showBox();
-        });
-        m_fronts[index] = button;
-        grid->addWidget(button, static_cast<int>(index) / 3, static_cast<int>(index) % 3);
-    }
-    column.addLayout(grid);
 }
 
 void RoomPanel::addSizes(QVBoxLayout& column) {
@@ -280,8 +248,6 @@ void RoomPanel::showBox() {
     const Box& box = m_document.document().scene.box;
     const QSignalBlocker on(m_box);
     m_box->setChecked(box.on);
-    for (const BoxSide side : allBoxSides)
-        m_fronts[static_cast<std::size_t>(side)]->setChecked(box.on && side == box.side);
     for (std::size_t i = 0; i < m_sizes.size(); ++i) {
         const QSignalBlocker blocker(m_sizes[i]);
         m_sizes[i]->setValue(box.sizeMm[static_cast<int>(i)]);

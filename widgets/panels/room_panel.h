@@ -26,7 +26,7 @@ struct ScalpelSettings {
 };
 
 /// Objects: room.quiet, room.linesIn3d, room.turnsView, room.window (+ .value), room.level (+ .value),
-/// room.resetPlanes; room.box, room.front.top … room.front.far, room.width, room.depth, room.height, room.wholeBox,
+/// room.resetPlanes; room.box, room.width, room.depth, room.height, room.wholeBox,
 /// room.slab.thickness, room.slab.a, .b, .c; room.scalpel.freehand … .eraser, room.scalpel.inside, .outside,
 /// room.scalpel.size, .limited, .limit, room.scalpel.strokes, .takeBack, .takeAllBack. The panel shows the document. It
 /// changes the planes itself, but for their reset, and asks for all other changes. No setter emits a signal.
@@ -45,7 +45,6 @@ public:
 signals:
     void planesResetRequested();
     void boxSwitched(bool on);
-    void frontChosen(echolucent::BoxSide front);
     /// Axis 0 goes from left to right, 1 from far to near, 2 from top to bottom. In mm.
     void boxSizeChanged(int axis, double mm);
     void wholeBoxRequested();
@@ -58,7 +57,6 @@ private:
     QGroupBox* createPlanes();
     QGroupBox* createBox();
     QGroupBox* createScalpel();
-    void addFronts(QVBoxLayout& column);
     void addSizes(QVBoxLayout& column);
     void addSlab(QVBoxLayout& column);
     void addTools(QVBoxLayout& column);
@@ -69,7 +67,6 @@ private:
 
     DocumentModel& m_document;
     QCheckBox* m_box = nullptr;
-    std::array<QAbstractButton*, 6> m_fronts{};
     std::array<QDoubleSpinBox*, 3> m_sizes{};
     QDoubleSpinBox* m_slab = nullptr;
     std::array<QAbstractButton*, 4> m_tools{};

@@ -15,7 +15,6 @@ namespace echolucent {
 /// The box and the front of a scene. Either may be missing. The box limits, the front begins.
 struct BoxScene {
     std::optional<OrientedBox> box{};
-    BoxFace side{2, -1};                ///< the box's face through which one looks in
     std::optional<CutSurface> front{};  ///< a flat one too
     double leastMm = 1.0;               ///< least thickness of the box, > 0
     friend bool operator==(const BoxScene&, const BoxScene&) = default;

@@ -91,7 +91,7 @@ void PlanePane::paintLines(QPainter& painter) const {
     painter.drawEllipse(centre, referenceRadius, referenceRadius);
 }
 
-/// Draws the box, the face through which one looks in thicker, then the front's line and the grips.
+/// Draws the box, then the front's line and the grips.
 void PlanePane::paintBox(QPainter& painter) const {
     const BoxDrawing& shown = drawing();
     painter.setBrush(Qt::NoBrush);
@@ -104,8 +104,7 @@ void PlanePane::paintBox(QPainter& painter) const {
     const qsizetype count = shown.outline.size();
     for (qsizetype i = 0; i < count; ++i) {
         const QPolygonF edge({shown.outline[i], shown.outline[(i + 1) % count]});
-        const bool side = shown.faces[static_cast<std::size_t>(i)] == m_scene->box.side;
-        paintLine(edge, boxColour(), side ? 3.0 : 1.5, Qt::SolidLine);
+        paintLine(edge, boxColour(), 1.5, Qt::SolidLine);
     }
     if (!shown.frontLine.isEmpty()) paintLine(shown.frontLine, frontColour(), 2.0, Qt::DashLine);
     for (const BoxGrip& grip : shown.grips) paintGrip(painter, grip);

@@ -86,6 +86,15 @@ Result<Study> studyOf(Document& document, const std::string& path, const VolumeO
                 "Give the volume on the command line.");
 }
 
+/// Fails if the scan has no side of the name that was said. Says which names it has.
+Result<void> requireSide(const std::string& said, const OpeningFinds& finds) {
+    if (said.empty() || finds.place) return {};
+    std::string words;
+    for (const JudgedSide& judged : finds.sides->sides)
+        words += fmt::format("{}{}", words.empty() ? "" : ", ", judged.side.word);
+    return wrongUsage("--side", "is \"" + said + "\"", "This scan has the sides " + words + ", or 1 to 6.");
+}
+
 /// Fails if there is clearly no document at the path (readDocumentStudy()).
 Result<void> requireDocument(const std::string& path, const std::string& remedy) {
     std::error_code error;
@@ -161,9 +170,10 @@ Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& 
     const Volume& first = *read->study.phases.front();
 
     const auto begin = std::chrono::steady_clock::now();
-    OpeningFinds finds = *findOnOpening(first, {}, view.said(), &findFlatNearCut);
+    OpeningFinds finds = *findOnOpening(first, {}, view.said());
+    if (const auto there = requireSide(view.side, finds); !there) return tl::unexpected<Failure>(there.error());
     if (view.nearCutSuggested() && !finds.cut)
-        finds.cut = findFlatNearCut(first, viewpointOf(finds.beam.axis, finds.side.value_or(finds.lean)), {});
+        finds.cut = findFlatNearCut(first, viewpointOf(finds.beam.axis, finds.side), {});
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
 
     Document fresh;

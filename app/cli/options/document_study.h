@@ -56,8 +56,8 @@ constexpr const char* giveVolumeAlone = "Name a session that the window saved, o
 /// Opens the study of `volume`. Its document is the one with which the window begins if its settings are fresh, for a
 /// picture of width / height `aspect`. `look` replaces the look. The options of `view` replace what opening found: the
 /// beam, the side from which the scan is looked into and seen, and the front. The document shows the phase of `volume`
-/// and has its OTF computed of that phase. Fails as ViewOptions::get() and VolumeOptions::readAll() do, and if the
-/// front leaves nothing (leavesSomething()).
+/// and has its OTF computed of that phase. Fails as ViewOptions::get() and VolumeOptions::readAll() do, if the scan has
+/// no side of that name, and if the front leaves nothing (leavesSomething()).
 [[nodiscard]] Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& view, const Look& look,
                                               const std::vector<std::string>& outputs, double aspect);
 

@@ -30,6 +30,13 @@ void ViewOptions::addTo(CLI::App& command, ViewOf of) {
             .add_option("--view-elevation", view.elevationDegrees, "Turn of the view about the grid's x axis, degrees")
             ->type_name("DEG")
             ->capture_default_str();
+    if (of == ViewOf::openedStudy)
+        command
+            .add_option("--side", side,
+                        "Side from which the scan is looked into: probe, behind, onto, onto-back, along-left, "
+                        "along-right (across-1 to -4 or side-1 to -6, if planes or beam are not sure), or its number "
+                        "[the one that shows most]")
+            ->type_name("SIDE");
     const std::string cut = "Near cut: nothing nearer than this behind the foremost corner, mm";
     m_near = command
                  .add_option("--near", near,
@@ -56,6 +63,9 @@ Result<Viewpoint> ViewOptions::get() const {
         return wrongUsage("--beam-axis", "is \"" + beamAxis + "\"", "Use +x, -x, +y, -y, +z or -z.");
     if (!isAngle(view.azimuthDegrees) || !isAngle(view.elevationDegrees))
         return wrongUsage("--view-azimuth and --view-elevation", mustBeAngles);
+    if (!side.empty() && isTurned())
+        return wrongUsage("--side", "stands beside a turn of the view: both say from where the scan is looked into",
+                          "Give one of them.");
     Viewpoint chosen = view;
     chosen.beamAxis = beam().axis;
     if (!isGiven(m_near) || nearCutSuggested()) return chosen;
@@ -73,8 +83,8 @@ Result<Viewpoint> ViewOptions::getOfSimulatedScan() const {
 }
 
 SaidOnOpening ViewOptions::said() const {
-    SaidOnOpening said{.beam = axisNamed(beamAxis), .front = isGiven(m_near) && !nearCutSuggested()};
-    if (isTurned()) said.side = ViewDirection{view.azimuthDegrees, view.elevationDegrees};
+    SaidOnOpening said{.beam = axisNamed(beamAxis), .side = side, .front = isGiven(m_near) && !nearCutSuggested()};
+    if (isTurned()) said.direction = ViewDirection{view.azimuthDegrees, view.elevationDegrees};
     return said;
 }
 

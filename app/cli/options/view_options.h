@@ -1,4 +1,4 @@
-// The options of commands that look at a volume: beam, view, near cut.
+// The options of commands that look at a volume: beam, side, view, near cut.
 #pragma once
 
 #include <optional>
@@ -32,15 +32,17 @@ enum class ViewOf {
     simulatedScan,  ///< a scan that the command simulates: beam and front are known, nothing is guessed
 };
 
-/// --beam-axis, --view-azimuth, --view-elevation, --near.
+/// --beam-axis, --view-azimuth, --view-elevation, --near; of a study that is opened also --side.
 struct ViewOptions {
     Viewpoint view;
     std::string beamAxis;  ///< text of --beam-axis; empty if it is not given
     std::string near;      ///< text of --near; empty if it is not given
+    std::string side;      ///< text of --side; empty if it is not given
     /// Adds the options to a command. This object must not move until get() is called.
     void addTo(CLI::App& command, ViewOf of = ViewOf::file);
     [[nodiscard]] bool nearCutSuggested() const { return near == "auto"; }
-    /// The view. It has a cut only if --near says how deep. Fails (wrong usage) if an option is out of range.
+    /// The view. It has a cut only if --near says how deep. Fails (wrong usage) if an option is out of range, or if
+    /// --side stands beside a turn of the view.
     [[nodiscard]] Result<Viewpoint> get() const;
     /// get() for a simulated scan. Fails (wrong usage) also if --near is auto.
     [[nodiscard]] Result<Viewpoint> getOfSimulatedScan() const;

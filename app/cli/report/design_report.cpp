@@ -71,6 +71,7 @@ std::string jsonReport(const Volume& volume, const DesignRun& run, const OtfCont
     report["view"] = {{"beam_axis", echolucent::nameOf(run.view.beamAxis)},
                       {"azimuth", run.view.azimuthDegrees},
                       {"elevation", run.view.elevationDegrees},
+                      {"front_bowed", run.view.cutSurface.has_value()},
                       {"near_mm", frontDepthMm(run.view)},
                       {"front_forward", frontForwardJson(run.view)}};
     report["beam"] = {{"axis", echolucent::nameOf(beam.axis)},

@@ -20,7 +20,12 @@ const ImportFact* factNamed(const Study& study, const std::string& name) {
 }
 
 std::string sideText(const OpeningFinds& finds) {
-    if (finds.side) return {};
+    if (finds.sides) {
+        const JudgedSide& taken = finds.sides->sides[*finds.place];
+        if (finds.source == SideSource::found && *finds.place == finds.sides->best) return finds.sides->sentence;
+        return fmt::format("The scan is looked into from side {}, \"{}\".", taken.side.number, taken.side.name);
+    }
+    if (finds.source == SideSource::person) return {};
     const ViewDirection& lean = finds.lean;
     if (lean == ViewDirection{}) return "The scan is looked into along the beam.";
     return fmt::format(
@@ -30,7 +35,7 @@ std::string sideText(const OpeningFinds& finds) {
 
 bool isFrontTaken(const DocumentStudy& opened) {
     const Front& front = opened.document.scene.front;
-    return front.source == FrontSource::found && front.depthMm > 0.0;
+    return front.source == FrontSource::found && cuts(front);
 }
 
 std::string exposureText(const OpeningFinds& finds) {
@@ -51,6 +56,22 @@ Json directionJson(const ViewDirection& direction) {
     return {{"azimuth", direction.azimuth}, {"elevation", direction.elevation}, {"roll", direction.roll}};
 }
 
+/// The six sides, and which one was taken; null if none was looked for.
+Json sidesJson(const OpeningFinds& finds) {
+    if (!finds.sides) return nullptr;
+    Json sides = Json::array();
+    for (std::size_t i = 0; i < finds.sides->sides.size(); ++i) {
+        const JudgedSide& judged = finds.sides->sides[i];
+        sides.push_back({{"number", judged.side.number},
+                         {"side", judged.side.word},
+                         {"name", judged.side.name},
+                         {"score", judged.score.total},
+                         {"front_mm", makesFront(judged.front) ? Json(judged.front.nearCutMm) : Json()},
+                         {"taken", i == *finds.place}});
+    }
+    return {{"source", nameOf(finds.source)}, {"list", sides}};
+}
+
 /// What was found on opening; null if the document was read from a file.
 Json findsJson(const DocumentStudy& opened) {
     if (!opened.finds) return nullptr;
@@ -62,12 +83,14 @@ Json findsJson(const DocumentStudy& opened) {
                      {"confidence", beam.confidence ? Json(*beam.confidence) : Json()},
                      {"lean", directionJson(opened.document.beam.lean)}};
     found["side"] = directionJson(scene.side);
+    found["sides"] = sidesJson(*opened.finds);
     found["front"] = nullptr;
     if (const auto& cut = opened.finds->cut)
         found["front"] = {{"answer", nameOf(cut->answer)},
                           {"depth_mm", cut->nearCutMm},
                           {"confidence", cut->confidence},
                           {"sure", cut->sure},
+                          {"bowed", scene.front.surface.has_value()},
                           {"taken", isFrontTaken(opened)}};
     found["exposure"] = scene.exposure;
     found["reduction"] = nameOf(scene.look.reduction);

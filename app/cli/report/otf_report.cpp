@@ -164,6 +164,7 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfCo
                       {"beam_axis", echolucent::nameOf(otf.view.beamAxis)},
                       {"azimuth", otf.view.azimuthDegrees},
                       {"elevation", otf.view.elevationDegrees},
+                      {"front_bowed", otf.view.cutSurface.has_value()},
                       {"near_mm", frontDepthMm(otf.view)},
                       {"front_forward", frontForwardJson(otf.view)}};
     report["beam"] = {

@@ -46,11 +46,9 @@ std::vector<SampledCurve> shownOf(std::span<const SweptOtf> frames) {
 std::string sweepJson(const SweepReport& report) {
     Json json;
     json["made_of"] = report.madeOf;
-    json["view"] = {{"beam_axis", nameOf(report.start.beamAxis)},
-                    {"azimuth", report.start.azimuthDegrees},
-                    {"elevation", report.start.elevationDegrees},
-                    {"near_mm", frontDepthMm(report.start)},
-                    {"front_forward", frontForwardJson(report.start)}};
+    json["view"] = {{"beam_axis", nameOf(report.start.beamAxis)}, {"azimuth", report.start.azimuthDegrees},
+                    {"elevation", report.start.elevationDegrees}, {"front_bowed", report.start.cutSurface.has_value()},
+                    {"near_mm", frontDepthMm(report.start)},      {"front_forward", frontForwardJson(report.start)}};
     json["motion"] = {{"axis", nameOf(report.motion.axis)},
                       {"probe", movesProbe(report.motion.scenario) ? "moving" : "still"},
                       {"object", movesObject(report.motion.scenario) ? "moving" : "still"}};

@@ -21,6 +21,7 @@
 #include "processing/beam/beam_guess.h"
 #include "processing/beam/probe_view.h"
 #include "processing/document/document.h"
+#include "processing/document/side_taking.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "processing/pane_picture/small_picture.h"
 #include "processing/picture/picture.h"
@@ -54,14 +55,8 @@ constexpr std::array listedPhantoms{ListedPhantom{"fetus", PhantomScene::fetus, 
 /// The document that shows a side with its own front, and nothing else of its own.
 Document documentOf(const ProbedScan& scan, const JudgedSide& judged) {
     Document document;
-    const Viewpoint& view = judged.side.view;
-    document.beam.axis = view.beamAxis;
-    document.scene.side = directionOf(view);
-    if (hasFront(judged) && !judged.front.surface)
-        document.scene.front = frontAcross(document.scene.side, judged.front.nearCutMm);
-    if (hasFront(judged)) document.scene.front.surface = judged.front.surface;
-    document.scene.pose = wholeVolumePose(scan.volume->dataBox(), view, document.scene.look.projection, 1.0);
-    return document;
+    document.beam.axis = judged.side.view.beamAxis;
+    return withSideTaken(document, judged, scan.volume->dataBox(), 1.0);
 }
 
 /// The pictures of all sides, side by side.
@@ -85,7 +80,8 @@ std::string rowOf(const JudgedSide& judged, bool best) {
     return fmt::format(
         "{} {:<38}{:<19}{:>8}{:>7.2f}{:>6.0f} %{:>7.3f}{:>7.2f}{:>9.2f}{:>7.2f}{:>7.2f}{:>7.2f}{:>7.2f}{:>10.5f}{}\n",
         judged.side.number, judged.side.name, nameOf(judged.front.answer),
-        hasFront(judged) ? fmt::format("{:.1f}{}", judged.front.nearCutMm, judged.front.surface ? "~" : "") : "-",
+        makesFront(judged.front) ? fmt::format("{:.1f}{}", judged.front.nearCutMm, judged.front.surface ? "~" : "")
+                                 : "-",
         judged.front.confidence, 100.0 * score.opened, score.area, score.depth, score.contrast, score.wholeness,
         score.shown, score.fineness.resolution, score.fineness.plane, score.total, best ? "  first" : "");
 }
@@ -147,7 +143,7 @@ private:
     Result<StudyFindings> measure() override {
         StudyFindings findings;
         CsvTable csv({"scan", "side", "name", "answer", "front_mm", "confidence", "opened", "area", "depth", "contrast",
-                      "wholeness", "shown", "resolution", "plane", "score", "first"});
+                      "wholeness", "shown", "resolution", "plane", "score", "exposure", "first"});
         std::size_t scans = 0;
         const CutShapes shapes = m_bowed ? CutShapes::flatAndCurved : CutShapes::flat;
         const auto add = [&](const ProbedScan& scan) {
@@ -158,10 +154,10 @@ private:
             std::ranges::sort(times);
             findings.summary += tableOf(scan, *found, times[1]);
             for (std::size_t i = 0; i < found->sides.size(); ++i) {
-                const auto& [side, front, score] = found->sides[i];
+                const auto& [side, front, score, exposure] = found->sides[i];
                 csv.row({scan.name, side.number, side.name, nameOf(front.answer), front.nearCutMm, front.confidence,
                          score.opened, score.area, score.depth, score.contrast, score.wholeness, score.shown,
-                         score.fineness.resolution, score.fineness.plane, score.total,
+                         score.fineness.resolution, score.fineness.plane, score.total, exposure,
                          static_cast<int>(i == found->best)});
             }
             if (!folder.empty()) findings.files.emplace_back(pictureName(scans), stripOf(scan, *found, m_edge));

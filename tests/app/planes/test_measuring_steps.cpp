@@ -280,7 +280,6 @@ private slots:
         openPoints();
         key(Qt::Key_F2);
         key(Qt::Key_B);
-        QTest::keyClick(&window(), Qt::Key_1, Qt::ControlModifier);
         waitUntilIdle();
         const QPoint mark = seenIn3d(placed().centreMm);
         const auto cursorAt = [&](const QPoint& to) {

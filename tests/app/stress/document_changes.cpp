@@ -102,10 +102,6 @@ void changeBox(Document& document, const StudyBounds& bounds, RandomChoice& choi
         box.on = !box.on && box.sizeMm[0] > 0;
         return;
     }
-    if (choice.chance(0.3)) {
-        box.side = choice.of(allBoxSides);
-        return;
-    }
     box.on = true;
     box.direction = anyDirection(choice);
     box.centreMm = placeIn(bounds.box, choice);

@@ -181,7 +181,6 @@ INSTANTIATE_TEST_SUITE_P(
         WrongPlace{"/looks/0/mode", 1, "looks[0].mode", "must not be 1"},
         WrongPlace{"/phases/0/phase", -1, "phases[0].phase", "0 to"},
         WrongPlace{"/motion/angle", 46, "motion.angle", "-45 to 45"},
-        WrongPlace{"/boxes/1/front", "front", "boxes[1].front", "must not be \"front\""},
         WrongPlace{"/boxes/1/size_mm", {1, 0, 1}, "boxes[1]", "has a size that is not above 0"},
         WrongPlace{"/planes/0/window", 0, "planes[0].window", "to 4"},
         WrongPlace{"/strokes/1/strokes/1/places", {{1, 2}, {3, 4}}, "strokes[1].strokes[1]", "fewer than three places"},

@@ -63,7 +63,7 @@ inline Document unusualDocument() {
     scene.look.step = 2.0 / 3.0;
     scene.phase = 3;
     scene.motionAngle = -17;
-    scene.box = {true, {1.0 / 3.0, -2.5, 77}, {0.1, -1e-7, 1e9}, {1.0 / 7.0, 2, 3e-3}, BoxSide::far};
+    scene.box = {true, {1.0 / 3.0, -2.5, 77}, {0.1, -1e-7, 1e9}, {1.0 / 7.0, 2, 3e-3}};
     scene.planes = Planes{.direction = {-170.1, 12.0 / 7.0, 0.3},
                           .offsetMm = {0.1, 0.2, -0.3},
                           .crops = {{{1, 2, 3}, {-0.1, 0.7, 1.0 / 9.0}, {}}},

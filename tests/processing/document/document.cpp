@@ -132,7 +132,7 @@ TEST(Document, AnotherStudyKeepsWhatIsNoMatterOfTheStudy) {
     before.scene.side.azimuth = 33;
     before.method.config.grid.withoutTubes = {3, 4};
     before.motion = {.axis = MotionAxis::x, .otf = MotionOtf::mean};  // of an older document
-    before.scene.box = {.on = true, .sizeMm = {3, 4, 5}, .side = BoxSide::left};
+    before.scene.box = {.on = true, .sizeMm = {3, 4, 5}};
     before.scene.planes = {
         .direction = {1, 2, 3}, .offsetMm = {4, 5, 6}, .window = 0.5, .linesIn3d = true, .turnsView = true};
     before.scene.strokes = {ScalpelStroke{.tool = ScalpelTool::eraser, .places = {{0, 0}}, .radius = 1}};

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "processing/document/side_taking.h"
+#include "processing/volume/coarse_grid.h"
+#include "tests/processing/sides/hill.h"
+
 namespace echolucent {
 namespace {
 
@@ -26,7 +30,7 @@ TEST(OpeningFinds, SureOnesAreTaken) {
 TEST(OpeningFinds, WhatIsNotSureStaysAsItIs) {
     OpeningFinds unsure = finds();
     unsure.beam.sure = false;
-    EXPECT_EQ(withFinds({}, unsure), Document{}) << "without a sure beam nobody knows along what to cut";
+    EXPECT_EQ(withFinds({}, unsure).beam, Beam{});
     unsure = finds();
     unsure.cut->sure = false;
     EXPECT_EQ(withFinds({}, unsure).scene.front, Front{});
@@ -42,7 +46,8 @@ TEST(OpeningFinds, AVolumeOfOneValueHasNone) {
     const Volume even(geometry, Voxels(std::vector<std::uint8_t>(20 * 21 * 22, 90)));
     const auto found = findOnOpening(even);
     ASSERT_TRUE(found);
-    EXPECT_FALSE(found->cut) << "without a sure beam nothing is looked for";
+    EXPECT_EQ(found->place, probeSide) << "no side shows anything";
+    EXPECT_EQ(found->sides->sides[probeSide].side.name, "Side 1") << "nobody knows where the probe was";
     EXPECT_EQ(withFinds({}, *found), Document{});
 }
 
@@ -51,7 +56,9 @@ TEST(OpeningFinds, WhatAPersonSaidIsTakenAndNotLookedFor) {
     geometry.size = {20, 21, 22};
     const Volume even(geometry, Voxels(std::vector<std::uint8_t>(20 * 21 * 22, 90)));
     const ViewDirection side{.azimuth = 12};
-    const auto found = findOnOpening(even, {}, {.beam = BeamAxis::minusX, .side = side});
+    const auto found = findOnOpening(even, {}, {.beam = BeamAxis::minusX, .direction = side});
+    EXPECT_FALSE(found->sides);
+    EXPECT_EQ(found->source, SideSource::person);
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->cut) << "along the side";
     const Document document = withFinds({}, *found);
@@ -59,9 +66,81 @@ TEST(OpeningFinds, WhatAPersonSaidIsTakenAndNotLookedFor) {
     EXPECT_EQ(document.scene.side, side);
     EXPECT_FALSE(findOnOpening(even, {}, {.beam = BeamAxis::minusX, .front = true})->cut);
     // A side alone: the beam stays the assumed one.
-    const Document turned = withFinds({}, *findOnOpening(even, {}, {.side = side}));
+    const Document turned = withFinds({}, *findOnOpening(even, {}, {.direction = side}));
     EXPECT_EQ(turned.beam, Beam{});
     EXPECT_EQ(turned.scene.side, side);
+}
+
+/// A hill that only the side from the right shows, along x against its axis.
+const Volume& hill() {
+    static const Volume volume = hillSeenAlong({-1, 0, 0});
+    return volume;
+}
+
+TEST(OpeningFinds, TheSideThatShowsMostComesWithItsFront) {
+    const auto found = findOnOpening(hill());
+    ASSERT_TRUE(found && found->place);
+    EXPECT_EQ(*found->place, found->sides->best);
+    EXPECT_EQ(found->source, SideSource::found);
+    const JudgedSide& judged = found->sides->sides[*found->place];
+    const Document document = withFinds({}, *found);
+    EXPECT_EQ(frameOf(otfViewpointOf(document, firstPane)).forward, Vec3(-1, 0, 0));
+    EXPECT_EQ(document.scene.front.source, FrontSource::found);
+    EXPECT_TRUE(document.scene.front == frontOf(judged.side.view, judged.front));
+    EXPECT_TRUE(cuts(document.scene.front));
+    const OpenedDocuments opened =
+        openedDocuments({}, {.reference = SimulatedScan{}, .box = hill().dataBox(), .finds = found}, 1.0);
+    EXPECT_EQ(frameOf(viewpointOf(opened.found)).forward, Vec3(-1, 0, 0)) << "it is seen from there too";
+    Document taken = withSideTaken(opened.plain, judged, hill().dataBox(), 1.0);
+    taken.beam = opened.found.beam;
+    EXPECT_TRUE(taken == opened.found) << "a person who takes this side gets the same";
+}
+
+TEST(OpeningFinds, ASideThatAPersonSaidOrTookLastIsTaken) {
+    for (const char* word : {"5", "side-5"}) {
+        const auto said = findOnOpening(hill(), {}, {.side = word});
+        EXPECT_EQ(said->place, std::size_t{4}) << word;
+        EXPECT_EQ(said->source, SideSource::person);
+        EXPECT_EQ(said->side, directionOf(said->sides->sides[4].side.view));
+        EXPECT_EQ(said->cut->message, said->sides->sides[4].front.message) << "with its own front";
+    }
+    const auto unknown = findOnOpening(hill(), {}, {.side = "top"});
+    EXPECT_FALSE(unknown->place);
+    const auto remembered = findOnOpening(hill(), {}, {.sideOfKind = "side-2"});
+    EXPECT_EQ(remembered->place, std::size_t{1});
+    EXPECT_EQ(remembered->source, SideSource::remembered);
+    const auto other = findOnOpening(hill(), {}, {.sideOfKind = "onto"});
+    EXPECT_EQ(other->place, other->sides->best) << "this scan has no side of that name";
+    EXPECT_EQ(other->source, SideSource::found);
+    const auto both = findOnOpening(hill(), {}, {.side = "3", .front = true});
+    EXPECT_EQ(both->place, std::size_t{2});
+    EXPECT_FALSE(both->cut) << "the person chose the front too";
+    // A front or a beam that a person said belongs to the view from the probe.
+    EXPECT_FALSE(findOnOpening(hill(), {}, {.front = true})->sides);
+    const auto along = findOnOpening(hill(), {}, {.beam = BeamAxis::minusY});
+    EXPECT_FALSE(along->sides);
+    EXPECT_EQ(along->side, ViewDirection{});
+}
+
+TEST(OpeningFinds, TheCoarseVolumeOfALargeOneSaysTheSide) {
+    // 330 voxels along each edge; the hill's 64 lie in one of its corners, five times as large.
+    VolumeGeometry geometry;
+    geometry.size = {330, 330, 330};
+    geometry.spacing = Vec3(0.15, 0.15, 0.15);
+    std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()));
+    for (std::int64_t z = 0; z < 330; ++z)
+        for (std::int64_t y = 0; y < 330; ++y)
+            for (std::int64_t x = 0; x < 330; ++x) {
+                const auto near = [](std::int64_t at) { return std::min<std::int64_t>(at / 5, voxelsOfEdge - 1); };
+                voxels[static_cast<std::size_t>(geometry.offset(x, y, z))] =
+                    static_cast<std::uint8_t>(hill().storedValue(hill().geometry().offset(near(x), near(y), near(z))));
+            }
+    const Volume large(geometry, std::move(voxels));
+    const auto coarse = coarseVolumeOf(large);
+    ASSERT_TRUE(coarse);
+    const auto seenFirst = findOnOpening(*coarse->voxels), found = findOnOpening(large);
+    EXPECT_EQ(seenFirst->place, found->place);
+    EXPECT_EQ(frameOf(found->sides->sides[*found->place].side.view).forward, Vec3(-1, 0, 0));
 }
 
 TEST(OpenedDocuments, AreSeenWholeFromTheirSideWithAndWithoutTheFinds) {
@@ -73,7 +152,7 @@ TEST(OpenedDocuments, AreSeenWholeFromTheirSideWithAndWithoutTheFinds) {
     before.scene.look.projection = Projection::perspective;
     before.scene.front.depthMm = 4;
     OpeningFinds all = finds();
-    all.lean = {.azimuth = 10};
+    all.lean = all.side = {.azimuth = 10};
     const OpenedStudy study{.reference = SimulatedScan{}, .box = volume.dataBox(), .finds = all};
     const OpenedDocuments opened = openedDocuments(before, study, aspect);
     EXPECT_EQ(opened.plain.study, StudyReference(SimulatedScan{}));

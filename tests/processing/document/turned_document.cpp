@@ -72,7 +72,7 @@ Document documentAlong(BeamAxis beam) {
     const auto middle = static_cast<float>(surface.frame.forward.dot(grid.centreMm()));
     surface.depthMm = {middle - 4, middle - 1, middle + 2, middle - 3, middle, middle - 2};
     scene.front.surface = surface;
-    scene.box = {true, {12, 3, -20}, {2.5, 4.1, 6.2}, {3, 4, 7}, BoxSide::left};
+    scene.box = {true, {12, 3, -20}, {2.5, 4.1, 6.2}, {3, 4, 7}};
     scene.planes.direction = {-14, 9, 21};
     scene.planes.offsetMm = {0.2, -0.6, 1.2};
     scene.planes.crops = {{{0.3, -0.4, 1.2}, {-0.5, 0.6, 1.5}, {0.7, 0.8, 2}}};
@@ -175,12 +175,6 @@ void expectSameAnatomy(const Document& before, const Document& after, const Mirr
               1e-12);
     expectSameFrame(frameOf(viewpointOf(before.beam.axis, before.scene.side)),
                     frameOf(viewpointOf(after.beam.axis, after.scene.side)), mirror, "side");
-    // The side of the box is a face with a place in the body.
-    const auto sideOf = [](const Document& document) {
-        const Box& box = document.scene.box;
-        return frameFrom(box.side, orientedBoxOf(box, document.beam.axis).axes);
-    };
-    expectSameFrame(sideOf(before), sideOf(after), mirror, "side of the box");
     expectSamePictures(before, after, mirror);
     expectSameCuts(before, after, mirror);
     expectSameTubes(before, after, mirror);
@@ -200,7 +194,6 @@ TEST(TurnedDocument, AllThatItHoldsStaysOnTheAnatomyAndASecondTurnUndoesTheFirst
             expectSameAnatomy(document, turned, {axis});
             const Document twice = turnedRound(turned, axis, grid);
             expectSameAnatomy(document, twice, {std::nullopt});
-            EXPECT_EQ(twice.scene.box.side, BoxSide::left);
             EXPECT_EQ(twice.scene.motionAngle, 17);
             EXPECT_EQ(twice.beam.axis, beam);
             EXPECT_EQ(twice.panes, document.panes);

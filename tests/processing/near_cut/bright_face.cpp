@@ -27,6 +27,10 @@ TEST(BrightFace, IsWhatRaysEndIn) {
     }
     EXPECT_NEAR(faceIntensity(layers(240), withFrontAcross({}, 14.0)).value(), 90 / 255.0, 0.05) << "behind a cut";
     EXPECT_EQ(faceIntensity(layers(240), withFrontAcross({}, 64.0)).value(), 0.0) << "nothing is left";
+    Viewpoint bowed;
+    bowed.cutSurface = CutSurface{
+        .frame = frameOf(bowed), .spacingMm = 30, .columns = 2, .rows = 2, .depthMm = {14.F, 15.F, 16.F, 17.F}};
+    EXPECT_NEAR(faceIntensity(layers(240), bowed).value(), 90 / 255.0, 0.05) << "behind a bowed front";
 }
 
 TEST(BrightFace, TakesNoLongerForVoxelsThatAreFlat) {
@@ -63,9 +67,9 @@ TEST(BrightFace, OpeningDarkensAFaceThatStaysAndNoFaceThatIsCutAway) {
                goes = findOnOpening(whiteScan(true), {}, said);
     ASSERT_TRUE(calm && stays && goes);
     EXPECT_EQ(withFinds({}, *calm).scene.exposure, 1.0);
-    ASSERT_FALSE(makesFront(*stays));
+    ASSERT_FALSE(makesFront(*stays->cut));
     EXPECT_NEAR(withFinds({}, *stays).scene.exposure, calmFaceIntensity / (250 / 255.0), 0.01);
-    ASSERT_TRUE(makesFront(*goes)) << goes->cut->message;
+    ASSERT_TRUE(makesFront(*goes->cut)) << goes->cut->message;
     EXPECT_EQ(withFinds({}, *goes).scene.exposure, 1.0);
 }
 

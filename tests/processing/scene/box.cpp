@@ -1,4 +1,4 @@
-// Where the render box stands, and the way each of its sides looks in.
+// Where the render box stands.
 #include "processing/scene/box.h"
 
 #include <gtest/gtest.h>
@@ -9,36 +9,10 @@
 namespace echolucent {
 namespace {
 
-TEST(Box, SidesOfAnUnturnedBoxAreThoseOfThePlanes) {
-    for (const BeamAxis beam : {BeamAxis::plusX, BeamAxis::minusY, BeamAxis::plusZ}) {
-        const OrientedBox box = orientedBoxOf({}, beam);
-        const auto seenFrom = [&](BoxSide side) { return frameFrom(side, box.axes); };
-        EXPECT_TRUE(seenFrom(BoxSide::top) == frameOf(PlaneName::c, {}, beam));
-        EXPECT_TRUE(seenFrom(BoxSide::near) == frameOf(PlaneName::a, {}, beam)) << "A's viewer stands before near";
-        EXPECT_TRUE(seenFrom(BoxSide::left) == frameOf(PlaneName::b, {}, beam)) << "B's viewer stands to the left";
-        EXPECT_EQ(apart(seenFrom(BoxSide::bottom).forward, -seenFrom(BoxSide::top).forward), 0);
-        EXPECT_EQ(apart(seenFrom(BoxSide::far).forward, -seenFrom(BoxSide::near).forward), 0);
-        EXPECT_EQ(apart(seenFrom(BoxSide::right).forward, -seenFrom(BoxSide::left).forward), 0);
-    }
-}
-
-TEST(Box, EachFrontGivesItsDirection) {
-    const Box box{.on = true, .direction = {25, -35, 15}, .centreMm = {1, 2, 3}, .sizeMm = {4, 5, 6}};
-    for (const BeamAxis beam : {BeamAxis::minusX, BeamAxis::plusY, BeamAxis::minusZ})
-        for (const BoxSide side : allBoxSides) {
-            const ViewFrame wanted = frameFrom(side, orientedBoxOf(box, beam).axes);
-            EXPECT_EQ(problemOf(wanted), "") << nameOf(side);
-            const ViewFrame frame = frameOf(viewpointOf(beam, directionFrom(side, box, beam)));
-            EXPECT_LT(apart(frame.forward, wanted.forward), 1e-12) << nameOf(side);
-            EXPECT_LT(apart(frame.down, wanted.down), 1e-12) << nameOf(side);
-        }
-}
-
 TEST(Box, TheWholeBoxHoldsAllDataAndNoMore) {
-    const Box turned{.direction = {25, -35, 15}, .side = BoxSide::left};
+    const Box turned{.direction = {25, -35, 15}};
     const Box whole = wholeBox(turned, BeamAxis::plusX, dataOfPlaces);
     EXPECT_TRUE(whole.on);
-    EXPECT_EQ(whole.side, BoxSide::left);
     const OrientedBox box = orientedBoxOf(whole, BeamAxis::plusX);
     Vec3 farthest{0, 0, 0};
     for (const Vec3& corner :

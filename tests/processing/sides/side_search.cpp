@@ -16,40 +16,11 @@
 #include "processing/phantom/phantom.h"
 #include "processing/sides/side_search.h"
 #include "tests/processing/grids.h"
+#include "tests/processing/sides/hill.h"
 #include "tests/processing/wobbler.h"
 
 namespace echolucent {
 namespace {
-
-constexpr double dark = 14, bright = 85;  // stored values
-constexpr std::int64_t voxelsOfEdge = 64;
-constexpr double voxelMm = 0.75, middleMm = (voxelsOfEdge - 1) * voxelMm / 2;
-
-/// A cube of 48 mm, of a stored value for each place.
-Volume cubeOf(const std::function<double(const Vec3& mm)>& value) {
-    const VolumeGeometry geometry = gridOf({voxelsOfEdge, voxelsOfEdge, voxelsOfEdge}, {voxelMm, voxelMm, voxelMm});
-    std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()));
-    for (std::int64_t z = 0; z < voxelsOfEdge; ++z)
-        for (std::int64_t y = 0; y < voxelsOfEdge; ++y)
-            for (std::int64_t x = 0; x < voxelsOfEdge; ++x)
-                voxels[static_cast<std::size_t>(geometry.offset(x, y, z))] = static_cast<std::uint8_t>(
-                    value(Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)) * voxelMm));
-    return {geometry, std::move(voxels)};
-}
-
-/// A cavity in tissue. Seen along `forward`, a flat wall of 14 mm stands before it, and on its floor a hill, which
-/// nearly reaches the wall. Only from there a flat front lays the whole hill bare: from behind, the front would have to
-/// pass through it.
-Volume hillSeenAlong(const Vec3& forward) {
-    return cubeOf([&](const Vec3& mm) {
-        const Vec3 fromMiddle = mm - Vec3(middleMm, middleMm, middleMm);
-        const double depth = fromMiddle.dot(forward) + middleMm;
-        const double aside =
-            std::sqrt(std::max(0.0, fromMiddle.dot(fromMiddle) - std::pow(fromMiddle.dot(forward), 2)));
-        const double floor = 32 - 14 * std::exp(-std::pow(aside / 13, 4));
-        return aside < 18 && depth >= 14 && depth < floor ? dark : bright;
-    });
-}
 
 TEST(SideSearch, TakesTheOneSideThatShowsTheStructure) {
     for (int axis = 0; axis < 3; ++axis)
@@ -61,7 +32,7 @@ TEST(SideSearch, TakesTheOneSideThatShowsTheStructure) {
             const JudgedSide& best = found.sides[found.best];
             EXPECT_EQ(frameOf(best.side.view).forward.dot(forward), 1.0)
                 << "axis " << axis << ", sign " << sign << ": " << best.side.name;
-            ASSERT_TRUE(hasFront(best));
+            ASSERT_TRUE(makesFront(best.front));
             EXPECT_NEAR(best.front.nearCutMm, 14.0, 3.0) << "just behind the wall";
             EXPECT_NEAR(best.score.opened, std::numbers::pi * 18 * 18 / (48 * 48), 0.06)
                 << "the whole cavity lies open";
@@ -98,7 +69,7 @@ TEST(SideSearch, TakesTheProbesSideWhereAllAreAlike) {
         EXPECT_EQ(found.best, probeSide);
         EXPECT_EQ(found.sides[probeSide].side.view.beamAxis, axis);
         for (const JudgedSide& judged : found.sides) {
-            EXPECT_TRUE(hasFront(judged)) << judged.side.name;
+            EXPECT_TRUE(makesFront(judged.front)) << judged.side.name;
             EXPECT_NEAR(judged.score.total, found.sides[probeSide].score.total, 0.02 * judged.score.total);
         }
     }
@@ -150,7 +121,7 @@ TEST(SideSearch, OpensSimulatedScansFromTheProbe) {
          {std::pair{PhantomScene::fetus, false}, {PhantomScene::fetus, true}, {PhantomScene::shapes, true}}) {
         const SidesFinding found = *findSides(*makePhantom(simulated(scene, wall, wall ? 5 : 4)), {}, true);
         EXPECT_EQ(found.best, probeSide) << nameOf(scene) << ' ' << wall << ": " << found.sentence;
-        EXPECT_EQ(hasFront(found.sides[probeSide]), wall);
+        EXPECT_EQ(makesFront(found.sides[probeSide].front), wall);
     }
 }
 

@@ -20,11 +20,12 @@ TEST(TubeGridBox, CoversTheSideOfTheBoxThatFacesTheView) {
         // Straight onto the box's top, and onto its near side with the top up.
         const Box box{
             .on = true, .direction = {.azimuth = azimuth, .roll = 8}, .centreMm = {22, 26, 30}, .sizeMm = {30, 15, 20}};
-        for (const BoxSide side : {BoxSide::top, BoxSide::near}) {
-            const ViewDirection direction = directionFrom(side, box, BeamAxis::plusZ);
-            Viewpoint view = viewpointOf(BeamAxis::plusZ, direction);
+        const ViewFrame axesOfBox = orientedBoxOf(box, BeamAxis::plusZ).axes;
+        for (const bool ontoTop : {true, false}) {
+            Viewpoint view = ontoTop ? viewpointOf(BeamAxis::plusZ, box.direction)
+                                     : viewAlong(-axesOfBox.down, axesOfBox.forward, BeamAxis::plusZ);
             view.box = orientedBoxOf(box, BeamAxis::plusZ);
-            const double down = side == BoxSide::top ? 15 : 20, deep = side == BoxSide::top ? 20 : 15;
+            const double down = ontoTop ? 15 : 20, deep = ontoTop ? 20 : 15;
             const TubeGrid grid{.columns = 5, .rows = 3};
             const auto spacing = tubeSpacingUnits(geometry, view, grid, 4);
             EXPECT_EQ(spacing[0], 12.0) << "30 mm are 60 units";
@@ -35,7 +36,7 @@ TEST(TubeGridBox, CoversTheSideOfTheBoxThatFacesTheView) {
                 EXPECT_NEAR(*axis.lengthUnits, 2 * deep, 1e-9);
                 const Vec3 entry = view.box->inBox(geometry.gridMmFromVoxel(*axis.entryVoxel));
                 EXPECT_TRUE(view.box->contains(geometry.gridMmFromVoxel(*axis.entryVoxel) + axis.directionMm * 1e-9));
-                EXPECT_NEAR(std::abs(side == BoxSide::top ? entry[2] : entry[1]), 0.5 * deep, 1e-9);
+                EXPECT_NEAR(std::abs(ontoTop ? entry[2] : entry[1]), 0.5 * deep, 1e-9);
             }
             // Its middle axis passes through the box's centre (voxels are not moved to where axes are oblique).
             if (azimuth != 0.0) {

@@ -1,0 +1,171 @@
+// The six sides in the real main window: opening, strip, keys, caption, what is remembered.
+#include <QToolButton>
+#include <algorithm>
+
+#include "app/picture/side_controls.h"
+#include "app/settings/settings.h"
+#include "processing/document/opening_finds.h"
+#include "processing/document/side_taking.h"
+#include "tests/app/window_fixture.h"
+#include "tests/processing/sides/hill.h"
+
+using namespace echolucent;
+
+class TestSides : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        // Only side 4 shows the hill, and side 3 its back.
+        m_file = file("hill.mha", {std::make_shared<const Volume>(hillSeenAlong({0, 1, 0}))});
+    }
+    void init() {
+        show();
+        open(m_file);
+    }
+    void cleanup() { close(); }
+
+    void aScanOpensFromTheSideThatShowsMostBehindItsFront() {
+        const OpeningFinds& finds = *window().openStudy().finds();
+        QCOMPARE(finds.source, SideSource::found);
+        const JudgedSide& best = finds.sides->sides[finds.sides->best];
+        QCOMPARE(frameOf(best.side.view).forward, Vec3(0, 1, 0));
+        QCOMPARE(frameOf(viewpointOf(document())).forward, Vec3(0, 1, 0));
+        QVERIFY(document().scene.front == frontOf(best.side.view, best.front));
+        QVERIFY(cuts(document().scene.front));
+        QCOMPARE(takenInStrip(), static_cast<int>(finds.sides->best) + 1);
+        QVERIFY2(window().volumeView().caption().startsWith(QStringLiteral("side %1").arg(takenInStrip())),
+                 qPrintable(window().volumeView().caption()));
+    }
+
+    void keysAndPicturesTakeASideInOneStep() {
+        const Document opened = document();
+        takeByKey(Qt::Key_6);
+        QCOMPARE(takenInStrip(), 6);
+        const JudgedSide& sixth = window().openStudy().finds()->sides->sides[5];
+        QVERIFY(document() ==
+                withSideTaken(opened, sixth, window().openStudy().volume()->dataBox(), window().volumeView().aspect()));
+        QCOMPARE(window().document().steps().undoText(), "side: Side 6");
+        QVERIFY(window().volumeView().caption().startsWith("side 6"));
+        click("sides.picture2");
+        QCOMPARE(takenInStrip(), 2);
+        QCOMPARE(frameOf(viewpointOf(document())).forward, Vec3(0, 0, -1));
+        click("sides.picture2");
+        QCOMPARE(takenInStrip(), 2);  // a second click takes nothing away
+        window().document().steps().undo();
+        window().document().steps().undo();
+        QVERIFY(document() == opened);
+        QCOMPARE(takenInStrip(), static_cast<int>(window().openStudy().finds()->sides->best) + 1);
+    }
+
+    void theViewIsResetToTheSideThatIsTaken() {
+        takeByKey(Qt::Key_5);
+        const Document taken = document();
+        lookFrom(window(), {.azimuthDegrees = 33, .elevationDegrees = 12});
+        QVERIFY2(!window().volumeView().caption().contains("side"), qPrintable(window().volumeView().caption()));
+        QTest::keyClick(&window(), Qt::Key_R);
+        QVERIFY(document().scene.pose == taken.scene.pose);
+        Document moved = document();
+        moved.scene.front = {};
+        window().document().edit(moved, "no front");
+        click("view.cut.reset");
+        QVERIFY(document().scene.front == taken.scene.front);
+        QTest::keyClick(&window(), Qt::Key_R, Qt::ShiftModifier);  // all as opened, the side too
+        QCOMPARE(takenInStrip(), static_cast<int>(window().openStudy().finds()->sides->best) + 1);
+        QVERIFY(document().scene.exposure == window().openStudy().finds()->exposure);
+    }
+
+    void eachSideHasItsPictureWhileTheStripIsSeen() {
+        QTRY_VERIFY_WITH_TIMEOUT(window().idle(), 20000);
+        std::vector<QImage> images;
+        for (int side = 1; side <= 6; ++side) {
+            images.push_back(picture(side)->icon().pixmap(QSize(104, 68)).toImage());
+            QVERIFY2(isLit(images.back()), qPrintable(QString::number(side)));
+        }
+        const std::size_t best = window().openStudy().finds()->sides->best;
+        QVERIFY(images[best] != images[0]);  // the hill lies open from there alone
+        // A strip that nobody sees asks for no pictures.
+        child<QAction>("view.sides")->trigger();
+        QVERIFY(!child("sides")->isVisible());
+        open(m_file);
+        QVERIFY(!isLit(picture(1)->icon().pixmap(QSize(104, 68)).toImage()));
+        child<QAction>("view.sides")->trigger();
+        QTRY_VERIFY(isLit(picture(6)->icon().pixmap(QSize(104, 68)).toImage()));
+        close();
+        showAgain();
+        QVERIFY(child("sides")->isVisible());
+    }
+
+    void aSideThatAPersonTookIsRememberedForSuchScansAndTheCaptionSaysSo() {
+        takeByKey(Qt::Key_6);
+        close();
+        showAgain();
+        open(m_file);
+        QCOMPARE(window().openStudy().finds()->source, SideSource::remembered);
+        QCOMPARE(takenInStrip(), 6);
+        QVERIFY2(window().volumeView().caption().startsWith("side 6, as last time"),
+                 qPrintable(window().volumeView().caption()));
+        takeByKey(Qt::Key_2);
+        QVERIFY2(!window().volumeView().caption().contains("last time"), qPrintable(window().volumeView().caption()));
+        // Taking the side that shows most forgets the choice.
+        const auto best = static_cast<int>(window().openStudy().finds()->sides->best);
+        takeByKey(static_cast<Qt::Key>(Qt::Key_1 + best));
+        open(m_file);
+        QCOMPARE(window().openStudy().finds()->source, SideSource::found);
+        QCOMPARE(takenInStrip(), best + 1);
+    }
+
+    void aBeamThatAPersonSaysNamesTheSides() {
+        window().document().change("beam axis", [](Document& next) {
+            next.beam = {BeamAxis::minusY, BeamSource::person};
+            next.scene.side = {};
+            next.scene.pose.direction = {};
+            next.scene.front = {};
+        });
+        QTRY_COMPARE(child<QAction>("room.lookInFrom1")->text(), "&1 From the probe");
+        QCOMPARE(takenInStrip(), 1);
+        QTRY_VERIFY2(window().volumeView().caption().startsWith("from the probe"),
+                     qPrintable(window().volumeView().caption()));
+        const Vec3 before = frameOf(viewpointOf(document())).forward;
+        QVERIFY(before == Vec3(0, -1, 0));  // no side changes by itself
+        takeByKey(Qt::Key_2);
+        QVERIFY(frameOf(viewpointOf(document())).forward == Vec3(0, 1, 0));
+        QVERIFY(window().volumeView().caption().startsWith("from behind"));
+    }
+
+    void theSimulatedScanOpensFromTheProbeAndHasSidesToo() {
+        window().openSimulatedScan();
+        QTRY_VERIFY_WITH_TIMEOUT(window().openStudy().isSimulatedScan() && window().idle(), 30000);
+        QCOMPARE(takenInStrip(), 1);
+        QVERIFY(window().volumeView().caption().startsWith("from the probe"));
+        takeByKey(Qt::Key_3);
+        QCOMPARE(takenInStrip(), 3);
+    }
+
+private:
+    [[nodiscard]] const Document& document() { return window().document().document(); }
+    QToolButton* picture(int side) { return child<QToolButton>(QStringLiteral("sides.picture%1").arg(side)); }
+    /// The number of the only side that the strip shows as taken; 0 if there is none.
+    int takenInStrip() {
+        int taken = 0;
+        for (int side = 1; side <= 6; ++side)
+            if (picture(side)->isChecked()) taken = taken == 0 ? side : -1;
+        return taken;
+    }
+    void takeByKey(Qt::Key key) {
+        QTest::keyClick(&window(), key, Qt::ControlModifier);
+        waitUntilIdle();
+    }
+    static bool isLit(const QImage& image) {
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                if (qGray(image.pixel(x, y)) > 60) return true;
+        return false;
+    }
+
+    QString m_file;
+};
+
+ECHOLUCENT_TEST_CLASS(TestSides)
+#include "test_sides.moc"
