@@ -110,8 +110,9 @@ std::vector<KeyRow> windowRows() {
         {place, "F5", tr("compares OTFs under one camera, and leaves the comparison"), {{"room.compare", "F5"}}},
         {place,
          "Ctrl+1 to Ctrl+6",
-         tr("look into the scan from one of its six sides, behind that side's front: from the probe, from behind, onto "
-            "the scan plane and onto its back, along it from the left and from the right"),
+         tr("look into the scan from one of its six sides, behind that side's front; the strip and the menu View name "
+            "the "
+            "sides"),
          {{"room.lookInFrom1", "Ctrl+1"},
           {"room.lookInFrom2", "Ctrl+2"},
           {"room.lookInFrom3", "Ctrl+3"},

@@ -85,7 +85,7 @@ void NearCutFinder::tellOpening(const NearCutFinding& finding) {
     // A message about the file comes first. The picture's caption also tells of the cut.
     if (!m_parts.messages.text().isEmpty()) return;
     m_looksFrom = viewpointOf(m_parts.model.document());
-    tell(MessageKind::info, QString::fromStdString(finding.message), waysOn(finding, Front{}));
+    tell(MessageKind::info, QString::fromStdString(messageOfFront(finding)), waysOn(finding, Front{}));
 }
 
 /// Offers the bowed front if there is one, and the way back if `back` has a value.

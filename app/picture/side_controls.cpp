@@ -22,8 +22,13 @@ SideControls::SideControls(const Parts& parts, QObject* parent)
     connect(&m_parts.sides, &StudySides::changed, this, &SideControls::nameActions);
     for (const auto part : {&DocumentModel::sideChanged, &DocumentModel::beamChanged})
         connect(&m_parts.model, part, this, &SideControls::showTaken);
+    connect(&m_parts.openStudy, &OpenStudy::loadingBegun, this, [this] {
+        remember();
+        m_pictures.stop();
+    });
     // The sides of a study that is left are no choice any more.
     connect(&m_parts.openStudy, &OpenStudy::loadingChanged, this, &SideControls::nameActions);
+    connect(&m_parts.openStudy, &OpenStudy::studyReplaced, this, [this] { m_took = false; });
     connect(&m_parts.strip, &SideStrip::seenChanged, &m_pictures, &SidePictures::setSeen);
     m_pictures.setSeen(m_parts.strip.isSeen());
     connect(&m_pictures, &SidePictures::changed, this, [this] {
@@ -33,15 +38,17 @@ SideControls::SideControls(const Parts& parts, QObject* parent)
 
 void SideControls::nameActions() {
     const auto& finding = m_parts.sides.finding();
-    const bool canTake = finding != nullptr && !m_parts.openStudy.loading();
+    const QString whyNot = m_parts.openStudy.loading() ? tr("Another study is being opened.")
+                           : finding                   ? QString()
+                                                       : tr("The sides of the scan are not found yet.");
     for (std::size_t i = 0; i < m_actions.size(); ++i) {
         QAction* action = m_actions[i];
         const auto number = static_cast<int>(i) + 1;
-        action->setEnabled(canTake);
         if (!finding) {
             action->setText(tr("&%1 Side %1").arg(number));
             action->setIconText(QString::number(number));
-            action->setToolTip(tr("The sides of the scan are not found yet"));
+            action->setToolTip(tr("Looks into the scan from one of its sides"));
+            enableOrSayWhy(*action, false, whyNot);
             continue;
         }
         const Side& side = finding->sides[i].side;
@@ -50,6 +57,7 @@ void SideControls::nameActions() {
         action->setIconText(textOf(side.label));
         action->setToolTip(i == finding->best ? tr("%1 (%2). %3").arg(name, key, textOf(finding->sentence))
                                               : tr("%1 (%2)").arg(name, key));
+        enableOrSayWhy(*action, whyNot.isEmpty(), whyNot);
     }
     showTaken();
 }
@@ -75,26 +83,40 @@ void SideControls::take(std::size_t place) {
     const JudgedSide& judged = finding->sides[place];
     Document next = withSideTaken(m_parts.model.document(), judged, volume->dataBox(), m_parts.picture.aspect());
     m_parts.model.edit(next, tr("side: %1").arg(textOf(judged.side.name)));
-    remember(place);
+    m_took = true;
 }
 
-void SideControls::remember(std::size_t place) {
-    const auto& finding = m_parts.sides.finding();
-    if (m_parts.openStudy.isSimulatedScan() || m_parts.openStudy.study() == nullptr) return;
+void SideControls::remember() {
+    const auto place = taken();
+    if (!m_took || !place || m_parts.openStudy.isSimulatedScan() || m_parts.openStudy.study() == nullptr) return;
+    const SidesFinding& finding = *m_parts.sides.finding();
     const QString kind = QString::fromStdString(kindOfScan(*m_parts.openStudy.study()));
-    m_parts.settings.setSideTaken(kind, place == finding->best ? QString() : textOf(finding->sides[place].side.word));
+    m_parts.settings.setSideTaken(kind, *place == finding.best ? QString() : textOf(finding.sides[*place].side.word));
+}
+
+/// The side along which the tube cores look, or, if they were turned, the one whose front cuts.
+std::optional<std::size_t> SideControls::takenOrCut() const {
+    if (const auto place = taken()) return place;
+    const auto& finding = m_parts.sides.finding();
+    const Front& front = m_parts.model.document().scene.front;
+    if (!finding || !cuts(front)) return std::nullopt;
+    for (std::size_t i = 0; i < finding->sides.size(); ++i)
+        if (frontOf(finding->sides[i].side.view, finding->sides[i].front) == front) return i;
+    return std::nullopt;
 }
 
 ViewDirection SideControls::directionOfSide(const Document& opened) const {
-    const auto place = taken();
-    return place ? directionOf(m_parts.sides.finding()->sides[*place].side.view) : opened.scene.side;
+    if (const auto place = takenOrCut()) return directionOf(m_parts.sides.finding()->sides[*place].side.view);
+    const Beam& beam = m_parts.model.document().beam;
+    return beam == opened.beam ? opened.scene.side : beam.lean;
 }
 
 Front SideControls::frontOfSide(const Document& opened) const {
-    const auto place = taken();
-    if (!place) return opened.scene.front;
-    const JudgedSide& judged = m_parts.sides.finding()->sides[*place];
-    return frontOf(judged.side.view, judged.front);
+    if (const auto place = takenOrCut()) {
+        const JudgedSide& judged = m_parts.sides.finding()->sides[*place];
+        return frontOf(judged.side.view, judged.front);
+    }
+    return m_parts.model.document().beam == opened.beam ? opened.scene.front : Front{};
 }
 
 }  // namespace echolucent

@@ -16,8 +16,9 @@ namespace echolucent {
 
 class VolumeViewWidget;
 
-/// Taking a side is one step of the document. The side is remembered for the study's kind of scan (kindOfScan()), but
-/// not if it is the one that shows most: then a choice that was remembered is forgotten. No side changes by itself.
+/// Taking a side is one step of the document. When the study is left, the side that a person took is remembered for its
+/// kind of scan (kindOfScan()), but not if it is the one that shows most: then a choice that was remembered is
+/// forgotten. No side changes by itself.
 class SideControls : public QObject {
     Q_OBJECT
 
@@ -38,10 +39,13 @@ public:
     [[nodiscard]] const std::array<QAction*, SideStrip::count>& actions() const { return m_actions; }
     /// The place of the side that the tube cores look along, if they look along one.
     [[nodiscard]] std::optional<std::size_t> taken() const;
-    /// The direction of the side that is taken; without one, that of `opened`, the document that opening gave.
+    /// The direction of the side that is taken, or whose front cuts. Without one that of `opened`, the document that
+    /// opening gave, if it has the document's beam; else along the beam.
     [[nodiscard]] ViewDirection directionOfSide(const Document& opened) const;
-    /// The front that the side has without asking; without a side, that of `opened`.
+    /// The front that this side has without asking; that of `opened`, if its direction was taken; else none.
     [[nodiscard]] Front frontOfSide(const Document& opened) const;
+    /// Remembers the side that was taken of the open study.
+    void remember();
 
 signals:
     /// A side is about to be taken.
@@ -49,12 +53,13 @@ signals:
 
 private:
     void take(std::size_t place);
-    void remember(std::size_t place);
+    [[nodiscard]] std::optional<std::size_t> takenOrCut() const;
     void nameActions();
     void showTaken();
 
     Parts m_parts;
     std::array<QAction*, SideStrip::count> m_actions{};
+    bool m_took = false;  ///< a person took a side of the open study
     SidePictures m_pictures;
 };
 

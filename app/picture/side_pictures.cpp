@@ -33,26 +33,32 @@ SidePictures::SidePictures(const DocumentModel& model, const StudySides& sides, 
       m_works(works),
       m_thread(works, QStringLiteral("pictures of sides"), {.countsForRest = false}) {
     connect(&m_sides, &StudySides::changed, this, [this] {
-        m_shown = false;
-        m_thread.cancel();
-        m_asked.reset();
+        if (m_volume != m_sides.volume()) m_shown = false;
+        m_volume = m_sides.volume();
+        stop();
         m_images = {};
         emit changed();
+        follow();
     });
     connect(&picture, &VolumeViewWidget::pictureDelivered, this, [this] {
         if (std::exchange(m_shown, true)) return;
         follow();
     });
     connect(&m_works, &Works::changed, this, [this] {
-        if (m_works.atRest()) follow();
+        if (m_works.atRest()) return follow();
+        const bool complete = !m_images.back().isNull();
+        if (complete && m_thread.busy()) stop();
     });
 }
 
 void SidePictures::setSeen(bool seen) {
     if (seen == m_seen) return;
     m_seen = seen;
-    if (seen) return follow();
-    if (m_thread.busy()) m_asked.reset();
+    seen ? follow() : stop();
+}
+
+void SidePictures::stop() {
+    if (m_thread.busy() || m_images.back().isNull()) m_asked.reset();
     m_thread.cancel();
 }
 

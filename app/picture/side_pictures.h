@@ -19,7 +19,7 @@ class VolumeViewWidget;
 
 /// Makes a picture of each side while somebody sees them, from raw voxels, with the look and the curve of the document.
 /// The first ones are made as soon as the 3D view shows the study. Later ones are made at rest, if sides, look or curve
-/// are others.
+/// are others, and give way to other work.
 class SidePictures : public QObject {
     Q_OBJECT
 
@@ -34,6 +34,8 @@ public:
 
     /// Sets whether somebody sees the pictures; at first nobody does.
     void setSeen(bool seen);
+    /// Ends what is being made, because another study was asked for. If it does not come, makes it at rest.
+    void stop();
     /// A picture is null until it is made.
     [[nodiscard]] const Images& images() const { return m_images; }
 
@@ -54,8 +56,9 @@ private:
     const StudySides& m_sides;
     Works& m_works;
     bool m_seen = false;
-    bool m_shown = false;          ///< the 3D view shows the study whose sides they are
-    std::optional<Asked> m_asked;  ///< of the pictures, or of those being made
+    bool m_shown = false;                    ///< the 3D view shows the study whose sides they are
+    std::shared_ptr<const Volume> m_volume;  ///< the phase whose sides they are
+    std::optional<Asked> m_asked;            ///< of the pictures, or of those being made
     Images m_images;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

@@ -55,25 +55,25 @@ Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& pa
         bool isCoarseTold = false;
         const auto tellCoarse = [&](const CoarseVolume& coarse) {
             isCoarseTold = true;
-            if (progress.coarse && taken.empty()) progress.coarse(coarse);
+            if (progress.coarse) progress.coarse(coarse);
         };
         Progress telling = progress;
-        telling.coarse = tellCoarse;
+        if (taken.empty()) telling.coarse = tellCoarse;
         auto opening = read(telling);
         if (!opening) return tl::unexpected(opening.error());
         LookedThrough looked{std::move(*opening)};
         if (!looked.opening.study) return looked;
         const auto& phases = looked.opening.study->phases;
         const auto& saved = looked.opening.saved;
-        if (!isCoarseTold && !saved)
+        const auto kind = taken.find(kindOfScan(*looked.opening.study));
+        if (!isCoarseTold && !saved && kind == taken.end())
             if (const auto coarse = coarseVolumeOf(*phases.front())) tellCoarse(*coarse);
         // Make the histograms here and not when a phase is shown: a 4D study plays its phases in the GUI thread.
         for (const auto& phase : phases) looked.histograms.push_back(intensityHistogram(*phase));
         const bool simulated = saved && std::holds_alternative<SimulatedScan>(saved->session.document.study);
         if (path.empty() || simulated) return looked;
         SaidOnOpening said;
-        if (const auto side = taken.find(kindOfScan(*looked.opening.study)); side != taken.end())
-            said.sideOfKind = side->second;
+        if (kind != taken.end()) said.sideOfKind = kind->second;
         looked.finds = findOnOpening(*phases.front(), {nullptr, progress.cancel}, said);
         return looked;
     } catch (const std::bad_alloc&) {

@@ -47,8 +47,9 @@ struct LookedThrough {
 };
 
 /// Reads a study and looks it through. Of a large study, progress.coarse is told once: before it is read, or, if it
-/// cannot be read in part, before it is looked through. Sessions do not tell it, and nothing does if `taken` holds a
-/// side: then another side might be seen at first. `path` is for sentences; it is empty if the scan is simulated. Fails
+/// cannot be read in part, before it is looked through. Sessions do not tell it. If `taken`
+/// holds sides, it is told only once the study is known to be of none of their kinds: else another side might be seen
+/// at first. `path` is for sentences; it is empty if the scan is simulated. Fails
 /// as the reader does, and (unreadable) if memory runs out or the file system fails.
 [[nodiscard]] Result<LookedThrough> lookThrough(const StudyReader& read, const std::string& path,
                                                 const Progress& progress, const SidesByKind& taken = {});

@@ -30,6 +30,7 @@ void FullScreen::enter() {
     }
     for (auto* dock : m_window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) dock->hide();
     m_window.setWindowState(m_windowState | Qt::WindowFullScreen);
+    emit changed();
 }
 
 bool FullScreen::leave() {
@@ -38,6 +39,7 @@ bool FullScreen::leave() {
     for (const QPointer<QWidget>& widget : std::exchange(m_hidden, {}))
         if (widget) widget->show();
     m_window.restoreState(m_docks);
+    emit changed();
     return true;
 }
 

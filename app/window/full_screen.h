@@ -24,6 +24,9 @@ public:
     /// False if the window is not on the full screen.
     bool leave();
 
+signals:
+    void changed();
+
 private:
     void enter();
 

@@ -57,6 +57,12 @@ constexpr int layoutVersion = 4;  // of the docks; an arrangement of an older ve
 
 MainWindow::MainWindow(const QString& settingsFile, const std::function<void(OpenStudy&)>& begin)
     : m_settings(settingsFile) {
+    m_openStudy.setSidesTaken([this] {
+        SidesByKind taken;
+        for (const auto& [kind, word] : m_settings.sidesTaken().asKeyValueRange())
+            taken.emplace(kind.toStdString(), word.toStdString());
+        return taken;
+    });
     if (begin) begin(m_openStudy);
     wearTheme(m_settings.theme());  // before there are widgets, which would be styled twice
     setObjectName("mainWindow");
@@ -65,8 +71,9 @@ MainWindow::MainWindow(const QString& settingsFile, const std::function<void(Ope
     resize(roomySize);
     m_document.setHand([this] { return m_hand.current(); });
     m_widgets = layOut(*this, m_works, m_document, m_course);
-    m_fullScreen = new FullScreen(*this, {m_widgets.motion, m_widgets.sides});
+    m_fullScreen = new FullScreen(*this, {m_widgets.motion});
     m_escapes.add(EscapeStep::drag, [this] { return m_widgets.picture->cancelDrag(); });
+    connect(m_fullScreen, &FullScreen::changed, this, &MainWindow::followStrip);
     m_escapes.add(EscapeStep::fullScreen, [this] { return m_fullScreen->leave(); });
     createUnits();
     m_room->addTo(m_escapes);
@@ -109,12 +116,6 @@ void MainWindow::createUnits() {
     m_sideControls = std::make_unique<SideControls>(SideControls::Parts{
         m_document, m_openStudy, *m_sides, *m_widgets.picture, *m_widgets.sides, m_settings, m_works});
     connect(m_sideControls.get(), &SideControls::taking, &m_motionPlayer, &MotionPlayer::pause);
-    m_openStudy.setSidesTaken([this] {
-        SidesByKind taken;
-        for (const auto& [kind, word] : m_settings.sidesTaken().asKeyValueRange())
-            taken.emplace(kind.toStdString(), word.toStdString());
-        return taken;
-    });
     m_presets = std::make_unique<PresetControls>(PresetControls::Parts{
         *this, m_document, m_openStudy, m_works, *m_widgets.presets, m_settings, *m_widgets.messages, m_names});
     m_motion = std::make_unique<MotionFrames>(MotionFrames::Parts{m_document, m_openStudy, m_works, *m_otfs, *m_panes,
@@ -228,7 +229,9 @@ void MainWindow::connectExplanation() {
 
 void MainWindow::connectCaption() {
     connect(&m_openStudy, &OpenStudy::studyOpened, this, [this] {
-        if (m_openStudy.finds() && m_openStudy.finds()->cut) m_nearCutFinder->tellOpening(*m_openStudy.finds()->cut);
+        const auto& finds = m_openStudy.finds();
+        // A session has its own front.
+        if (finds && finds->cut && !m_openStudy.saved()) m_nearCutFinder->tellOpening(*finds->cut);
     });
     const auto tell = [this] {
         // A picture of the previous study keeps its own caption.
@@ -244,6 +247,7 @@ void MainWindow::connectCaption() {
                             .reduction = m_openStudy.volume()->geometry().reduction}));
     };
     connect(m_panes.get(), &ShownPanes::changed, this, tell);
+    connect(m_sides.get(), &StudySides::changed, this, tell);
     connect(m_compare.get(), &CompareRoom::cameraMoved, m_motion.get(), &MotionFrames::endByHand);
     // The next phase would begin the cancelled work anew.
     connect(m_otfs.get(), &PaneOtfs::cancelled, &m_motionPlayer, &MotionPlayer::pause);
@@ -251,7 +255,8 @@ void MainWindow::connectCaption() {
 
 std::optional<std::size_t> MainWindow::rememberedSide() const {
     const auto& finds = m_openStudy.finds();
-    const bool remembered = finds && finds->source == SideSource::remembered && finds->sides == m_sides->finding();
+    const bool remembered =
+        finds && !m_openStudy.saved() && finds->source == SideSource::remembered && finds->sides == m_sides->finding();
     return remembered ? finds->place : std::nullopt;
 }
 
@@ -297,7 +302,7 @@ void MainWindow::createActions() {
     commands.findFront = [this] { emit m_widgets.controls->frontSuggestionRequested(); };
     commands.noFront = [this] { emit m_widgets.controls->noFrontRequested(); };
     for (QAction* action : m_sideControls->actions()) commands.sides << action;
-    commands.showSides = [this](bool shown) { m_widgets.sides->setVisible(shown); };
+    commands.showSides = [this](bool) { followStrip(); };
     commands.nextLighting = [this] { m_pictureControls->nextLighting(); };
     commands.computeForThisView = [this] { m_otfs->computeForThisView(); };
     commands.playOrPause = [this] { m_motionPlayer.togglePlaying(); };
@@ -350,7 +355,7 @@ void MainWindow::restoreSettings() {
     if (auto* logarithmic = m_widgets.editor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
         logarithmic->setChecked(m_settings.histogramLogarithmic());
     findChild<QAction*>("view.sides")->setChecked(m_settings.sidesShown());
-    m_widgets.sides->setVisible(m_settings.sidesShown());
+    followStrip();
     if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
     keepOnScreen(*this);
     const QByteArray state = m_settings.windowState();
@@ -366,6 +371,7 @@ void MainWindow::keepSettings() {
     m_settings.setActiveCurve(m_document.document().panes.at(firstPane).curve);
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
     m_compare->setShown(false);  // the next start begins without the comparison
+    m_sideControls->remember();
     m_settings.setSidesShown(findChild<QAction*>("view.sides")->isChecked());
     m_settings.setWindowGeometry(saveGeometry());
     m_settings.setWindowState(saveState(layoutVersion));

@@ -109,6 +109,8 @@ private:
     void followWorks();
     void connectProgress();
     void arrangeForComparison(bool shown);
+    /// The strip of sides is seen if it is wanted, beside the panes of the review room alone.
+    void followStrip();
     void connectUnits();
     void connectCaption();
     void connectExplanation();

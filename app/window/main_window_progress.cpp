@@ -74,8 +74,13 @@ void MainWindow::arrangeForComparison(bool shown) {
         planes.setVisible(m_planesTabWasThere);
     }
     compare.setVisible(shown || m_faces->face() == Face::teach);
-    m_widgets.sides->setVisible(!shown && findChild<QAction*>("view.sides")->isChecked());
+    followStrip();
     (shown ? compare : dockOf(*m_widgets.controls)).raise();
+}
+
+void MainWindow::followStrip() {
+    m_widgets.sides->setVisible(findChild<QAction*>("view.sides")->isChecked() && !m_compare->shown() &&
+                                !m_fullScreen->active());
 }
 
 void MainWindow::followWorks() {

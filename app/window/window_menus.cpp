@@ -78,7 +78,7 @@ void createViewMenu(QMainWindow& window, const QList<QDockWidget*>& panels, cons
     addAction(view, tr("Reset &all"), "view.resetAll", commands.resetAll);
     addAction(view, tr("Smooth &more"), "view.moreReduction", [reduce = commands.reduceSpeckle] { reduce(1); });
     addAction(view, tr("Smooth &less"), "view.lessReduction", [reduce = commands.reduceSpeckle] { reduce(-1); });
-    QMenu* sides = view->addMenu(tr("S&ides of the scan"));
+    QMenu* sides = view->addMenu(tr("&Sides of the scan"));
     sides->setObjectName("view.menuOfSides");
     sides->addActions(commands.sides);
     addSwitch(view, tr("Strip of si&des"), "view.sides", commands.showSides);

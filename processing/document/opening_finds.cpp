@@ -32,14 +32,17 @@ bool looksForSides(const SaidOnOpening& said) {
     return !said.side.empty() || !(said.beam || said.direction || said.front);
 }
 
-/// The place of the side that comes first: of a large volume, the one that its coarse volume shows.
-std::optional<std::size_t> firstSide(const Volume& volume, const OpeningFinds& finds, const Progress& progress) {
+/// The place of the side that comes first: of a large volume, the one that looks as that of its coarse volume does. No
+/// value if the search was cancelled.
+std::optional<std::size_t> firstSide(const Volume& volume, const OpeningFinds& finds, const SidesFinding& sides,
+                                     const Progress& progress) {
     const auto coarse = coarseVolumeOf(volume);
-    if (!coarse) return finds.sides->best;
+    if (!coarse) return sides.best;
     const auto found = findOnOpening(*coarse->voxels, {{}, progress.cancel});
     if (!found) return std::nullopt;
-    const bool sameBeam = takenAxis(found->beam) == takenAxis(finds.beam) && found->beam.sure == finds.beam.sure;
-    return sameBeam ? found->place : finds.sides->best;
+    // The planes of fewer voxels may be unsure, and then its sides stand in another order.
+    const bool sameBeam = takenAxis(found->beam) == takenAxis(finds.beam);
+    return (sameBeam ? sideAlong(sides, takenAxis(finds.beam), found->side) : std::nullopt).value_or(sides.best);
 }
 
 /// Takes one of the six sides. False only if the search was cancelled.
@@ -47,7 +50,9 @@ bool takeSide(const Volume& volume, const SaidOnOpening& said, OpeningFinds& fin
     const Viewpoint fromProbe = viewpointOf(takenAxis(finds.beam), finds.lean);
     auto sides = findSides(volume, fromProbe, finds.beam.sure, CutShapes::flatAndCurved, progress);
     if (!sides) return false;
-    finds.sides = std::make_shared<const SidesFinding>(std::move(*sides));
+    const auto first = firstSide(volume, finds, *sides, progress);
+    if (!first) return false;
+    finds.sides = std::make_shared<const SidesFinding>(withFirst(std::move(*sides), *first));
     Sides named;
     for (std::size_t i = 0; i < named.size(); ++i) named[i] = finds.sides->sides[i].side;
     if (!said.side.empty()) {
@@ -57,9 +62,8 @@ bool takeSide(const Volume& volume, const SaidOnOpening& said, OpeningFinds& fin
         finds.source = SideSource::remembered;
         finds.place = place;
     } else {
-        finds.place = firstSide(volume, finds, progress);
+        finds.place = first;
     }
-    if (progress.cancelled()) return false;
     const JudgedSide& taken = finds.sides->sides[finds.place.value_or(probeSide)];
     finds.side = directionOf(taken.side.view);
     if (said.front) return true;
@@ -72,7 +76,7 @@ bool takeSide(const Volume& volume, const SaidOnOpening& said, OpeningFinds& fin
 bool takeDirection(const Volume& volume, const SaidOnOpening& said, OpeningFinds& finds, const Progress& progress) {
     finds.side = said.direction.value_or(finds.lean);
     if (said.direction) finds.source = SideSource::person;
-    if (said.front || (!finds.beam.sure && !said.direction)) return true;
+    if (said.front) return true;
     const Viewpoint along = viewpointOf(takenAxis(finds.beam), finds.side);
     auto cut = findNearCut(volume, along, progress);
     if (!cut) return false;

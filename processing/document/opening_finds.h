@@ -46,8 +46,7 @@ struct OpeningFinds {
     std::optional<std::size_t> place{};
     ViewDirection side{};  ///< from which the scan is opened, relative to the beam that withFinds() takes
     SideSource source = SideSource::found;
-    /// Searched for along the side. Empty if a person chose the front. Also empty without `sides` if the beam is not
-    /// sure and nobody said the direction: nobody cuts along such a beam.
+    /// Searched for along the side. Empty if a person chose the front.
     std::optional<NearCutFinding> cut{};
     /// Scene::exposure for what is seen along the side, behind the cut if makesFront(). 1 if `cut` was not searched
     /// for.

@@ -17,7 +17,9 @@ Document withSideTaken(Document document, const JudgedSide& judged, const DataBo
     scene.front = frontOf(judged.side.view, judged.front);
     scene.exposure = judged.exposure;
     scene.motionAngle = 0.0;
-    scene.pose = wholeVolumePose(box, judged.side.view, scene.look.projection, aspect);
+    Viewpoint shown = judged.side.view;
+    if (scene.box.on) shown.box = orientedBoxOf(scene.box, document.beam.axis);
+    scene.pose = wholeVolumePose(box, shown, scene.look.projection, aspect);
     return document;
 }
 

@@ -144,6 +144,12 @@ bool makesFront(const NearCutFinding& finding) {
     return finding.sure && finding.answer == NearCutAnswer::wallBeforeFluid;
 }
 
+std::string messageOfFront(const NearCutFinding& finding) {
+    if (!makesFront(finding) || !finding.surface) return finding.message;
+    return "A wall stands before the fluid: behind a bowed front " + std::to_string(finding.tubesInFluidBehindSurface) +
+           " of " + std::to_string(finding.tubes) + " tube cores are in fluid.";
+}
+
 Viewpoint behindFound(Viewpoint view, const NearCutFinding& finding) {
     if (!makesFront(finding)) return view;
     if (!finding.surface) return withFrontAcross(std::move(view), finding.nearCutMm);

@@ -44,6 +44,10 @@ struct NearCutFinding {
 /// A view behind the front of the finding, bowed if a bowed one was found; the view itself unless makesFront().
 [[nodiscard]] Viewpoint behindFound(Viewpoint view, const NearCutFinding& finding);
 
+/// What a person is told of a finding whose front is taken as behindFound() has it: `message`, or, of a bowed front,
+/// how many tube cores are in fluid behind that one.
+[[nodiscard]] std::string messageOfFront(const NearCutFinding& finding);
+
 /// Looks along a view for large dark regions with a wall before and behind them. It stays within the view's box and
 /// ignores the view's cuts. The volume's resolution hardly changes the answer, because the size of the cells that the
 /// search reads is a share of the data's extent. The answer has the same bits for any number of threads. The result is
@@ -58,7 +62,5 @@ enum class CutShapes { flat, flatAndCurved };
 /// findNearCut() or findFlatNearCut() of what a view has seen already, of a volume with `geometry`. It cannot be
 /// cancelled.
 [[nodiscard]] NearCutFinding nearCutOf(const SeenFluid& seen, const VolumeGeometry& geometry, CutShapes shapes);
-/// Either findNearCut() or findFlatNearCut().
-using NearCutSearch = std::optional<NearCutFinding> (*)(const Volume&, const Viewpoint&, const Progress&);
 
 }  // namespace echolucent

@@ -62,6 +62,12 @@ std::string sentenceOf(const SidesFinding& finding) {
 
 }  // namespace
 
+SidesFinding withFirst(SidesFinding finding, std::size_t place) {
+    finding.best = place;
+    finding.sentence = sentenceOf(finding);
+    return finding;
+}
+
 std::optional<SidesFinding> findSides(const Volume& volume, const Viewpoint& fromProbe, bool beamSure, CutShapes shapes,
                                       const Progress& progress) {
     const auto grain = grainMm(volume, progress);
@@ -86,10 +92,9 @@ std::optional<SidesFinding> findSides(const Volume& volume, const Viewpoint& fro
             exposureFor(faceIntensity(volume, behindFound(judged.side.view, judged.front), progress).value_or(0.0));
     });
     if (progress.cancelled()) return std::nullopt;
-    finding.best = bestOf(finding);
-    finding.sentence = sentenceOf(finding);
     progress.at(1.0);
-    return finding;
+    const std::size_t best = bestOf(finding);
+    return withFirst(std::move(finding), best);
 }
 
 }  // namespace echolucent

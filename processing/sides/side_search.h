@@ -32,6 +32,9 @@ struct SidesFinding {
     std::string sentence{};        ///< for a person: which side comes first, and why
 };
 
+/// The finding if another side comes first; the sentence says so.
+[[nodiscard]] SidesFinding withFirst(SidesFinding finding, std::size_t place);
+
 /// Finds the front of each side, scores the sides and picks the best. `fromProbe` is the view from the probe, and
 /// `beamSure` says whether it is sure; else sides are numbered. `shapes` says which fronts are searched for; a side
 /// with a bowed front is scored with it, else with the flat one. If no side is at least a ninth better than the first

@@ -1,6 +1,7 @@
 #include "widgets/controls/side_strip.h"
 
 #include <QBoxLayout>
+#include <QPainter>
 #include <QPixmap>
 #include <QToolButton>
 #include <algorithm>
@@ -72,8 +73,9 @@ void SideStrip::setPicture(std::size_t side, const QImage& picture) {
         pixmap = QPixmap(2 * pictureWidth, 2 * mostPictureHeight);
         pixmap.fill(Qt::black);
     }
-    // A disabled picture is dimmed by the strip's own colours, not made grey.
     QIcon icon(pixmap);
+    // A picture of the study that is left is dimmed like the 3D view, not made grey.
+    QPainter(&pixmap).fillRect(pixmap.rect(), QColor(0, 0, 0, 160));
     icon.addPixmap(pixmap, QIcon::Disabled);
     m_buttons.at(side)->setIcon(icon);
 }

@@ -191,7 +191,8 @@ void ViewPanel::addPictureRows(QGridLayout& grid) {
 }
 
 void ViewPanel::addCutGroup(QGridLayout& grid) {
-    auto* reset = addGroup(grid, "view.cut.reset", tr("Front"), tr("Reset the front to what opening gave"));
+    auto* reset =
+        addGroup(grid, "view.cut.reset", tr("Front"), tr("Reset the front to that of the side that is taken"));
     connect(reset, &QToolButton::clicked, this, &ViewPanel::frontResetRequested);
     addRow(grid, labelFor(m_front, tr("Depth")), m_front);
     auto* suggest = named(new QPushButton(tr("Suggest")), "view.nearCut.suggest", tr("Suggest a front"),
@@ -254,7 +255,7 @@ void ViewPanel::addLookGroups(QGridLayout& grid) {
 
 void ViewPanel::addViewGroup(QGridLayout& grid) {
     QToolButton* reset = addGroup(grid, "view.reset", tr("View"),
-                                  tr("Reset the view: looks along the beam axis at the whole volume (R)"));
+                                  tr("Reset the view: the whole scan, seen from the side that is taken (R)"));
     connect(reset, &QToolButton::clicked, this, &ViewPanel::resetRequested);
     addRow(grid, labelFor(m_beamAxis, tr("Beam axis")), m_beamAxis);
 }

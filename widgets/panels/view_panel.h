@@ -70,7 +70,7 @@ signals:
     void frontFromHereRequested();
     void noFrontRequested();
     void frontShownIn3d(bool shown);
-    /// The person asks for the front found on opening.
+    /// The person asks for the front of the side that is taken.
     void frontResetRequested();
     void lookChanged(const echolucent::Look& look);
     /// The person moved the one slider of the light (light_amount.h).

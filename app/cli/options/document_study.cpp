@@ -172,8 +172,11 @@ Result<DocumentStudy> openStudy(const VolumeOptions& volume, const ViewOptions& 
     const auto begin = std::chrono::steady_clock::now();
     OpeningFinds finds = *findOnOpening(first, {}, view.said());
     if (const auto there = requireSide(view.side, finds); !there) return tl::unexpected<Failure>(there.error());
-    if (view.nearCutSuggested() && !finds.cut)
-        finds.cut = findFlatNearCut(first, viewpointOf(finds.beam.axis, finds.side), {});
+    // A suggested front is flat.
+    if (view.nearCutSuggested()) {
+        const BeamAxis axis = finds.beam.sure ? finds.beam.axis : Beam{}.axis;
+        finds.cut = findFlatNearCut(first, viewpointOf(axis, finds.side), {});
+    }
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
 
     Document fresh;

@@ -47,7 +47,8 @@ std::string exposureText(const OpeningFinds& finds) {
 /// The answer of the search for the front. If it suggests a cut that is not taken, the text says so.
 std::string frontText(const DocumentStudy& opened) {
     const auto& cut = opened.finds->cut;
-    if (!cut) return opened.finds->beam.sure ? "" : "No front is looked for along a beam that is not sure.";
+    if (!cut) return {};
+    if (opened.document.scene.front.surface) return messageOfFront(*cut);
     const bool suggested = cut->answer == NearCutAnswer::wallBeforeFluid;
     return cut->message + (suggested && !isFrontTaken(opened) ? " Nothing is cut." : "");
 }

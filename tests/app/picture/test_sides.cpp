@@ -97,9 +97,16 @@ private slots:
         QVERIFY(child("sides")->isVisible());
     }
 
-    void aSideThatAPersonTookIsRememberedForSuchScansAndTheCaptionSaysSo() {
+    void aSideThatAPersonLeavesAStudyWithIsRememberedForSuchScansAndTheCaptionSaysSo() {
         takeByKey(Qt::Key_6);
+        QVERIFY(window().close());
         close();
+        // Also for a file that is read while the window is made.
+        auto early = std::make_unique<MainWindow>(settingsFile(), [this](OpenStudy& study) { study.open(m_file); });
+        QSignalSpy opened(&early->openStudy(), &OpenStudy::studyOpened);
+        QVERIFY(opened.wait(20000));
+        QCOMPARE(early->openStudy().finds()->source, SideSource::remembered);
+        early.reset();
         showAgain();
         open(m_file);
         QCOMPARE(window().openStudy().finds()->source, SideSource::remembered);
@@ -108,12 +115,35 @@ private slots:
                  qPrintable(window().volumeView().caption()));
         takeByKey(Qt::Key_2);
         QVERIFY2(!window().volumeView().caption().contains("last time"), qPrintable(window().volumeView().caption()));
-        // Taking the side that shows most forgets the choice.
-        const auto best = static_cast<int>(window().openStudy().finds()->sides->best);
-        takeByKey(static_cast<Qt::Key>(Qt::Key_1 + best));
+        // Leaving with the side that shows most forgets the choice; a side that was taken back is none.
+        takeByKey(bestKey());
         open(m_file);
         QCOMPARE(window().openStudy().finds()->source, SideSource::found);
-        QCOMPARE(takenInStrip(), best + 1);
+        takeByKey(Qt::Key_6);
+        window().document().steps().undo();
+        open(m_file);
+        QCOMPARE(window().openStudy().finds()->source, SideSource::found);
+    }
+
+    void theViewIsResetToTheSideWhoseFrontCutsThoughTubeCoresWereTurned() {
+        takeByKey(Qt::Key_5);
+        const Document taken = document();
+        QVERIFY(cuts(taken.scene.front));
+        lookFrom(window(), {.azimuthDegrees = 33, .elevationDegrees = 12});
+        QTest::keyClick(&window(), Qt::Key_A);
+        QCOMPARE(takenInStrip(), 0);
+        QTest::keyClick(&window(), Qt::Key_R);
+        QVERIFY(document().scene.pose == taken.scene.pose);
+    }
+
+    void theStripLeavesFullScreenAndComparisonAlone() {
+        QTest::keyClick(&window(), Qt::Key_F);
+        QVERIFY(!child("sides")->isVisible());
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QTest::keyClick(&window(), Qt::Key_F);
+        QVERIFY(!child("sides")->isVisible());
+        QTest::keyClick(&window(), Qt::Key_F5);
+        QVERIFY(child("sides")->isVisible());
     }
 
     void aBeamThatAPersonSaysNamesTheSides() {
@@ -156,6 +186,9 @@ private:
     void takeByKey(Qt::Key key) {
         QTest::keyClick(&window(), key, Qt::ControlModifier);
         waitUntilIdle();
+    }
+    Qt::Key bestKey() {
+        return static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(window().openStudy().finds()->sides->best));
     }
     static bool isLit(const QImage& image) {
         for (int y = 0; y < image.height(); ++y)

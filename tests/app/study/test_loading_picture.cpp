@@ -83,7 +83,7 @@ private slots:
         const QImage now = picture();
         QVERIFY2(meanDifference(shown, now) < 12, qPrintable(QString::number(meanDifference(shown, now))));
         const double light = meanDifference(shown, QImage(shown.size(), QImage::Format_RGB32));
-        QVERIFY2(light > 10, qPrintable(QString::number(light)));
+        QVERIFY2(light > 10, qPrintable(QString::number(light)));  // a side of this scan is rather dark
         QVERIFY(!still()->accessibleName().isEmpty());
     }
 

@@ -123,24 +123,30 @@ TEST(OpeningFinds, ASideThatAPersonSaidOrTookLastIsTaken) {
 }
 
 TEST(OpeningFinds, TheCoarseVolumeOfALargeOneSaysTheSide) {
-    // 330 voxels along each edge; the hill's 64 lie in one of its corners, five times as large.
-    VolumeGeometry geometry;
-    geometry.size = {330, 330, 330};
-    geometry.spacing = Vec3(0.15, 0.15, 0.15);
+    // Planes lie far apart along x, so that all voxels tell the planes, and those of the coarse grid, nearly cubes, do
+    // not: its sides stand in another order. The hill is as large as with its own voxels.
+    VolumeGeometry geometry = gridOf({110, 560, 560}, {48.0 / 110, 48.0 / 560, 48.0 / 560});
     std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()));
-    for (std::int64_t z = 0; z < 330; ++z)
-        for (std::int64_t y = 0; y < 330; ++y)
-            for (std::int64_t x = 0; x < 330; ++x) {
-                const auto near = [](std::int64_t at) { return std::min<std::int64_t>(at / 5, voxelsOfEdge - 1); };
-                voxels[static_cast<std::size_t>(geometry.offset(x, y, z))] =
-                    static_cast<std::uint8_t>(hill().storedValue(hill().geometry().offset(near(x), near(y), near(z))));
-            }
+    const auto near = [](std::int64_t at, std::int64_t size) { return at * voxelsOfEdge / size; };
+    for (std::int64_t z = 0; z < 560; ++z)
+        for (std::int64_t y = 0; y < 560; ++y)
+            for (std::int64_t x = 0; x < 110; ++x)
+                voxels[static_cast<std::size_t>(geometry.offset(x, y, z))] = static_cast<std::uint8_t>(
+                    hill().storedValue(hill().geometry().offset(near(x, 110), near(y, 560), near(z, 560))));
     const Volume large(geometry, std::move(voxels));
     const auto coarse = coarseVolumeOf(large);
     ASSERT_TRUE(coarse);
     const auto seenFirst = findOnOpening(*coarse->voxels), found = findOnOpening(large);
-    EXPECT_EQ(seenFirst->place, found->place);
-    EXPECT_EQ(frameOf(found->sides->sides[*found->place].side.view).forward, Vec3(-1, 0, 0));
+    EXPECT_TRUE(found->sides->planes.sure);
+    EXPECT_FALSE(seenFirst->sides->planes.sure);
+    const auto looksAlong = [](const OpeningFinds& finds) {
+        return frameOf(finds.sides->sides[*finds.place].side.view).forward;
+    };
+    EXPECT_LT(length(looksAlong(*found) - looksAlong(*seenFirst)), 1e-12);
+    EXPECT_EQ(found->place, found->sides->best);
+    const SidesFinding other = withFirst(*found->sides, 1);
+    EXPECT_EQ(other.best, 1U);
+    EXPECT_TRUE(other.sentence.starts_with("\"Side 2\" comes first")) << other.sentence;
 }
 
 TEST(OpenedDocuments, AreSeenWholeFromTheirSideWithAndWithoutTheFinds) {

@@ -26,6 +26,10 @@ TEST(SideTaking, SetsViewTubeCoresFrontAndExposureAndNothingElse) {
         EXPECT_EQ(cuts(taken.scene.front), makesFront(judged.front)) << "the front before is gone";
         EXPECT_EQ(taken.scene.exposure, judged.exposure);
         EXPECT_EQ(taken.scene.motionAngle, 0.0);
+        Viewpoint onto = judged.side.view;
+        onto.box = orientedBoxOf(before.scene.box, BeamAxis::plusZ);
+        EXPECT_EQ(taken.scene.pose, wholeVolumePose(volume.dataBox(), onto, Projection::perspective, 1.5))
+            << "the box fills the picture";
         EXPECT_EQ(sideAlong(found, taken.beam.axis, taken.scene.side),
                   static_cast<std::size_t>(judged.side.number - 1));
         Document rest = taken;
