@@ -52,8 +52,10 @@ bool wantsKey(const QWidget& control, const QKeyEvent& event) {
     if (qobject_cast<const QAbstractButton*>(&control)) return presses(key);
     if (qobject_cast<const QAbstractSlider*>(&control) || qobject_cast<const QTabBar*>(&control)) return moves(key);
     if (qobject_cast<const QComboBox*>(&control)) return moves(key) || presses(key);
-    if (qobject_cast<const QAbstractItemView*>(&control))
-        return moves(key) || presses(key) || beginsNumber(key) || key == Qt::Key_Delete;
+    if (const auto* view = qobject_cast<const QAbstractItemView*>(&control)) {
+        const bool edits = key == Qt::Key_F2 && view->editTriggers().testFlag(QAbstractItemView::EditKeyPressed);
+        return moves(key) || presses(key) || beginsNumber(key) || key == Qt::Key_Delete || edits;
+    }
     return false;
 }
 

@@ -293,7 +293,7 @@ void PaneOtfs::stop() {
 
 void PaneOtfs::compute(const OtfRequest& request) {
     m_running = request;
-    m_thread.setWords(designing() ? tr("designing the OTF") : QString());
+    m_thread.setWords(designing() ? tr("computing the curve") : QString());
     m_thread.submit([this, run = m_run, request](const Progress& progress) -> NewestWinsThread::Deliver {
         QElapsedTimer clock;
         clock.start();
@@ -304,7 +304,7 @@ void PaneOtfs::compute(const OtfRequest& request) {
         } catch (const std::bad_alloc&) {
             const bool adaptive = std::holds_alternative<AdaptiveConfig>(request.config);
             return [this, request,
-                    sentence = adaptive ? tr("The adaptive OTF needs more memory than this machine has.")
+                    sentence = adaptive ? tr("The adaptive curve needs more memory than this machine has.")
                                         : tr("The designer needs more memory than this machine has.")] {
                 fail(request, sentence);
             };

@@ -45,8 +45,10 @@ Result<void> writeReport(CaseReport report, const std::optional<PatientSource>& 
     if (const auto allowed = refuseToOverwrite(inputs, {path}); !allowed) return allowed;
     if (source) {
         auto patient = restricted::readPatient(source->files, source->series, progress);
-        if (!patient) return tl::unexpected(patient.error());
-        report.patient = withTyped(std::move(*patient), report.patient.value_or(Patient{}));
+        // What was typed needs no file.
+        const bool typed = report.patient && *report.patient != Patient{};
+        if (!patient && !typed) return tl::unexpected(patient.error());
+        if (patient) report.patient = withTyped(std::move(*patient), report.patient.value_or(Patient{}));
     }
     progress.at(0.2);
     const std::string page = caseReportPage(report);

@@ -330,7 +330,7 @@ void MainWindow::createActions() {
 void MainWindow::countLeftUnsaved() {
     const auto count = m_sessions->leftUnsaved().list().size();
     QAction* menu = findChild<QMenu*>("file.leftUnsaved")->menuAction();
-    menu->setEnabled(count > 0);
+    enableOrSayWhy(*menu, count > 0, tr("Nothing was left unsaved."));
     menu->setText(count > 0 ? tr("Left &unsaved (%1)").arg(count) : tr("Left &unsaved"));
 }
 

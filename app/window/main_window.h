@@ -80,7 +80,7 @@ public:
     /// The OTFs of the motion so far.
     [[nodiscard]] const OtfCourse& otfCourse() const { return m_course; }
 
-    /// Review and Teach. A lesson enters Teach and returns.
+    /// Review and Teach.
     [[nodiscard]] WindowFaces& faces() { return *m_faces; }
 
     /// What Escape ends. A part that begins something that Escape ends adds itself.

@@ -108,7 +108,7 @@ void ReviewRoom::addPlanes(QMenu& menu) {
             action->setChecked(document.scene.planes.*member);
         });
     };
-    addSwitch(tr("Smoo&th the planes"), QStringLiteral("room.quietPlanes"), tr("voxels of planes"), &Planes::quiet);
+    addSwitch(tr("Smoo&th the planes"), QStringLiteral("room.quietPlanes"), tr("smoothing of planes"), &Planes::quiet);
     addSwitch(tr("Show planes in 3&D"), QStringLiteral("room.linesIn3d"), tr("planes in 3D"), &Planes::linesIn3d);
     QAction* reset = menu.addAction(tr("&Reset planes"));
     reset->setObjectName(QStringLiteral("room.resetPlanes"));

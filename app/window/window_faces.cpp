@@ -68,8 +68,14 @@ void WindowFaces::listEntries() {
 void WindowFaces::choose(Face face) {
     if (face == m_face) return;
     QStringList open;
-    for (const QDockWidget* dock : docksOf(m_parts.window))
-        if (!dock->isHidden()) open << dock->objectName();
+    // A comparison has taken the place of the planes for a while.
+    const QLatin1String planes("dock.room"), comparison("dock.compare");
+    const bool compares = comparing();
+    for (const QDockWidget* dock : docksOf(m_parts.window)) {
+        const bool lent = compares && (dock->objectName() == planes || dock->objectName() == comparison);
+        if (lent ? dock->objectName() == planes || m_face == Face::teach : !dock->isHidden())
+            open << dock->objectName();
+    }
     m_open[static_cast<int>(m_face)] = open;
     m_face = face;
     m_parts.settings.setFace(face);
@@ -96,12 +102,16 @@ bool WindowFaces::isOffered(const QDockWidget& dock) const {
     return m_face == Face::teach || std::ranges::find(reviewDocks, dock.objectName()) != reviewDocks.end();
 }
 
+bool WindowFaces::comparing() const {
+    return m_parts.window.findChild<QAction*>(QStringLiteral("room.compare"))->isChecked();
+}
+
 void WindowFaces::arrangePanels() {
     const QList<QDockWidget*> docks = docksOf(m_parts.window);
     const auto front = std::ranges::find_if(docks, isInFront);
     QDockWidget* inFront = front == docks.end() ? nullptr : *front;
     // What is compared on the screen keeps its panel, and planes that are not seen get none.
-    const bool compares = m_parts.window.findChild<QAction*>(QStringLiteral("room.compare"))->isChecked();
+    const bool compares = comparing();
     for (QDockWidget* dock : docks) {
         if (compares && dock->objectName() == QLatin1String("dock.compare"))
             dock->show();

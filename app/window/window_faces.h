@@ -57,6 +57,7 @@ private:
     void arrangePanels();
     void offerEntries(bool offered);
     [[nodiscard]] bool isOffered(const QDockWidget& dock) const;
+    [[nodiscard]] bool comparing() const;
 
     Parts m_parts;
     Face m_face = Face::review;

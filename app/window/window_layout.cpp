@@ -87,6 +87,7 @@ protected:
         if (direction == m_row->direction()) return;
         m_row->setDirection(direction);
         m_strip->setOrientation(below ? Qt::Horizontal : Qt::Vertical);
+        m_row->activate();  // not a frame later
     }
 
 private:

@@ -161,6 +161,7 @@ void createMenus(QMainWindow& window, OtfEditor& editor, const QList<QDockWidget
     QMenu* help = window.menuBar()->addMenu(tr("&Help"));
     addAction(help, tr("&What does the picture show?"), "help.explain", commands.explain);
     addAction(help, tr("&About Echolucent"), "help.about", [&window] { showAbout(window); });
+    for (QMenu* menu : window.menuBar()->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
     keepKeys(window);
 }
 

@@ -32,7 +32,7 @@ Document PaneFrames::documentOf(int frame) const {
 }
 
 int PaneFrames::firstLike(int frame) const {
-    const bool smoothed = designerConfigOf(m_document, m_pane) == nullptr &&
+    const bool smoothed = needsComputedOtf(m_document, m_pane) && designerConfigOf(m_document, m_pane) == nullptr &&
                           smoothingOf(m_document.motion.otf).value_or(OtfSmoothing::none) != OtfSmoothing::none;
     if (smoothed) return frame;
     const MotionPosition& at = position(frame);

@@ -50,6 +50,7 @@ private slots:
         QTest::newRow("light") << Theme::light;
     }
     void initTestCase() {
+        seeSides();
         show();
         window().resize(1280, 720);
         useLook(Look{});

@@ -46,6 +46,7 @@ class TestMainWindowLayout : public QObject, private WindowFixture {
 private slots:
     void initTestCase() {
         lookAtNoPicture();
+        seeSides();
         teach();
         wearTheme(Theme::dark);
         const auto still = smallPhantom(PhantomScene::shapes, 5);

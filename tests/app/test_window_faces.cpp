@@ -118,6 +118,12 @@ private slots:
         QVERIFY(!child<QDockWidget>("dock.compare")->isHidden());
         QTest::keyClick(&window(), Qt::Key_F5);
         QCOMPARE(openPanels(), QStringList({"Picture", "Measure", "Study", "Explain"}));
+        // Also if the comparison ends in the other face.
+        QTest::keyClick(&window(), Qt::Key_F5);
+        click("face.teach");
+        QTest::keyClick(&window(), Qt::Key_F5);
+        click("face.review");
+        QCOMPARE(openPanels(), QStringList({"Picture", "Measure", "Study", "Explain"}));
         waitUntilIdle();
     }
 

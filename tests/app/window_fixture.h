@@ -54,7 +54,7 @@ public:
         if (look != lookAtStart()) Settings(settingsFile()).setLook(look);
         if (m_teaches) Settings(settingsFile()).setFace(Face::teach);
         if (m_looksAlongAssumedBeam) Settings(settingsFile()).setSideTaken("MetaImage", "side-1");
-        if (m_looksAtNoPicture) Settings(settingsFile()).setSidesShown(false);  // its pictures take their time
+        Settings(settingsFile()).setSidesShown(m_seesSides);
         showAgain();
     }
     /// Shows the window of another start, with the present settings and what the start before left.
@@ -91,9 +91,11 @@ public:
                                  30000);
         if (m_looksAtNoPicture) m_waitsForFinePictures = false;
     }
-    /// For a class that looks at no picture: its windows have a small one, and no strip of sides. From now on only the
-    /// next waitUntilIdle() waits until the picture is fine.
+    /// For a class that looks at no picture: its windows have a small one. From now on only the next waitUntilIdle()
+    /// waits until the picture is fine.
     void lookAtNoPicture() { m_looksAtNoPicture = true; }
+    /// For a class that looks at the strip of sides, whose pictures take their time: from now on show() shows it.
+    void seeSides() { m_seesSides = true; }
     /// For a class that looks at what Teach alone shows: from now on show() begins in Teach, and not in Review.
     void teach() { m_teaches = true; }
     /// For a class that is about other things than opening: windows shown from now on open MetaImage files whose beam
@@ -115,7 +117,8 @@ public:
 private:
     QTemporaryDir m_folder;
     std::unique_ptr<MainWindow> m_window;
-    bool m_waitsForFinePictures = true, m_looksAtNoPicture = false, m_looksAlongAssumedBeam = false, m_teaches = false;
+    bool m_waitsForFinePictures = true, m_looksAtNoPicture = false, m_looksAlongAssumedBeam = false, m_teaches = false,
+         m_seesSides = false;
 };
 
 }  // namespace echolucent

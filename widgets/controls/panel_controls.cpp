@@ -41,14 +41,16 @@ namespace {
 
 template <typename Control>
 void enableWithReason(Control& control, bool enabled, const QString& whyNot) {
-    constexpr const char* key = "toolTipIfEnabled";
+    constexpr const char *ifEnabled = "toolTipIfEnabled", *set = "toolTipWithReason";
     control.setEnabled(enabled);
-    const QVariant kept = control.property(key);
-    const QString meaning = kept.isValid() ? kept.toString() : control.toolTip();
-    control.setProperty(key, enabled ? QVariant() : QVariant(meaning));
-    if (enabled && !kept.isValid()) return;
-    const bool both = !enabled && !meaning.isEmpty();
-    control.setToolTip(enabled ? meaning : both ? meaning + QLatin1Char('\n') + whyNot : whyNot);
+    // Another tool tip than the one set here is the control's new meaning.
+    const QVariant kept = control.property(ifEnabled);
+    const bool isKept = kept.isValid() && control.property(set).toString() == control.toolTip();
+    const QString meaning = isKept ? kept.toString() : control.toolTip();
+    const QString told = enabled ? meaning : meaning.isEmpty() ? whyNot : meaning + QLatin1Char('\n') + whyNot;
+    control.setProperty(ifEnabled, enabled ? QVariant() : QVariant(meaning));
+    control.setProperty(set, enabled ? QVariant() : QVariant(told));
+    if (told != control.toolTip()) control.setToolTip(told);
 }
 
 }  // namespace

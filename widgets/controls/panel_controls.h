@@ -26,7 +26,7 @@ Widget* named(Widget* widget, const QString& objectName, const QString& accessib
 }
 
 /// Enables a control or an action of a menu, or disables it. While it is disabled its tool tip ends with the sentence
-/// `whyNot`. Nobody else sets the tool tip meanwhile.
+/// `whyNot`. A tool tip that is set meanwhile is its new meaning.
 void enableOrSayWhy(QWidget& control, bool enabled, const QString& whyNot);
 void enableOrSayWhy(QAction& action, bool enabled, const QString& whyNot);
 

@@ -15,7 +15,7 @@ double lightAmount(const Look& look) {
 
 Look withLightAmount(Look look, double amount) {
     look.lighting = amount > 0.0 ? Lighting::depth : Lighting::flat;
-    if (amount > 0.0) look.reaching.shadow = look.reaching.occlusion = amount;
+    if (amount > 0.0) look.reaching.shadow = look.reaching.occlusion = std::max(leastLight, amount);
     return look;
 }
 

@@ -136,6 +136,8 @@ void MeasurementsPanel::createName() {
     connect(field, &QLineEdit::editingFinished, this, &MeasurementsPanel::typingEnded);
     connect(field, &QLineEdit::returnPressed, this, [this] { m_list->setFocus(Qt::OtherFocusReason); });
     connect(m_name, &QComboBox::textActivated, this, [this](const QString& text) {
+        // It also comes if the field is left with one of the names typed: then the focus goes where the person wants.
+        if (!m_name->hasFocus()) return;
         emit typingEnded();
         emit nameTyped(selectedId(), text);
         emit typingEnded();

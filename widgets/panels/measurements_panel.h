@@ -25,7 +25,7 @@ struct MeasurementRow {
 
 /// Objects: measurements (this), measurements.distance, .angle, .list, .name, .comment (of the measurement selected in
 /// the list), .remove, .removeAll. An empty list is hidden with its fields and buttons. In the list, Delete removes
-/// and F2 or a double click goes to the name. No setter emits a signal.
+/// and F2 or a double click goes to the name. setRows() emits typingEnded(); no other setter emits a signal.
 class MeasurementsPanel : public QWidget {
     Q_OBJECT
 

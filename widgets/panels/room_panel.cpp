@@ -91,7 +91,7 @@ QGroupBox* RoomPanel::createPlanes() {
             m_document.change(what, [&](Document& next) { next.scene.planes.*member = value; });
         };
     };
-    connect(quiet, &QCheckBox::toggled, this, change(tr("voxels of planes"), &Planes::quiet));
+    connect(quiet, &QCheckBox::toggled, this, change(tr("smoothing of planes"), &Planes::quiet));
     connect(lines, &QCheckBox::toggled, this, change(tr("planes in 3D"), &Planes::linesIn3d));
     connect(along, &QCheckBox::toggled, this, change(tr("3D view along with planes"), &Planes::turnsView));
     connect(window, &ValueSlider::valueChanged, this, change(tr("window and level"), &Planes::window));

@@ -17,6 +17,7 @@ class TestSides : public QObject, private WindowFixture {
 private slots:
     void initTestCase() {
         QLocale::setDefault(QLocale::c());
+        seeSides();
         // Only side 4 shows the hill, and side 3 its back.
         m_file = file("hill.mha", {std::make_shared<const Volume>(hillSeenAlong({0, 1, 0}))});
     }

@@ -81,6 +81,7 @@ private slots:
         QCOMPARE(window().document().steps().count(), before + 2);
         QCOMPARE(window().document().steps().undoText(), "comment on distance 1");
         // A name of the list, chosen later, is a step of its own.
+        child<QComboBox>("measurements.name")->setFocus();
         emit child<QComboBox>("measurements.name")->textActivated("BPD");
         QCOMPARE(measurements()[0].name, std::string("BPD"));
         QCOMPARE(window().document().steps().count(), before + 3);
@@ -95,6 +96,16 @@ private slots:
         QCOMPARE(window().document().steps().undoText(), "remove distance 1");
         window().document().steps().undo();
         QCOMPARE(measurements().at(0).name, std::string("left ventricle 2"));
+        // F2 is the list's, though it is a key of the window; a usual name that was typed takes the focus nowhere.
+        list().setFocus();
+        QTest::keyClick(&list(), Qt::Key_F2);
+        QVERIFY(window().findChild<PaneGrid*>()->paneLayout() == PaneLayout::quad);
+        QVERIFY(name->hasFocus());
+        name->selectAll();
+        QTest::keyClicks(name, "BPD");
+        QTest::keyClick(name, Qt::Key_Tab);
+        QVERIFY(comment->hasFocus());
+        QCOMPARE(measurements().at(0).name, std::string("BPD"));
     }
 };
 
