@@ -2,6 +2,7 @@
 #include <QDockWidget>
 
 #include "app/compare/compare_room.h"
+#include "app/window/full_screen.h"
 #include "app/window/main_window.h"
 #include "app/window/review_room.h"
 #include "app/window/window_faces.h"
@@ -9,6 +10,7 @@
 #include "widgets/compare/compare_panel.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/run_status.h"
+#include "widgets/controls/side_strip.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/panels/view_panel.h"

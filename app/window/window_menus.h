@@ -5,6 +5,7 @@
 #include <QString>
 #include <functional>
 
+class QAction;
 class QDockWidget;
 class QMainWindow;
 class QMenu;
