@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -117,17 +118,31 @@ Frames framesFrom(const SweepOptions& options, Motion range, const DocumentStudy
     return {motionFrames(motionStartOf(document), range, static_cast<int>(made.study.phases.size()))};
 }
 
-Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& made, const std::vector<SweptOtf>& swept,
-                        FrameCaster& caster, const std::array<int, 2>& size) {
+/// The pictures of a movie.
+struct MoviePictures {
+    double rate = 0.0;          ///< pictures a second
+    std::vector<int> frames{};  ///< that each picture shows, counted from 0
+};
+
+/// Fails (wrong usage) if there are too many pictures.
+Result<MoviePictures> picturesFrom(const SweepOptions& options, const DocumentStudy& made, const Frames& frames) {
     std::vector<int> phases;
-    for (const SweptOtf& otf : swept) phases.push_back(otf.frame.phase);
+    for (const SweepFrame& frame : frames.frames) phases.push_back(frame.phase);
     const HeldFrames held = heldFrames(made.document.motion, made.study.phaseTimes, phases, 1.0 / largestFrameRate);
     const double rate =
         options.frameRate.value_or(std::clamp(1.0 / held.pictureSeconds, leastFrameRate, largestFrameRate));
-    const std::vector<int> shown = framesOfPictures(held.pictures, *lengthFrom(options), rate);
-    if (static_cast<double>(shown.size()) > mostFrames)
+    const MovieLength length = *lengthFrom(options);
+    const double pictures = length.unit == MovieLengthUnit::seconds
+                                ? length.amount * rate
+                                : length.amount * std::accumulate(held.pictures.begin(), held.pictures.end(), 0.0);
+    if (pictures > mostFrames)
         return wrongUsage("--loops and --seconds", "make more than 100000 pictures", "Make the movie shorter.");
-    auto movie = MovieFile::begin(options.movie, size[0], size[1], rate);
+    return MoviePictures{rate, framesOfPictures(held.pictures, length, rate)};
+}
+
+Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& made, const std::vector<SweptOtf>& swept,
+                        const MoviePictures& pictures, FrameCaster& caster, const std::array<int, 2>& size) {
+    auto movie = MovieFile::begin(options.movie, size[0], size[1], pictures.rate);
     if (!movie) return tl::unexpected<Failure>(movie.error());
     const std::string words = options.words ? pictureWordsOf(made.study.phases.front()->geometry()) : "";
     const auto make = [&](int number) -> Result<MoviePicture> {
@@ -136,7 +151,8 @@ Result<void> writeMovie(const SweepOptions& options, const DocumentStudy& made, 
         writeWords(rgb, size[0], size[1], words);
         return rgb;
     };
-    const auto added = addLooped(shown, make, [&](std::span<const std::uint8_t> rgb) { return movie->add(rgb); });
+    const auto added =
+        addLooped(pictures.frames, make, [&](std::span<const std::uint8_t> rgb) { return movie->add(rgb); });
     return added ? movie->finish() : added;
 }
 
@@ -237,6 +253,12 @@ Result<void> sweep(const SweepOptions& options, const CLI::App& command, const I
     report.smoothing = smoothingFrom(options, *made);
     const Frames frames =
         framesFrom(options, *range, *made, framesUsed(report.smoothing.value_or(OtfSmoothing::none)) - 1);
+    MoviePictures pictures;
+    if (!options.movie.empty()) {
+        auto counted = picturesFrom(options, *made, frames);
+        if (!counted) return tl::unexpected<Failure>(counted.error());
+        pictures = *std::move(counted);
+    }
     if (!options.json.empty()) {
         auto of = madeOf(invocation, *made);
         if (!of) return tl::unexpected<Failure>(of.error());
@@ -251,7 +273,7 @@ Result<void> sweep(const SweepOptions& options, const CLI::App& command, const I
     report.frames = swept;
     sayWhatIsMissing(made->study, swept, !options.movie.empty());
     if (auto done = writeReport(options, report, caster, *size); !done) return done;
-    return options.movie.empty() ? Result<void>() : writeMovie(options, *made, swept, caster, *size);
+    return options.movie.empty() ? Result<void>() : writeMovie(options, *made, swept, pictures, caster, *size);
 }
 
 void addMotion(CLI::App& command, SweepOptions& options) {

@@ -43,6 +43,7 @@ PictureLabels frameLabels(const FrameOrder& order, const PaneFrames& frames, int
     return {.caption = pictureCaption({.document = shown,
                                        .speckle = ShownSpeckle::reduced,
                                        .curveOfAnotherView = ofAnotherView,
+                                       .sides = order.sides.get(),
                                        .lengthsKnown = known,
                                        .reduction = picture.voxels->geometry().reduction}),
             .frame = frameWords(frames.position(frame), motion.scenario, static_cast<int>(order.phases.scans.size()),

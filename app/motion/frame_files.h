@@ -1,6 +1,7 @@
 // Writes the frames of a motion into files: a movie, or a series of pictures.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "processing/pane_picture/pane_frames.h"
 #include "processing/progress.h"
 #include "processing/result.h"
+#include "processing/sides/side_search.h"
 #include "widgets/dialogs/movie_dialog.h"
 
 namespace echolucent {
@@ -19,6 +21,7 @@ struct FrameOrder {
     PhaseTimes phaseTimes{};  ///< as in Study
     FrameOutput output = FrameOutput::movie;
     MovieChoice choice{};
+    std::shared_ptr<const SidesFinding> sides{};  ///< of the document's beam, for labels; null until they are found
 };
 
 /// The files for a choice and a number of frames: the movie, or NAME-0001.png and those that follow it.

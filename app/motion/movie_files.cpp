@@ -135,7 +135,8 @@ FrameOrder MovieFiles::orderOf(FrameOutput output, const MovieChoice& choice) co
                      .phases = {.scans = study.phases, .quiet = {}, .reduction = quiet.reduction()},
                      .phaseTimes = study.phaseTimes,
                      .output = output,
-                     .choice = choice};
+                     .choice = choice,
+                     .sides = m_parts.sides.finding()};
     for (int phase = 0; phase < quiet.phaseCount(); ++phase) order.phases.quiet.push_back(quiet.of(phase));
     return order;
 }

@@ -8,6 +8,7 @@
 #include "app/motion/frame_files.h"
 #include "app/settings/settings.h"
 #include "app/study/open_study.h"
+#include "app/study/study_sides.h"
 #include "widgets/dialogs/movie_dialog.h"
 #include "widgets/document/document_model.h"
 
@@ -34,6 +35,7 @@ public:
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;
+        const StudySides& sides;
         std::function<QSize()> viewPixels;                         ///< the size of the 3D view in device pixels
         std::function<QString(const QString& what)> proposedName;  ///< for a file of the study, without an ending
     };

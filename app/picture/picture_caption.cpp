@@ -20,27 +20,16 @@ QString reductionLine(const std::optional<Reduction>& reduction) {
         .arg(textOf(factorsText(*reduction)).replace('x', QChar(0x00d7)));
 }
 
-/// Whether the pose looks the way sound went, as far as anybody could tell.
-bool looksFromProbe(const Document& document) {
-    constexpr double leastCosine = 0.9998;  // a degree
-    const Beam& beam = document.beam;
-    const Vec3 sound = frameOf(viewAlongBeam(beam)).forward;
-    return frameOf(viewpointOf(beam.axis, document.scene.pose.direction)).forward.dot(sound) > leastCosine;
-}
-
-/// "onto the scan plane" if the picture is seen from one of the six sides, and whether that is so because it was taken
-/// last time. Until the sides are found: "from the probe" if the picture is seen from there. Empty else.
+/// "onto the scan plane" if the pose looks along one of the six sides, whether a motion has turned the picture from
+/// there, and whether that side was taken last time. Empty else, and until the sides are found.
 QString sideLine(const CaptionFacts& facts) {
-    const Document& document = facts.document;
-    if (facts.sides == nullptr) {
-        const bool simulated = std::holds_alternative<SimulatedScan>(document.study);
-        const bool known = simulated || document.beam.source != BeamSource::assumed;
-        return known && looksFromProbe(document) ? captionText("from the probe") : QString();
-    }
-    const auto place = sideAlong(*facts.sides, document.beam.axis, document.scene.pose.direction);
+    const Scene& scene = facts.document.scene;
+    if (facts.sides == nullptr) return {};
+    const auto place = sideAlong(*facts.sides, facts.document.beam.axis, scene.pose.direction);
     if (!place) return {};
     QString name = textOf(facts.sides->sides[*place].side.name);
     name[0] = name[0].toLower();
+    if (scene.motionAngle != 0.0) return captionText("%1, turned").arg(name);
     return place == facts.remembered ? captionText("%1, as last time").arg(name) : name;
 }
 

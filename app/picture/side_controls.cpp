@@ -30,7 +30,7 @@ SideControls::SideControls(const Parts& parts, QObject* parent)
     connect(&m_parts.openStudy, &OpenStudy::loadingChanged, this, &SideControls::nameActions);
     connect(&m_parts.openStudy, &OpenStudy::studyReplaced, this, [this] { m_took = false; });
     connect(&m_parts.strip, &SideStrip::seenChanged, &m_pictures, &SidePictures::setSeen);
-    m_pictures.setSeen(m_parts.strip.isSeen());
+    m_pictures.setSeen(m_parts.strip.isVisible());
     connect(&m_pictures, &SidePictures::changed, this, [this] {
         for (std::size_t i = 0; i < m_actions.size(); ++i) m_parts.strip.setPicture(i, m_pictures.images()[i]);
     });
@@ -62,6 +62,7 @@ void SideControls::nameActions() {
     showTaken();
 }
 
+/// The side along which the tube cores look, if they look along one.
 std::optional<std::size_t> SideControls::taken() const {
     const auto& finding = m_parts.sides.finding();
     if (!finding) return std::nullopt;

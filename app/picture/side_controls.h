@@ -37,8 +37,6 @@ public:
 
     /// The actions that take sides 1 to 6: room.lookInFrom1 to room.lookInFrom6.
     [[nodiscard]] const std::array<QAction*, SideStrip::count>& actions() const { return m_actions; }
-    /// The place of the side that the tube cores look along, if they look along one.
-    [[nodiscard]] std::optional<std::size_t> taken() const;
     /// The direction of the side that is taken, or whose front cuts. Without one that of `opened`, the document that
     /// opening gave, if it has the document's beam; else along the beam.
     [[nodiscard]] ViewDirection directionOfSide(const Document& opened) const;
@@ -53,6 +51,7 @@ signals:
 
 private:
     void take(std::size_t place);
+    [[nodiscard]] std::optional<std::size_t> taken() const;
     [[nodiscard]] std::optional<std::size_t> takenOrCut() const;
     void nameActions();
     void showTaken();

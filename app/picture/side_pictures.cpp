@@ -75,7 +75,7 @@ void SidePictures::follow() {
         [this, asked = *m_asked, volume = m_sides.volume()](const Progress& progress) -> NewestWinsThread::Deliver {
             try {
                 PaneCaster caster(StudyPhases{.scans = {volume}});
-                for (std::size_t i = 0; i < Images().size(); ++i) {
+                for (std::size_t i = 0; i < std::tuple_size_v<Images>; ++i) {
                     const Document document =
                         withSideTaken(asked.document, asked.sides->sides[i], volume->dataBox(), double{width} / height);
                     const auto picture = smallPicture(caster, document, firstPane, width, height, progress);

@@ -33,11 +33,13 @@ FirstPageText fittedTo(std::string_view text, double height) {
     return firstLines(text, static_cast<std::size_t>(std::max(1.0, height / lineHeight + 1e-9)), sheetWidth);
 }
 
-/// A row whose comment has few lines; `isWhole` becomes false if it was cut.
+/// A row whose name and comment have few lines; `isWhole` becomes false if one was cut. So the first row always fits.
 FirstPageRow shortened(FirstPageRow row, bool& isWhole) {
+    FirstPageText name = firstLines(row.name, mostLinesOfRow, nameWidth);
     FirstPageText comment = firstLines(row.comment, mostLinesOfRow, commentWidth);
+    row.name = std::move(name.text);
     row.comment = std::move(comment.text);
-    isWhole = isWhole && comment.isWhole;
+    isWhole = isWhole && name.isWhole && comment.isWhole;
     return row;
 }
 

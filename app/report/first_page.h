@@ -20,9 +20,9 @@ struct FirstPageText {
 };
 
 struct FirstPageTexts {
-    std::vector<FirstPageRow> rows{};  ///< the first measurements; a long comment ends with "…"
+    std::vector<FirstPageRow> rows{};  ///< the first measurements; a long name or comment ends with "…"
     std::size_t leftOut = 0;           ///< measurements that are not among them
-    bool rowsAreWhole = true;          ///< no comment of a measurement was cut
+    bool rowsAreWhole = true;          ///< no name and no comment of a measurement was cut
     FirstPageText impression{}, comment{};
     double heightMm = 0.0;  ///< of all these on the sheet, at most 100
 };

@@ -16,9 +16,7 @@
 #include "app/otf/editor_otfs.h"
 #include "app/otf/near_cut_finder.h"
 #include "app/picture/coming_study.h"
-#include "app/picture/explanation.h"
 #include "app/picture/loading_picture.h"
-#include "app/picture/picture_caption.h"
 #include "app/picture/picture_controls.h"
 #include "app/picture/preset_controls.h"
 #include "app/picture/side_controls.h"
@@ -140,7 +138,7 @@ void MainWindow::createUnits() {
         CurveAndPictureFiles::Parts{*this, m_document, m_openStudy, *m_widgets.editor, *m_widgets.picture, m_settings,
                                     *m_widgets.messages, m_names, *m_view});
     m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
-        *this, m_document, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names,
+        *this, m_document, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names, *m_sides,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
         [this](const QString& what) { return m_files->proposedName(what); }});
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{
@@ -195,6 +193,14 @@ void MainWindow::connectUnits() {
             [this] { m_widgets.messages->takeBack("scalpel"); });
     connect(m_opening.get(), &StudyOpening::curveChosen, m_files.get(), &CurveAndPictureFiles::openCurveOfPerson);
     connect(m_opening.get(), &StudyOpening::presetsChosen, m_presets.get(), &PresetControls::importFrom);
+    connect(m_compare.get(), &CompareRoom::cameraMoved, m_motion.get(), &MotionFrames::endByHand);
+    // The next phase would begin the cancelled work anew.
+    connect(m_otfs.get(), &PaneOtfs::cancelled, &m_motionPlayer, &MotionPlayer::pause);
+    connect(&m_openStudy, &OpenStudy::studyOpened, this, [this] {
+        const auto& finds = m_openStudy.finds();
+        // A session has its own front.
+        if (finds && finds->cut && !m_openStudy.saved()) m_nearCutFinder->tellOpening(*finds->cut);
+    });
 }
 
 void MainWindow::connectResets() {
@@ -218,58 +224,6 @@ void MainWindow::connectNames() {
     };
     connect(&m_names, &StudyNames::changed, this, read);
     read();
-}
-
-/// The panel explains what every picture shows and why.
-void MainWindow::connectExplanation() {
-    ExplainPanel* panel = m_widgets.explain;
-    panel->setSource([this] { return explanation(); });
-    connect(m_panes.get(), &ShownPanes::changed, panel, &ExplainPanel::follow);
-}
-
-void MainWindow::connectCaption() {
-    connect(&m_openStudy, &OpenStudy::studyOpened, this, [this] {
-        const auto& finds = m_openStudy.finds();
-        // A session has its own front.
-        if (finds && finds->cut && !m_openStudy.saved()) m_nearCutFinder->tellOpening(*finds->cut);
-    });
-    const auto tell = [this] {
-        // A picture of the previous study keeps its own caption.
-        if (!m_openStudy.volume() || m_view->held()) return;
-        m_widgets.picture->setCaption(
-            pictureCaption({.document = m_document.document(),
-                            .speckle = shownSpeckle(),
-                            .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), m_otfs->adaptive().get()),
-                            .designIsShown = designIsShown(),
-                            .sides = m_sides->finding().get(),
-                            .remembered = rememberedSide(),
-                            .lengthsKnown = m_openStudy.volume()->geometry().spacingKnown,
-                            .reduction = m_openStudy.volume()->geometry().reduction}));
-    };
-    connect(m_panes.get(), &ShownPanes::changed, this, tell);
-    connect(m_sides.get(), &StudySides::changed, this, tell);
-    connect(m_compare.get(), &CompareRoom::cameraMoved, m_motion.get(), &MotionFrames::endByHand);
-    // The next phase would begin the cancelled work anew.
-    connect(m_otfs.get(), &PaneOtfs::cancelled, &m_motionPlayer, &MotionPlayer::pause);
-}
-
-std::optional<std::size_t> MainWindow::rememberedSide() const {
-    const auto& finds = m_openStudy.finds();
-    const bool remembered =
-        finds && !m_openStudy.saved() && finds->source == SideSource::remembered && finds->sides == m_sides->finding();
-    return remembered ? finds->place : std::nullopt;
-}
-
-bool MainWindow::designIsShown() const {
-    const DesignerConfig* config = designerConfigOf(m_document.document(), firstPane);
-    const auto made = m_otfs->designOf(firstPane);
-    return config != nullptr && made && made->asked.config.index() == config->index();
-}
-
-ShownSpeckle MainWindow::shownSpeckle() const {
-    const std::shared_ptr<const Volume> shown = m_widgets.picture->volume();
-    if (shown && shown != m_openStudy.volume()) return ShownSpeckle::reduced;
-    return m_openStudy.quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
 }
 
 void MainWindow::createActions() {
@@ -376,19 +330,6 @@ void MainWindow::keepSettings() {
     m_settings.setWindowGeometry(saveGeometry());
     m_settings.setWindowState(saveState(layoutVersion));
     m_settings.save();
-}
-
-QString MainWindow::explanation() const {
-    if (!m_openStudy.volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
-    const auto designed = m_otfs->designOf(firstPane);
-    const auto otf = m_otfs->adaptive();
-    return explainPicture({.study = *m_openStudy.study(),
-                           .volume = *m_openStudy.volume(),
-                           .otf = otf.get(),
-                           .document = m_document.document(),
-                           .speckle = shownSpeckle(),
-                           .design = designed.get(),
-                           .designIsNewest = m_otfs->isNewest(firstPane)});
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -19,7 +19,7 @@ struct ToolBarParts {
 };
 
 /// Puts the bar into the window. Objects: toolBar, toolBar.open, .sides, .layout, .box, .front, .scalpel, .measure,
-/// .curve, .save, .reset, the menu menu.sides, and face.review and face.teach, of which one is checked.
+/// .curve, .save, .reset, the menu menu.sides, and face.review and face.teach. One of these two is checked.
 /// A button that can do nothing is greyed, and its tool tip says why.
 void createToolBar(const ToolBarParts& parts);
 

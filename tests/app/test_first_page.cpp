@@ -106,6 +106,13 @@ private slots:
         const FirstPageTexts commented = textsOfFirstPage(rowsOf(2, much), "", "");
         QCOMPARE(commented.rows.size(), std::size_t{2});
         QVERIFY(!commented.rowsAreWhole);
+        // The longest name in wide letters, beside as much text as there can be.
+        std::string wide;
+        for (int i = 0; i < 80; ++i) wide += "\xE6\xB8\xAC";
+        const FirstPageTexts named =
+            textsOfFirstPage({{.name = wide, .value = "4", .unit = "mm", .comment = {}}}, much, much);
+        QCOMPARE(named.rows.size(), std::size_t{1});
+        QVERIFY(!named.rowsAreWhole);
     }
 
     void whatHasNoRoomStandsInTheAppendixWhole() {

@@ -14,6 +14,8 @@
 #include "app/motion/frame_files.h"
 #include "io/study/study.h"
 #include "processing/pane_picture/pane_picture.h"
+#include "processing/sides/side_search.h"
+#include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/casting/picture_image.h"
 
@@ -31,6 +33,26 @@ private slots:
         QCOMPARE(filesOf(FrameOutput::series, {.path = "/50%1/heart%2 %3.png"}, 1),
                  std::vector<std::string>{"/50%1/heart%2 %3-0001.png"});
         QCOMPARE(filesOf(FrameOutput::movie, choice, 5), std::vector<std::string>{"/x/heart.b.png"});
+    }
+
+    void labelsNameTheSideFromWhichThePictureIsSeen() {
+        const auto scan = smallPhantom(PhantomScene::shapes, 5);
+        FrameOrder order;
+        order.document.motion.scenario = MotionScenario::object;
+        order.document.scene.look = Look{};
+        order.phases.scans = {scan, scan};
+        order.output = FrameOutput::series;
+        order.choice = {.path = m_out.filePath("unnamed.png"), .size = {240, 180}, .labels = true};
+        QVERIFY(writeFrames(order));
+        const QImage unnamed(QString::fromStdString(filesOf(order.output, order.choice, 2)[0]));
+        order.sides = std::make_shared<const SidesFinding>(*findSides(*scan, {}, true));
+        order.choice.path = m_out.filePath("named.png");
+        QVERIFY(writeFrames(order));
+        const QImage named(QString::fromStdString(filesOf(order.output, order.choice, 2)[0]));
+        QVERIFY(!unnamed.isNull() && named.size() == unnamed.size());
+        const QRect captionRows(0, 0, 240, 40), rest(0, 60, 240, 100);
+        QVERIFY(named.copy(captionRows) != unnamed.copy(captionRows));
+        QVERIFY(named.copy(rest) == unnamed.copy(rest));
     }
 
     /// The loop of the fetal heart, each phase with its own OTF, quiet and lit. With the variable MOVIE_EDGE the

@@ -314,7 +314,18 @@ private slots:
     }
 
 private:
-    /// Every greyed control has a sentence at the end of its tool tip.
+    /// Whether a control, its action or what it stands in was greyed with a reason (enableOrSayWhy()).
+    static bool hasReason(const QWidget* control) {
+        constexpr const char* kept = "toolTipIfEnabled";
+        const auto* button = qobject_cast<const QToolButton*>(control);
+        if (button != nullptr && button->defaultAction() != nullptr &&
+            button->defaultAction()->property(kept).isValid())
+            return true;
+        for (const QWidget* each = control; each != nullptr; each = each->parentWidget())
+            if (each->property(kept).isValid()) return true;
+        return false;
+    }
+    /// Every greyed control has a reason, which ends its tool tip.
     void saysWhy(const QWidget& part) {
         for (const QWidget* control : part.findChildren<QWidget*>()) {
             const bool isControl =
@@ -325,6 +336,7 @@ private:
             for (const QWidget* each = control; tip.isEmpty() && each != &part; each = each->parentWidget())
                 tip = each->toolTip();
             QVERIFY2(tip.endsWith('.'), qPrintable(control->objectName() + ": " + tip));
+            QVERIFY2(hasReason(control), qPrintable(control->objectName()));
         }
     }
 

@@ -285,6 +285,16 @@ TEST(SweepSummary, IsPrintedWhereNoFileIsAskedFor) {
     EXPECT_NE(outcome.output.find("3 frames, static"), std::string::npos) << outcome.output;
 }
 
+TEST(SweepUsage, AMovieOfTooManyPicturesIsRefusedBeforeAnythingIsMade) {
+    const Folder folder;
+    const Outcome outcome = runProgram("sweep " + quoted(shapesFile()) + " --movie \"" + folder / "m.mkv" +
+                                       "\" --csv \"" + folder / "m.csv" + "\" --seconds 3600 --frame-rate 250");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.errors.find("more than 100000 pictures"), std::string::npos) << outcome.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "m.csv"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "m.mkv"));
+}
+
 TEST(SweepUsage, EndsInOneSentence) {
     const Folder folder;
     const std::vector<std::pair<std::string, std::string>> rows{

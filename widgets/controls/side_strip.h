@@ -28,8 +28,6 @@ public:
     void setActions(const std::array<QAction*, count>& actions);
     /// A null picture leaves the place dark.
     void setPicture(std::size_t side, const QImage& picture);
-    /// Whether somebody sees the strip.
-    [[nodiscard]] bool isSeen() const { return isVisible(); }
 
 signals:
     void seenChanged(bool seen);

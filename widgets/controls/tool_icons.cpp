@@ -41,7 +41,7 @@ Drawing openDrawing() {
     return drawing;
 }
 
-/// A cube of which one side is chosen.
+/// A cube with one side chosen.
 Drawing sidesDrawing() {
     Drawing drawing;
     drawing.areas = polygon({{3.5, 7.5}, {12, 12}, {12, 21.5}, {3.5, 17}});
@@ -51,7 +51,7 @@ Drawing sidesDrawing() {
     return drawing;
 }
 
-/// Four panes, of which one is the 3D view.
+/// Four panes; one is the 3D view.
 Drawing layoutDrawing() {
     Drawing drawing;
     drawing.areas.addRect(12, 12, 9, 8);
@@ -137,6 +137,19 @@ Drawing resetDrawing() {
     return drawing;
 }
 
+Drawing playDrawing() {
+    Drawing drawing;
+    drawing.areas = polygon({{6, 3}, {21, 12}, {6, 21}});
+    return drawing;
+}
+
+Drawing pauseDrawing() {
+    Drawing drawing;
+    drawing.areas.addRect(5.5, 3.5, 4.5, 17);
+    drawing.areas.addRect(14, 3.5, 4.5, 17);
+    return drawing;
+}
+
 Drawing drawingOf(ToolPicture picture) {
     switch (picture) {
         case ToolPicture::open: return openDrawing();
@@ -149,6 +162,8 @@ Drawing drawingOf(ToolPicture picture) {
         case ToolPicture::curve: return curveDrawing();
         case ToolPicture::save: return saveDrawing();
         case ToolPicture::reset: return resetDrawing();
+        case ToolPicture::play: return playDrawing();
+        case ToolPicture::pause: return pauseDrawing();
     }
     return {};
 }

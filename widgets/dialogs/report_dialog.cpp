@@ -83,7 +83,7 @@ void ReportDialog::createFields() {
 
 void ReportDialog::takeSwitch(bool on) {
     for (QLineEdit* field : m_fields) {
-        field->setEnabled(on);
+        enableOrSayWhy(*field, on, tr("Tick the box above first."));
         field->setPlaceholderText(on && m_facts.filesNamePatient && !m_shown && !m_problem ? tr("as the files say")
                                                                                            : QString());
     }

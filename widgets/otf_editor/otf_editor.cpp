@@ -236,17 +236,15 @@ void OtfEditor::connectModel() {
     connect(&m_model, &OtfEditorModel::changed, this, &OtfEditor::showState);
     connect(&m_model, &OtfEditorModel::activeCurveChanged, this, &OtfEditor::activeCurveChanged);
     const auto showSteps = [this] {
-        m_undo->setEnabled(steps().canUndo());
-        m_redo->setEnabled(steps().canRedo());
         const QString undo = steps().canUndo() ? tr("Undo %1").arg(steps().undoText()) : tr("Undo");
         const QString redo = steps().canRedo() ? tr("Redo %1").arg(steps().redoText()) : tr("Redo");
         // Names that people gave to presets and snapshots stand in them.
         m_undo->setText(literalMenuText(undo));
         m_redo->setText(literalMenuText(redo));
-        m_undo->setToolTip(steps().canUndo() ? literalToolTip(tr("%1 (Ctrl+Z)").arg(undo))
-                                             : tr("Undo (Ctrl+Z)\nNothing was changed."));
-        m_redo->setToolTip(steps().canRedo() ? literalToolTip(tr("%1 (Ctrl+Shift+Z)").arg(redo))
-                                             : tr("Redo (Ctrl+Shift+Z)\nNothing was undone."));
+        m_undo->setToolTip(literalToolTip(tr("%1 (Ctrl+Z)").arg(undo)));
+        m_redo->setToolTip(literalToolTip(tr("%1 (Ctrl+Shift+Z)").arg(redo)));
+        enableOrSayWhy(*m_undo, steps().canUndo(), tr("Nothing was changed."));
+        enableOrSayWhy(*m_redo, steps().canRedo(), tr("Nothing was undone."));
     };
     connect(&steps(), &DocumentSteps::changed, this, showSteps);
     showSteps();
@@ -314,18 +312,16 @@ void OtfEditor::showState() {
         shown.designed
             ? tr("Copy the largest opacity of each intensity into few nodes, within %1").arg(copiedCurveMaxError)
             : tr("Copy the adaptive curve into few nodes, within %1 of its opacity").arg(copiedCurveMaxError);
-    m_copyAdaptive->setToolTip(canCopy ? copying : tr("%1\nIt is not computed yet.").arg(copying));
-    m_copyAdaptive->setEnabled(canCopy);
+    m_copyAdaptive->setToolTip(copying);
+    enableOrSayWhy(*m_copyAdaptive, canCopy, tr("It is not computed yet."));
     m_designNote->setText(shown.design ? tr("%1 made the OTF from the volume. The panel Designers says how and has its "
                                             "parameters. To edit its curve, copy it into nodes.")
                                              .arg(copied)
                                        : tr("No OTF of %1 yet: it is computed from the volume.").arg(copied));
     const bool ofVolume = shown.designed || shown.active == CurveKind::adaptive;
     const bool nothingToReset = ofVolume && shown.adjustment == CurveAdjustment{};
-    m_reset->setEnabled(!nothingToReset);
-    m_reset->setToolTip(nothingToReset
-                            ? tr("The %1 curve comes from the volume, and nothing was changed.").arg(renderedName())
-                            : tr("Reset the %1 curve (C)").arg(renderedName()));
+    m_reset->setToolTip(tr("Reset the %1 curve (C)").arg(renderedName()));
+    enableOrSayWhy(*m_reset, !nothingToReset, tr("It comes from the volume, and nothing was changed."));
     enableOrSayWhy(*m_deleteNode, m_model.selectedNode() >= 0 && m_model.canRemoveNode(),
                    tr("No node is selected that a curve can spare."));
     if (m_hoveredNode >= static_cast<int>(shown.manual.nodes.size())) m_hoveredNode = -1;

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "processing/one_line.h"
 #include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
@@ -153,11 +154,12 @@ void MeasurementsPanel::createComment() {
     m_comment->setFixedHeight(2 * m_comment->fontMetrics().lineSpacing() + 14);
     m_comment->installEventFilter(this);
     connect(m_comment, &QPlainTextEdit::textChanged, this, [this] {
-        constexpr auto most = static_cast<qsizetype>(longestMeasurementComment);
-        if (const qsizetype over = m_comment->toPlainText().size() - most; over > 0) {
+        const std::size_t letters = letterCount(m_comment->toPlainText().toStdString());
+        if (letters > longestMeasurementComment) {
             // What was typed or pasted last is what does not fit.
             QTextCursor cursor = m_comment->textCursor();
-            cursor.movePosition(QTextCursor::PreviousCharacter, QTextCursor::KeepAnchor, static_cast<int>(over));
+            cursor.movePosition(QTextCursor::PreviousCharacter, QTextCursor::KeepAnchor,
+                                static_cast<int>(letters - longestMeasurementComment));
             cursor.removeSelectedText();  // this comes here again
             return;
         }

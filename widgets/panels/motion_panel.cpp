@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPainter>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QResizeEvent>
@@ -22,27 +21,12 @@
 #include "widgets/controls/flow_layout.h"
 #include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/controls/tool_icons.h"
 #include "widgets/panels/angle_slider.h"
 #include "widgets/panels/phase_controls.h"
 
 namespace echolucent {
 namespace {
-
-QIcon playIcon(bool playing, const QColor& colour) {
-    QPixmap pixmap(32, 32);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colour);
-    if (playing) {
-        painter.drawRect(QRectF(7, 5, 6, 22));
-        painter.drawRect(QRectF(19, 5, 6, 22));
-    } else {
-        painter.drawPolygon(QPolygonF{{8, 4}, {28, 16}, {8, 28}});
-    }
-    return QIcon(pixmap);
-}
 
 /// "¼×", "1×", "0.7×".
 QString speedText(double speed) {
@@ -291,23 +275,12 @@ void MotionPanel::setPlaying(bool playing) {
     m_play->setText(playing ? tr("Pause") : tr("Play"));
     m_play->setAccessibleName(m_play->text());
     m_play->setToolTip(playing ? tr("Holds the motion (Space)") : tr("Starts the motion (Space)"));
-    showPlayIcon();
-}
-
-void MotionPanel::showPlayIcon() {
-    m_play->ensurePolished();  // only then the palette has the style sheet's colours
-    m_play->setIcon(playIcon(m_playing, m_play->palette().color(QPalette::ButtonText)));
-}
-
-void MotionPanel::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::StyleChange || event->type() == QEvent::PaletteChange) showPlayIcon();
+    m_play->setIcon(toolIcon(playing ? ToolPicture::pause : ToolPicture::play));
 }
 
 void MotionPanel::showEvent(QShowEvent* event) {
     foldOtfs();
     QWidget::showEvent(event);
-    showPlayIcon();
 }
 
 double MotionPanel::angle() const { return m_angle->value(); }
@@ -332,13 +305,10 @@ void MotionPanel::setStudy(int phases, const PhaseTimes& times) {
         const QSignalBlocker blocker(m_otfPhase);
         m_otfPhase->setRange(1, phases);
     }
-    m_scenario->setEnabled(phases > 1);
-    m_scenario->setToolTip(phases > 1
-                               ? tr("The probe turns around the object, the object moves through the %1 phases of "
-                                    "the study, or both")
-                                     .arg(phases)
-                               : tr("The study holds one moment only, so that the object cannot move. Open a 4D "
-                                    "study for that."));
+    m_scenario->setToolTip(
+        tr("The probe turns around the object, the object moves through the phases of the study, or both"));
+    enableOrSayWhy(*m_scenario, phases > 1,
+                   tr("The study holds one moment only, so that the object cannot move. Open a 4D study for that."));
     MotionChoice choice = m_choice;
     if (phases < 2) choice.scenario = MotionScenario::probe;
     setChoice(choice);

@@ -75,7 +75,6 @@ signals:
     void choiceChanged(const echolucent::MotionChoice& choice, const QString& what);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
@@ -89,7 +88,6 @@ private:
     [[nodiscard]] QToolButton* createFold();
     void foldOtfs();
     void showAngle();
-    void showPlayIcon();
     void showAxis();
     void showSpeed();
     void showWhatMoves();

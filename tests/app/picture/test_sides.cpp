@@ -54,6 +54,11 @@ private slots:
         QCOMPARE(frameOf(viewpointOf(document())).forward, Vec3(0, 0, -1));
         click("sides.picture2");
         QCOMPARE(takenInStrip(), 2);  // a second click takes nothing away
+        window().motionPlayer().setAngle(20);
+        waitUntilIdle();
+        QVERIFY2(window().volumeView().caption().startsWith("side 2, turned"),
+                 qPrintable(window().volumeView().caption()));
+        window().motionPlayer().setAngle(0);
         window().document().steps().undo();
         window().document().steps().undo();
         QVERIFY(document() == opened);

@@ -1,4 +1,4 @@
-// Scans of which one side alone shows what there is to see.
+// Scans that show what there is to see from one side alone.
 #pragma once
 
 #include <algorithm>

@@ -1,0 +1,68 @@
+// What the window says of the picture: the caption in it, and the panel that explains it.
+#include "app/otf/editor_otfs.h"
+#include "app/picture/explanation.h"
+#include "app/picture/picture_caption.h"
+#include "app/study/study_sides.h"
+#include "app/window/main_window.h"
+#include "widgets/panels/explain_panel.h"
+
+namespace echolucent {
+
+/// The panel explains what every picture shows and why.
+void MainWindow::connectExplanation() {
+    ExplainPanel* panel = m_widgets.explain;
+    panel->setSource([this] { return explanation(); });
+    connect(m_panes.get(), &ShownPanes::changed, panel, &ExplainPanel::follow);
+}
+
+void MainWindow::connectCaption() {
+    const auto tell = [this] {
+        // A picture of the previous study keeps its own caption.
+        if (!m_openStudy.volume() || m_view->held()) return;
+        m_widgets.picture->setCaption(
+            pictureCaption({.document = m_document.document(),
+                            .speckle = shownSpeckle(),
+                            .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), m_otfs->adaptive().get()),
+                            .designIsShown = designIsShown(),
+                            .sides = m_sides->finding().get(),
+                            .remembered = rememberedSide(),
+                            .lengthsKnown = m_openStudy.volume()->geometry().spacingKnown,
+                            .reduction = m_openStudy.volume()->geometry().reduction}));
+    };
+    connect(m_panes.get(), &ShownPanes::changed, this, tell);
+    connect(m_sides.get(), &StudySides::changed, this, tell);
+}
+
+std::optional<std::size_t> MainWindow::rememberedSide() const {
+    const auto& finds = m_openStudy.finds();
+    const bool remembered =
+        finds && !m_openStudy.saved() && finds->source == SideSource::remembered && finds->sides == m_sides->finding();
+    return remembered ? finds->place : std::nullopt;
+}
+
+bool MainWindow::designIsShown() const {
+    const DesignerConfig* config = designerConfigOf(m_document.document(), firstPane);
+    const auto made = m_otfs->designOf(firstPane);
+    return config != nullptr && made && made->asked.config.index() == config->index();
+}
+
+ShownSpeckle MainWindow::shownSpeckle() const {
+    const std::shared_ptr<const Volume> shown = m_widgets.picture->volume();
+    if (shown && shown != m_openStudy.volume()) return ShownSpeckle::reduced;
+    return m_openStudy.quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
+}
+
+QString MainWindow::explanation() const {
+    if (!m_openStudy.volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
+    const auto designed = m_otfs->designOf(firstPane);
+    const auto otf = m_otfs->adaptive();
+    return explainPicture({.study = *m_openStudy.study(),
+                           .volume = *m_openStudy.volume(),
+                           .otf = otf.get(),
+                           .document = m_document.document(),
+                           .speckle = shownSpeckle(),
+                           .design = designed.get(),
+                           .designIsNewest = m_otfs->isNewest(firstPane)});
+}
+
+}  // namespace echolucent
