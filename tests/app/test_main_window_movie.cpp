@@ -145,6 +145,7 @@ private slots:
         open(moving());
         playThePhases();
         window().document().change("beam axis", [](Document& next) { next.beam.source = BeamSource::person; });
+        QTRY_VERIFY(window().idle());  // the sides along that beam are found
         const QSize size(320, 240);
         window().movieFiles().begin(FrameOutput::series, {.path = out().filePath("with.png"), .size = size});
         QVERIFY(ended());
