@@ -38,6 +38,31 @@ Colour dimmedAway(const Colour& colour, double towardsViewer) {
 
 }  // namespace
 
+std::string captionWithin(std::string_view caption, double width,
+                          const std::function<double(const std::string& line)>& widthOf) {
+    constexpr std::string_view between = " \xC2\xB7 ";
+    std::string lines, line;
+    const auto end = [&] {
+        lines += (lines.empty() ? "" : "\n") + line;
+        line.clear();
+    };
+    for (std::size_t at = 0; at < caption.size();) {
+        const std::size_t endOfLine = std::min(caption.find('\n', at), caption.size());
+        const std::size_t endOfFact = std::min(caption.find(between, at), endOfLine);
+        const std::string fact(caption.substr(at, endOfFact - at));
+        const std::string longer = line.empty() ? fact : line + std::string(between) + fact;
+        if (!line.empty() && widthOf(longer) > width) {
+            end();
+            line = fact;
+        } else {
+            line = longer;
+        }
+        if (endOfFact == endOfLine) end();
+        at = endOfFact + (endOfFact == endOfLine ? 1 : between.size());
+    }
+    return lines;
+}
+
 RoundLength roundLengthUpTo(double mm) {
     const double decade = std::pow(10.0, std::floor(std::log10(mm)));
     RoundLength rounded{decade, {}};

@@ -1,9 +1,12 @@
-// Where the scale bar and the orientation marker stand in a picture, and their texts. The screen and movies share them.
+// Where the scale bar and the orientation marker stand in a picture, their texts, and the lines of the caption. The
+// screen and movies share them.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <opencv2/core/matx.hpp>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -52,6 +55,11 @@ struct AnnotationLayout {
     std::vector<std::variant<AnnotationLine, AnnotationDisc>> shapes{};
     std::vector<AnnotationText> texts{};
 };
+
+/// A caption of one or more lines whose facts are parted by " · ". A line that is wider than `width` goes on in the
+/// next one, before a fact; one fact alone may be wider. `widthOf` tells how wide a line is, in the unit of `width`.
+[[nodiscard]] std::string captionWithin(std::string_view caption, double width,
+                                        const std::function<double(const std::string& line)>& widthOf);
 
 /// The longest length up to a limit (> 0), in mm, that is 1, 2 or 5 times a power of ten. Its text: "10 mm", "0.5 mm".
 struct RoundLength {

@@ -104,7 +104,12 @@ void paintLabels(QPainter& painter, const QSize& picture, const PictureLabels& l
     LabelPainter over(painter, picture, scale);
     const double margin = annotationMargin * scale;
     const QColor colour = colourOf(annotationColour);
-    over.paint(labels.caption, {margin, margin}, {0.0, 1.0}, colour);
+    const QFontMetricsF metrics(painter.font());
+    const double room = picture.width() - 3.0 * margin - metrics.horizontalAdvance(labels.frame);
+    const std::string caption = captionWithin(labels.caption.toStdString(), room, [&metrics](const std::string& line) {
+        return metrics.horizontalAdvance(QString::fromStdString(line));
+    });
+    over.paint(QString::fromStdString(caption), {margin, margin}, {0.0, 1.0}, colour);
     over.paint(labels.frame, {picture.width() - margin, margin}, {1.0, 1.0}, colour);
     over.paint(orientationLayout(scale, labels.camera.frame));
     over.paint(scaleBarLayout(picture.width(), picture.height(), scale, labels.camera.heightMm, labels.spacingKnown));

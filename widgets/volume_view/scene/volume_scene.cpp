@@ -155,7 +155,7 @@ void VolumeScene::layOutAnnotations() {
     const double scale = m_renderer->GetRenderWindow()->GetDPI() / plainScreenDpi;
     const Camera shown = camera();
     m_orientationMarker.layOut(scale, shown.frame);
-    m_caption.layOut(size[1], scale);
+    m_caption.layOut(size[0], size[1], scale);
     m_overlay.layOut(size[0], size[1], scale, shown);
     m_scaleBar.layOut(size[0], size[1], scale, shown.heightMm, m_volume->geometry().spacingKnown);
 }
