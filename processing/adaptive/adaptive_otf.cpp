@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "processing/adaptive/adapted_curve.h"
+#include "processing/adaptive/halved_lengths.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/read_tube_cores.h"
 #include "processing/detection/choose_detection.h"
@@ -26,7 +27,7 @@ void requireOneGrid(const Volume& volume, const QuietVoxels& shown) {
 
 AdaptiveOtf unrun(const VolumeGeometry& geometry, const Viewpoint& view, const AdaptiveOtfConfig& config) {
     AdaptiveOtf otf;
-    otf.config = config;
+    otf.config = otf.used = config;
     otf.view = view;
     otf.tubeSpacingUnits = tubeSpacingUnits(geometry, view, config.grid, config.cells.size);
     otf.directionVoxel = directionInVoxels(view, geometry);
@@ -156,12 +157,21 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     requireOneGrid(volume, shown);
     if (const std::string problem = problemOf(config); !problem.empty()) throw std::invalid_argument(problem);
     auto otf = adaptToData(volume, view, config, progress, shown);
-    if (!otf || volume.dataMask().empty() || !findsNoSurface(*otf)) return otf;
+    if (!otf || !findsNoSurface(*otf)) return otf;
+    Progress silent = progress;  // the first run's progress already stands at the end, and must not fall
+    silent.report = nullptr;
+    if (const auto halved = halvedLengths(config, volume.geometry(), view)) {
+        auto found = adaptToData(volume, view, *halved, silent, shown);
+        if (!found) return std::nullopt;
+        if (found->tubesWithWeight > 0) {
+            found->config = config;
+            return found;
+        }
+    }
+    if (volume.dataMask().empty()) return otf;
     auto mask = dataMaskWithoutGuess(volume);
     if (mask == volume.dataMask()) return otf;
 
-    Progress silent = progress;  // the first run's progress already stands at the end, and must not fall
-    silent.report = nullptr;
     auto begun = adaptToData(volume.withDataMask(std::move(mask)), view, config, silent, {});
     if (!begun) return std::nullopt;
     if (begun->tubesWithWeight == 0) return otf;

@@ -6,7 +6,7 @@
 namespace echolucent {
 
 std::vector<SurfaceRay> tubeCoreRays(const VolumeGeometry& geometry, const AdaptiveOtf& otf) {
-    const auto axes = tubeAxes(geometry, otf.view, otf.config.grid, otf.config.cells.size);
+    const auto axes = tubeAxes(geometry, otf.view, otf.used.grid, otf.used.cells.size);
     std::vector<SurfaceRay> rays;
     for (std::size_t t = 0; t < otf.tubes.size() && t < axes.size(); ++t) {
         const TubeCore& tube = otf.tubes[t];

@@ -66,8 +66,8 @@ Json valueOf(const ParameterValue& value) {
 
 /// Named like the command line's options. Parameters that do not apply are left out.
 Json methodParametersJson(const AdaptiveOtf& otf, const OtfContext& context) {
-    const AdaptiveOtfConfig& config = otf.config;
-    Json all{{"reading", readingName(config)},
+    const AdaptiveOtfConfig& config = otf.used;
+    Json all{{"reading", readingName(otf.config)},
              {"initial", withoutFolders(context.initialName)},
              {"initial_function", initialFunction(config.initial)},
              {"opacity_scale", opacityScaleOf(config.initial, context.manualFactor)},
@@ -83,6 +83,7 @@ Json methodParametersJson(const AdaptiveOtf& otf, const OtfContext& context) {
     all["fluid_intensity"] = maybe(otf.fluidIntensity);
     all["trust"] = otf.trust;
     all["surfaces_where_data_begin"] = otf.surfacesWhereDataBegin;
+    all["lengths_halved"] = otf.lengthsHalved();
     const CurveRule used = quieterRule(config.curve, otf.speckleLeft);
     if (const auto* ramp = std::get_if<RampRule>(&used)) {
         all["quiet_ramp_begin"] = ramp->begin;
@@ -223,6 +224,9 @@ std::string summary(const Volume& volume, const AdaptiveOtf& otf) {
                         otf.tubesMeetingVolume, otf.tubes.size(), found, otf.tubesWithWeight);
     if (const std::size_t left = otf.config.grid.withoutTubes.size(); left > 0)
         text += fmt::format("{} of them {} never placed\n", left, left == 1 ? "is" : "are");
+    if (otf.lengthsHalved())
+        text +=
+            "The volume has few voxels along the view: all lengths along the tube cores are half of what was set.\n";
     text += fmt::format("d_max {:.4g}, sum of d {:.4g}\n", otf.dMax, sum);
     text += fmt::format("{:.2f} ms: sampling {:.2f}, cells {:.2f}, detection {:.2f}, weights {:.2f}, curve {:.2f}\n",
                         otf.times.total, otf.times.sampling, otf.times.cells, otf.times.detection, otf.times.weights,

@@ -83,7 +83,7 @@ DetectionQuality detectionQuality(const AdaptiveOtf& otf, const std::vector<Tube
 }
 
 DetectionQuality detectionQuality(const AdaptiveOtf& otf, const PhantomTruth& truth, const VolumeGeometry& geometry) {
-    return detectionQuality(otf, tubeTruths(truth, geometry, otf.view, otf.config), geometry);
+    return detectionQuality(otf, tubeTruths(truth, geometry, otf.view, otf.used), geometry);
 }
 
 }  // namespace echolucent

@@ -87,7 +87,7 @@ void measureErrors(const OtfCase& one, std::vector<VariantResult>& results) {
         const AdaptiveOtf otf = *adaptOpacity(*one.volume, one.view, variants[v].config);
         addDifference(otf.curve, references[variants[v].interfaceFunction], results[v]);
         if (one.truth != nullptr)
-            results[v].detection.add(detectionQuality(otf, truths.of(otf.config), one.volume->geometry()));
+            results[v].detection.add(detectionQuality(otf, truths.of(otf.used), one.volume->geometry()));
     }
 }
 

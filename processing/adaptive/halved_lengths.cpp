@@ -1,0 +1,51 @@
+#include "processing/adaptive/halved_lengths.h"
+
+#include <array>
+#include <variant>
+
+namespace echolucent {
+
+namespace {
+
+constexpr int half(int length) { return (length + 1) / 2; }
+
+RatioRule withHalvedLengths(RatioRule rule) {
+    rule.slabsBefore = half(rule.slabsBefore);
+    rule.slabsBehind = half(rule.slabsBehind);
+    rule.rampSlabs = half(rule.rampSlabs);
+    rule.leastFluid = half(rule.leastFluid);
+    rule.leastDark = half(rule.leastDark);
+    return rule;
+}
+
+SurfaceRule withHalvedLengths(SurfaceRule rule) {
+    rule.lowReach = half(rule.lowReach);
+    rule.highReach = half(rule.highReach);
+    rule.slopeHalfStep = half(rule.slopeHalfStep);
+    return rule;
+}
+
+bool hasDefaultLengths(const AdaptiveOtfConfig& config, const RatioRule& rule) {
+    const auto lengthsOf = [](const RatioRule& one) {
+        return std::array{one.slabsBefore, one.slabsBehind, one.rampSlabs, one.leastFluid, one.leastDark};
+    };
+    return config.cells.size == CellRule{}.size && config.surface == SurfaceRule{} &&
+           lengthsOf(rule) == lengthsOf(RatioRule{});
+}
+
+}  // namespace
+
+std::optional<AdaptiveOtfConfig> halvedLengths(const AdaptiveOtfConfig& config, const VolumeGeometry& geometry,
+                                               const Viewpoint& view) {
+    const auto* ratio = std::get_if<RatioRule>(&config.detection);
+    if (ratio == nullptr || !hasDefaultLengths(config, *ratio)) return std::nullopt;
+    const auto depths = geometry.depthsAlong(frameOf(view).forward);
+    if (depths.farthest - depths.nearest >= shallowUnits * geometry.unit()) return std::nullopt;
+    AdaptiveOtfConfig halved = config;
+    halved.cells.size = half(config.cells.size);
+    halved.detection = withHalvedLengths(*ratio);
+    halved.surface = withHalvedLengths(config.surface);
+    return halved;
+}
+
+}  // namespace echolucent
