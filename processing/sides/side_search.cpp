@@ -13,8 +13,10 @@ namespace echolucent {
 
 namespace {
 
-constexpr double closeTo = 0.9;      // of the best score: such a score is close to it
-constexpr double leastOpened = 0.1;  // of the picture
+constexpr double closeTo = 0.9;          // of the best score: such a score is close to it
+constexpr double leastOpenedSure = 0.1;  // of the picture, if the beam is sure
+// If nobody knows where the probe was, the data may be no ultrasound, and what is dark no fluid.
+constexpr double leastOpenedUnsure = 0.2;
 
 using FinenessOfSides = std::array<PictureFineness, std::tuple_size_v<Sides>>;
 
@@ -38,7 +40,7 @@ FinenessOfSides finenessOf(const Sides& sides, const ScanPlanes& planes, const V
 /// Rounded, so that sides that only differ by rounding are told apart by their order.
 double comparedScore(const JudgedSide& judged) { return std::round(judged.score.total * 1e9) * 1e-9; }
 
-std::size_t bestOf(const SidesFinding& finding) {
+std::size_t bestOf(const SidesFinding& finding, double leastOpened) {
     std::size_t best = probeSide;
     for (std::size_t i = 0; i < finding.sides.size(); ++i)
         if (finding.sides[i].score.opened >= leastOpened &&
@@ -93,7 +95,7 @@ std::optional<SidesFinding> findSides(const Volume& volume, const Viewpoint& fro
     });
     if (progress.cancelled()) return std::nullopt;
     progress.at(1.0);
-    const std::size_t best = bestOf(finding);
+    const std::size_t best = bestOf(finding, beamSure ? leastOpenedSure : leastOpenedUnsure);
     return withFirst(std::move(finding), best);
 }
 

@@ -39,8 +39,9 @@ struct SidesFinding {
 /// `beamSure` says whether it is sure; else sides are numbered. `shapes` says which fronts are searched for; a side
 /// with a bowed front is scored with it, else with the flat one. If no side is at least a ninth better than the first
 /// one, which is the one from the probe, that one comes first. A side that shows little behind fluid (SideScore::opened
-/// below a tenth) comes first only if it is the first one. The voxels are read once for all sides. The result has the
-/// same bits for any number of threads, and is empty only if progress.cancel was raised.
+/// below a tenth, or a fifth if the beam is not sure) comes first only if it is the first one. The voxels are read once
+/// for all sides. The result has the same bits for any number of threads, and is empty only if progress.cancel was
+/// raised.
 [[nodiscard]] std::optional<SidesFinding> findSides(const Volume& volume, const Viewpoint& fromProbe, bool beamSure,
                                                     CutShapes shapes = CutShapes::flat, const Progress& progress = {});
 

@@ -31,14 +31,14 @@ inline Volume cubeOf(const std::function<double(const Vec3& mm)>& value) {
 /// A cavity in tissue. Seen along `forward`, a flat wall of 14 mm stands before it, and on its floor a hill, which
 /// nearly reaches the wall. Only from there a flat front lays the whole hill bare: from behind, the front would have to
 /// pass through it.
-inline Volume hillSeenAlong(const Vec3& forward) {
+inline Volume hillSeenAlong(const Vec3& forward, double radiusMm = 18) {
     return cubeOf([&](const Vec3& mm) {
         const Vec3 fromMiddle = mm - Vec3(middleMm, middleMm, middleMm);
         const double depth = fromMiddle.dot(forward) + middleMm;
         const double aside =
             std::sqrt(std::max(0.0, fromMiddle.dot(fromMiddle) - std::pow(fromMiddle.dot(forward), 2)));
-        const double floor = 32 - 14 * std::exp(-std::pow(aside / 13, 4));
-        return aside < 18 && depth >= 14 && depth < floor ? dark : bright;
+        const double floor = 32 - 14 * std::exp(-std::pow(aside / radiusMm * 18 / 13, 4));
+        return aside < radiusMm && depth >= 14 && depth < floor ? dark : bright;
     });
 }
 

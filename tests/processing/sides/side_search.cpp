@@ -146,6 +146,14 @@ TEST(SideSearch, NumbersTheSidesOfAnUnsureBeam) {
     EXPECT_EQ(frameOf(found.sides[found.best].side.view).forward, Vec3(0, 1, 0)) << "it still finds the best";
 }
 
+TEST(SideSearch, AsksForMoreOfThePictureWhereTheBeamIsUnsure) {
+    const Volume small = hillSeenAlong({0, 1, 0}, 11);
+    const SidesFinding sure = *findSides(small, {}, true), unsure = *findSides(small, {}, false);
+    EXPECT_EQ(frameOf(sure.sides[sure.best].side.view).forward, Vec3(0, 1, 0)) << sure.sentence;
+    EXPECT_NEAR(sure.sides[sure.best].score.opened, std::numbers::pi * 11 * 11 / (48 * 48), 0.05);
+    EXPECT_EQ(unsure.best, probeSide) << unsure.sentence;
+}
+
 TEST(SideSearch, GivesTheSameBitsForAnyNumberOfThreads) {
     const Volume volume = *makePhantom(simulated(PhantomScene::fetus, true, 7));
     const Viewpoint leaning{.azimuthDegrees = 11, .elevationDegrees = -5};
