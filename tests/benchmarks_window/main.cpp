@@ -139,6 +139,9 @@ void measure(const Options& options, const QString& volume, int edge, const std:
         finished(window.highQuality(options.amount));
         if (!options.pictures.isEmpty())
             window.takePictures(options.pictures, QString("%1-%2").arg(edge).arg(QString(name).replace(' ', '-')));
+        if (name != curves[1].first) continue;  // the document's own curve follows its sliders
+        finished(window.slide("view.threshold", "threshold", options.amount));
+        finished(window.slide("view.nearCut", "front", options.amount));
     }
 }
 

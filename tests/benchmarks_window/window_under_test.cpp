@@ -2,11 +2,13 @@
 
 #include <QComboBox>
 #include <QMouseEvent>
+#include <QSlider>
 #include <QTest>
 #include <QWheelEvent>
 #include <QWindow>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -122,6 +124,22 @@ Row WindowUnderTest::orbit(const Amount& amount) {
 Row WindowUnderTest::turnLight(const Amount& amount) {
     Row row = drag(Qt::ControlModifier, amount);
     row.action = "light";
+    return row;
+}
+
+Row WindowUnderTest::slide(const QString& slider, const QString& action, const Amount& amount) {
+    auto* moved = child<QSlider>(slider);
+    const int before = moved->value();
+    constexpr int there = 20, back = 2 * there;  // moves
+    const int middle = (moved->minimum() + moved->maximum()) / 2;
+    const int step = std::max(1, (moved->maximum() - middle) / back);  // each move changes the value
+    int moves = 0;
+    moved->setSliderDown(true);
+    Row row = follow(amount, [&] { moved->setValue(middle + step * (std::abs(++moves % back - there) - there / 2)); });
+    moved->setValue(before);
+    moved->setSliderDown(false);
+    waitUntilConverged();
+    row.action = action;
     return row;
 }
 

@@ -25,6 +25,9 @@ public:
     [[nodiscard]] Row edit(const OpacityCurve& curve, const Amount& amount);
     /// Moves the light with each mouse event, as orbit() moves the view.
     [[nodiscard]] Row turnLight(const Amount& amount);
+    /// Moves a slider of the panels to and fro in the middle of its range, as orbit() moves the view. The document, and
+    /// with it the curve that it shows, follows.
+    [[nodiscard]] Row slide(const QString& slider, const QString& action, const Amount& amount);
     /// Times the way from a jump to another view to the high-quality picture on the screen.
     [[nodiscard]] Row highQuality(const Amount& amount);
     /// Edits the manual curve of the document, which the 3D view shows, and undoes it, so many times: each from the
