@@ -43,6 +43,7 @@ PictureLabels frameLabels(const FrameOrder& order, const PaneFrames& frames, int
     return {.caption = pictureCaption({.document = shown,
                                        .speckle = ShownSpeckle::reduced,
                                        .curveOfAnotherView = ofAnotherView,
+                                       .curveIsTold = order.curveIsTold,
                                        .sides = order.sides.get(),
                                        .lengthsKnown = known,
                                        .reduction = picture.voxels->geometry().reduction}),

@@ -22,6 +22,7 @@ struct FrameOrder {
     FrameOutput output = FrameOutput::movie;
     MovieChoice choice{};
     std::shared_ptr<const SidesFinding> sides{};  ///< of the document's beam, for labels; null until they are found
+    bool curveIsTold = true;                      ///< as in CaptionFacts
 };
 
 /// The files for a choice and a number of frames: the movie, or NAME-0001.png and those that follow it.

@@ -136,7 +136,8 @@ FrameOrder MovieFiles::orderOf(FrameOutput output, const MovieChoice& choice) co
                      .phaseTimes = study.phaseTimes,
                      .output = output,
                      .choice = choice,
-                     .sides = m_parts.sides.finding()};
+                     .sides = m_parts.sides.finding(),
+                     .curveIsTold = m_parts.settings.face() == Face::teach};
     for (int phase = 0; phase < quiet.phaseCount(); ++phase) order.phases.quiet.push_back(quiet.of(phase));
     return order;
 }

@@ -113,7 +113,7 @@ QString motionSentence(const MotionChoice& motion, std::size_t phases) {
     switch (motion.otf) {
         case MotionOtf::oneOtf:
             return phases < 2 ? explanationText("In a motion this one OTF serves every frame.")
-                              : explanationText("In a motion the OTF of phase %1 serves every frame.")
+                              : explanationText("In a motion the OTF of volume %1 serves every frame.")
                                     .arg(motion.otfPhase + 1);
         case MotionOtf::eachView:
             return explanationText("In a motion every frame has an OTF of its own, not smoothed over time.");

@@ -62,7 +62,7 @@ QString otfLine(const Document& document) {
     const MotionChoice& motion = document.motion;
     if (motion.otf != MotionOtf::oneOtf || !needsComputedOtf(document, firstPane)) return {};
     if (!movesObject(motion.scenario) && motion.otfPhase == phaseOf(document, firstPane)) return {};
-    return captionText("curve of phase %1").arg(motion.otfPhase + 1);
+    return captionText("curve of volume %1").arg(motion.otfPhase + 1);
 }
 
 QString designLine(const Document& document, bool isShown) {
@@ -90,13 +90,13 @@ bool curveIsOfAnotherView(const Document& document, const Viewpoint& ofOtf) {
 
 QString pictureCaption(const CaptionFacts& facts) {
     const Look& look = facts.document.scene.look;
-    QStringList lines{
-        lineOf({sideLine(facts), frontLine(facts.document.scene.front, facts.lengthsKnown),
-                speckleLine(look.reduction, facts.speckle)}),
-        lineOf({reductionLine(facts.reduction), designLine(facts.document, facts.designIsShown),
-                otfLine(facts.document),
-                facts.curveOfAnotherView ? captionText("curve of another view (A computes it for this one)")
-                                         : QString()})};
+    QStringList lines{lineOf({sideLine(facts), frontLine(facts.document.scene.front, facts.lengthsKnown),
+                              speckleLine(look.reduction, facts.speckle)}),
+                      lineOf({reductionLine(facts.reduction), designLine(facts.document, facts.designIsShown),
+                              facts.curveIsTold ? otfLine(facts.document) : QString(),
+                              facts.curveIsTold && facts.curveOfAnotherView
+                                  ? captionText("curve of another view (A computes it for this one)")
+                                  : QString()})};
     lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));
 }

@@ -23,6 +23,7 @@ struct CaptionFacts {
     const Document& document;
     ShownSpeckle speckle = ShownSpeckle::asRead;
     bool curveOfAnotherView = false;      ///< as curveIsOfAnotherView()
+    bool curveIsTold = true;              ///< whether the caption says for which phase or view the curve was computed
     bool designIsShown = true;            ///< if the first pane has a designer, whether that designer's OTF is shown
     const SidesFinding* sides = nullptr;  ///< of the document's beam; null until they are found
     /// Place of the side that opening took because a person took it last of such a scan.
@@ -41,7 +42,7 @@ struct CaptionFacts {
 
 /// The caption has one or two lines. The first says the side, the front and the smoothing. The second says what else a
 /// person has to know: that voxels are means of several; which designer made the OTF; which phase gave the one OTF of
-/// all phases; that the curve was computed for another view.
+/// all phases, and that the curve was computed for another view, if the curve is told.
 [[nodiscard]] QString pictureCaption(const CaptionFacts& facts);
 
 }  // namespace echolucent

@@ -7,6 +7,17 @@
 
 namespace echolucent {
 
+namespace {
+
+QString whyFirst(const SidesFinding& finding) {
+    if (!(finding.sides[finding.best].score.total > 0.0))
+        return SideControls::tr("It comes first: no side surely shows anything behind fluid.");
+    return finding.best == probeSide ? SideControls::tr("It comes first: no other side shows clearly more.")
+                                     : SideControls::tr("It comes first: it shows the most.");
+}
+
+}  // namespace
+
 SideControls::SideControls(const Parts& parts, QObject* parent)
     : QObject(parent), m_parts(parts), m_pictures(parts.model, parts.sides, parts.picture, parts.works) {
     for (std::size_t i = 0; i < m_actions.size(); ++i) {
@@ -55,8 +66,8 @@ void SideControls::nameActions() {
         const QString name = textOf(side.name), key = action->shortcut().toString(QKeySequence::NativeText);
         action->setText(QStringLiteral("&%1 %2").arg(number).arg(name));
         action->setIconText(textOf(side.label));
-        action->setToolTip(i == finding->best ? tr("%1 (%2). %3").arg(name, key, textOf(finding->sentence))
-                                              : tr("%1 (%2)").arg(name, key));
+        const QString meaning = tr("%1 (%2). %3").arg(name, key, textOf(side.meaning));
+        action->setToolTip(i == finding->best ? meaning + QLatin1Char(' ') + whyFirst(*finding) : meaning);
         enableOrSayWhy(*action, whyNot.isEmpty(), whyNot);
     }
     showTaken();

@@ -78,13 +78,13 @@ MainWindow::MainWindow(const QString& settingsFile, const std::function<void(Ope
     m_compare->addTo(m_escapes);
     connectProgress();
     connectUnits();
-    connectCaption();
     connectExplanation();
     connectResets();
     connectNames();
     createActions();
     restoreSettings();
     followWorks();
+    connectCaption();
 }
 
 MainWindow::~MainWindow() {

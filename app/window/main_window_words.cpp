@@ -4,6 +4,7 @@
 #include "app/picture/picture_caption.h"
 #include "app/study/study_sides.h"
 #include "app/window/main_window.h"
+#include "app/window/window_faces.h"
 #include "widgets/panels/explain_panel.h"
 
 namespace echolucent {
@@ -23,6 +24,7 @@ void MainWindow::connectCaption() {
             pictureCaption({.document = m_document.document(),
                             .speckle = shownSpeckle(),
                             .curveOfAnotherView = curveIsOfAnotherView(m_document.document(), m_otfs->adaptive().get()),
+                            .curveIsTold = m_faces->face() == Face::teach,
                             .designIsShown = designIsShown(),
                             .sides = m_sides->finding().get(),
                             .remembered = rememberedSide(),
@@ -31,6 +33,7 @@ void MainWindow::connectCaption() {
     };
     connect(m_panes.get(), &ShownPanes::changed, this, tell);
     connect(m_sides.get(), &StudySides::changed, this, tell);
+    connect(m_faces.get(), &WindowFaces::chosen, this, tell);
 }
 
 std::optional<std::size_t> MainWindow::rememberedSide() const {

@@ -9,27 +9,37 @@ namespace echolucent {
 namespace {
 
 struct SideWords {
-    std::string_view name, word, label;
+    std::string_view name, word, label, meaning;
 };
 using WordsOfSides = std::array<SideWords, std::tuple_size_v<Sides>>;
 
-constexpr SideWords fromProbeWords{"From the probe", "probe", "1 Probe"},
-    fromBehindWords{"From behind", "behind", "2 Behind"};
+constexpr SideWords fromProbeWords{"From the probe", "probe", "1 From probe", "As the probe looked into the body."},
+    fromBehindWords{"From behind", "behind", "2 From behind", "Towards the probe, from the far end of the scan."};
+constexpr std::string_view ofNumber = "One of six sides. The file does not surely say where the probe was.";
 constexpr WordsOfSides byPlanes{fromProbeWords,
                                 fromBehindWords,
-                                SideWords{"Onto the scan plane", "onto", "3 Onto plane"},
-                                SideWords{"Onto the back of the scan plane", "onto-back", "4 Onto back"},
-                                SideWords{"Along the scan plane, from the left", "along-left", "5 From left"},
-                                SideWords{"Along the scan plane, from the right", "along-right", "6 From right"}};
+                                SideWords{"Onto the scan plane", "onto", "3 Onto scan plane",
+                                          "Onto the planes that the probe scanned, the probe at the top."},
+                                SideWords{"Onto the back of the scan plane", "onto-back", "4 Onto its back",
+                                          "As side 3, from the other side of the planes."},
+                                SideWords{"Along the scan plane, from the left", "along-left", "5 From left",
+                                          "At a right angle to side 3, from the left of its picture."},
+                                SideWords{"Along the scan plane, from the right", "along-right", "6 From right",
+                                          "At a right angle to side 3, from the right of its picture."}};
 constexpr WordsOfSides acrossBeam{fromProbeWords,
                                   fromBehindWords,
-                                  SideWords{"Across the beam, 1", "across-1", "3 Across beam"},
-                                  SideWords{"Across the beam, 2", "across-2", "4 Across beam"},
-                                  SideWords{"Across the beam, 3", "across-3", "5 Across beam"},
-                                  SideWords{"Across the beam, 4", "across-4", "6 Across beam"}};
-constexpr WordsOfSides numbered{SideWords{"Side 1", "side-1", "Side 1"}, SideWords{"Side 2", "side-2", "Side 2"},
-                                SideWords{"Side 3", "side-3", "Side 3"}, SideWords{"Side 4", "side-4", "Side 4"},
-                                SideWords{"Side 5", "side-5", "Side 5"}, SideWords{"Side 6", "side-6", "Side 6"}};
+                                  SideWords{"From below", "across-1", "3 From below",
+                                            "From the lower edge of the picture of side 1. The probe is at the top."},
+                                  SideWords{"From above", "across-2", "4 From above",
+                                            "From the upper edge of the picture of side 1. The probe is at the top."},
+                                  SideWords{"From the left", "across-3", "5 From left",
+                                            "From the left edge of the picture of side 1. The probe is at the top."},
+                                  SideWords{"From the right", "across-4", "6 From right",
+                                            "From the right edge of the picture of side 1. The probe is at the top."}};
+constexpr WordsOfSides numbered{
+    SideWords{"Side 1", "side-1", "Side 1", ofNumber}, SideWords{"Side 2", "side-2", "Side 2", ofNumber},
+    SideWords{"Side 3", "side-3", "Side 3", ofNumber}, SideWords{"Side 4", "side-4", "Side 4", ofNumber},
+    SideWords{"Side 5", "side-5", "Side 5", ofNumber}, SideWords{"Side 6", "side-6", "Side 6", ofNumber}};
 
 }  // namespace
 
@@ -52,7 +62,7 @@ Sides sidesOf(const Viewpoint& fromProbe, bool beamSure, const ScanPlanes& plane
     const WordsOfSides& words = !beamSure ? numbered : planes.sure ? byPlanes : acrossBeam;
     Sides sides;
     for (std::size_t i = 0; i < sides.size(); ++i)
-        sides[i] = {static_cast<int>(i) + 1, words[i].name, words[i].word, words[i].label, views[i]};
+        sides[i] = {static_cast<int>(i) + 1, words[i].name, words[i].word, words[i].label, words[i].meaning, views[i]};
     return sides;
 }
 

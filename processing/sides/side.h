@@ -14,11 +14,12 @@ namespace echolucent {
 
 /// One of the six sides of a scan.
 struct Side {
-    int number = 1;          ///< 1 to 6, the place in the fixed order of sidesOf()
-    std::string_view name;   ///< for a person, sentence case: "Onto the scan plane"; lasts for ever
-    std::string_view word;   ///< for a command line: "onto"; lasts for ever
-    std::string_view label;  ///< for a person, if there is little room: "3 Onto plane"; lasts for ever
-    Viewpoint view{};        ///< along the side, uncut
+    int number = 1;            ///< 1 to 6, the place in the fixed order of sidesOf()
+    std::string_view name;     ///< for a person, sentence case: "Onto the scan plane"; lasts for ever
+    std::string_view word;     ///< for a command line: "onto"; lasts for ever
+    std::string_view label;    ///< for a person, if there is little room: "3 Onto scan plane"; lasts for ever
+    std::string_view meaning;  ///< for a person, a sentence or two: from where one looks; lasts for ever
+    Viewpoint view{};          ///< along the side, uncut
     friend bool operator==(const Side&, const Side&) = default;
 };
 
@@ -41,9 +42,9 @@ inline constexpr std::size_t ontoPlaneSide = 2;
 /// | 5 | Along the scan plane, from the left | along-left | along the lateral direction | the beam |
 /// | 6 | Along the scan plane, from the right | along-right | against the lateral direction | the beam |
 ///
-/// Left and right are those of side 3. If the scan planes are not sure, sides 3 to 6 are called "Across the beam, 1" to
-/// "Across the beam, 4" (across-1 to across-4). If the beam is not sure, all are called "Side 1" to "Side 6" (side-1 to
-/// side-6), whatever is known of the planes.
+/// Left and right are those of side 3. If the scan planes are not sure, sides 3 to 6 are called after the edges of the
+/// view from the probe: "From below", "From above", "From the left", "From the right" (across-1 to across-4). If the
+/// beam is not sure, all are called "Side 1" to "Side 6" (side-1 to side-6), whatever is known of the planes.
 [[nodiscard]] Sides sidesOf(const Viewpoint& fromProbe, bool beamSure, const ScanPlanes& planes);
 
 /// The place among `sides` of the one that a command line names: by its word, or by its number from 1 to 6. Empty if

@@ -24,6 +24,7 @@ class TestMainWindowCineOtfs : public QObject, private CineFixture {
 private slots:
     void initTestCase() {
         wearTheme(Theme::dark);
+        teach();
         writeStudies();
     }
     void init() { showWindow(); }
@@ -31,8 +32,12 @@ private slots:
 
     void theCaptionSaysOfWhichPhaseTheOneOtfIs() {
         open(moving());
-        const auto said = [this] { return window().volumeView().caption().contains("curve of phase 1"); };
+        const auto said = [this] { return window().volumeView().caption().contains("curve of volume 1"); };
         QVERIFY(said());  // as in every frame of the motion
+        click("face.review");
+        QVERIFY(!said());  // a matter of Teach
+        click("face.teach");
+        QVERIFY(said());
         QTest::keyClick(&window(), Qt::Key_Period);
         waitUntilIdle();
         QVERIFY2(said(), qPrintable(window().volumeView().caption()));
@@ -168,7 +173,7 @@ private slots:
         }
         (void)play(2 * phaseCount);
         QCOMPARE(runs.load(), 0);
-        QCOMPARE(window().explanation().contains("the OTF of phase 1 serves every frame"), true);
+        QCOMPARE(window().explanation().contains("the OTF of volume 1 serves every frame"), true);
     }
 
     void aKeptTurnComputesAndCastsNothingAnew() {

@@ -45,7 +45,7 @@ void SideStrip::setOrientation(Qt::Orientation orientation) {
     upright ? setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored)
             : setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     // Its width is the same whatever its labels say, so that the picture beside it stays in place.
-    const int text = fontMetrics().horizontalAdvance(tr("3 Across beam"));
+    const int text = fontMetrics().horizontalAdvance(tr("3 Onto scan plane"));
     constexpr int frames = 14;
     const int width = std::max(pictureWidth, text) + frames;
     setMinimumWidth(upright ? width : 0);

@@ -70,8 +70,8 @@ TEST(Sides, AreNamedByWhatIsKnown) {
               "Onto the back of the scan plane|onto-back\nAlong the scan plane, from the left|along-left\n"
               "Along the scan plane, from the right|along-right\n");
     EXPECT_EQ(namesOf(sidesOf({}, true, unknown)),
-              "From the probe|probe\nFrom behind|behind\nAcross the beam, 1|across-1\nAcross the beam, 2|across-2\n"
-              "Across the beam, 3|across-3\nAcross the beam, 4|across-4\n");
+              "From the probe|probe\nFrom behind|behind\nFrom below|across-1\nFrom above|across-2\n"
+              "From the left|across-3\nFrom the right|across-4\n");
     for (const ScanPlanes& planes : {unknown, surePlanes({1, 0, 0})})
         EXPECT_EQ(namesOf(sidesOf({}, false, planes)),
                   "Side 1|side-1\nSide 2|side-2\nSide 3|side-3\nSide 4|side-4\nSide 5|side-5\nSide 6|side-6\n")
