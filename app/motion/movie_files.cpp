@@ -42,7 +42,6 @@ void MovieFiles::ask(FrameOutput output) {
         new MovieDialog(output,
                         {.plays = whatPlays(),
                          .held = heldInMovie(),
-                         .loops = movesProbe(m_parts.model.document().motion.scenario) ? tr("turns") : tr("beats"),
                          .ofView = m_parts.viewPixels(),
                          .choice = proposal(output),
                          .note = QString::fromStdString(burnedInTextNote(*m_parts.openStudy.study())),
@@ -76,13 +75,13 @@ QString MovieFiles::whatPlays() const {
     };
     QStringList words;
     if (movesProbe(motion.scenario))
-        words << order(tr("probe from %1 to %2 (%3)")
+        words << order(tr("Rotation from %1 to %2 (%3)")
                            .arg(angleText(firstMotionAngle), angleText(lastMotionAngle),
                                 MotionPanel::axisText(motion.axis).toLower()),
                        motion.pingPong);
     if (movesObject(motion.scenario))
-        words << order(tr("phases %1 to %2").arg(range.first + 1).arg(range.last + 1), motion.phasesPingPong);
-    return words.join(QStringLiteral("; "));
+        words << order(tr("Volumes in time, %1 to %2").arg(range.first + 1).arg(range.last + 1), motion.phasesPingPong);
+    return words.join(QLatin1Char('\n'));
 }
 
 MovieChoice MovieFiles::proposal(FrameOutput output) const {

@@ -19,7 +19,7 @@ QString rowText(const Measurement& measurement, const VolumeGeometry& geometry, 
     // A name may hold a placeholder that QString::arg() would replace.
     QStringList words{QString::number(measurement.id) + QStringLiteral(". ") + text};
     words << textOf(groundWords(measurement.ground));
-    if (phases) words << MeasurementControls::tr("phase %1").arg(measurement.phase + 1);
+    if (phases) words << MeasurementControls::tr("volume %1").arg(measurement.phase + 1);
     return words.join(QStringLiteral(", "));
 }
 

@@ -141,7 +141,7 @@ void MeasuringHand::markOnSurface(const QPointF& pixel) {
         return tell(tr("Means show no surface, so nothing was marked. Choose another mode."));
     // Until the OTF of a phase is there, the picture still shows the phase before.
     if (m_parts.picture.measured() != m_parts.openStudy.volume() || !m_parts.picture.pictureIsCurrent())
-        return tell(tr("The picture of this phase is not there yet, so nothing was marked. Click again once it is."));
+        return tell(tr("The picture of this volume is not there yet, so nothing was marked. Click again once it is."));
     const std::optional<Vec3> place = m_parts.picture.shownAt(placeIn3d(pixel), surfaceStep);
     if (!place)
         return tell(tr("Nothing shows where you clicked, so nothing was marked. Click on what the picture shows."));

@@ -21,7 +21,7 @@ SeriesRow rowOf(const SeriesEntry& entry, std::size_t number, const StudyNames& 
                        .arg(entry.size[0])
                        .arg(entry.size[1])
                        .arg(entry.size[2]);
-    if (entry.phases.count > 1) row.facts += SeriesChoice::tr(", %1 phases").arg(entry.phases.count);
+    if (entry.phases.count > 1) row.facts += SeriesChoice::tr(", %1 volumes").arg(entry.phases.count);
     if (!entry.distinction.empty()) row.facts += QStringLiteral(", ") + QString::fromStdString(entry.distinction);
     if (!entry.whyNot) return row;
     row.openable = entry.whyNot->framesCouldBeSlices;

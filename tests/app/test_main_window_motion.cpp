@@ -162,7 +162,7 @@ private slots:
         m_fixture.open(m_still);
         auto* scenario = m_fixture.child<QComboBox>("motion.scenario");
         QVERIFY(!scenario->isEnabled());
-        QVERIFY(scenario->toolTip().contains("one moment"));
+        QVERIFY(scenario->toolTip().contains("one volume only"));
         // A 4D study is opened, with its object moving, and a 3D study again.
         m_fixture.open(m_moving);
         QCOMPARE(window().motionPlayer().choice().scenario, MotionScenario::object);

@@ -56,7 +56,7 @@ private slots:
         const QString path = out().filePath("heart" + ending);
         QTest::keyClick(&window(), Qt::Key_P, Qt::ShiftModifier);
         QDialog* dialog = theDialog();
-        QCOMPARE(in<QLabel>(dialog, "plays")->text(), QString("phases 1 to 4"));
+        QCOMPARE(in<QLabel>(dialog, "plays")->text(), QString("Volumes in time, 1 to 4"));
         // As it plays where the time between phases is not known.
         QCOMPARE(in<QDoubleSpinBox>(dialog, "rate")->value(), assumedPhasesPerSecond);
         type(in<QSpinBox>(dialog, "width"), "129");

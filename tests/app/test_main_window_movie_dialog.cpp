@@ -29,10 +29,10 @@ private slots:
         open(still());
         child<QAction>("file.saveMovie")->trigger();
         QDialog* dialog = theDialog();
-        QVERIFY2(in<QLabel>(dialog, "plays")->text().contains("probe from −45° to +45° (screen's vertical)"),
+        QVERIFY2(in<QLabel>(dialog, "plays")->text().contains("Rotation from −45° to +45° (screen's vertical)"),
                  qPrintable(in<QLabel>(dialog, "plays")->text()));
         QCOMPARE(in<QDoubleSpinBox>(dialog, "rate")->value(), motionDegreesPerSecond);
-        QCOMPARE(in<QComboBox>(dialog, "lengthUnit")->itemText(0), QString("turns"));
+        QCOMPARE(in<QComboBox>(dialog, "lengthUnit")->itemText(0), QString("loops"));
         QCOMPARE(in<QLabel>(dialog, "sentence")->text(), QString("180 frames, 6.0 s"));
         QTest::keyClick(dialog, Qt::Key_Escape);
         QTRY_VERIFY(window().findChild<QDialog*>("movieDialog") == nullptr);
@@ -47,7 +47,7 @@ private slots:
         auto* length = in<QDoubleSpinBox>(dialog, "length");
         auto* unit = in<QComboBox>(dialog, "lengthUnit");
         const auto sentence = [dialog] { return in<QLabel>(dialog, "sentence")->text(); };
-        QCOMPARE(unit->itemText(0), QString("beats"));
+        QCOMPARE(unit->itemText(0), QString("loops"));
         type(length, "5");
         QCOMPARE(sentence(), QString("20 frames, 1.0 s"));
         unit->setCurrentIndex(1);

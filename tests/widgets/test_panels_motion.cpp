@@ -114,7 +114,7 @@ private slots:
             QVERIFY(isSaid());
             QCOMPARE(child<QSpinBox>(panel, "motion.otfPhase")->isEnabled(), mode == MotionOtf::oneOtf);
         }
-        expected.scenario = MotionScenario::object;
+        expected.scenario = MotionScenario::probe;
         QTest::keyClick(child<QComboBox>(panel, "motion.scenario"), Qt::Key_Up);
         QVERIFY(isSaid());
         QCOMPARE(all.count(), static_cast<int>(steps.size()));
@@ -161,7 +161,7 @@ private slots:
         };
         QVERIFY(showsRightly(MotionScenario::probe));
         QVERIFY(showsRightly(MotionScenario::object));
-        QCOMPARE(child<QRadioButton>(panel, "motion.mode.eachView")->text(), "Each phase's");
+        QCOMPARE(child<QRadioButton>(panel, "motion.mode.eachView")->text(), "Each volume's");
         QVERIFY(showsRightly(MotionScenario::both));
         panel.setStudy(1, {});
         QCOMPARE(panel.choice().scenario, MotionScenario::probe);
@@ -178,10 +178,10 @@ private slots:
         panel.setChoice({.scenario = MotionScenario::object});
         auto* slider = child<QSlider>(panel, "motion.phase");
         auto* readOut = child<QLabel>(panel, "motion.phase.value");
-        QCOMPARE(readOut->text(), "phase 1 of 20 · 0 ms");
+        QCOMPARE(readOut->text(), "volume 1 of 20 · 0 ms");
         QSignalSpy spy(&panel, &MotionPanel::phaseChanged);
         panel.setPhase(6);
-        QCOMPARE(readOut->text(), "phase 7 of 20 · 183 ms");
+        QCOMPARE(readOut->text(), "volume 7 of 20 · 183 ms");
         QCOMPARE(spy.count(), 0);
         QTest::keyClick(slider, Qt::Key_Right);
         QCOMPARE(spy.takeFirst().first().toInt(), 7);
@@ -191,7 +191,7 @@ private slots:
         QCOMPARE(spy.takeFirst().first().toInt(), 0);
         panel.setStudy(20, {});
         panel.setPhase(6);
-        QCOMPARE(readOut->text(), "phase 7 of 20");
+        QCOMPARE(readOut->text(), "volume 7 of 20");
     }
 
     void theSpeedSaysHowManyFramesItAimsAt() {
@@ -293,7 +293,7 @@ private slots:
                                 .otfBytes = std::size_t{9} << 20});
         QCOMPARE(readOut->text(), "25 frames/s");
         QVERIFY2(readOut->toolTip().contains("20 pictures (20 MB)"), qPrintable(readOut->toolTip()));
-        QVERIFY2(readOut->toolTip().contains("18 phases (42 MB), 17 OTFs (9 MB)"), qPrintable(readOut->toolTip()));
+        QVERIFY2(readOut->toolTip().contains("18 volumes (42 MB), 17 OTFs (9 MB)"), qPrintable(readOut->toolTip()));
         panel.setFrameRate(std::nullopt);
         QCOMPARE(readOut->text(), "");
     }

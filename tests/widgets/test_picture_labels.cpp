@@ -18,10 +18,10 @@ private slots:
         QTest::addColumn<int>("scenario");
         QTest::addColumn<double>("seconds");  // 0: not known
         QTest::addColumn<QString>("words");
-        QTest::newRow("object") << static_cast<int>(MotionScenario::object) << 0.0305 << "phase 7 of 20 · 183 ms";
-        QTest::newRow("unknown time") << static_cast<int>(MotionScenario::object) << 0.0 << "phase 7 of 20";
+        QTest::newRow("object") << static_cast<int>(MotionScenario::object) << 0.0305 << "volume 7 of 20 · 183 ms";
+        QTest::newRow("unknown time") << static_cast<int>(MotionScenario::object) << 0.0 << "volume 7 of 20";
         QTest::newRow("probe") << static_cast<int>(MotionScenario::probe) << 0.0305 << "−12°";
-        QTest::newRow("both") << static_cast<int>(MotionScenario::both) << 0.0305 << "phase 7 of 20 · 183 ms · −12°";
+        QTest::newRow("both") << static_cast<int>(MotionScenario::both) << 0.0305 << "volume 7 of 20 · 183 ms · −12°";
     }
     void aFrameIsNamedByWhatMoves() {
         QFETCH(int, scenario);
@@ -64,7 +64,7 @@ private slots:
         const QImage caption = painted({400, 300}, {.caption = "beam +z\nlight tells depth"});
         QVERIFY(lit(caption, {0, 0, 200, 100}) > 100);
         QCOMPARE(lit(caption, {200, 0, 200, 100}), 0);
-        const QImage frame = painted({400, 300}, {.frame = "phase 7 of 20"});
+        const QImage frame = painted({400, 300}, {.frame = "volume 7 of 20"});
         QVERIFY(lit(frame, {200, 0, 200, 100}) > 100);
         QCOMPARE(lit(frame, {0, 0, 200, 100}), 0);
     }

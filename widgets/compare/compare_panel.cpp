@@ -96,7 +96,7 @@ QString nameOfPane(const Pane& choice) {
         name = labelOfCurve(choice.curve);
     }
     if (choice.motionOtf) name += QStringLiteral(", ") + wordsOf(*choice.motionOtf);
-    return choice.phase ? ComparePanel::tr("%1, phase %2").arg(name).arg(*choice.phase + 1) : name;
+    return choice.phase ? ComparePanel::tr("%1, volume %2").arg(name).arg(*choice.phase + 1) : name;
 }
 
 ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
@@ -143,8 +143,8 @@ QGroupBox* ComparePanel::createPanes() {
                   tr("Number of the tube core, row by row from the upper left; it is never placed, so that ranks and "
                      "weights of the others follow"));
         wheelNeedsFocus(pane.tube);
-        pane.phase = named(new WholeNumberBox, "compare.phase" + number, tr("Phase of pane %1").arg(number),
-                           tr("The phase of the 4D study that this pane shows"));
+        pane.phase = named(new WholeNumberBox, "compare.phase" + number, tr("Volume of pane %1").arg(number),
+                           tr("The volume of the 4D study that this pane shows"));
         pane.phase->setSpecialValueText(tr("as pane 1"));
         wheelNeedsFocus(pane.phase);
         pane.motion = narrowCombo("compare.motion" + number, tr("OTF of pane %1 in the motion").arg(number),

@@ -21,7 +21,7 @@ class QToolButton;
 namespace echolucent {
 
 /// "Linear curve", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112". With ", mean of 5" if the pane
-/// has an OTF of its own in a motion, and with ", phase 3" if it has a phase of its own.
+/// has an OTF of its own in a motion, and with ", volume 3" if it has a phase of its own.
 [[nodiscard]] QString nameOfPane(const Pane& choice);
 
 /// Objects: compare (this), compare.switch, compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4,

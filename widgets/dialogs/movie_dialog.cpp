@@ -70,11 +70,11 @@ void MovieDialog::createControls() {
     m_rate->setRange(leastRate, largestRate);
     connect(m_rate, &QDoubleSpinBox::valueChanged, this, &MovieDialog::look);
     const QString lengthTip =
-        tr("How long the movie is. A beat is one loop over the phases that play, a turn one of the probe");
+        tr("How long the movie is. A loop is once through the volumes that play, or once over the rotation");
     m_length = named<QDoubleSpinBox>(new ShortSpinBox, "movieDialog.length", tr("Length"), lengthTip);
     connect(m_length, &QDoubleSpinBox::valueChanged, this, &MovieDialog::look);
     m_lengthUnit = named(new QComboBox, "movieDialog.lengthUnit", tr("Unit of the length"), lengthTip);
-    m_lengthUnit->addItem(m_facts.loops, static_cast<int>(MovieLengthUnit::loops));
+    m_lengthUnit->addItem(tr("loops"), static_cast<int>(MovieLengthUnit::loops));
     m_lengthUnit->addItem(tr("seconds"), static_cast<int>(MovieLengthUnit::seconds));
     connect(m_lengthUnit, &QComboBox::currentIndexChanged, this, &MovieDialog::takeLengthUnit);
     m_labels = named(new QCheckBox(tr("Caption, scale bar, axes, frame and measurements")), "movieDialog.labels",

@@ -55,7 +55,6 @@ public:
     struct Facts {
         QString plays{};       ///< what the frames show, a few words
         HeldFrames held{};     ///< the frames of one loop, and how long a movie holds each of them
-        QString loops{};       ///< what loops of these frames are called: "beats"
         QSize ofView{};        ///< pixels of the view, offered as a size too
         MovieChoice choice{};  ///< what is proposed
         QString note{};        ///< a sentence to read before saving; empty if there is none

@@ -24,7 +24,7 @@ QColor fixedRowColour(std::size_t place, Theme theme) {
 QString rowName(const OtfCourse& course, int row) {
     const int number = course.numberOf(row);
     if (course.rows() == OtfCourse::Rows::phases)
-        return QCoreApplication::translate("OtfCourse", "phase %1").arg(number);
+        return QCoreApplication::translate("OtfCourse", "volume %1").arg(number);
     return angleText(number);
 }
 

@@ -18,7 +18,7 @@ inline constexpr double markWidth = 6.0;  ///< of the marks beside the map's pre
 /// lines differ in their dashes. The contrast with the plot's ground is at least 3 : 1.
 [[nodiscard]] QColor fixedRowColour(std::size_t place, Theme theme);
 
-/// "+3°", "−3°", "0°" for an angle, "phase 3" for a phase.
+/// "+3°", "−3°", "0°" for an angle, "volume 3" for a phase.
 [[nodiscard]] QString rowName(const OtfCourse& course, int row);
 
 /// The left and right ends of the plots of map and curves, so that their intensities lie above each other. In pixels

@@ -54,7 +54,7 @@ std::vector<OtfCurvesCanvas::Line> OtfCurvesCanvas::lines() const {
     const auto exists = [this](int row) {
         return m_course.curve(row, m_mode) != nullptr || m_course.curve(row, MotionOtf::eachView) != nullptr;
     };
-    // The legend says the word "phase" only once.
+    // The legend says the word "volume" only once.
     const auto shortName = [this](int row) {
         return m_course.rows() == OtfCourse::Rows::phases ? QString::number(m_course.numberOf(row))
                                                           : rowName(m_course, row);

@@ -25,7 +25,7 @@ OtfMapCanvas::OtfMapCanvas(const OtfCourse& course, QWidget* parent) : QWidget(p
     setObjectName("motion.map");
     setAccessibleName(tr("OTF over angle"));
     setAccessibleDescription(
-        tr("A row for each angle or phase of the motion, intensity to the right, opacity as brightness."));
+        tr("A row for each angle or volume of the motion, intensity to the right, opacity as brightness."));
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     layOut();

@@ -81,7 +81,7 @@ MeasurementsPanel::MeasurementsPanel(QWidget* parent) : QWidget(parent) {
 
 QWidget* MeasurementsPanel::createList() {
     m_list = named(new QListWidget, "measurements.list", tr("List of measurements"),
-                   tr("A click shows the phase and the plane in which it was measured"));
+                   tr("A click shows the volume and the plane in which it was measured"));
     m_list->setFixedHeight(84);
     m_list->installEventFilter(this);
     createName();
@@ -89,7 +89,7 @@ QWidget* MeasurementsPanel::createList() {
     auto* remove = named(new QPushButton(tr("Remove")), "measurements.remove", tr("Remove the selected measurement"),
                          tr("The measurement selected in the list (Delete in the list)"));
     auto* removeAll = named(new QPushButton(tr("Remove all")), "measurements.removeAll", tr("Remove all measurements"),
-                            tr("Of all phases"));
+                            tr("Removes the measurements of all volumes"));
     connect(m_list, &QListWidget::itemClicked, this, [this] { emit chosen(selectedId()); });
     connect(m_list, &QListWidget::itemActivated, this, [this] { emit chosen(selectedId()); });
     connect(m_list, &QListWidget::itemDoubleClicked, this, [this] { m_name->setFocus(Qt::OtherFocusReason); });

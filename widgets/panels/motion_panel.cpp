@@ -86,18 +86,18 @@ void MotionPanel::createControls() {
     m_phase = new PhaseSlider;
     m_phaseOrder = new PhaseOrder;
     m_angle = named<QSlider>(new AngleSlider, "motion.angle", tr("Angle"),
-                             tr("Angle from the view in which the motion began (← and →: one degree)"));
+                             tr("Angle of the rotation, from the view in which it began (← and →: one degree)"));
     wheelNeedsFocus(m_angle);
     m_angleValue = named(new QLabel, "motion.angle.value", tr("Angle"));
     m_angleValue->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_angleValue->setMinimumWidth(m_angleValue->fontMetrics().horizontalAdvance(angleText(firstMotionAngle)) + 4);
-    m_axis = named(new QComboBox, "motion.axis", tr("Axis of the motion"),
-                   tr("The axis about which the view turns: upright or across the screen, as it lay when the motion "
-                      "began; in plane the picture turns like a wheel"));
+    m_axis = named(new QComboBox, "motion.axis", tr("Axis of the rotation"),
+                   tr("The axis of the rotation: upright or across the screen, as it lay when the rotation began; in "
+                      "plane the picture turns like a wheel"));
     for (const MotionAxis axis : screenAxes) m_axis->addItem(shortAxisText(axis), static_cast<int>(axis));
     wheelNeedsFocus(m_axis);
-    m_pingPong = named(new QCheckBox(tr("Back and forth")), "motion.pingPong", tr("Back and forth"),
-                       tr("The probe turns back at the ends; otherwise the motion starts from −45° again"));
+    m_pingPong = named(new QCheckBox(tr("Swing")), "motion.pingPong", tr("Swing"),
+                       tr("The rotation turns back at its ends; otherwise it starts from −45° again"));
     m_frameRate = named(new QLabel, "motion.frameRate", tr("Frame rate"));
     // Reserve the room now: neither the controls beside it nor the picture above may move when playing begins.
     m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(tr("%1 frames/s").arg(888)));
@@ -111,9 +111,9 @@ void MotionPanel::createSpeed() {
 }
 
 void MotionPanel::createChoices() {
-    m_scenario = named(new QComboBox, "motion.scenario", tr("What moves"));
-    m_scenario->addItem(tr("Probe"), static_cast<int>(MotionScenario::probe));
-    m_scenario->addItem(tr("Object"), static_cast<int>(MotionScenario::object));
+    m_scenario = named(new QComboBox, "motion.scenario", tr("What plays"));
+    m_scenario->addItem(tr("Volumes in time"), static_cast<int>(MotionScenario::object));
+    m_scenario->addItem(tr("Rotation"), static_cast<int>(MotionScenario::probe));
     m_scenario->addItem(tr("Both"), static_cast<int>(MotionScenario::both));
     wheelNeedsFocus(m_scenario);
 
@@ -136,8 +136,8 @@ void MotionPanel::createChoices() {
     mode(MotionOtf::leastFlicker, tr("Least flicker"), "leastFlicker", tr("Least flicker"),
          tr("Weights on the newest OTFs that flicker least for their delay: the smoothing to take where nothing speaks "
             "for another"));
-    m_otfPhase = named(new WholeNumberBox, "motion.otfPhase", tr("Phase of the one OTF"),
-                       tr("The phase whose OTF every frame shows (A takes the phase that is shown)"));
+    m_otfPhase = named(new WholeNumberBox, "motion.otfPhase", tr("Volume of the one OTF"),
+                       tr("The volume whose OTF every frame shows (A takes the volume that is shown)"));
     m_otfPhase->setAlignment(Qt::AlignRight);
     wheelNeedsFocus(m_otfPhase);
 }
@@ -160,23 +160,22 @@ void MotionPanel::connectChoices() {
             take(next, what);
         };
     };
-    connect(m_axis, &QComboBox::currentIndexChanged, this, changes(tr("axis of the motion"), [this](auto& next, int) {
+    connect(m_axis, &QComboBox::currentIndexChanged, this, changes(tr("axis of the rotation"), [this](auto& next, int) {
                 next.axis = static_cast<MotionAxis>(m_axis->currentData().toInt());
             }));
-    connect(m_scenario, &QComboBox::currentIndexChanged, this, changes(tr("what moves"), [this](auto& next, int) {
+    connect(m_scenario, &QComboBox::currentIndexChanged, this, changes(tr("what plays"), [this](auto& next, int) {
                 next.scenario = static_cast<MotionScenario>(m_scenario->currentData().toInt());
             }));
-    connect(m_speed, &QComboBox::currentIndexChanged, this, changes(tr("speed of the motion"), [this](auto& next, int) {
-                next.speed = m_speed->currentData().toDouble();
-            }));
+    connect(m_speed, &QComboBox::currentIndexChanged, this,
+            changes(tr("speed"), [this](auto& next, int) { next.speed = m_speed->currentData().toDouble(); }));
     connect(m_pingPong, &QCheckBox::toggled, this,
-            changes(tr("order of the motion"), [](auto& next, bool pingPong) { next.pingPong = pingPong; }));
+            changes(tr("order of the rotation"), [](auto& next, bool pingPong) { next.pingPong = pingPong; }));
     connect(m_phaseOrder, &PhaseOrder::pingPongChanged, this,
-            changes(tr("order of the phases"), [](auto& next, bool pingPong) { next.phasesPingPong = pingPong; }));
+            changes(tr("order of the volumes"), [](auto& next, bool pingPong) { next.phasesPingPong = pingPong; }));
     connect(m_phaseOrder, &PhaseOrder::rangeChanged, this,
-            changes(tr("phases that play"), [](auto& next, const auto& range) { next.phaseRange = range; }));
+            changes(tr("volumes that play"), [](auto& next, const auto& range) { next.phaseRange = range; }));
     connect(m_otfPhase, &QSpinBox::valueChanged, this,
-            changes(tr("phase of the OTF"), [](auto& next, int number) { next.otfPhase = number - 1; }));
+            changes(tr("volume of the OTF"), [](auto& next, int number) { next.otfPhase = number - 1; }));
     connect(m_modeGroup, &QButtonGroup::idToggled, this, [this](int mode, bool checked) {
         if (!checked) return;
         MotionChoice next = m_choice;
@@ -201,15 +200,22 @@ void MotionPanel::arrange() {
     angle->addWidget(secondaryLabel(angleText(lastMotionAngle)));
     angle->addWidget(m_angleValue);
 
+    auto* whatPlays = new QWidget;
+    auto* choice = new QHBoxLayout(whatPlays);
+    choice->setContentsMargins(0, 0, 0, 0);
+    choice->setSpacing(5);
+    choice->addWidget(labelFor(m_scenario, tr("Plays")));
+    choice->addWidget(m_scenario);
+
     auto* first = m_firstRow = new FlowLayout(8);
     first->addWidget(m_play);
-    first->addWidget(m_phase);
-    first->addWidget(m_phaseOrder);
+    first->addWidget(whatPlays);
     first->addWidget(m_angleBar);
     first->addWidget(m_axis);
     first->addWidget(m_pingPong);
+    first->addWidget(m_phase);
+    first->addWidget(m_phaseOrder);
     first->addWidget(m_speed);
-    first->addWidget(m_scenario);
     first->addWidget(m_folded = createFold());
 
     m_otfs = new QWidget;
@@ -306,9 +312,9 @@ void MotionPanel::setStudy(int phases, const PhaseTimes& times) {
         m_otfPhase->setRange(1, phases);
     }
     m_scenario->setToolTip(
-        tr("The probe turns around the object, the object moves through the phases of the study, or both"));
+        tr("What plays: the volumes of the study one after the other, a rotation of the view, or both at once"));
     enableOrSayWhy(*m_scenario, phases > 1,
-                   tr("The study holds one moment only, so that the object cannot move. Open a 4D study for that."));
+                   tr("This study holds one volume only. Open a 4D study to play volumes in time."));
     MotionChoice choice = m_choice;
     if (phases < 2) choice.scenario = MotionScenario::probe;
     setChoice(choice);
@@ -326,7 +332,7 @@ void MotionPanel::setChoice(const MotionChoice& choice) {
     m_pingPong->setChecked(choice.pingPong);
     m_modes[static_cast<std::size_t>(choice.otf)]->setChecked(true);
     m_otfPhase->setValue(choice.otfPhase + 1);
-    enableOrSayWhy(*m_otfPhase, choice.otf == MotionOtf::oneOtf, tr("Choose \"Of phase\" first."));
+    enableOrSayWhy(*m_otfPhase, choice.otf == MotionOtf::oneOtf, tr("Choose \"Of volume\" first."));
     showSpeed();
     showWhatMoves();
 }
@@ -351,14 +357,14 @@ void MotionPanel::showSpeed() {
     const QString rate = QLocale::c().toString(1.0 / frameSeconds(m_choice, m_times), 'g', 3);
     QString why;
     if (!movesObject(m_choice.scenario))
-        why = tr("at 1× the probe turns by %1° a second").arg(motionDegreesPerSecond);
+        why = tr("at 1× the view turns by %1° a second").arg(motionDegreesPerSecond);
     else if (!m_times.starts.empty())
         why = tr("at 1× as it was scanned, unevenly");
     else if (m_times.meanSeconds)
         why = tr("at 1× as fast as it was scanned");
     else
-        why = tr("at 1× %1, as the file does not say the time between phases").arg(assumedPhasesPerSecond);
-    m_speed->setToolTip(tr("Speed: %1 frames a second where they can be made in time (%2)").arg(rate, why));
+        why = tr("at 1× %1, as the file does not say the time between volumes").arg(assumedPhasesPerSecond);
+    m_speed->setToolTip(tr("Speed: %1 frames a second if they can be made in time (%2)").arg(rate, why));
 }
 
 void MotionPanel::showWhatMoves() {
@@ -371,23 +377,23 @@ void MotionPanel::showWhatMoves() {
     m_otfPhase->setVisible(phases);
     foldOtfs();
     QRadioButton& one = *m_modes[static_cast<std::size_t>(MotionOtf::oneOtf)];
-    one.setText(phases ? tr("Of phase") : tr("One OTF"));
-    one.setAccessibleName(phases ? tr("The OTF of one phase for every frame") : tr("One OTF for every frame"));
-    one.setToolTip(phases ? tr("Every frame shows the OTF of one phase, at first of the one that is shown: it cannot "
+    one.setText(phases ? tr("Of volume") : tr("One OTF"));
+    one.setAccessibleName(phases ? tr("The OTF of one volume for every frame") : tr("One OTF for every frame"));
+    one.setToolTip(phases ? tr("Every frame shows the OTF of one volume, at first of the one that is shown: it cannot "
                                "flicker")
                           : tr("Every frame shows the OTF that was computed before the motion: it cannot flicker"));
     QRadioButton& each = *m_modes[static_cast<std::size_t>(MotionOtf::eachView)];
-    each.setText(!object ? tr("Each view") : probe ? tr("Each frame's") : tr("Each phase's"));
+    each.setText(!object ? tr("Each view") : probe ? tr("Each frame's") : tr("Each volume's"));
     each.setAccessibleName(!object ? tr("An OTF for each view")
                            : probe ? tr("An OTF for each frame")
-                                   : tr("An OTF for each phase"));
+                                   : tr("An OTF for each volume"));
 }
 
 void MotionPanel::setFrameRate(std::optional<double> framesPerSecond, const KeptMotion& kept) {
     m_frameRate->setToolTip({});
     if (!framesPerSecond) return m_frameRate->clear();
     m_frameRate->setText(tr("%1 frames/s").arg(QLocale::c().toString(*framesPerSecond, 'f', 0)));
-    m_frameRate->setToolTip(tr("Kept in memory: %1 pictures (%2), quiet voxels of %3 phases (%4), %5 OTFs (%6)")
+    m_frameRate->setToolTip(tr("Kept in memory: %1 pictures (%2), quiet voxels of %3 volumes (%4), %5 OTFs (%6)")
                                 .arg(kept.frames)
                                 .arg(bytesText(kept.frameBytes))
                                 .arg(kept.quietPhases)

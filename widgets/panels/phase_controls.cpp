@@ -49,9 +49,9 @@ private:
 
 PhaseSlider::PhaseSlider(QWidget* parent)
     : QWidget(parent),
-      m_slider(named(new Groove, "motion.phase", tr("Phase shown"),
-                     tr("The phase that is shown (, and . step one back and one on)"))),
-      m_readOut(named(new QLabel, "motion.phase.value", tr("Phase shown"))) {
+      m_slider(named(new Groove, "motion.phase", tr("Volume shown"),
+                     tr("The volume that is shown (, and . step one back and one on)"))),
+      m_readOut(named(new QLabel, "motion.phase.value", tr("Volume shown"))) {
     wheelNeedsFocus(m_slider);
     m_readOut->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* layout = new QHBoxLayout(this);
@@ -101,15 +101,15 @@ PhaseOrder::PhaseOrder(QWidget* parent) : QWidget(parent) {
         wheelNeedsFocus(box);
         return box;
     };
-    m_first = number("motion.firstPhase", tr("First phase that plays"), tr("The first phase that plays"));
-    m_last = number("motion.lastPhase", tr("Last phase that plays"), tr("The last phase that plays"));
-    m_all = resetButton("motion.allPhases", tr("All phases play"));
-    m_pingPong = named(new QCheckBox(tr("Back and forth")), "motion.phasesPingPong", tr("Phases back and forth"),
-                       tr("The phases play back and forth; otherwise the first follows the last"));
+    m_first = number("motion.firstPhase", tr("First volume that plays"), tr("The first volume that plays"));
+    m_last = number("motion.lastPhase", tr("Last volume that plays"), tr("The last volume that plays"));
+    m_all = resetButton("motion.allPhases", tr("Play all volumes"));
+    m_pingPong = named(new QCheckBox(tr("Back and forth")), "motion.phasesPingPong", tr("Volumes back and forth"),
+                       tr("The volumes play back and forth; otherwise the first follows the last"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(labelFor(m_first, tr("Plays")));
+    layout->addWidget(labelFor(m_first, tr("From")));
     layout->addWidget(m_first);
     layout->addWidget(labelFor(m_last, tr("to")));
     layout->addWidget(m_last);
@@ -150,7 +150,7 @@ void PhaseOrder::limitRange() {
     const QSignalBlocker first(m_first), last(m_last);
     m_first->setRange(1, m_last->value());
     m_last->setRange(m_first->value(), m_phases);
-    enableOrSayWhy(*m_all, m_first->value() > 1 || m_last->value() < m_phases, tr("All phases play already."));
+    enableOrSayWhy(*m_all, m_first->value() > 1 || m_last->value() < m_phases, tr("All volumes play already."));
 }
 
 void PhaseOrder::tellRange() {

@@ -13,7 +13,7 @@ class QToolButton;
 
 namespace echolucent {
 
-/// The phase shown. Objects: motion.phase, motion.phase.value (read-out: "phase 7 of 20 · 183 ms", without the time if
+/// The phase shown. Objects: motion.phase, motion.phase.value (read-out: "volume 7 of 20 · 183 ms", without the time if
 /// the file does not say it). A line below the slider marks the phases that play. No setter emits a signal.
 class PhaseSlider : public QWidget {
     Q_OBJECT

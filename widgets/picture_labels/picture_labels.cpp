@@ -91,7 +91,7 @@ private:
 QString frameWords(const MotionPosition& position, MotionScenario scenario, int phases, const PhaseTimes& times) {
     QStringList words;
     if (movesObject(scenario)) {
-        words << QObject::tr("phase %1 of %2").arg(position.phase + 1).arg(phases);
+        words << QObject::tr("volume %1 of %2").arg(position.phase + 1).arg(phases);
         if (const auto seconds = secondsOfPhase(times, position.phase))
             words << QObject::tr("%1 ms").arg(std::lround(1e3 * *seconds));
     }

@@ -144,7 +144,7 @@ private slots:
         key(Qt::Key_M);
         QCOMPARE(measurements().size(), 1u);
         QCOMPARE(measurements()[0].phase, 1);
-        QVERIFY2(list().item(0)->text().endsWith(", in a plane, phase 2"), qPrintable(list().item(0)->text()));
+        QVERIFY2(list().item(0)->text().endsWith(", in a plane, volume 2"), qPrintable(list().item(0)->text()));
         window().document().showPhase(0);
         QTest::keyClick(&c, Qt::Key_Right, Qt::ShiftModifier);
         QTest::keyClick(&pane("planes.a"), Qt::Key_Right, Qt::ShiftModifier);
