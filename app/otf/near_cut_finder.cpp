@@ -96,8 +96,7 @@ QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const 
                                      setFront({.surface = surface}, directionOf(m_looksFrom));
                                  }};
     if (back)
-        actions << MessageAction{tr("Take it back"),
-                                 [this, back] { setFront(*back, m_parts.model.document().scene.side); }};
+        actions << MessageAction{tr("Undo"), [this, back] { setFront(*back, m_parts.model.document().scene.side); }};
     return actions;
 }
 

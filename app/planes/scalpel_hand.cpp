@@ -118,10 +118,10 @@ void ScalpelHand::takeBack(int stroke) {
     std::vector<ScalpelStroke> strokes = m_parts.model.document().scene.strokes;
     if (stroke < 0 || stroke >= static_cast<int>(strokes.size())) return;
     strokes.erase(strokes.begin() + stroke);
-    edit(strokes, tr("take a stroke back"));
+    edit(strokes, tr("remove a stroke"));
 }
 
-void ScalpelHand::takeAllBack() { edit({}, tr("take all strokes back")); }
+void ScalpelHand::takeAllBack() { edit({}, tr("remove all strokes")); }
 
 void ScalpelHand::edit(const std::vector<ScalpelStroke>& strokes, const QString& what) {
     Document next = m_parts.model.document();

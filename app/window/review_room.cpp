@@ -58,11 +58,14 @@ void ReviewRoom::createMenu(QMainWindow& window) {
     QAction* before = nullptr;
     for (QAction* action : window.menuBar()->actions())
         if (action->menu() && action->menu()->objectName() == QStringLiteral("menu.otf")) before = action;
-    auto* menu = new QMenu(tr("&Room"), &window);
+    auto* menu = new QMenu(tr("&Tools"), &window);
     menu->setObjectName(QStringLiteral("menu.room"));
     window.menuBar()->insertMenu(before, menu);
-    addLayouts(*menu);
-    menu->addSeparator();
+    auto* layouts = new QMenu(tr("La&yout"), &window);
+    layouts->setObjectName(QStringLiteral("menu.layout"));
+    window.findChild<QMenu*>(QStringLiteral("menu.view"))
+        ->insertMenu(window.findChild<QMenu*>(QStringLiteral("view.menuOfSides"))->menuAction(), layouts);
+    addLayouts(*layouts);
     addPlanes(*menu);
     menu->addSeparator();
     addBox(*menu);
@@ -71,8 +74,9 @@ void ReviewRoom::createMenu(QMainWindow& window) {
     menu->addSeparator();
     addMeasuring(*menu);
     // The keys work also while the menu bar is hidden.
-    for (QAction* action : menu->findChildren<QAction*>())
-        if (!action->shortcut().isEmpty()) window.addAction(action);
+    for (const QMenu* each : {layouts, menu})
+        for (QAction* action : each->actions())
+            if (!action->shortcut().isEmpty()) window.addAction(action);
 }
 
 void ReviewRoom::addLayouts(QMenu& menu) {
@@ -116,7 +120,7 @@ void ReviewRoom::addPlanes(QMenu& menu) {
 }
 
 void ReviewRoom::addBox(QMenu& menu) {
-    QAction* box = menu.addAction(tr("Render &box"));
+    QAction* box = menu.addAction(tr("&Box: show only what lies in it"));
     box->setObjectName(QStringLiteral("room.switchBox"));
     box->setShortcut(keyOf(box->objectName()));
     box->setCheckable(true);
@@ -133,7 +137,7 @@ void ReviewRoom::addScalpel(QMenu& menu) {
     connect(scalpel, &QAction::triggered, &m_scalpel, &ScalpelHand::toggle);
     connect(&m_scalpel, &ScalpelHand::toolChanged, scalpel,
             [this, scalpel] { scalpel->setChecked(m_scalpel.tool().has_value()); });
-    QAction* back = menu.addAction(tr("Take all strokes bac&k"));
+    QAction* back = menu.addAction(tr("&Undo all strokes"));
     back->setObjectName(QStringLiteral("room.takeAllStrokesBack"));
     back->setShortcut(keyOf(back->objectName()));
     connect(back, &QAction::triggered, &m_scalpel, &ScalpelHand::takeAllBack);

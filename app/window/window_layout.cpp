@@ -191,7 +191,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
         // The list of measurements is visible while measuring, above what is set once.
         {.title = "Measure",
          .name = "dock.room",
-         .holds = "Measurements, scalpel, render box and planes",
+         .holds = "Measurements, scalpel, box and planes",
          .panels = {layout.measurements, layout.room},
          .stretches = {0, 1},
          .shown = true},
@@ -204,7 +204,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
          .panels = {layout.facts, layout.history},
          .stretches = {3, 2},
          .shown = true},
-        {"Motion", "dock.motionMap", "The OTF over the angle or the phase", {layout.course}},
+        {"Motion", "dock.motionMap", "The OTF over the angle or the volume", {layout.course}},
         {"Explain", "dock.explain", "What the picture shows, and why (F1)", {layout.explain}},
     };
     layout.docks = addDocks(window, docks);

@@ -82,10 +82,13 @@ void createViewMenu(QMainWindow& window, const QList<QDockWidget*>& panels, cons
     sides->setObjectName("view.menuOfSides");
     sides->addActions(commands.sides);
     addSwitch(view, tr("Strip of si&des"), "view.sides", commands.showSides);
-    addAction(view, tr("Front from &here"), "view.frontFromHere", commands.frontFromHere);
     addAction(view, tr("Fi&nd the front"), "view.findFront", commands.findFront);
+    addAction(view, tr("Front from &here"), "view.frontFromHere", commands.frontFromHere);
     addAction(view, tr("N&o front"), "view.noFront", commands.noFront);
-    addAction(view, tr("Next l&ight"), "view.nextLighting", commands.nextLighting);
+    addAction(view, tr("Next l&ight"), "view.nextLighting", commands.nextLighting)
+        ->setToolTip(
+            tr("Changes the light of the picture: none, on surfaces, or with shadows that tell depth. Each time "
+               "the next of the three"));
     addAction(view, tr("&Full screen"), "view.fullScreen", commands.toggleFullScreen);
     addSwitch(view, tr("Show n&umbers instead of names"), "view.numbersForNames", commands.numbersForNames);
     addSwitch(view, tr("Light &theme"), "view.lightTheme", commands.lightTheme);
@@ -112,8 +115,8 @@ void createMotionMenu(QMainWindow& window, QDockWidget& course, const WindowComm
     addAction(motion, tr("&Play or pause"), "motion.playOrPause", commands.playOrPause);
     addAction(motion, tr("One degree back"), "motion.back", [turn = commands.turnMotion] { turn(-1); });
     addAction(motion, tr("One degree on"), "motion.on", [turn = commands.turnMotion] { turn(1); });
-    addAction(motion, tr("One phase back"), "motion.phaseBack", [step = commands.stepPhase] { step(-1); });
-    addAction(motion, tr("One phase on"), "motion.phaseOn", [step = commands.stepPhase] { step(1); });
+    addAction(motion, tr("One volume back"), "motion.phaseBack", [step = commands.stepPhase] { step(-1); });
+    addAction(motion, tr("One volume on"), "motion.phaseOn", [step = commands.stepPhase] { step(1); });
     motion->addSeparator();
     QAction* map = course.toggleViewAction();
     map->setObjectName("motion.showMap");

@@ -62,11 +62,11 @@ private:
         addMenu(needingStudy({ToolPicture::layout, "layout", barText("Layout"),
                               barText("The 3D picture alone, or with planes A, B and C (F2, F3, F4)")}),
                 {"room.only3d", "room.quad", "room.large3d"});
-        toggles(needingStudy({ToolPicture::box, "box", barText("Box"), barText("Shows only what lies in a box (B)")}),
+        toggles(needingStudy({ToolPicture::box, "box", barText("Box"), barText("Box: shows only what lies in it (B)")}),
                 "room.switchBox");
         addMenu(needingStudy({ToolPicture::front, "front", barText("Front"),
                               barText("Cuts away what lies before what you want to see")}),
-                {"view.frontFromHere", "view.findFront", "view.noFront"});
+                {"view.findFront", "view.frontFromHere", "view.noFront"});
         toggles(needingStudy({ToolPicture::scalpel, "scalpel", barText("Scalpel"),
                               barText("Cuts away what you draw around in the 3D picture (S)")}),
                 "room.scalpel");
@@ -107,9 +107,9 @@ private:
     }
 
     void addCurve() {
-        QToolButton* button =
-            addButton({ToolPicture::curve, "curve", barText("Curve"),
-                       barText("Opens or closes the curve that says which echoes show, and how strongly")});
+        QToolButton* button = addButton(
+            {ToolPicture::curve, "curve", barText("Curve"),
+             barText("Opens or closes the curve: it says which brightness is seen through and which is solid")});
         button->setCheckable(true);
         QDockWidget* dock = &m_parts.curve;
         QObject::connect(button, &QToolButton::clicked, dock, [button, dock] {
@@ -139,8 +139,10 @@ private:
             QObject::connect(&m_parts.faces, &WindowFaces::chosen, button,
                              [button, face](Face now) { button->setChecked(now == face); });
         };
-        add(Face::review, barText("Review"), "face.review", barText("Shows what an examination needs"));
-        add(Face::teach, barText("Teach"), "face.teach", barText("Shows all panels: how the picture comes about"));
+        add(Face::review, barText("Review"), "face.review",
+            barText("Shows what an examination needs: Picture, Measure and Study"));
+        add(Face::teach, barText("Teach"), "face.teach",
+            barText("Shows also the panels and menus that tell how the picture is made: curves, method, comparison"));
         auto* behind = new QWidget;
         behind->setFixedWidth(4);
         m_bar->addWidget(behind);

@@ -115,8 +115,8 @@ std::string sentenceOf(const NearCutFinding& finding, bool spacingKnown) {
             return "A wall stands before the fluid: behind a front at " + oneDecimal(finding.nearCutMm) + " mm " +
                    (spacingKnown ? "" : "(by a guessed spacing) ") + of + "are in fluid." + doubt;
         case NearCutAnswer::noFluid:
-            if (finding.tubes == 0) return "No tube core meets data here, so no front can be suggested.";
-            return "No fluid was found (" + of + "meet none), so no front can be suggested." + doubt;
+            if (finding.tubes == 0) return "No tube core meets data here, so no front can be found.";
+            return "No fluid was found (" + of + "meet none), so no front can be found." + doubt;
     }
     return {};
 }

@@ -42,7 +42,7 @@ QString scalpelToolText(ScalpelTool tool) {
     switch (tool) {
         case ScalpelTool::freehand: return RoomPanel::tr("Freehand");
         case ScalpelTool::polygon: return RoomPanel::tr("Polygon");
-        case ScalpelTool::box: return RoomPanel::tr("Box");
+        case ScalpelTool::box: return RoomPanel::tr("Rectangle");
         case ScalpelTool::eraser: return RoomPanel::tr("Eraser");
     }
     return {};
@@ -121,12 +121,12 @@ QGroupBox* RoomPanel::createPlanes() {
 }
 
 QGroupBox* RoomPanel::createBox() {
-    auto* group = new QGroupBox(tr("Render box"));
+    auto* group = new QGroupBox(tr("Box: limits what is shown"));
     auto* column = new QVBoxLayout(group);
     column->setContentsMargins(6, 6, 6, 6);
-    m_box = named(new QCheckBox(tr("Show only what lies in it")), "room.box", tr("Show only what lies in the box"),
-                  tr("What lies outside is not shown and does not shape the curve; drag the box in the planes and in "
-                     "the picture"));
+    m_box = named(new QCheckBox(tr("Show only what lies in the box")), "room.box", tr("Show only what lies in the box"),
+                  tr("What lies outside is not shown and does not shape the curve. Drag the box in the planes and in "
+                     "the 3D picture (B)"));
     // If the document refuses the change, show what the document says.
     connect(m_box, &QCheckBox::toggled, this, [this](bool on) {
         emit boxSwitched(on);
@@ -140,10 +140,13 @@ QGroupBox* RoomPanel::createBox() {
 
 void RoomPanel::addSizes(QVBoxLayout& column) {
     static constexpr std::array names{"room.width", "room.depth", "room.height"};
-    const std::array texts{tr("Left to right"), tr("Far to near"), tr("Top to bottom")};
+    const std::array texts{tr("Box, left to right"), tr("Box, far to near"), tr("Box, top to bottom")};
+    const std::array tips{tr("How wide the box is in plane A, before it is turned. Its middle stays"),
+                          tr("How far the box reaches across plane A, before it is turned. Its middle stays"),
+                          tr("How high the box is in plane A, before it is turned. Its middle stays")};
     auto* grid = new QGridLayout;
     for (std::size_t i = 0; i < m_sizes.size(); ++i) {
-        m_sizes[i] = createLength(names[i], texts[i], tr("Size of the box; its centre stays"), 0.1);
+        m_sizes[i] = createLength(names[i], texts[i], tips[i], 0.1);
         connect(m_sizes[i], &QDoubleSpinBox::valueChanged, this, [this, i](double mm) {
             emit boxSizeChanged(static_cast<int>(i), mm);
             showBox();
@@ -151,15 +154,15 @@ void RoomPanel::addSizes(QVBoxLayout& column) {
         grid->addWidget(labelFor(m_sizes[i], texts[i]), static_cast<int>(i), 0);
         grid->addWidget(m_sizes[i], static_cast<int>(i), 1);
     }
-    auto* whole = named(new QPushButton(tr("Around all data")), "room.wholeBox", tr("Box around all data"),
-                        tr("Unturned, around the whole volume"));
+    auto* whole = named(new QPushButton(tr("Box around all data")), "room.wholeBox", tr("Box around all data"),
+                        tr("Puts the box around the whole volume, unturned"));
     connect(whole, &QPushButton::clicked, this, &RoomPanel::wholeBoxRequested);
     column.addLayout(grid);
     column.addWidget(whole);
 }
 
 void RoomPanel::addSlab(QVBoxLayout& column) {
-    m_slab = createLength("room.slab.thickness", tr("Thickness of a slab"), tr("Of a slab around a plane"), 0.1);
+    m_slab = createLength("room.slab.thickness", tr("Slab"), tr("How thick a slab around a plane is"), 0.1);
     m_slab->setValue(5.0);
     auto* row = new QHBoxLayout;
     row->addWidget(labelFor(m_slab, tr("Slab")));
@@ -208,12 +211,12 @@ void RoomPanel::addTools(QVBoxLayout& column) {
     sides->addWidget(inside);
     sides->addWidget(m_outside);
     sides->addStretch(1);
-    m_eraser = createLength("room.scalpel.size", tr("Size of the eraser"), tr("Its diameter"), 0.2);
+    m_eraser = createLength("room.scalpel.size", tr("Size of the eraser"), tr("How wide the eraser is"), 0.2);
     m_eraser->setValue(ScalpelSettings{}.eraserMm);
     m_limited = named(new QCheckBox(tr("Only down to")), "room.scalpel.limited", tr("Cut only down to a depth"),
-                      tr("Off: through everything"));
-    m_limit =
-        createLength("room.scalpel.limit", tr("Depth behind what shows"), tr("Counted from what shows there"), 0.1);
+                      tr("On: the scalpel cuts down to this depth. Off: it cuts through everything"));
+    m_limit = createLength("room.scalpel.limit", tr("Depth behind what shows"),
+                           tr("How deep the scalpel cuts, counted from what shows there"), 0.1);
     m_limit->setValue(5.0);
     connect(m_limited, &QCheckBox::toggled, this, &RoomPanel::updateEnabled);
     auto* numbers = new QGridLayout;
@@ -229,10 +232,10 @@ void RoomPanel::addTools(QVBoxLayout& column) {
 void RoomPanel::addStrokes(QVBoxLayout& column) {
     m_strokes = named(new QListWidget, "room.scalpel.strokes", tr("Strokes"), tr("The strokes of the scalpel"));
     m_strokes->setFixedHeight(84);
-    m_takeBack = named(new QPushButton(tr("Take back")), "room.scalpel.takeBack", tr("Take the selected stroke back"),
-                       tr("The stroke selected in the list"));
-    m_takeAllBack = named(new QPushButton(tr("Take all back")), "room.scalpel.takeAllBack", tr("Take all strokes back"),
-                          tr("Shows all again that the scalpel has cut (Shift + S)"));
+    m_takeBack = named(new QPushButton(tr("Undo stroke")), "room.scalpel.takeBack", tr("Undo stroke"),
+                       tr("Shows again what the stroke selected in the list has cut"));
+    m_takeAllBack = named(new QPushButton(tr("Undo all strokes")), "room.scalpel.takeAllBack", tr("Undo all strokes"),
+                          tr("Shows all again that the scalpel has cut (Shift+S)"));
     connect(m_strokes, &QListWidget::currentRowChanged, this, &RoomPanel::updateEnabled);
     connect(m_takeBack, &QPushButton::clicked, this, [this] { emit strokeTakenBack(m_strokes->currentRow()); });
     connect(m_takeAllBack, &QPushButton::clicked, this, &RoomPanel::allStrokesTakenBack);
@@ -292,7 +295,7 @@ ScalpelSettings RoomPanel::scalpel() const {
 }
 
 void RoomPanel::updateEnabled() {
-    enableOrSayWhy(*m_limit, m_limited->isChecked(), tr("Tick the box before it first."));
+    enableOrSayWhy(*m_limit, m_limited->isChecked(), tr("Tick \"Only down to\" first."));
     const bool any = m_strokes->count() > 0;
     enableOrSayWhy(*m_takeBack, m_strokes->currentRow() >= 0,
                    any ? tr("No stroke is selected.") : tr("The scalpel has cut nothing."));

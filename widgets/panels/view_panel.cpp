@@ -195,25 +195,30 @@ void ViewPanel::addCutGroup(QGridLayout& grid) {
         addGroup(grid, "view.cut.reset", tr("Front"), tr("Reset the front to that of the side that is taken"));
     connect(reset, &QToolButton::clicked, this, &ViewPanel::frontResetRequested);
     addRow(grid, labelFor(m_front, tr("Depth")), m_front);
-    auto* suggest = named(new QPushButton(tr("Suggest")), "view.nearCut.suggest", tr("Suggest a front"),
-                          tr("Looks along this view for fluid behind a wall, and cuts inside the fluid"));
-    connect(suggest, &QPushButton::clicked, this, &ViewPanel::frontSuggestionRequested);
-    auto* fromHere = named(new QPushButton(tr("From here")), "view.front.fromHere", tr("Front from here"),
-                           tr("Tilts the front so that it lies across what you see now (N)"));
+    auto* find = named(new QPushButton(tr("Find the front")), "view.nearCut.suggest", tr("Find the front"),
+                       tr("Looks along this view for fluid behind a wall, and puts the front into the fluid"));
+    connect(find, &QPushButton::clicked, this, &ViewPanel::frontSuggestionRequested);
+    auto* fromHere = named(new QPushButton(tr("Front from here")), "view.front.fromHere", tr("Front from here"),
+                           tr("Turns the front so that it lies across what you see now (N)"));
     connect(fromHere, &QPushButton::clicked, this, &ViewPanel::frontFromHereRequested);
-    m_noFront = named(new QPushButton(tr("None")), "view.front.none", tr("No front"),
+    m_noFront = named(new QPushButton(tr("No front")), "view.front.none", tr("No front"),
                       tr("Takes the front away, so that nothing is cut off before the picture (Shift+N)"));
     connect(m_noFront, &QPushButton::clicked, this, &ViewPanel::noFrontRequested);
     auto* buttons = new QWidget;
     auto* row = new QHBoxLayout(buttons);
     row->setContentsMargins(0, 0, 0, 0);
-    for (QPushButton* button : {suggest, fromHere, m_noFront}) row->addWidget(button, 1);
+    for (QPushButton* button : {find, fromHere}) row->addWidget(button, 1);
     grid.addWidget(buttons, grid.rowCount(), 0, 1, grid.columnCount());
     auto* show = named(new QCheckBox(tr("Show in 3D")), "view.front.show", tr("Show the front in 3D"),
                        tr("Draws the front over the 3D picture, with a handle that moves it"));
     connect(show, &QCheckBox::toggled, this, &ViewPanel::frontShownIn3d);
     m_frontIn3d = show;
-    addRow(grid, nullptr, show);
+    auto* last = new QWidget;
+    auto* lastRow = new QHBoxLayout(last);
+    lastRow->setContentsMargins(0, 0, 0, 0);
+    lastRow->addWidget(m_noFront, 1);
+    lastRow->addWidget(show, 1);
+    grid.addWidget(last, grid.rowCount(), 0, 1, grid.columnCount());
 }
 
 void ViewPanel::addLookGroups(QGridLayout& grid) {

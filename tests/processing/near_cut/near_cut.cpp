@@ -139,7 +139,7 @@ TEST(NearCut, OfAViewWithoutDataIsNotSure) {
     const auto found = findNearCut(some.withDataMask(std::vector<std::uint8_t>(voxels, 0)), {});
     EXPECT_EQ(found->answer, NearCutAnswer::noFluid);
     EXPECT_FALSE(found->sure);
-    EXPECT_EQ(found->message, "No tube core meets data here, so no front can be suggested.");
+    EXPECT_EQ(found->message, "No tube core meets data here, so no front can be found.");
 }
 
 TEST(NearCut, OfACancelledRunIsNone) {
