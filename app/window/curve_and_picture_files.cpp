@@ -141,7 +141,7 @@ QString CurveAndPictureFiles::leftOut(const SavedCurve& saved) const {
     QStringList sliders;
     for (const Parameter<CurveAdjustment>& row : adjustmentParameters())
         if (const double value = numberOf(*row.get(adjustment)).value(); value != 0.0)
-            sliders << textOf(row.label).toLower() + ' ' + QString::fromStdString(textOf(value));
+            sliders << tr("%1 %2 %").arg(textOf(row.label).toLower(), QString::fromStdString(textOf(100.0 * value)));
     if (!sliders.isEmpty())
         sentences << tr("It leaves out what the sliders change in the picture: %1. A session or a preset keeps that.")
                          .arg(sliders.join(QStringLiteral(", ")));

@@ -77,7 +77,7 @@ private slots:
         QVERIFY(readCurve(path.toStdString()).value() == editor.state().manual);
         QCOMPARE(message()->text(),
                  QString("The manual curve was saved as curve.json (3 nodes). It leaves out what the "
-                         "sliders change in the picture: threshold 0.125, transparency -0.5. A session "
+                         "sliders change in the picture: threshold 12.5 %, transparency -50 %. A session "
                          "or a preset keeps that."));
     }
 

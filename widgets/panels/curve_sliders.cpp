@@ -3,35 +3,46 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <cmath>
 
+#include "processing/document/curve_adjustment.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/controls/value_slider.h"
 #include "widgets/controls/value_text.h"
 
 namespace echolucent {
 
-CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent)
-    : QWidget(parent),
-      m_controls(adjustmentParameters(), "view", NumberControl::slider,
-                 [&document](const CurveAdjustment& adjustment, const AnyParameter& row) {
-                     document.change(textOf(row.label).toLower(),
-                                     [&](Document& next) { next.curves.adjustment = adjustment; });
-                 }) {
+CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent) : QWidget(parent) {
     setObjectName("curveSliders");
     setAccessibleName(tr("Curve"));
-    m_meaning = m_controls.of("threshold").widget->toolTip();
-    document.bind(&DocumentModel::curvesChanged, this, [this](const Document& shown) {
-        m_controls.setValues(shown.curves.adjustment);
-        showThreshold();
-    });
-    auto* reset = named(new QPushButton(tr("Reset curve")), "view.resetCurve", tr("Reset curve"),
-                        tr("The curve without these sliders, and as it was before it was edited (C)"));
-    connect(reset, &QPushButton::clicked, this, &CurveSliders::resetRequested);
     auto* grid = new QGridLayout(this);
-    for (const AnyParameter& row : adjustmentParameters()) {
+    for (const Parameter<CurveAdjustment>& row : adjustmentParameters()) {
+        const QString label = textOf(row.label);
+        auto* slider = new ValueSlider(QStringLiteral("view.") + textOf(row.name), label, 1.0, 0);
+        const ParameterRange range = row.offeredRange();
+        slider->setRange(100.0 * range.least, 100.0 * range.largest);
+        slider->setSuffix(tr(" %"));
+        slider->setToolTip(tr("%1. At 0 % the curve is as it was computed or drawn").arg(textOf(row.meaning)));
         const int line = grid->count() / 2;
-        grid->addWidget(m_controls.of(row.name).label, line, 0);
-        grid->addWidget(m_controls.of(row.name).widget, line, 1);
+        grid->addWidget(labelFor(slider, label), line, 0);
+        grid->addWidget(slider, line, 1);
+        connect(slider, &ValueSlider::valueChanged, this, [&document, &row](double percent) {
+            document.change(textOf(row.label).toLower(),
+                            [&](Document& next) { row.set(next.curves.adjustment, percent / 100.0); });
+        });
+        document.bind(&DocumentModel::curvesChanged, slider, [slider, &row](const Document& shown) {
+            slider->setValue(std::round(100.0 * numberOf(*row.get(shown.curves.adjustment)).value()));
+        });
+        if (row.name == "threshold") m_threshold = slider;
     }
+    m_meaning = tr("%1. In percent of the grey scale").arg(m_threshold->toolTip());
+    connect(m_threshold, &ValueSlider::valueChanged, this, &CurveSliders::showThreshold);
+    document.bind(&DocumentModel::curvesChanged, this, [this](const Document&) { showThreshold(); });
+    auto* reset =
+        named(new QPushButton(tr("Reset curve")), "view.resetCurve", tr("Reset curve"),
+              tr("The curve says which brightness is seen through and which is solid. Takes back both sliders "
+                 "and all edits of the curve (C)"));
+    connect(reset, &QPushButton::clicked, this, &CurveSliders::resetRequested);
     grid->setColumnMinimumWidth(0, 92);  // in line with the panel below
     grid->addWidget(reset, grid->count() / 2, 1, Qt::AlignRight);
     grid->setContentsMargins(9, 9, 9, 0);
@@ -43,15 +54,15 @@ void CurveSliders::setValueWindow(const ValueWindow& window) {
 }
 
 void CurveSliders::showThreshold() {
-    const double moved = m_controls.values().threshold;
+    const double percent = m_threshold->value();
     QString tip = m_meaning;
-    if (moved != 0.0 && !m_values.isNormalised()) {
-        const double by = m_values.valueAt(moved) - m_values.black;
-        tip += "\n" + tr("%1 moves it by %2 in the file's values")
-                          .arg(moved, 0, 'f', 2)
+    if (percent != 0.0 && !m_values.isNormalised()) {
+        const double by = m_values.valueAt(percent / 100.0) - m_values.black;
+        tip += "\n" + tr("%1 % moves it by %2 in the file's values")
+                          .arg(percent, 0, 'f', 0)
                           .arg(valueText(by, {0.0, m_values.white - m_values.black}));
     }
-    m_controls.of("threshold").widget->setToolTip(tip);
+    m_threshold->setToolTip(tip);
 }
 
 }  // namespace echolucent

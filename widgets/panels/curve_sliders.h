@@ -4,13 +4,14 @@
 #include <QWidget>
 
 #include "processing/volume/value_scale.h"
-#include "widgets/controls/parameter_controls.h"
 #include "widgets/document/document_model.h"
 
 namespace echolucent {
 
-/// Shows and edits the document's CurveAdjustment. Objects: view.threshold (+ .value), view.transparency (+ .value),
-/// view.resetCurve.
+class ValueSlider;
+
+/// Shows and edits the document's CurveAdjustment, in percent. Objects: view.threshold (+ .value), view.transparency (+
+/// .value), view.resetCurve.
 class CurveSliders : public QWidget {
     Q_OBJECT
 
@@ -28,7 +29,7 @@ signals:
 private:
     void showThreshold();
 
-    ParameterControls<CurveAdjustment> m_controls;
+    ValueSlider* m_threshold = nullptr;
     ValueWindow m_values;
     QString m_meaning;  // of the threshold
 };
