@@ -1,6 +1,7 @@
 #include "app/sessions/shown_study.h"
 
 #include <QMainWindow>
+#include <algorithm>
 #include <utility>
 
 #include "app/otf/editor_otfs.h"
@@ -24,6 +25,35 @@ namespace echolucent {
 
 namespace {
 constexpr const char *studyTopic = "study", *cuttingTopic = "cutting";
+
+/// Puts first what a person wants to know of a scan, in the field's words. What only the file is about follows.
+QList<StudyFactRow> essentialsFirst(QList<StudyFactRow> facts, const Study& study) {
+    const auto taken = [&facts](const char* name) {
+        const auto at = std::ranges::find(facts, QLatin1String(name), &StudyFactRow::name);
+        return at == facts.end() ? StudyFactRow{} : facts.takeAt(at - facts.begin());
+    };
+    const VolumeGeometry& geometry = study.phases.front()->geometry();
+    const auto edge = [&geometry](int axis) {
+        return QString::number(static_cast<double>(geometry.size[axis]) * geometry.spacing[axis], 'f', 1);
+    };
+    QString size = ShownStudy::tr("%1 × %2 × %3 mm").arg(edge(0), edge(1), edge(2));
+    if (!geometry.spacingKnown) size = ShownStudy::tr("%1 (guess)").arg(size);
+    const auto volumes = study.phases.size();
+    QList<StudyFactRow> rows{
+        {ShownStudy::tr("scan"),
+         volumes > 1 ? ShownStudy::tr("4D, %1 volumes in time").arg(volumes) : ShownStudy::tr("3D, one volume"),
+         {}},
+        {ShownStudy::tr("size"), size, {}}};
+    taken("phases");
+    if (StudyFactRow time = taken("time between phases"); !time.name.isEmpty())
+        rows << StudyFactRow{ShownStudy::tr("time between volumes"), time.value, time.source};
+    if (StudyFactRow beam = taken("beam"); !beam.name.isEmpty())
+        rows << StudyFactRow{ShownStudy::tr("probe looks along"), beam.value, beam.source};
+    for (StudyFactRow& fact : facts)
+        if (fact.name == QLatin1String("size")) fact.name = ShownStudy::tr("voxels");
+    return rows << StudyFactRow{ShownStudy::tr("of the file"), {}, {}} << facts;
+}
+
 }  // namespace
 
 ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
@@ -100,7 +130,7 @@ void ShownStudy::nameStudy() {
     for (const ImportFact& fact : finds ? importReport(*study, finds->beam) : study->facts)
         facts << StudyFactRow{QString::fromStdString(fact.name), names.shown(QString::fromStdString(fact.value)),
                               names.shown(QString::fromStdString(fact.source))};
-    m_parts.facts.setStudy(facts, warnings());
+    m_parts.facts.setStudy(essentialsFirst(facts, *study), warnings());
 }
 
 QStringList ShownStudy::warnings() const {
@@ -209,7 +239,7 @@ void ShownStudy::showRemark() {
     const std::optional<OrientedBox> box = viewpointOf(document).box;
     if (box && !meets(*box, m_parts.openStudy.volume()->dataBox()))
         return m_parts.messages.setRemark(
-            tr("Nothing is shown: the render box lies beside the data. Drag its centre, or switch it off (B)."));
+            tr("Nothing is shown: the box lies beside the data. Drag its centre, or switch it off (B)."));
     m_parts.messages.setRemark(remarks().join(QLatin1Char(' ')));
 }
 

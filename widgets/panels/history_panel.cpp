@@ -26,7 +26,9 @@ HistoryPanel::HistoryPanel(DocumentSteps& steps, QWidget* parent)
       m_rename(new QToolButton(this)),
       m_remove(new QToolButton(this)) {
     m_steps->setObjectName("history.list");
-    m_steps->setAccessibleName(tr("Steps"));
+    m_steps->setAccessibleName(tr("History"));
+    m_steps->setToolTip(
+        tr("What was changed since the study was opened, step by step. A click goes to one of the steps"));
     m_steps->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_steps->setModel(m_texts);
     m_dropped->setObjectName("history.dropped");
@@ -34,19 +36,23 @@ HistoryPanel::HistoryPanel(DocumentSteps& steps, QWidget* parent)
     m_dropped->hide();
     m_snapshots->setObjectName("history.snapshots");
     m_snapshots->setAccessibleName(tr("Snapshots"));
+    m_snapshots->setToolTip(tr("A click brings back what was kept under this name"));
     m_snapshots->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_none->setWordWrap(true);
     auto* keep = new QPushButton(tr("Keep as snapshot"), this);
     keep->setObjectName("history.keep");
     keep->setAccessibleName(keep->text());
+    keep->setToolTip(tr("Keeps all that is set now under a name, so that you can come back to it later"));
     m_rename->setObjectName("history.rename");
     m_rename->setText(tr("Rename"));
+    m_rename->setToolTip(tr("Gives the selected snapshot another name"));
     m_remove->setObjectName("history.remove");
     m_remove->setText(tr("Remove"));
+    m_remove->setToolTip(tr("Removes the selected snapshot"));
     for (QToolButton* button : {m_rename, m_remove}) button->setAccessibleName(button->text());
 
     auto* column = new QVBoxLayout(this);
-    auto* stepsTitle = new QLabel(tr("Steps"), this);
+    auto* stepsTitle = new QLabel(tr("History"), this);
     auto* snapshotsTitle = new QLabel(tr("Snapshots"), this);
     column->addWidget(stepsTitle);
     column->addWidget(m_steps, 3);
