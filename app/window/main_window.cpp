@@ -39,6 +39,7 @@
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/run_status.h"
 #include "widgets/controls/side_strip.h"
+#include "widgets/controls/tool_tips.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/panels/explain_panel.h"
@@ -66,6 +67,7 @@ MainWindow::MainWindow(const QString& settingsFile, const std::function<void(Ope
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));
     setAcceptDrops(true);
+    new ToolTips(this);
     resize(roomySize);
     m_document.setHand([this] { return m_hand.current(); });
     m_widgets = layOut(*this, m_works, m_document, m_course);
@@ -82,9 +84,9 @@ MainWindow::MainWindow(const QString& settingsFile, const std::function<void(Ope
     connectResets();
     connectNames();
     createActions();
+    connectCaption();
     restoreSettings();
     followWorks();
-    connectCaption();
 }
 
 MainWindow::~MainWindow() {

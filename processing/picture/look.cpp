@@ -70,7 +70,7 @@ ParameterTable<Look> lookTable() {
                  "", "docs/speckle.md; chosen by looking"}),
             playing(isDirect, inDirectMode,
                     choice<lightings, &Look::lighting>(
-                        {"lighting", "Light",
+                        {"lighting", "Kind of light",
                          "What light does: nothing, fall on surfaces, or fall on them as far as it reaches them", "",
                          "Shading in processing/picture/shading.h; chosen by looking"})),
             playing(hasLight, withLight,

@@ -1,9 +1,12 @@
 // Review and Teach: which panels and menus each offers, and what stays the same.
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QSlider>
+#include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
 #include <set>
@@ -71,6 +74,32 @@ private slots:
         QCOMPARE(entriesOf("menu.panels"), panels);
         QVERIFY(!child<QLabel>("status.renderer")->text().contains(" ms"));
         QCOMPARE(window().document().steps().count(), steps);
+    }
+
+    void studyBeginsWithWhatTheScanIs() {
+        open(m_file);
+        const auto* facts = child<QTableWidget>("study.facts");
+        QCOMPARE(facts->item(0, 1)->text(), "3D, one volume");
+        QCOMPARE(facts->item(1, 1)->text(), "84.0 × 78.4 × 81.2 mm");
+        QStringList names;
+        for (int row = 0; row < facts->rowCount(); ++row) names << facts->item(row, 0)->text();
+        QVERIFY(names.indexOf("of the file") < names.indexOf("format"));
+        QVERIFY(names.indexOf("of the file") > 1);
+    }
+
+    void thresholdIsShownInPercentOfTheGreys() {
+        open(m_file);
+        const auto* number = child<QDoubleSpinBox>("view.threshold.value");
+        QCOMPARE(number->text(), "0 %");
+        auto* slider = child<QSlider>("view.threshold");
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Right);
+        QCOMPARE(number->text(), "1 %");
+        QCOMPARE(window().document().document().curves.adjustment.threshold, 0.01);
+        QCOMPARE(window().document().steps().undoText(), "threshold");
+        window().document().steps().undo();
+        QCOMPARE(number->text(), "0 %");
+        waitUntilIdle();
     }
 
     void faceAndPanelsAreRememberedOverARestart() {
@@ -203,9 +232,9 @@ private:
     /// What a person sees in Review, and what the tool tips say, is in words of the field. The status line's tool tip
     /// is for experts.
     void speaksPlainly() {
-        static const QRegularExpression jargon(
-            QStringLiteral("\\bOTFs?\\b|voxel|tube core|grid axis|\\bstep on a ray|designer|adaptive"),
-            QRegularExpression::CaseInsensitiveOption);
+        static const QRegularExpression jargon(QStringLiteral("\\bOTFs?\\b|voxel|tube core|grid axis|\\bstep on a "
+                                                              "ray|designer|adaptive|\\bphases?\\b|render box|suggest"),
+                                               QRegularExpression::CaseInsensitiveOption);
         for (const QWidget* each : window().findChildren<QWidget*>()) {
             if (!each->isVisible()) continue;
             QStringList words;

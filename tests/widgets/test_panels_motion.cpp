@@ -114,7 +114,7 @@ private slots:
             QVERIFY(isSaid());
             QCOMPARE(child<QSpinBox>(panel, "motion.otfPhase")->isEnabled(), mode == MotionOtf::oneOtf);
         }
-        expected.scenario = MotionScenario::probe;
+        expected.scenario = MotionScenario::object;
         QTest::keyClick(child<QComboBox>(panel, "motion.scenario"), Qt::Key_Up);
         QVERIFY(isSaid());
         QCOMPARE(all.count(), static_cast<int>(steps.size()));

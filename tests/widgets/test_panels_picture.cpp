@@ -295,7 +295,7 @@ private slots:
         QCOMPARE(look.light, lookAtStart().light);
         QCOMPARE(look.lighting, lookAtStart().lighting);
         QCOMPARE(look.colourMap, ColourMap::ice);
-        QCOMPARE(resets.last().at(1).toString(), "Light");
+        QCOMPARE(resets.last().at(1).toString(), "Light in detail");
         QCOMPARE(click("view.speckle.reset").reduction, lookAtStart().reduction);
         look = click("view.colours.reset");
         QVERIFY(look.colourMap == lookAtStart().colourMap && !look.depthColoured);

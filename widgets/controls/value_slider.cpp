@@ -76,7 +76,7 @@ void ValueSlider::setStandard(double standard) {
 void ValueSlider::showReset() {
     if (m_reset != nullptr)
         enableOrSayWhy(*m_reset, m_spinBox->textFromValue(m_standard) != m_spinBox->textFromValue(value()),
-                       tr("It has its value at start."));
+                       tr("Already at its start value."));
 }
 
 void ValueSlider::showOnSlider() {

@@ -112,8 +112,8 @@ void MotionPanel::createSpeed() {
 
 void MotionPanel::createChoices() {
     m_scenario = named(new QComboBox, "motion.scenario", tr("What plays"));
-    m_scenario->addItem(tr("Volumes in time"), static_cast<int>(MotionScenario::object));
     m_scenario->addItem(tr("Rotation"), static_cast<int>(MotionScenario::probe));
+    m_scenario->addItem(tr("Volumes in time"), static_cast<int>(MotionScenario::object));
     m_scenario->addItem(tr("Both"), static_cast<int>(MotionScenario::both));
     wheelNeedsFocus(m_scenario);
 

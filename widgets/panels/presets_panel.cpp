@@ -99,7 +99,7 @@ void PresetsPanel::createList() {
 void PresetsPanel::createActions() {
     m_more = named(new QToolButton, "presets.more", tr("More with presets"),
                    tr("Rename, remove and export the selected preset, or import presets"));
-    m_more->setText(tr("More"));
+    m_more->setText(tr("Manage"));
     m_more->setPopupMode(QToolButton::InstantPopup);
     m_more->setFocusPolicy(Qt::StrongFocus);
     m_more->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

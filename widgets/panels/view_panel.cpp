@@ -229,7 +229,7 @@ void ViewPanel::addLookGroups(QGridLayout& grid) {
     };
     std::vector<Group> groups{
         {"light",
-         tr("Light"),
+         tr("Light in detail"),
          {"lighting", "light_azimuth", "light_elevation", "light_softness", "shadow", "occlusion", "translucency"}},
         {"colours", tr("Colours"), {"colour_map", "depth_colouring"}},
         {"rendering", tr("Rendering"), {"mode", "mixing", "mixed_mode", "interpolation", "projection"}}};
@@ -280,7 +280,7 @@ void ViewPanel::followLook() {
     const bool direct = look().mode == RenderMode::direct;
     m_modeRemark->setVisible(!direct);
     m_light->setValue(std::round(100.0 * lightAmount(look())));
-    enableOrSayWhy(*m_resetSmoothing, look().reduction != lookAtStart().reduction, tr("It has its value at start."));
+    enableOrSayWhy(*m_resetSmoothing, look().reduction != lookAtStart().reduction, tr("Already at its start value."));
     enableOrSayWhy(*m_light, direct, tr("There is light in the mode Direct rendering only (More)."));
 }
 

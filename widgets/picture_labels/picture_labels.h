@@ -20,8 +20,8 @@ struct PictureLabels {
     bool spacingKnown = true;  ///< if false, a sentence replaces the scale bar
 };
 
-/// "phase 7 of 20 · 183 ms" if the object moves, "+3°" if the probe does, both if both do. The time is counted from the
-/// study's first phase, and missing if it is unknown.
+/// "volume 7 of 20 · 183 ms" if the object moves, "+3°" if the probe does, both if both do. The time is counted from
+/// the study's first phase, and missing if it is unknown.
 [[nodiscard]] QString frameWords(const MotionPosition& position, MotionScenario scenario, int phases,
                                  const PhaseTimes& times);
 

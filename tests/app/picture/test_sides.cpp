@@ -1,6 +1,7 @@
 // The six sides in the real main window: opening, strip, keys, caption, what is remembered.
 #include <QToolButton>
 #include <algorithm>
+#include <set>
 
 #include "app/picture/side_controls.h"
 #include "app/settings/settings.h"
@@ -160,6 +161,17 @@ private slots:
             next.scene.front = {};
         });
         QTRY_COMPARE(child<QAction>("room.lookInFrom1")->text(), "&1 From the probe");
+        std::set<QString> tips;
+        for (int side = 1; side <= 6; ++side) {
+            const QString tip = picture(side)->toolTip();
+            const QString name = child<QAction>(QStringLiteral("room.lookInFrom%1").arg(side))->text().mid(3);
+            QVERIFY2(tip.startsWith(name + QStringLiteral(" (Ctrl+%1). ").arg(side)), qPrintable(tip));
+            tips.insert(tip.section(". ", 1));
+        }
+        QCOMPARE(tips.size(), std::size_t{6});  // each says something else
+        QCOMPARE(tips.count("As the probe looked into the body. It comes first: no other side shows clearly more.") +
+                     tips.count("As the probe looked into the body."),
+                 std::size_t{1});
         QCOMPARE(takenInStrip(), 1);
         QTRY_VERIFY2(window().volumeView().caption().startsWith("from the probe"),
                      qPrintable(window().volumeView().caption()));
