@@ -41,8 +41,8 @@ std::string comparePageText(const ComparePage& page) {
                                page.made.toStdString(), page.version.toStdString()));
     html.heading("Pictures");
     html.paragraph(
-        "All pictures have one camera, cut, box and light; they differ in their OTF alone, or in their phase "
-        "where it is named.");
+        "All pictures have one camera, cut, box and light; they differ in their OTF alone, or in their volume "
+        "if it is named.");
     for (std::size_t place = 0; place < page.panes.size(); ++place) {
         const QImage& image = page.panes[place].image;
         if (!image.isNull()) html.picture(image.width(), image.height(), rgbBytesOf(image), nameAt(page, place));
