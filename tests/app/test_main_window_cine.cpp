@@ -159,11 +159,11 @@ private slots:
         open(moving());
         auto* readOut = child<QLabel>("motion.phase.value");
         QTest::keyClick(&window(), Qt::Key_Comma);
-        QCOMPARE(readOut->text(), QString("phase %1 of %1").arg(phaseCount));
+        QCOMPARE(readOut->text(), QString("volume %1 of %1").arg(phaseCount));
         QVERIFY(child<QComboBox>("motion.speed")->toolTip().contains("20 frames a second"));
         open(timed());
         QTest::keyClick(&window(), Qt::Key_Comma);
-        QCOMPARE(readOut->text(), QString("phase %1 of %1 · 122 ms").arg(phaseCount));
+        QCOMPARE(readOut->text(), QString("volume %1 of %1 · 122 ms").arg(phaseCount));
         QVERIFY(child<QComboBox>("motion.speed")->toolTip().contains("32.8 frames a second"));
         waitUntilIdle();
     }

@@ -150,7 +150,7 @@ private:
             constexpr int margins = 28;
             if (tip->width() > widestToolTip + margins)
                 wrong << QString("%1 has a tip of %2").arg(name).arg(tip->width());
-            if (place.height() <= 80 && tip->geometry().intersects(place)) wrong << name + " is covered by its tip";
+            if (place.height() <= 160 && tip->geometry().intersects(place)) wrong << name + " is covered by its tip";
         }
         QToolTip::hideText();
         if (!shown) wrong << name + " shows no tip";

@@ -15,8 +15,8 @@ namespace echolucent {
 
 namespace {
 
-constexpr int gap = 4;           // between a control and its tip, logical pixels
-constexpr int largeHeight = 80;  // a control that is higher has its tip at the pointer
+constexpr int gap = 4;            // between a control and its tip, logical pixels
+constexpr int largeHeight = 160;  // what is higher has its tip at the pointer
 constexpr QSize pointer(16, 20);
 
 /// What is explained, and where on the screen it lies.
@@ -37,9 +37,9 @@ Explained explained(QWidget& widget, const QHelpEvent& event) {
         return QRect(widget.mapToGlobal(place.topLeft()), place.size());
     };
     if (const auto* menu = qobject_cast<const QMenu*>(&widget)) {
-        const QAction* action = menu->actionAt(event.pos());
+        QAction* action = menu->actionAt(event.pos());
         if (action == nullptr || !menu->toolTipsVisible()) return {};
-        return {tipOf(*action), onScreen(menu->actionGeometry(const_cast<QAction*>(action))), true};
+        return {tipOf(*action), onScreen(menu->actionGeometry(action)), true};
     }
     const auto* view = qobject_cast<const QAbstractItemView*>(widget.parentWidget());
     if (view != nullptr && view->viewport() == &widget) {

@@ -38,10 +38,9 @@ CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent) : QWidget(p
     m_meaning = tr("%1. In percent of the grey scale").arg(m_threshold->toolTip());
     connect(m_threshold, &ValueSlider::valueChanged, this, &CurveSliders::showThreshold);
     document.bind(&DocumentModel::curvesChanged, this, [this](const Document&) { showThreshold(); });
-    auto* reset =
-        named(new QPushButton(tr("Reset curve")), "view.resetCurve", tr("Reset curve"),
-              tr("The curve says which brightness is seen through and which is solid. Takes back both sliders "
-                 "and all edits of the curve (C)"));
+    auto* reset = named(new QPushButton(tr("Reset curve")), "view.resetCurve", tr("Reset curve"),
+                        tr("The curve says which brightness is seen through and which is solid. Resets both sliders "
+                           "and all edits of the curve (C)"));
     connect(reset, &QPushButton::clicked, this, &CurveSliders::resetRequested);
     grid->setColumnMinimumWidth(0, 92);  // in line with the panel below
     grid->addWidget(reset, grid->count() / 2, 1, Qt::AlignRight);

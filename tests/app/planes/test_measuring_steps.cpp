@@ -200,7 +200,7 @@ private slots:
         QTest::keyClick(&window(), Qt::Key_Period);
         QCOMPARE(phaseOf(document(), firstPane), 1);
         clickIn3d(middle);
-        QVERIFY2(message().contains("picture of this phase is not there yet"), qPrintable(message()));
+        QVERIFY2(message().contains("picture of this volume is not there yet"), qPrintable(message()));
         waitUntilIdle();
         QVERIFY(window().volumeView().overlay().discs.empty());
         clickIn3d(middle);
