@@ -175,6 +175,7 @@ Measurement MeasuringHand::marked() const {
 
 void MeasuringHand::finish() {
     Measurement next = marked();
+    auto* pane = qobject_cast<QWidget*>(m_pane);
     dropMarked();
     if (const auto value = measuredValue(next, geometry()); !value)
         return tell(QString::fromStdString(value.error().sentence()));
@@ -182,6 +183,7 @@ void MeasuringHand::finish() {
     for (const Measurement& each : document.measurements) next.id = std::max(next.id, each.id + 1);
     document.measurements.push_back(next);
     m_parts.model.edit(document, stepName(next));
+    emit measured(pane);
 }
 
 bool MeasuringHand::dropMarked() {

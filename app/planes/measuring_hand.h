@@ -54,6 +54,8 @@ public:
 signals:
     /// Also emitted if a tool was refused.
     void toolChanged();
+    /// The last place of a measurement was marked in `pane`, a plane's pane or the picture, and it is in the document.
+    void measured(QWidget* pane);
 
 private:
     /// A mark of a finished measurement.

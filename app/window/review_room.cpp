@@ -2,10 +2,12 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 
+#include "app/window/window_layout.h"
 #include "widgets/key_table.h"
 #include "widgets/volume_view/lasso_pointer.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -32,11 +34,24 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
     connect(&m_measuring, &MeasuringHand::toolChanged, this, [this] {
         if (m_measuring.tool() && m_scalpel.tool()) m_scalpel.setTool(std::nullopt);
     });
+    connect(&m_measuring, &MeasuringHand::measured, this, &ReviewRoom::askForName);
+    connect(&m_parts.measurements, &MeasurementsPanel::done, this, [this] {
+        QWidget& pane = m_measuredIn && m_measuredIn->isVisible() ? *m_measuredIn : m_parts.picture;
+        pane.setFocus(Qt::OtherFocusReason);
+    });
     for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
         connect(m_parts.planes[i], &PlanePane::maximiseRequested, &m_parts.panes,
                 [&panes = m_parts.panes, i] { panes.toggleMaximised(i); });
     connect(&m_parts.picture, &VolumeViewWidget::doubleClicked, &m_parts.panes,
             [&panes = m_parts.panes] { panes.toggleMaximised(paneCount - 1); });
+}
+
+/// Brings the panel forward, so that a name can be typed at once. If a person closed the panel, it stays closed.
+void ReviewRoom::askForName(QWidget* pane) {
+    m_measuredIn = pane;
+    if (dockOf(m_parts.measurements).isHidden()) return;
+    showDockOf(m_parts.measurements);
+    m_parts.measurements.goToName();
 }
 
 void ReviewRoom::addTo(EscapeOrder& escapes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <array>
 
 #include "app/planes/box_in_3d.h"
@@ -62,6 +63,7 @@ private:
     void addBox(QMenu& menu);
     void addScalpel(QMenu& menu);
     void addMeasuring(QMenu& menu);
+    void askForName(QWidget* pane);
 
     Parts m_parts;
     DocumentPlanes m_planes;
@@ -70,6 +72,7 @@ private:
     ScalpelHand m_scalpel;
     MeasuringHand m_measuring;
     MeasurementControls m_measurements;
+    QPointer<QWidget> m_measuredIn;  ///< the pane of the last measurement made
 };
 
 }  // namespace echolucent

@@ -1,11 +1,14 @@
 // The list of measurements and its fields: what the hand does there, and what it asks for.
+#include <QAbstractItemDelegate>
 #include <QApplication>
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStyleOptionViewItem>
 #include <QTest>
 
 #include "tests/qt_program/test_classes.h"
@@ -52,6 +55,7 @@ private slots:
         QSignalSpy names(m_panel.get(), &MeasurementsPanel::nameTyped);
         QSignalSpy comments(m_panel.get(), &MeasurementsPanel::commentTyped);
         QSignalSpy ended(m_panel.get(), &MeasurementsPanel::typingEnded);
+        QSignalSpy done(m_panel.get(), &MeasurementsPanel::done);
         QTest::keyClicks(m_name->lineEdit(), "A");
         QCOMPARE(names.last(), (QVariantList{5, "A"}));  // nothing is completed
         QTest::keyClicks(m_name->lineEdit(), "o");
@@ -59,17 +63,70 @@ private slots:
         QCOMPARE(ended.count(), 0);
         QTest::keyClick(m_name->lineEdit(), Qt::Key_Return);
         QVERIFY(ended.count() > 0);
-        QVERIFY(m_list->hasFocus());
+        QVERIFY(done.count() > 0);
         QTest::keyClicks(m_comment, "x");
         QCOMPARE(comments.last(), (QVariantList{5, "x"}));
         // A measurement named in the list of usual names.
         ended.clear();
+        done.clear();
         m_name->setFocus();
         emit m_name->textActivated("NT");
         QCOMPARE(names.last(), (QVariantList{5, "NT"}));
         QVERIFY(ended.count() >= 2);
-        QVERIFY(m_list->hasFocus());  // so that a key of the window is no letter more
-        QVERIFY(m_name->findText("BPD") >= 0 && m_name->findText("NT") >= 0);
+        QCOMPARE(done.count(), 1);  // so that a key of the window is no letter more
+        for (QWidget* each : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_comment)})
+            QTest::keyClick(each, Qt::Key_Escape);
+        QCOMPARE(done.count(), 3);
+        QCOMPARE(m_name->currentText(), "NT");  // what was typed stays
+    }
+
+    void usualNamesAreGroupedAndStandWithTheirWords() {
+        QCOMPARE(m_name->lineEdit()->placeholderText(), "choose or type");
+        for (const char* name : {"BPD", "NT", "LV", "RV", "LA", "RA", "IVS", "Ao", "PA", "MV", "TV"}) {
+            const int row = m_name->findText(name);
+            QVERIFY2(row >= 0, name);
+            QVERIFY(m_name->model()->flags(m_name->model()->index(row, 0)).testFlag(Qt::ItemIsSelectable));
+        }
+        const int heart = m_name->findText("Heart");
+        QVERIFY(m_name->findText("Fetal biometry") == 0 && m_name->findText("NT") < heart);
+        QVERIFY(m_name->findText("LV") > heart);
+        QVERIFY(!m_name->model()->flags(m_name->model()->index(heart, 0)).testFlag(Qt::ItemIsSelectable));
+        QVERIFY(m_name->maxVisibleItems() >= m_name->count());
+        // The words make a row wider, and are no part of the name.
+        QStyleOptionViewItem option;
+        const QSize row = m_name->itemDelegate()->sizeHint(option, m_name->model()->index(heart + 1, 0));
+        QVERIFY(row.width() > option.fontMetrics.horizontalAdvance("LV – left"));
+        QCOMPARE(m_name->itemText(heart + 1), "LV");
+    }
+
+    void tabGoesFromFieldToFieldAndToRemoveAtLast() {
+        m_panel->setRows(rows());
+        m_name->setFocus();
+        const QStringList order{"measurements.comment", "measurements.list", "measurements.remove",
+                                "measurements.removeAll"};
+        for (const QString& next : order) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            QCOMPARE(QApplication::focusWidget()->objectName(), next);
+        }
+    }
+
+    void aLetterInTheListBeginsTheName() {
+        m_panel->setRows(rows());
+        m_list->setCurrentRow(0);
+        m_list->setFocus();
+        QSignalSpy names(m_panel.get(), &MeasurementsPanel::nameTyped);
+        QKeyEvent asked(QEvent::ShortcutOverride, Qt::Key_M, Qt::NoModifier, "M");
+        asked.ignore();
+        QCoreApplication::sendEvent(m_list, &asked);
+        QVERIFY(asked.isAccepted());  // no key of the window
+        QTest::keyClicks(m_list, "M");
+        QVERIFY(m_name->hasFocus());
+        QTest::keyClicks(QApplication::focusWidget(), "V");
+        QCOMPARE(names.last(), (QVariantList{4, "MV"}));
+        QKeyEvent other(QEvent::ShortcutOverride, Qt::Key_S, Qt::ControlModifier, "\x13");
+        other.ignore();
+        QCoreApplication::sendEvent(m_list, &other);
+        QVERIFY(!other.isAccepted());
     }
 
     void aCommentEndsAtItsLongest() {

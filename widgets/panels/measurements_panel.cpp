@@ -1,6 +1,8 @@
 #include "widgets/panels/measurements_panel.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -11,6 +13,8 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QStyledItemDelegate>
 #include <QTextCursor>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -25,19 +29,79 @@ namespace {
 
 constexpr std::array<MeasurementKind, 2> allKinds{MeasurementKind::distance, MeasurementKind::angle};
 
-/// A distance that sonographers measure of a fetus.
+/// What sonographers measure with a straight line or an angle. No tool measures a circumference or an area, so that no
+/// name of one is proposed.
 struct UsualName {
-    const char* abbreviation;
-    const char* words;
+    const char* abbreviation;  ///< becomes the name
+    const char* words;         ///< null if this is the title of the names that follow
 };
 constexpr std::array usualNames{
+    UsualName{QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "Fetal biometry"), nullptr},
     UsualName{"BPD", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "biparietal diameter")},
     UsualName{"OFD", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "occipitofrontal diameter")},
     UsualName{"TCD", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "transcerebellar diameter")},
+    UsualName{"APAD", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "anteroposterior abdomen")},
+    UsualName{"TAD", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "transverse abdomen")},
     UsualName{"FL", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "femur length")},
     UsualName{"HL", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "humerus length")},
     UsualName{"CRL", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "crown-rump length")},
-    UsualName{"NT", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "nuchal translucency")}};
+    UsualName{"NT", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "nuchal translucency")},
+    UsualName{QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "Heart"), nullptr},
+    UsualName{"LV", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "left ventricle")},
+    UsualName{"RV", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "right ventricle")},
+    UsualName{"LA", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "left atrium")},
+    UsualName{"RA", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "right atrium")},
+    UsualName{"IVS", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "ventricular septum")},
+    UsualName{"MV", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "mitral annulus")},
+    UsualName{"TV", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "tricuspid annulus")},
+    UsualName{"Ao", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "aorta")},
+    UsualName{"PA", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "pulmonary artery")},
+    UsualName{"CD", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "cardiac diameter")},
+    UsualName{"TD", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "thoracic diameter")},
+    UsualName{"axis", QT_TRANSLATE_NOOP("echolucent::MeasurementsPanel", "cardiac axis, an angle")}};
+
+constexpr int wordsRole = Qt::UserRole;
+
+/// The list of usual names shows each with its words, while the field takes the name alone.
+class NamesWithWords : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const QString words = index.data(wordsRole).toString();
+        if (!words.isEmpty()) option->text += QStringLiteral(" – ") + words;
+    }
+};
+
+void addUsualNames(QComboBox& names) {
+    auto* model = new QStandardItemModel(&names);
+    for (const UsualName& name : usualNames) {
+        auto* item = new QStandardItem(name.words ? QString::fromLatin1(name.abbreviation)
+                                                  : MeasurementsPanel::tr(name.abbreviation));
+        if (name.words) {
+            item->setData(MeasurementsPanel::tr(name.words), wordsRole);
+        } else {
+            QFont font = names.font();
+            font.setBold(true);
+            item->setFont(font);
+            item->setFlags(Qt::NoItemFlags);
+        }
+        model->appendRow(item);
+    }
+    names.setModel(model);
+    names.setItemDelegate(new NamesWithWords(&names));
+    names.setMaxVisibleItems(static_cast<int>(usualNames.size()));
+    names.setCurrentIndex(-1);
+}
+
+/// Whether a key in the list begins a name: a letter or another sign, no blank.
+bool beginsName(const QKeyEvent& key) {
+    const QString text = key.text();
+    return !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) && !text.isEmpty() &&
+           text.front().isPrint() && !text.front().isSpace();
+}
 
 QString measureToolText(MeasurementKind kind) {
     QString text = textOf(nameOf(kind));
@@ -76,7 +140,14 @@ MeasurementsPanel::MeasurementsPanel(QWidget* parent) : QWidget(parent) {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(6, 6, 6, 0);
     outer->addWidget(group);
+    orderTabs();
     setRows({});
+}
+
+/// From a field Tab leads to the next field and to the list, and to what removes at last.
+void MeasurementsPanel::orderTabs() {
+    const std::array<QWidget*, 5> order{m_name, m_comment, m_list, m_remove, m_removeAll};
+    for (std::size_t i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
 }
 
 QWidget* MeasurementsPanel::createList() {
@@ -86,10 +157,10 @@ QWidget* MeasurementsPanel::createList() {
     m_list->installEventFilter(this);
     createName();
     createComment();
-    auto* remove = named(new QPushButton(tr("Remove")), "measurements.remove", tr("Remove the selected measurement"),
-                         tr("The measurement selected in the list (Delete in the list)"));
-    auto* removeAll = named(new QPushButton(tr("Remove all")), "measurements.removeAll", tr("Remove all measurements"),
-                            tr("Removes the measurements of all volumes"));
+    m_remove = named(new QPushButton(tr("Remove")), "measurements.remove", tr("Remove the selected measurement"),
+                     tr("The measurement selected in the list (Delete in the list)"));
+    m_removeAll = named(new QPushButton(tr("Remove all")), "measurements.removeAll", tr("Remove all measurements"),
+                        tr("Removes the measurements of all volumes"));
     connect(m_list, &QListWidget::itemClicked, this, [this] { emit chosen(selectedId()); });
     connect(m_list, &QListWidget::itemActivated, this, [this] { emit chosen(selectedId()); });
     connect(m_list, &QListWidget::itemDoubleClicked, this, [this] { m_name->setFocus(Qt::OtherFocusReason); });
@@ -97,11 +168,11 @@ QWidget* MeasurementsPanel::createList() {
         emit typingEnded();
         showTexts();
     });
-    connect(remove, &QPushButton::clicked, this, &MeasurementsPanel::removeSelected);
-    connect(removeAll, &QPushButton::clicked, this, &MeasurementsPanel::allRemoved);
+    connect(m_remove, &QPushButton::clicked, this, &MeasurementsPanel::removeSelected);
+    connect(m_removeAll, &QPushButton::clicked, this, &MeasurementsPanel::allRemoved);
     auto* row = new QHBoxLayout;
-    row->addWidget(remove);
-    row->addWidget(removeAll);
+    row->addWidget(m_remove);
+    row->addWidget(m_removeAll);
     m_listed = new QWidget;
     auto* texts = new QFormLayout;
     texts->setContentsMargins(0, 0, 0, 0);
@@ -125,17 +196,15 @@ void MeasurementsPanel::createName() {
     m_name->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_name->setMinimumContentsLength(6);
     wheelNeedsFocus(m_name);
-    for (const UsualName& name : usualNames) {
-        m_name->addItem(QString::fromLatin1(name.abbreviation));
-        m_name->setItemData(m_name->count() - 1, tr(name.words), Qt::ToolTipRole);
-    }
-    m_name->setCurrentIndex(-1);
+    addUsualNames(*m_name);
+    m_name->installEventFilter(this);
     QLineEdit* field = named(m_name->lineEdit(), "measurements.name.field", m_name->accessibleName());
     field->setMaxLength(static_cast<int>(longestMeasurementName));
-    field->setPlaceholderText(tr("none"));
+    field->setPlaceholderText(tr("choose or type"));
     connect(field, &QLineEdit::textEdited, this, [this](const QString& text) { emit nameTyped(selectedId(), text); });
     connect(field, &QLineEdit::editingFinished, this, &MeasurementsPanel::typingEnded);
-    connect(field, &QLineEdit::returnPressed, this, [this] { m_list->setFocus(Qt::OtherFocusReason); });
+    connect(field, &QLineEdit::returnPressed, this, &MeasurementsPanel::done);
+    field->installEventFilter(this);
     connect(m_name, &QComboBox::textActivated, this, [this](const QString& text) {
         // It also comes if the field is left with one of the names typed: then the focus goes where the person wants.
         if (!m_name->hasFocus()) return;
@@ -143,7 +212,7 @@ void MeasurementsPanel::createName() {
         emit nameTyped(selectedId(), text);
         emit typingEnded();
         // The next key is the window's, not a letter more.
-        m_list->setFocus(Qt::OtherFocusReason);
+        emit done();
     });
 }
 
@@ -169,14 +238,48 @@ void MeasurementsPanel::createComment() {
 
 bool MeasurementsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_comment && event->type() == QEvent::FocusOut) emit typingEnded();
-    if (watched == m_list && event->type() == QEvent::KeyPress) {
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-            case Qt::Key_Delete: removeSelected(); return true;
-            case Qt::Key_F2: m_name->setFocus(Qt::OtherFocusReason); return true;
-            default: break;
+    if (event->type() == QEvent::ShortcutOverride) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (watched == m_list && beginsName(*key)) {
+            key->accept();
+            return true;
+        }
+        // While nothing was typed, undo and redo are the window's: they take back the measurement.
+        const QLineEdit& field = *m_name->lineEdit();
+        if (watched == m_name && ((key->matches(QKeySequence::Undo) && !field.isUndoAvailable()) ||
+                                  (key->matches(QKeySequence::Redo) && !field.isRedoAvailable()))) {
+            key->ignore();
+            return true;
         }
     }
+    if (event->type() == QEvent::KeyPress) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Escape) {
+            emit done();
+            return true;
+        }
+        if (watched == m_list) return takeKeyOfList(*key);
+    }
     return QWidget::eventFilter(watched, event);
+}
+
+bool MeasurementsPanel::takeKeyOfList(QKeyEvent& key) {
+    if (key.key() == Qt::Key_Delete) {
+        removeSelected();
+    } else if (key.key() == Qt::Key_F2) {
+        m_name->setFocus(Qt::OtherFocusReason);
+    } else if (beginsName(key) && selectedId() != 0) {
+        goToName();
+        QCoreApplication::sendEvent(m_name->lineEdit(), &key);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void MeasurementsPanel::goToName() {
+    m_name->setFocus(Qt::OtherFocusReason);
+    m_name->lineEdit()->selectAll();
 }
 
 void MeasurementsPanel::removeSelected() {

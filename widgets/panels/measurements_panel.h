@@ -11,8 +11,10 @@
 
 class QAbstractButton;
 class QComboBox;
+class QKeyEvent;
 class QListWidget;
 class QPlainTextEdit;
+class QPushButton;
 
 namespace echolucent {
 
@@ -24,8 +26,9 @@ struct MeasurementRow {
 };
 
 /// Objects: measurements (this), measurements.distance, .angle, .list, .name, .comment (of the measurement selected in
-/// the list), .remove, .removeAll. An empty list is hidden with its fields and buttons. In the list, Delete removes
-/// and F2 or a double click goes to the name. setRows() emits typingEnded(); no other setter emits a signal.
+/// the list), .remove, .removeAll. An empty list is hidden with its fields and buttons. In the list, Delete removes,
+/// F2 or a double click goes to the name, and a letter becomes the name's first. Tab goes from the name to the comment,
+/// the list and the buttons that remove. setRows() emits typingEnded(); no other setter emits a signal.
 class MeasurementsPanel : public QWidget {
     Q_OBJECT
 
@@ -35,6 +38,8 @@ public:
     void setRows(const std::vector<MeasurementRow>& rows);
     /// Shows which tool is in the hand; no value if none is.
     void setTool(std::optional<MeasurementKind> tool);
+    /// Puts the cursor into the name of the selected measurement, with its text selected.
+    void goToName();
 
 signals:
     /// No value: the person put the tool away.
@@ -46,6 +51,8 @@ signals:
     void commentTyped(int id, const QString& comment);
     /// The field was left, or another measurement was selected: what is typed from now on is a change of its own.
     void typingEnded();
+    /// Enter in the name, a usual name chosen, or Escape in the list or a field: the keys belong to the picture again.
+    void done();
     void removed(int id);
     void allRemoved();
 
@@ -54,6 +61,8 @@ protected:
 
 private:
     QWidget* createList();
+    void orderTabs();
+    bool takeKeyOfList(QKeyEvent& key);
     void createName();
     void createComment();
     [[nodiscard]] int selectedId() const;
@@ -66,6 +75,8 @@ private:
     QListWidget* m_list = nullptr;
     QComboBox* m_name = nullptr;
     QPlainTextEdit* m_comment = nullptr;
+    QPushButton* m_remove = nullptr;
+    QPushButton* m_removeAll = nullptr;
 };
 
 }  // namespace echolucent

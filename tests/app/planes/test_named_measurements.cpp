@@ -1,5 +1,6 @@
 // Measurements that are named and commented in the real main window, and places that are none of the scan.
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 
@@ -48,6 +49,49 @@ private slots:
         // A mark is not dragged out of the scan either.
         drag(pane, seen(other), seen(outside));
         QVERIFY(length(measurements()[0].placesMm[1] - other) < 1e-9);
+    }
+
+    void aNameIsTypedRightAfterTheLastClick() {
+        openPoints();
+        PlanePane& pane = turnedToHold({at(0), at(1)});
+        child("dock.view")->raise();
+        QTRY_VERIFY(child("room")->visibleRegion().isEmpty());
+        const QPointF from = pane.mapping().seenAt(at(0)), to = pane.mapping().seenAt(at(1));
+        key(Qt::Key_M);
+        press(pane, from);
+        QVERIFY(pane.hasFocus());
+        press(pane, to);
+        QTRY_VERIFY(!child("room")->visibleRegion().isEmpty());  // the panel came forward
+        auto* name = child<QLineEdit>("measurements.name.field");
+        QVERIFY(name->hasFocus());
+        // Nothing was typed yet: undo is the window's.
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(measurements().empty());
+        // The next measurement begins with a click, wherever the focus was.
+        for (const QPointF& click : {from, to}) press(pane, click);
+        QCOMPARE(measurements().size(), 1u);
+        // These are keys of the window elsewhere: the measuring tool and the front.
+        const Front front = document().scene.front;
+        QTest::keyClicks(QApplication::focusWidget(), "MN");
+        QCOMPARE(measurements()[0].name, std::string("MN"));
+        QVERIFY(document().scene.front == front);
+        for (const QPointF& click : {from, to}) press(pane, click + QPointF(0, 30));
+        QCOMPARE(measurements().size(), 2u);
+        QCOMPARE(name->text(), "");
+        QVERIFY(name->hasFocus());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QVERIFY(pane.hasFocus());
+        list().setFocus();
+        QTest::keyClicks(QApplication::focusWidget(), "M");
+        QTest::keyClicks(QApplication::focusWidget(), "V");
+        QCOMPARE(measurements()[1].name, std::string("MV"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QVERIFY(pane.hasFocus());
+        // A panel that was closed stays so, and the pane keeps the keys.
+        child<QDockWidget>("dock.room")->close();
+        for (const QPointF& click : {from, to}) press(pane, click + QPointF(0, -30));
+        QCOMPARE(measurements().size(), 3u);
+        QVERIFY(child("dock.room")->isHidden() && pane.hasFocus());
     }
 
     void aNameAndACommentAreTypedInOneStepEach() {
