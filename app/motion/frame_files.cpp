@@ -65,7 +65,8 @@ std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, PaneF
     QPainter painter(&image);
     const double scale = std::max(1.0, size.height() / plainHeight);
     const auto measured =
-        shownMeasurements(order.document.measurements, frames.position(frame).phase, picture->voxels->geometry());
+        shownMeasurementsIn3d(order.document.measurements, frames.position(frame).phase, *picture->voxels,
+                              order.document.scene.planes, order.document.beam.axis);
     paintMeasurements(painter, placedInPicture(measured, picture->cast.camera), size, scale);
     paintLabels(painter, size, frameLabels(order, frames, frame, *picture), scale);
     painter.end();

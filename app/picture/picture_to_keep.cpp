@@ -8,17 +8,16 @@
 namespace echolucent {
 
 std::vector<ShownMeasurement> measurementsIn(const VolumeViewWidget& picture, const OpenStudy& openStudy,
-                                             const std::vector<Measurement>& measurements) {
+                                             const Document& document) {
     const auto& measured = picture.measured();
     const auto phase = measured ? openStudy.phaseOfVoxels(*measured) : std::nullopt;
     if (!phase) return {};
-    return shownMeasurements(measurements, *phase, measured->geometry());
+    return shownMeasurementsIn3d(document.measurements, *phase, *measured, document.scene.planes, document.beam.axis);
 }
 
-QImage pictureToKeep(VolumeViewWidget& picture, const OpenStudy& openStudy,
-                     const std::vector<Measurement>& measurements) {
+QImage pictureToKeep(VolumeViewWidget& picture, const OpenStudy& openStudy, const Document& document) {
     QImage image = picture.convergedImage();
-    const auto shown = measurementsIn(picture, openStudy, measurements);
+    const auto shown = measurementsIn(picture, openStudy, document);
     if (image.isNull() || shown.empty()) return image;
     QPainter painter(&image);
     paintMeasurements(painter, placedInPicture(shown, picture.shownCamera()), image.size(),

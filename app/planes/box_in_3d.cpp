@@ -99,7 +99,7 @@ void BoxIn3d::show() {
 }
 
 void BoxIn3d::addMeasurements(Overlay& overlay) const {
-    append(overlay, overlayOf(measurementsIn(m_picture, m_openStudy, m_model.document().measurements)));
+    append(overlay, overlayOf(measurementsIn(m_picture, m_openStudy, m_model.document())));
     append(overlay, m_marking);
 }
 

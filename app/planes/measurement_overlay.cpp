@@ -1,5 +1,7 @@
 #include "app/planes/measurement_overlay.h"
 
+#include <utility>
+
 #include "app/planes/scene_colour.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 
@@ -9,8 +11,14 @@ namespace {
 
 const Colour measurementInScene = sceneColourOf(measurementColour);
 
-void addLine(Overlay& overlay, const std::vector<Vec3>& places) {
-    if (places.size() > 1) overlay.spacePaths.push_back({places, measurementInScene, measurementLineWidth});
+void addLine(Overlay& overlay, const std::vector<Vec3>& places, bool dashed) {
+    if (places.size() < 2) return;
+    SpacePath line{places, measurementInScene, measurementLineWidth};
+    if (dashed) {
+        line.dash = measurementDash;
+        line.gap = measurementDashGap;
+    }
+    overlay.spacePaths.push_back(std::move(line));
 }
 
 }  // namespace
@@ -18,8 +26,8 @@ void addLine(Overlay& overlay, const std::vector<Vec3>& places) {
 Overlay overlayOf(const std::vector<ShownMeasurement>& shown) {
     Overlay overlay;
     for (const ShownMeasurement& each : shown) {
-        addLine(overlay, each.placesMm);
-        addLine(overlay, each.arcMm);
+        addLine(overlay, each.placesMm, each.dashed);
+        addLine(overlay, each.arcMm, each.dashed);
         for (const Vec3& place : each.placesMm)
             overlay.discs.push_back({place, measurementInScene, measurementMarkRadius});
         if (!each.text.empty())

@@ -255,8 +255,8 @@ std::optional<ReportPane> ReportSaving::pane(std::size_t index) const {
         return ReportPane{captions[index], imageOfPane(plane)};
     }
     if (!m_parts.picture.isVisible()) return std::nullopt;
-    return ReportPane{captions[index],
-                      pictureToKeep(m_parts.picture, m_parts.openStudy, m_parts.model.document().measurements), true};
+    return ReportPane{captions[index], pictureToKeep(m_parts.picture, m_parts.openStudy, m_parts.model.document()),
+                      true};
 }
 
 std::vector<ReportTime> ReportSaving::times() const {

@@ -186,7 +186,7 @@ QString CurveAndPictureFiles::burnedInText() const {
 }
 
 QImage CurveAndPictureFiles::pictureToSave() {
-    return pictureToKeep(m_parts.picture, m_parts.openStudy, m_parts.model.document().measurements);
+    return pictureToKeep(m_parts.picture, m_parts.openStudy, m_parts.model.document());
 }
 
 bool CurveAndPictureFiles::savePicture(const QString& path) {

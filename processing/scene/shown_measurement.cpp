@@ -41,7 +41,7 @@ template <typename See>
 std::vector<PlacedMeasurement> placed(const std::vector<ShownMeasurement>& shown, const See& see) {
     std::vector<PlacedMeasurement> all;
     for (const ShownMeasurement& each : shown) {
-        PlacedMeasurement next{.id = each.id, .kind = each.kind, .text = each.text};
+        PlacedMeasurement next{.id = each.id, .kind = each.kind, .text = each.text, .dashed = each.dashed};
         bool seen = !each.placesMm.empty();
         const auto add = [&](const std::vector<Vec3>& places, std::vector<PicturePlace>& to) {
             for (const Vec3& place : places) {
@@ -69,14 +69,22 @@ bool overlap(const TextBox& one, const TextBox& other) {
            other.top < one.bottom - least;
 }
 
-/// The label right of the rightmost place, or left of the leftmost. If the place lies in the picture, the label stays
-/// within the picture's upper and lower edge, which would cut the text.
+/// The label right of the rightmost place, or left of the leftmost. If neither has room for it, it ends at the
+/// picture's right edge, below or above the rightmost place. If the place lies in the picture, the label stays within
+/// the picture's upper and lower edge, which would cut the text.
 MeasurementLabel besideItsPlaces(const MeasurementWords& words, double aspect) {
     const auto [left, right] =
         std::ranges::minmax_element(words.places, {}, [](const PicturePlace& place) { return place[0]; });
     const bool fits = (*right)[0] + words.width <= aspect / 2.0;
-    PicturePlace at = fits ? *right : *left;
     const double lowest = std::max(0.0, 0.5 - words.height / 2.0);
+    const auto isSeen = [&](const PicturePlace& place) {
+        return std::abs(place[0]) <= aspect / 2.0 && std::abs(place[1]) <= 0.5;
+    };
+    if (!fits && (*left)[0] - words.width < -aspect / 2.0 && isSeen(*right) && words.width <= aspect) {
+        const double below = (*right)[1] + words.height;
+        return {{aspect / 2.0 - words.width, below <= lowest ? below : (*right)[1] - words.height}, true};
+    }
+    PicturePlace at = fits ? *right : *left;
     if (std::abs(at[1]) <= 0.5) at[1] = std::clamp(at[1], -lowest, lowest);
     return {at, fits};
 }
@@ -124,6 +132,25 @@ std::vector<ShownMeasurement> shownMeasurements(const std::vector<Measurement>& 
     for (const Measurement& measurement : measurements) {
         if (measurement.phase != phase) continue;
         if (auto next = shownMeasurement(measurement, geometry)) shown.push_back(std::move(*next));
+    }
+    return shown;
+}
+
+std::vector<ShownMeasurement> shownMeasurementsIn3d(const std::vector<Measurement>& measurements, int phase,
+                                                    const Volume& volume, const Planes& planes, BeamAxis beam) {
+    std::vector<ShownMeasurement> shown = shownMeasurements(measurements, phase, volume.geometry());
+    const double reach = planeReachUnits * volume.geometry().unit();
+    const Vec3 reference = referencePointOf(planes, volume.dataBox());
+    for (ShownMeasurement& each : shown) {
+        if (std::ranges::find(measurements, each.id, &Measurement::id)->ground != MeasurementGround::plane) continue;
+        std::string where(groundWords(MeasurementGround::plane));
+        for (const PlaneName plane : allPlaneNames)
+            if (liesInPlane(each.placesMm, {.centreMm = reference, .frame = frameOf(plane, planes, beam)}, reach)) {
+                where = "in plane " + std::string(nameOf(plane));
+                break;
+            }
+        each.text += " (" + where + ")";
+        each.dashed = true;
     }
     return shown;
 }

@@ -38,7 +38,8 @@ struct ShownMeasurement {
     MeasurementKind kind = MeasurementKind::distance;
     std::vector<Vec3> placesMm{};  ///< grid mm; a line joins them in this order
     std::vector<Vec3> arcMm{};     ///< a second line, between the sides of an angle; else empty
-    std::string text{};            ///< measurementLabel(); empty if there is no value yet
+    std::string text{};            ///< measurementLabel(), in 3D with the plane; empty if there is no value yet
+    bool dashed = false;           ///< made in a plane, at which a 3D picture may look obliquely
     friend bool operator==(const ShownMeasurement&, const ShownMeasurement&) = default;
 };
 
@@ -49,6 +50,12 @@ struct ShownMeasurement {
 /// All measurements of a phase (counted from 0) that have a value, in their order.
 [[nodiscard]] std::vector<ShownMeasurement> shownMeasurements(const std::vector<Measurement>& measurements, int phase,
                                                               const VolumeGeometry& geometry);
+/// The same as 3D pictures show them. One that was made in a plane is dashed, and its text ends with the plane that
+/// holds it: "12.3 mm (in plane A)", or "(in a plane)" if neither A, B nor C does. A scale bar beside it measures no
+/// such line.
+[[nodiscard]] std::vector<ShownMeasurement> shownMeasurementsIn3d(const std::vector<Measurement>& measurements,
+                                                                  int phase, const Volume& volume, const Planes& planes,
+                                                                  BeamAxis beam);
 
 /// A measurement as it is drawn in a picture: as ShownMeasurement, but in heights of the picture from its centre.
 struct PlacedMeasurement {
@@ -57,6 +64,7 @@ struct PlacedMeasurement {
     std::vector<PicturePlace> places{};
     std::vector<PicturePlace> arc{};
     std::string text{};
+    bool dashed = false;
     friend bool operator==(const PlacedMeasurement&, const PlacedMeasurement&) = default;
 };
 
@@ -89,8 +97,9 @@ struct MeasurementLabel {
     bool toTheRight = true;  ///< of that place; else to its left
 };
 /// Places one label for each text, in a picture of width / height `aspect`. The text stands right of the rightmost
-/// place. If it would leave the picture there, it stands left of the leftmost. If earlier texts are in the way, it
-/// moves up or down to the nearest free place in the picture, if there is one.
+/// place. If it would leave the picture there, it stands left of the leftmost. If it would leave the picture on both
+/// sides, it ends at the picture's right edge, below or above the rightmost place, if that is seen. If earlier texts
+/// are in the way, it moves up or down to the nearest free place in the picture, if there is one.
 [[nodiscard]] std::vector<MeasurementLabel> labelsOf(const std::vector<MeasurementWords>& words, double aspect);
 
 }  // namespace echolucent

@@ -67,6 +67,28 @@ private slots:
         QVERIFY(all > inColour(wordless, wordless.rect()));
     }
 
+    void aDashedLineHasGapsAndAWholeRim() {
+        const QSize size(400, 200);
+        PlacedMeasurement line{.places = {{-0.9, 0.5 / 200}, {0.9, 0.5 / 200}}};
+        const QRect middle(100, 99, 120, 3);
+        const auto columnsIn = [&](const QImage& image, auto&& isOne) {
+            int count = 0;
+            for (int x = middle.left(); x <= middle.right(); ++x) count += isOne(image, QRect(x, middle.top(), 1, 3));
+            return count;
+        };
+        const auto bright = [](const QImage& image, const QRect& column) { return inColour(image, column) > 0; };
+        const auto dark = [](const QImage& image, const QRect& column) {
+            return qGray(image.pixel(column.center())) < 80 || inColour(image, column) > 0;
+        };
+        QCOMPARE(columnsIn(painted({line}, size, 1.0), bright), middle.width());
+        line.dashed = true;
+        const QImage image = painted({line}, size, 1.0);
+        // Ten dashes and ten gaps.
+        const int dashes = columnsIn(image, bright);
+        QVERIFY2(dashes > 60 && dashes < 85, qPrintable(QString::number(dashes)));
+        QVERIFY(columnsIn(image, dark) > 110);
+    }
+
     void wordsAtTheEdgeStayInThePicture() {
         const QSize size(400, 200);
         const auto wordsOf = [&](const std::vector<PicturePlace>& places) {

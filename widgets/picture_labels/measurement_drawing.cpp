@@ -24,11 +24,17 @@ QPolygonF lineThrough(const std::vector<PicturePlace>& places, const QSizeF& pic
     return line;
 }
 
-void paintLine(QPainter& painter, const QPolygonF& line, double scale) {
+/// A dashed line has a rim without gaps, so that it shows as one line.
+void paintLine(QPainter& painter, const QPolygonF& line, double scale, bool dashed) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(measurementRimColour, (measurementLineWidth + 2.0) * scale));
     painter.drawPolyline(line);
-    painter.setPen(QPen(measurementColour, measurementLineWidth * scale));
+    QPen pen(measurementColour, measurementLineWidth * scale);
+    if (dashed) {
+        pen.setCapStyle(Qt::FlatCap);
+        pen.setDashPattern({measurementDash / measurementLineWidth, measurementDashGap / measurementLineWidth});
+    }
+    painter.setPen(pen);
     painter.drawPolyline(line);
 }
 
@@ -72,8 +78,9 @@ void paintMeasurements(QPainter& painter, const std::vector<PlacedMeasurement>& 
     painter.setRenderHint(QPainter::Antialiasing);
     for (const PlacedMeasurement& measurement : measurements) {
         const QPolygonF places = lineThrough(measurement.places, picture);
-        paintLine(painter, places, scale);
-        if (!measurement.arc.empty()) paintLine(painter, lineThrough(measurement.arc, picture), scale);
+        paintLine(painter, places, scale, measurement.dashed);
+        if (!measurement.arc.empty())
+            paintLine(painter, lineThrough(measurement.arc, picture), scale, measurement.dashed);
         for (const QPointF& at : places) paintMark(painter, at, scale);
     }
     // Paint texts last, over all lines.

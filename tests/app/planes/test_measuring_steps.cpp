@@ -233,17 +233,17 @@ private slots:
             return all;
         };
         const QImage first = saved("first.png");
-        QCOMPARE(texts(), QStringList{"40.0 mm"});
+        QCOMPARE(texts(), QStringList{"40.0 mm (in plane A)"});
         // The view keeps the picture of a phase until the OTF of the next one is there.
         QTest::keyClick(&window(), Qt::Key_Period);
         QCOMPARE(phaseOf(document(), firstPane), 1);
         QVERIFY(window().volumeView().measured() != window().openStudy().volume());
-        QCOMPARE(texts(), QStringList{"40.0 mm"});
+        QCOMPARE(texts(), QStringList{"40.0 mm (in plane A)"});
         QCOMPARE(saved("stepped.png"), first);
         QTest::keyClick(&window(), Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(rgbBytesOf(QApplication::clipboard()->image()), rgbBytesOf(first));
         waitUntilIdle();
-        QCOMPARE(texts(), QStringList{"60.0 mm"});
+        QCOMPARE(texts(), QStringList{"60.0 mm (in plane B)"});
         QVERIFY(saved("second.png") != first);
     }
 

@@ -116,7 +116,8 @@ private slots:
         QCOMPARE(list().item(0)->text(), QString::fromStdString("1. " + label + ", in a plane"));
         QCOMPARE(pane.scene()->measurements.at(0).text, label);
         waitUntilIdle();
-        QCOMPARE(window().volumeView().overlay().texts.at(0).text, label);
+        QCOMPARE(window().volumeView().overlay().texts.at(0).text,
+                 label + " (in plane " + std::string(nameOf(pane.plane())) + ")");
         auto* comment = child<QPlainTextEdit>("measurements.comment");
         QTest::keyClicks(comment, "at rest");
         QTest::keyClick(comment, Qt::Key_Return);

@@ -79,6 +79,32 @@ TEST(ShownMeasurement, AreThoseOfThePhaseThatHaveAValue) {
     EXPECT_TRUE(begun->arcMm.empty());
 }
 
+TEST(ShownMeasurement, A3dPictureSaysInWhichPlaneItWasMade) {
+    const Volume volume(measuredGrid, Voxels(std::vector<std::uint8_t>(60 * 60 * 60, 100)), 255.0);
+    const BeamAxis beam = BeamAxis::plusZ;
+    Planes planes;
+    planes.direction = {33.3, -21.7, 71.1};
+    const Vec3 centre = referencePointOf(planes, volume.dataBox());
+    const ViewFrame b = frameOf(PlaneName::b, planes, beam);
+    const Vec3 beside = b.forward * (2.0 * measuredGrid.unit());
+    const std::vector<Vec3> inB{centre + b.right * 3 + b.down * 2, centre - b.right * 4 + b.down};
+    const std::vector<Measurement> all{{.id = 1, .placesMm = inB},
+                                       {.id = 2, .placesMm = {inB[0] + beside, inB[1] + beside}, .name = "LV"},
+                                       {.id = 3, .ground = MeasurementGround::surface, .placesMm = inB}};
+    const auto shown = shownMeasurementsIn3d(all, 0, volume, planes, beam);
+    ASSERT_EQ(shown.size(), 3u);
+    const std::string value = measurementText(all[0], measuredGrid).value();
+    EXPECT_EQ(shown[0].text, value + " (in plane B)");
+    EXPECT_EQ(shown[1].text, "LV " + value + " (in a plane)");
+    EXPECT_EQ(shown[2].text, value) << "a surface is where the picture shows it";
+    EXPECT_TRUE(shown[0].dashed && shown[1].dashed && !shown[2].dashed);
+    Camera camera;
+    camera.focalPoint = centre;
+    EXPECT_TRUE(placedInPicture(shown, camera)[0].dashed);
+    EXPECT_FALSE(placedInPicture(shown, camera)[2].dashed);
+    for (const ShownMeasurement& each : shownMeasurements(all, 0, measuredGrid)) EXPECT_FALSE(each.dashed);
+}
+
 TEST(ShownMeasurement, AnArcRunsAboutTheVertexFromSideToSide) {
     const Vec3 vertex{5, 6, 7};
     const auto shown = shownMeasurement(
@@ -141,6 +167,12 @@ TEST(ShownMeasurement, WordsStandBesideTheLinesAndWithinThePicture) {
     EXPECT_EQ(label(places, 0.2).at, (PicturePlace{0.4, -0.1}));
     EXPECT_FALSE(label(places, 0.36).toTheRight);
     EXPECT_EQ(label(places, 0.36).at, (PicturePlace{-0.3, 0.0}));
+    // Without room on either side they stay whole, and stand clear of the place.
+    EXPECT_TRUE(label(places, 0.6).toTheRight);
+    EXPECT_DOUBLE_EQ(label(places, 0.6).at[0] + 0.6, 0.75);
+    EXPECT_DOUBLE_EQ(label(places, 0.6).at[1], -0.05);
+    EXPECT_DOUBLE_EQ(label({{0.1, 0.46}}, 1.0).at[1], 0.41);
+    EXPECT_FALSE(label({{0.8, 0.1}}, 1.6).toTheRight);  // its place is not seen
     EXPECT_DOUBLE_EQ(label({{0.0, 0.49}}, 0.2).at[1], 0.475);
     EXPECT_DOUBLE_EQ(label({{0.0, -0.5}}, 0.2).at[1], -0.475);
     EXPECT_DOUBLE_EQ(label({{0.0, 0.7}}, 0.2).at[1], 0.7);  // beside the picture, as its place is

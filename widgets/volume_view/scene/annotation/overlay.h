@@ -22,7 +22,8 @@ struct SpaceLine {
 struct SpacePath {
     std::vector<Vec3> places;
     Colour colour{};
-    double width = 1.5;  ///< pixels of a plain screen
+    double width = 1.5;            ///< pixels of a plain screen
+    double dash = 0.0, gap = 0.0;  ///< lengths of dashes and of gaps between them, pixels of a plain screen; 0: none
     friend bool operator==(const SpacePath&, const SpacePath&) = default;
 };
 

@@ -43,7 +43,11 @@ void OverlayLines::layOut(int viewportWidth, int viewportHeight, double scale, c
         std::vector<Point2> points;
         for (const Vec3& place : path.places)
             if (const auto at = placeInPicture(camera, place)) points.push_back(pixelOf(*at));
-        if (points.size() == path.places.size()) m_lines.addPath(points, path.width * scale, path.colour);
+        if (points.size() < path.places.size()) continue;
+        if (path.dash > 0.0 && path.gap > 0.0)
+            m_lines.addDashedPath(points, path.width * scale, path.colour, path.dash * scale, path.gap * scale);
+        else
+            m_lines.addPath(points, path.width * scale, path.colour);
     }
     for (const SpaceDisc& disc : m_overlay.discs)
         if (const auto at = placeInPicture(camera, disc.at))

@@ -47,12 +47,36 @@ void SmoothLines::addLine(const Point2& from, const Point2& to, double width, co
 }
 
 void SmoothLines::addPath(const std::vector<Point2>& points, double width, const Colour& colour) {
+    addRim(points, width);
+    for (std::size_t i = 1; i < points.size(); ++i) addBand(points[i - 1], points[i], width, colour, 1.0);
+}
+
+void SmoothLines::addDashedPath(const std::vector<Point2>& points, double width, const Colour& colour, double dash,
+                                double gap) {
+    addRim(points, width);
+    double done = 0.0;  // of the dash and the gap that the path is in
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Point2 along = points[i] - points[i - 1];
+        const double size = cv::norm(along);
+        for (double at = 0.0; at < size;) {
+            const bool drawn = done < dash;
+            const double next = std::min(size, at + (drawn ? dash : dash + gap) - done);
+            if (drawn)
+                addBand(points[i - 1] + along * (at / size), points[i - 1] + along * (next / size), width, colour, 1.0);
+            done += next - at;
+            // The remainder of a subtraction must not become a dash without length that never ends.
+            if (next < size) done = drawn ? dash : 0.0;
+            at = next;
+        }
+    }
+}
+
+void SmoothLines::addRim(const std::vector<Point2>& points, double width) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Point2 along = points[i] - points[i - 1];
         const Point2 end = along * (rim / std::max(cv::norm(along), 1e-9));
         addBand(points[i - 1] - end, points[i] + end, width + 2 * rim, black, rimOpacity);
     }
-    for (std::size_t i = 1; i < points.size(); ++i) addBand(points[i - 1], points[i], width, colour, 1.0);
 }
 
 void SmoothLines::addDisc(const Point2& centre, double radius, const Colour& colour) {

@@ -29,11 +29,14 @@ public:
     void addLine(const Point2& from, const Point2& to, double width, const Colour& colour);
     /// A line as addLine() draws it, through two or more points. No rim covers a piece of the line.
     void addPath(const std::vector<Point2>& points, double width, const Colour& colour);
+    /// A path of dashes. Its rim has no gaps. Lengths in pixels, above 0.
+    void addDashedPath(const std::vector<Point2>& points, double width, const Colour& colour, double dash, double gap);
     void addDisc(const Point2& centre, double radius, const Colour& colour);
     /// The shapes of a layout, without its texts.
     void addShapes(const AnnotationLayout& layout);
 
 private:
+    void addRim(const std::vector<Point2>& points, double width);
     void addBand(const Point2& from, const Point2& to, double width, const Colour& colour, double opacity);
     void addFeatheredDisc(const Point2& centre, double radius, const Colour& colour, double opacity);
     long long addPoint(const Point2& point, const Colour& colour, double opacity);
