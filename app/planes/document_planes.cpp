@@ -77,7 +77,13 @@ PlaneScene DocumentPlanes::sceneFor(const Volume& volume, const BoxScene& box, P
     scene.brightness = document.scene.look.brightness;
     scene.box = box;
     scene.measurements = shownMeasurements(document.measurements, phaseOf(document, firstPane), volume.geometry());
-    scene.letters = edgeLetters(frameOf(plane, scene.planes, scene.beam), scene.beam, volume.geometry());
+    const ViewFrame frame = frameOf(plane, scene.planes, scene.beam);
+    const bool beamIsSure = document.beam.source != BeamSource::assumed || m_openStudy.isSimulatedScan();
+    scene.letters = edgeLetters(frame, beamIsSure ? std::optional(scene.beam) : std::nullopt, volume.geometry());
+    if (beamIsSure) {
+        scene.towardsProbe = towardsProbe(frame, scene.beam);
+        scene.lie = lieOf(frame, scene.beam);
+    }
     return scene;
 }
 

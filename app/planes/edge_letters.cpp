@@ -18,18 +18,41 @@ QString patientLetters(const Vec3& towards) {
     return letters;
 }
 
-std::array<QString, 4> edgeLetters(const ViewFrame& frame, BeamAxis beam, const VolumeGeometry& geometry) {
-    const Vec3 towardsProbe = -frameOf(Viewpoint{.beamAxis = beam}).forward;
-    const double least = std::cos(std::numbers::pi / 6.0);
+namespace {
+
+constexpr double cosine30 = std::numbers::sqrt3 / 2.0, sine30 = 0.5;
+
+Vec3 beamOf(BeamAxis axis) { return frameOf(Viewpoint{.beamAxis = axis}).forward; }
+
+QString translated(const char* words) { return QCoreApplication::translate("planes", words); }
+
+}  // namespace
+
+std::array<QString, 4> edgeLetters(const ViewFrame& frame, std::optional<BeamAxis> beam,
+                                   const VolumeGeometry& geometry) {
     const std::array<Vec3, 4> edges{-frame.right, frame.right, -frame.down, frame.down};
     std::array<QString, 4> letters;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         QStringList words;
         if (geometry.patientFrameKnown) words << patientLetters(geometry.direction * edges[i]);
-        if (edges[i].dot(towardsProbe) >= least) words << QCoreApplication::translate("planes", "probe");
+        if (beam && edges[i].dot(-beamOf(*beam)) >= cosine30) words << translated("probe");
         letters[i] = words.join(QStringLiteral(" · "));
     }
     return letters;
+}
+
+std::optional<QPointF> towardsProbe(const ViewFrame& frame, BeamAxis beam) {
+    const Vec3 way = -beamOf(beam);
+    const QPointF seen(frame.right.dot(way), frame.down.dot(way));
+    const double share = std::hypot(seen.x(), seen.y());
+    return share > sine30 ? std::optional(seen / share) : std::nullopt;
+}
+
+QString lieOf(const ViewFrame& frame, BeamAxis beam) {
+    const double along = frame.forward.dot(beamOf(beam));
+    if (along >= cosine30) return translated("from the probe");
+    if (along <= -cosine30) return translated("towards the probe");
+    return translated(std::abs(along) <= sine30 ? "along the beam" : "oblique to the beam");
 }
 
 }  // namespace echolucent

@@ -1,8 +1,10 @@
-// The letters at the edges of a plane's picture, which tell which way round it is.
+// What tells how a plane's picture lies: letters at its edges, where the probe is, how it lies to the beam.
 #pragma once
 
+#include <QPointF>
 #include <QString>
 #include <array>
+#include <optional>
 
 #include "processing/viewpoint/view_frame.h"
 #include "processing/viewpoint/viewpoint.h"
@@ -16,7 +18,17 @@ namespace echolucent {
 [[nodiscard]] QString patientLetters(const Vec3& towards);
 
 /// Letters at the left, right, top and bottom edge: the patient's letters, if the geometry knows the patient's frame.
-/// The edge within 30 degrees of the direction to the probe also says "probe". Other edges are empty.
-[[nodiscard]] std::array<QString, 4> edgeLetters(const ViewFrame& frame, BeamAxis beam, const VolumeGeometry& geometry);
+/// The edge within 30 degrees of the direction to the probe also says "probe". Other edges are empty. `beam` has no
+/// value if nobody knows it.
+[[nodiscard]] std::array<QString, 4> edgeLetters(const ViewFrame& frame, std::optional<BeamAxis> beam,
+                                                 const VolumeGeometry& geometry);
+
+/// The direction to the probe in the picture, to the right and down: a unit vector. No value if that way lies within 30
+/// degrees of the way the picture is looked at.
+[[nodiscard]] std::optional<QPointF> towardsProbe(const ViewFrame& frame, BeamAxis beam);
+
+/// How a plane lies, in words: "from the probe" or "towards the probe" if it is looked at along the beam within 30
+/// degrees, "along the beam" if it holds the beam within 30 degrees, else "oblique to the beam".
+[[nodiscard]] QString lieOf(const ViewFrame& frame, BeamAxis beam);
 
 }  // namespace echolucent

@@ -23,6 +23,16 @@ QString stepName(const Measurement& measurement) {
     return QStringLiteral("%1 %2").arg(textOf(nameOf(measurement.kind))).arg(measurement.id);
 }
 
+/// What a tool wants after `marked` places.
+QString hintOf(MeasurementKind tool, std::size_t marked) {
+    if (tool == MeasurementKind::distance)
+        return marked == 0 ? MeasuringHand::tr("Click the two ends of the distance")
+                           : MeasuringHand::tr("Click the other end");
+    return marked == 0   ? MeasuringHand::tr("Click three places; the angle is at the second")
+           : marked == 1 ? MeasuringHand::tr("Click the place of the angle")
+                         : MeasuringHand::tr("Click the third place");
+}
+
 /// Why a place without data cannot be marked.
 QString refusalOf(const Volume& volume, const Vec3& gridMm) {
     return volume.isCut() && holdsData(volume.withCut(nullptr), gridMm)
@@ -81,6 +91,8 @@ void MeasuringHand::setTool(std::optional<MeasurementKind> tool) {
         }
     }
     m_tool = m_parts.openStudy.volume() ? tool : std::nullopt;
+    m_hints = m_tool.has_value();
+    showHints();
     emit toolChanged();  // this puts the scalpel away before the cursor becomes that of this tool
     for (PlanePane* pane : m_parts.planes) pane->setToolCursor(m_tool ? std::optional(Qt::CrossCursor) : std::nullopt);
     m_parts.picture.setToolCursor(m_tool.has_value());
@@ -176,6 +188,7 @@ Measurement MeasuringHand::marked() const {
 void MeasuringHand::finish() {
     Measurement next = marked();
     auto* pane = qobject_cast<QWidget*>(m_pane);
+    m_hints = false;
     dropMarked();
     if (const auto value = measuredValue(next, geometry()); !value)
         return tell(QString::fromStdString(value.error().sentence()));
@@ -280,6 +293,12 @@ void MeasuringHand::showMarking() {
             in3d.pictureLines.push_back(rubberLine(*from, placeIn3d(*m_pointer)));
     }
     m_parts.overlay.setMarking(in3d);
+    showHints();
+}
+
+void MeasuringHand::showHints() {
+    for (PlanePane* pane : m_parts.planes)
+        pane->setHint(m_hints && m_tool ? hintOf(*m_tool, m_pane == pane ? m_places.size() : 0) : QString());
 }
 
 void MeasuringHand::tell(const QString& sentence) {

@@ -22,7 +22,8 @@ class VolumeViewWidget;
 /// While the hand has a tool, left clicks mark places in one plane. For a distance they also mark places on surfaces in
 /// the 3D view. A press and drag in a plane marks two places. Places of one measurement belong to one pane and one
 /// phase: marking elsewhere begins a new measurement. The hand can drag marks of finished measurements in planes, with
-/// or without a tool. Every finished measurement and every drag is one step.
+/// or without a tool. Until the first measurement is finished, planes say what the tool wants. Every finished
+/// measurement and every drag is one step.
 class MeasuringHand : public QObject {
     Q_OBJECT
 
@@ -78,6 +79,7 @@ private:
     void moveMark(PlanePane& pane, const QPointF& pixel);
     void dropWhereItEnded();
     void showMarking();
+    void showHints();
     void tell(const QString& sentence);
     [[nodiscard]] PicturePlace placeIn3d(const QPointF& pixel) const;
     [[nodiscard]] Measurement marked() const;
@@ -86,6 +88,7 @@ private:
     Parts m_parts;
     std::optional<MeasurementKind> m_tool;
     QObject* m_pane = nullptr;  ///< the pane of the marked places: a plane's pane, or the picture
+    bool m_hints = false;       ///< no measurement was finished since the tool was taken
     std::vector<Vec3> m_places;
     int m_phase = 0;                   ///< the phase of the marked places
     std::optional<QPointF> m_pointer;  ///< in m_pane, logical pixels

@@ -1,6 +1,7 @@
 // How the pane of a plane is painted.
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -17,6 +18,29 @@ constexpr double gapAtReference = 9.0, referenceRadius = 5.0;
 constexpr int rimShade = 40;  // of 255
 
 QString letterOf(PlaneName plane) { return QString(QLatin1Char(nameOf(plane).front())); }
+
+/// The foot of the probe: half a disc at the edge through which sound came, with `word` beside it.
+void paintProbe(QPainter& painter, const QSizeF& pane, const QPointF& towards, const QString& word) {
+    constexpr double radius = 8.0, beside = 3.0, border = 8.0;
+    const QPointF middle(pane.width() / 2.0, pane.height() / 2.0);
+    const double across = std::abs(towards.x()) / middle.x(), down = std::abs(towards.y()) / middle.y();
+    const bool atSide = across > down;
+    const QPointF at = middle + towards / std::max(across, down);
+    const int start = atSide ? (towards.x() < 0.0 ? -90 : 90) : (towards.y() < 0.0 ? 180 : 0);
+    painter.setPen(QPen(QColor(0, 0, 0, 200), 1.5));
+    painter.setBrush(coloursOverPictures().text);
+    constexpr int sixteenths = 16;  // Qt's units of a degree
+    painter.drawChord(QRectF(at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius)), start * sixteenths,
+                      180 * sixteenths);
+    if (word.isEmpty()) return;
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF half(metrics.horizontalAdvance(word) / 2.0, metrics.ascent() / 2.0);
+    const QPointF inwards = atSide ? QPointF(towards.x() < 0.0 ? 1 : -1, 0) : QPointF(0, towards.y() < 0.0 ? 1 : -1);
+    QPointF centre = at + inwards * (radius + beside + (atSide ? half.width() : half.height()));
+    centre.setX(std::max(half.width() + border, std::min(centre.x(), pane.width() - half.width() - border)));
+    centre.setY(std::max(half.height() + border, std::min(centre.y(), pane.height() - half.height() - border)));
+    paintRimmedText(painter, centre + QPointF(-half.width(), half.height()), word, coloursOverPictures().text);
+}
 
 /// Faces and corners are squares, the centre a cross in a square, the turning grip a ring, the bow a diamond.
 void paintGrip(QPainter& painter, const BoxGrip& grip) {
@@ -58,6 +82,7 @@ void PlanePane::paintEvent(QPaintEvent*) {
     paintMeasured(painter);
     if (m_pointerAtRim || m_drag == Drag::turn) paintRim(painter);
     paintWords(painter);
+    paintHint(painter);
     const double width = hasFocus() ? 3.0 : 1.5;
     painter.setPen(QPen(colourOf(m_plane), width));
     painter.setBrush(Qt::NoBrush);
@@ -126,9 +151,7 @@ void PlanePane::paintWords(QPainter& painter) const {
     font.setPixelSize(12);
     painter.setFont(font);
     const QFontMetricsF metrics(font);
-    const double mm = frameOf(m_plane, m_scene->planes, m_scene->beam).forward.dot(m_scene->planes.offsetMm);
-    const QString place = (m_scene->lengthsKnown ? tr("%1 mm") : tr("%1 mm (guess)")).arg(mm, 0, 'f', 1);
-    paintRimmedText(painter, {10, height() - 10.0}, QString(place).replace(QLatin1Char('-'), QChar(0x2212)), words);
+    paintRimmedText(painter, {10, height() - 10.0}, offsetWords(), words);
     const std::array<QPointF, 4> places{
         QPointF(8, height() / 2.0),
         QPointF(width() - 8 - metrics.horizontalAdvance(m_scene->letters[1]), height() / 2.0),
@@ -136,6 +159,39 @@ void PlanePane::paintWords(QPainter& painter) const {
         QPointF((width() - metrics.horizontalAdvance(m_scene->letters[3])) / 2, height() - 10.0)};
     for (std::size_t i = 0; i < places.size(); ++i)
         if (!m_scene->letters[i].isEmpty()) paintRimmedText(painter, places[i], m_scene->letters[i], words);
+    if (m_scene->towardsProbe) {
+        const bool isSaid =
+            std::ranges::any_of(m_scene->letters, [](const QString& said) { return said.endsWith(tr("probe")); });
+        paintProbe(painter, size(), *m_scene->towardsProbe, isSaid ? QString() : tr("probe"));
+    }
+    // How the plane lies stands below its letter, if that leaves the letters in the middle of the left edge clear.
+    constexpr double belowLetter = 41.0;
+    if (height() / 2.0 > belowLetter + 20.0) paintRimmedText(painter, {10, belowLetter}, m_scene->lie, words);
+}
+
+QString PlanePane::offsetWords() const {
+    const double mm = frameOf(m_plane, m_scene->planes, m_scene->beam).forward.dot(m_scene->planes.offsetMm);
+    const QString words = m_scene->lengthsKnown ? tr("offset %1 mm") : tr("offset %1 mm (guess)");
+    return words.arg(mm, 0, 'f', 1).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+void PlanePane::setHint(const QString& sentence) {
+    if (sentence == m_hint) return;
+    m_hint = sentence;
+    update();
+}
+
+/// The hint stands above the lower edge's letters.
+void PlanePane::paintHint(QPainter& painter) const {
+    if (m_hint.isEmpty()) return;
+    QFont font = painter.font();
+    font.setBold(false);
+    font.setPixelSize(13);
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    const QString shown = metrics.elidedText(m_hint, Qt::ElideRight, width() - 16.0);
+    paintRimmedText(painter, {(width() - metrics.horizontalAdvance(shown)) / 2.0, height() - 32.0}, shown,
+                    coloursOverPictures().accent);
 }
 
 /// Shades the whole rim: there a drag turns the planes.

@@ -32,6 +32,8 @@ struct PlaneScene {
     double brightness = 1.0;   ///< of the look
     BoxScene box{};
     std::array<QString, 4> letters{};              ///< letters at the edges: left, right, top, bottom
+    std::optional<QPointF> towardsProbe{};         ///< in the picture, right and down, length 1; no value: not seen
+    QString lie{};                                 ///< how the plane lies to the beam, in words; empty: unknown
     std::vector<ShownMeasurement> measurements{};  ///< those that lie in the plane are drawn
     friend bool operator==(const PlaneScene&, const PlaneScene&) = default;
 };
@@ -66,6 +68,12 @@ public:
 
     /// Draws the measurement in progress too.
     void setMarking(const std::optional<ShownMeasurement>& marking);
+    /// Shows a sentence that tells what the tool in the hand wants; empty for none.
+    void setHint(const QString& sentence);
+    [[nodiscard]] const QString& hint() const { return m_hint; }
+    /// What the lower left corner says: "offset −2.5 mm", the distance of the plane from the middle of the data along
+    /// its view. Needs a scene.
+    [[nodiscard]] QString offsetWords() const;
     /// The cursor while a tool is in the hand or a mark lies under the cursor. The rim is not shown then. No value: the
     /// pane's own cursor.
     void setToolCursor(std::optional<Qt::CursorShape> cursor);
@@ -136,6 +144,7 @@ private:
     void paintBox(QPainter& painter) const;
     void paintMeasured(QPainter& painter) const;
     void paintWords(QPainter& painter) const;
+    void paintHint(QPainter& painter) const;
     void paintRim(QPainter& painter) const;
 
     PlaneName m_plane;
@@ -158,6 +167,7 @@ private:
     PlaneMapping m_mappingBefore;  ///< when the drag began
     bool m_pointerAtRim = false;
     std::optional<ShownMeasurement> m_marking;
+    QString m_hint;
     std::optional<Qt::CursorShape> m_toolCursor;
 };
 

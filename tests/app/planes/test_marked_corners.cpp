@@ -104,6 +104,14 @@ private slots:
         const ViewFrame fromHead{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
         QVERIFY(edgeLetters(fromHead, BeamAxis::plusZ, geometry) ==
                 (std::array<QString, 4>{"A", "P", QString::fromUtf8("L · probe"), "R"}));
+        QVERIFY(edgeLetters(fromHead, std::nullopt, geometry) == (std::array<QString, 4>{"A", "P", "L", "R"}));
+        QVERIFY(towardsProbe(fromHead, BeamAxis::plusZ) == QPointF(0, -1));
+        QVERIFY(towardsProbe(fromHead, BeamAxis::minusX) == QPointF(1, 0));
+        QVERIFY(!towardsProbe(alongBeam, BeamAxis::plusZ));
+        QCOMPARE(lieOf(alongBeam, BeamAxis::plusZ), QString("from the probe"));
+        QCOMPARE(lieOf(alongBeam, BeamAxis::minusZ), QString("towards the probe"));
+        QCOMPARE(lieOf(fromHead, BeamAxis::plusZ), QString("along the beam"));
+        QCOMPARE(lieOf(frameOf(Viewpoint{.azimuthDegrees = 45.0}), BeamAxis::plusZ), QString("oblique to the beam"));
         QCOMPARE(patientLetters(normalized({0.3, 1.0, 0.1})), QString("P"));  // 17 degrees aside
         QCOMPARE(patientLetters(normalized({0.5, -1.0, 0.1})), QString("AL"));
         QCOMPARE(patientLetters(normalized({-1.0, 0.9, -0.8})), QString("RPF"));

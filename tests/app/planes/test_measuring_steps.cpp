@@ -9,6 +9,7 @@
 #include "tests/app/planes/measuring_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/casting/picture_image.h"
+#include "widgets/theme_colours.h"
 #include "widgets/volume_view/scene/annotation/overlay.h"
 
 using namespace echolucent;
@@ -91,6 +92,37 @@ private slots:
             drag(pane, mark + QPointF(0, 12), mark + QPointF(10, 30));
             QVERIFY(length(measurements()[0].placesMm[1] - at(1)) < 1e-9);
         }
+    }
+
+    void planesSayWhatTheToolWantsUntilItIsDone() {
+        openPoints();
+        PlanePane& pane = turnedToHold({at(0), at(1)});
+        PlanePane& other = this->pane(pane.plane() == PlaneName::a ? "planes.b" : "planes.a");
+        const auto accents = [&] {
+            const QImage shown = pane.grab().toImage();
+            const QColor accent = coloursOverPictures().accent;
+            int count = 0;
+            for (int y = shown.height() * 3 / 4; y < shown.height(); ++y)
+                for (int x = 0; x < shown.width(); ++x) {
+                    const QColor is = shown.pixelColor(x, y);
+                    count += std::abs(is.red() - accent.red()) + std::abs(is.green() - accent.green()) < 40;
+                }
+            return count;
+        };
+        QCOMPARE(pane.hint(), "");
+        const int before = accents();
+        key(Qt::Key_M);
+        QCOMPARE(pane.hint(), "Click the two ends of the distance");
+        QVERIFY(accents() > before + 100);
+        press(pane, pane.mapping().seenAt(at(0)));
+        QCOMPARE(pane.hint(), "Click the other end");
+        QCOMPARE(other.hint(), "Click the two ends of the distance");
+        press(pane, pane.mapping().seenAt(at(1)));
+        QCOMPARE(pane.hint(), "");
+        QTest::keyClick(&window(), Qt::Key_M, Qt::ShiftModifier);
+        QCOMPARE(other.hint(), "Click three places; the angle is at the second");
+        QTest::keyClick(&pane, Qt::Key_Escape);
+        QCOMPARE(other.hint(), "");
     }
 
     void escapeDropsWhatIsMarkedThenTheTool() {

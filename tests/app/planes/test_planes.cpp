@@ -99,6 +99,36 @@ private slots:
         }
     }
 
+    void aPlaneShowsTheProbeAndHowItLiesIfTheBeamIsKnown() {
+        const auto whiteAtTop = [](PlanePane& pane) {
+            const QImage shown = pane.grab().toImage();
+            int white = 0;
+            for (int x = -7; x <= 7; ++x) {
+                const QPointF at(pane.width() / 2.0 + x, 3.5);
+                white += qGray(shown.pixel((at * pane.devicePixelRatioF()).toPoint())) > 190;
+            }
+            return white;
+        };
+        Document next = document();
+        next.beam.source = BeamSource::assumed;
+        window().document().edit(next, "beam of nobody");
+        waitForPlanes();
+        QCOMPARE(pane("planes.a").scene()->lie, QString());
+        QCOMPARE(whiteAtTop(pane("planes.a")), 0);
+        next.beam.source = BeamSource::person;
+        window().document().edit(next, "beam axis");
+        waitForPlanes();
+        QCOMPARE(pane("planes.a").scene()->lie, "along the beam");
+        QCOMPARE(pane("planes.a").scene()->letters[2], "probe");
+        QCOMPARE(pane("planes.c").scene()->lie, "from the probe");
+        QVERIFY(whiteAtTop(pane("planes.a")) >= 8);  // the probe's foot is 14 pixels wide
+        QCOMPARE(whiteAtTop(pane("planes.c")), 0);
+        QCOMPARE(pane("planes.c").offsetWords(), "offset 0.0 mm");
+        const double unit = window().openStudy().volume()->geometry().unit();
+        QTest::keyClick(&pane("planes.c"), Qt::Key_Up);
+        QCOMPARE(pane("planes.c").offsetWords(), QString("offset −%1 mm").arg(unit, 0, 'f', 1));
+    }
+
     void aClickAndADragMoveTheReferencePointInOneStepEach() {
         PlanePane& a = pane("planes.a");
         const QPoint to(a.width() / 2 + 40, a.height() / 2 - 25);
