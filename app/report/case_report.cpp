@@ -7,6 +7,7 @@
 
 #include "app/pages/html_page.h"
 #include "app/report/first_page.h"
+#include "app/report/paper_page.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/designers/choice/designer.h"
 #include "processing/picture/look.h"
@@ -29,7 +30,8 @@ Rows rowsOf(const ParameterTable<Values>& table, const Values& values) {
 }
 
 /// Whose study it is, in one line.
-void addPatient(HtmlPage& page, const CaseReport& report) {
+template <typename Page>
+void addPatient(Page& page, const CaseReport& report) {
     if (!report.patient) return;
     const Patient& patient = *report.patient;
     std::string facts;
@@ -37,15 +39,17 @@ void addPatient(HtmlPage& page, const CaseReport& report) {
         if (!value.empty()) facts += fmt::format("{}{}{}", facts.empty() ? "" : " · ", words, value);
     };
     add("", patient.name);
-    add("identification ", patient.id);
+    add("patient ID ", patient.id);
     add("born ", patient.birthDate);
     add("sex ", patient.sex);
-    add("study of ", patient.studyDate);
+    add("exam of ", patient.studyDate);
+    add("gestational age ", patient.gestationalAge);
     if (!facts.empty()) page.paragraph("Patient: " + facts);
 }
 
 /// The 3D view first: it is the large one. Beside few texts all pictures are larger.
-void addPictures(HtmlPage& page, const CaseReport& report, const FirstPageTexts& texts) {
+template <typename Page>
+void addPictures(Page& page, const CaseReport& report, const FirstPageTexts& texts) {
     constexpr double fewTexts = 45.0;  // mm
     std::vector<PagePicture> row;
     for (const ReportPane& pane : report.panes) {
@@ -70,13 +74,15 @@ FirstPageRow rowOf(const Measurement& measurement, const CaseReport& report) {
     return row;
 }
 
-void addText(HtmlPage& page, const std::string& title, const std::string& text) {
+template <typename Page>
+void addText(Page& page, const std::string& title, const std::string& text) {
     if (text.empty()) return;
     page.heading(title);
     page.lines(text);
 }
 
-void addFirstTexts(HtmlPage& page, const CaseReport& report, const FirstPageTexts& texts) {
+template <typename Page>
+void addFirstTexts(Page& page, const CaseReport& report, const FirstPageTexts& texts) {
     page.heading("Measurements");
     Rows rows;
     for (const FirstPageRow& row : texts.rows) rows.push_back({row.name, row.value, row.unit, row.comment});
@@ -94,7 +100,8 @@ void addFirstTexts(HtmlPage& page, const CaseReport& report, const FirstPageText
     if (!texts.impression.isWhole) continued << QStringLiteral("the impression");
     if (!texts.comment.isWhole) continued << QStringLiteral("the comment");
     if (!continued.isEmpty())
-        page.paragraph("Continued in the appendix: " + continued.join(QStringLiteral(", ")).toStdString() + ".");
+        page.paragraph((report.withAppendix ? "Continued in the appendix: " : "Continued on the next sheet: ") +
+                       continued.join(QStringLiteral(", ")).toStdString() + ".");
 }
 
 /// The logarithm of the counts, so that rare intensities show beside the background. The highest value is 1.
@@ -109,7 +116,8 @@ PlotSeries histogramSeries(const IntensityHistogram& histogram) {
     return series;
 }
 
-void addCurves(HtmlPage& page, const CaseReport& report) {
+template <typename Page>
+void addCurves(Page& page, const CaseReport& report) {
     constexpr int samples = 257;
     const CurveKind active = report.document.panes.at(firstPane).curve;
     Plot plot{.title = "Opacity transfer functions", .xLabel = "intensity", .yLabel = "opacity", .series = {}};
@@ -149,7 +157,8 @@ std::string placesText(const std::vector<Vec3>& places) {
     return text;
 }
 
-void addMeasurements(HtmlPage& page, const CaseReport& report) {
+template <typename Page>
+void addMeasurements(Page& page, const CaseReport& report) {
     if (report.document.measurements.empty()) return;
     page.heading("Measurements and their places");
     Rows rows;
@@ -162,7 +171,8 @@ void addMeasurements(HtmlPage& page, const CaseReport& report) {
     page.table({"number", "kind", "name", "value", "marked", "phase", "places (mm of the grid)", "comment"}, rows);
 }
 
-void addParameters(HtmlPage& page, const CaseReport& report) {
+template <typename Page>
+void addParameters(Page& page, const CaseReport& report) {
     page.heading("Parameters");
     const std::vector<std::string> columns{"parameter", "value", "unit"};
     page.table(columns, rowsOf(methodParameters(), configOf(report.document)), "The adaptive method");
@@ -174,7 +184,8 @@ void addParameters(HtmlPage& page, const CaseReport& report) {
     page.table(columns, rowsOf(lookParameters(), report.document.scene.look), "The look of the 3D view");
 }
 
-void addImport(HtmlPage& page, const CaseReport& report) {
+template <typename Page>
+void addImport(Page& page, const CaseReport& report) {
     page.heading("Import report");
     for (const std::string& warning : report.warnings) page.paragraph("Warning: " + warning);
     Rows rows;
@@ -182,7 +193,8 @@ void addImport(HtmlPage& page, const CaseReport& report) {
     page.table({"fact", "value", "where it is from"}, rows);
 }
 
-void addTimes(HtmlPage& page, const CaseReport& report) {
+template <typename Page>
+void addTimes(Page& page, const CaseReport& report) {
     if (report.times.empty()) return;
     page.heading("Timings");
     Rows rows;
@@ -191,33 +203,52 @@ void addTimes(HtmlPage& page, const CaseReport& report) {
     page.table({"what", "milliseconds"}, rows, "Wall time on the machine that made this report");
 }
 
-}  // namespace
-
-std::string caseReportPage(const CaseReport& report) {
-    HtmlPage page("Case report: " + report.study.toStdString(), HtmlPage::anyBytes);
+/// The parts of a report in their order, on a page of HTML or on paper.
+template <typename Page>
+void addReport(Page& page, const CaseReport& report) {
     const std::string made =
         fmt::format("Made on {} with Echolucent {}. Not a medical device: not for diagnosis or treatment.",
                     report.made.toStdString(), report.version.toStdString());
     std::vector<FirstPageRow> rows;
     for (const Measurement& measurement : report.document.measurements) rows.push_back(rowOf(measurement, report));
     const FirstPageTexts texts = textsOfFirstPage(rows, report.impression, report.comment);
+    const bool tableIsWhole = texts.leftOut == 0 && texts.rowsAreWhole;
     page.beginSheet();
     page.paragraph(made);
     addPatient(page, report);
     addPictures(page, report, texts);
     addFirstTexts(page, report, texts);
-    page.appendix("Appendix: " + report.study.toStdString());
+    if (!report.withAppendix && tableIsWhole && texts.impression.isWhole && texts.comment.isWhole) return;
+    page.appendix((report.withAppendix ? "Appendix: " : "Continued: ") + report.study.toStdString());
     page.paragraph(made);
     if (!texts.impression.isWhole) addText(page, "Impression, whole", report.impression);
     if (!texts.comment.isWhole) addText(page, "Comment, whole", report.comment);
-    page.heading("What the picture shows");
-    for (const QString& sentence : report.explanation) page.paragraph(sentence.toStdString());
-    addMeasurements(page, report);
+    if (report.withAppendix) {
+        page.heading("What the picture shows");
+        for (const QString& sentence : report.explanation) page.paragraph(sentence.toStdString());
+    }
+    if (report.withAppendix || !tableIsWhole) addMeasurements(page, report);
+    if (!report.withAppendix) return;
     addCurves(page, report);
     addParameters(page, report);
     addImport(page, report);
     addTimes(page, report);
+}
+
+std::string titleOf(const CaseReport& report) { return "Case report: " + report.study.toStdString(); }
+
+}  // namespace
+
+std::string caseReportPage(const CaseReport& report) {
+    HtmlPage page(titleOf(report), HtmlPage::anyBytes);
+    addReport(page, report);
     return page.text();
+}
+
+std::string caseReportPdf(const CaseReport& report) {
+    PaperPage page(titleOf(report));
+    addReport(page, report);
+    return page.pdf("Echolucent " + report.version.toStdString());
 }
 
 }  // namespace echolucent

@@ -1,4 +1,4 @@
-// A case report as one file of HTML: a page that says what was found, and an appendix that says how.
+// A case report as one file of HTML or PDF: a page that says what was found, and an appendix that says how.
 #pragma once
 
 #include <QImage>
@@ -46,13 +46,16 @@ struct CaseReport {
     std::vector<ImportFact> facts;                 ///< the import report
     std::vector<std::string> warnings;             ///< of reading
     std::vector<ReportTime> times;
-    std::optional<Patient> patient;       ///< only if a person asked for it
+    std::optional<Patient> patient;  ///< only if a person asked for it
+    bool withAppendix = false;
     std::string impression{}, comment{};  ///< UTF-8, as a person typed them
 };
 
 /// The file. It needs no other one. Its first page holds pictures, measurements, impression and comment, and fits one
 /// sheet of A4 or Letter (HtmlPage::beginSheet()). What has no room there (textsOfFirstPage()) and all the rest stand
-/// in the appendix.
+/// in the appendix. Without an appendix only what has no room on the first page follows it.
 [[nodiscard]] std::string caseReportPage(const CaseReport& report);
+/// The same as PDF, on A4. Works in any thread.
+[[nodiscard]] std::string caseReportPdf(const CaseReport& report);
 
 }  // namespace echolucent

@@ -28,15 +28,16 @@ constexpr const char* reportTopic = "report";
 
 /// What a person typed, and what the files say of the rest.
 Patient withTyped(Patient ofFiles, const Patient& typed) {
-    for (std::string Patient::*fact :
-         {&Patient::name, &Patient::id, &Patient::birthDate, &Patient::sex, &Patient::studyDate})
+    for (std::string Patient::*fact : {&Patient::name, &Patient::id, &Patient::birthDate, &Patient::sex,
+                                       &Patient::studyDate, &Patient::gestationalAge})
         if (!(typed.*fact).empty()) ofFiles.*fact = typed.*fact;
     return ofFiles;
 }
 
 ReportPatient shownPatient(const Patient& patient) {
-    return {QString::fromStdString(patient.name), QString::fromStdString(patient.id),
-            QString::fromStdString(patient.birthDate), QString::fromStdString(patient.sex)};
+    return {QString::fromStdString(patient.name),      QString::fromStdString(patient.id),
+            QString::fromStdString(patient.birthDate), QString::fromStdString(patient.sex),
+            QString::fromStdString(patient.studyDate), QString::fromStdString(patient.gestationalAge)};
 }
 
 /// `source`: the files that say what nobody typed of the patient; none if nothing is read of them.
@@ -51,7 +52,8 @@ Result<void> writeReport(CaseReport report, const std::optional<PatientSource>& 
         if (patient) report.patient = withTyped(std::move(*patient), report.patient.value_or(Patient{}));
     }
     progress.at(0.2);
-    const std::string page = caseReportPage(report);
+    const bool isPdf = QString::fromStdString(path).endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive);
+    const std::string page = isPdf ? caseReportPdf(report) : caseReportPage(report);
     progress.at(0.9);
     if (progress.cancelled()) return fail(FailureKind::cancelled, path, {}, "was not written: cancelled");
     return writeFileAtomically(path, page);
@@ -108,7 +110,6 @@ void ReportSaving::choose() {
     connect(&dialog, &ReportDialog::patientAsked, this, [&] { showPatientOfFiles(dialog); });
     const bool isAccepted = dialog.exec() == QDialog::Accepted;
     m_reading.cancel();
-    const std::string studyDate = std::exchange(m_patient, std::nullopt).value_or(Patient{}).studyDate;
     if (isOfOther) return;
     const ReportChoice choice = dialog.choice();
     m_impression = choice.impression;
@@ -116,7 +117,7 @@ void ReportSaving::choose() {
     if (!isAccepted) return;
     const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
                                           {.title = tr("Save case report"),
-                                           .filter = tr("Pages (*.html)"),
+                                           .filter = tr("Web page or PDF (*.html *.pdf)"),
                                            .name = m_parts.proposedName(QStringLiteral("report")),
                                            .suffix = QStringLiteral("html")});
     if (path.isEmpty()) return;
@@ -127,8 +128,10 @@ void ReportSaving::choose() {
                             .id = choice.patient.id.toStdString(),
                             .birthDate = choice.patient.birthDate.toStdString(),
                             .sex = choice.patient.sex.toStdString(),
-                            .studyDate = choice.withPatient ? studyDate : std::string()},
-                .restFromFiles = choice.restFromFiles});
+                            .studyDate = choice.patient.examDate.toStdString(),
+                            .gestationalAge = choice.patient.gestationalAge.toStdString()},
+                .restFromFiles = choice.restFromFiles,
+                .withAppendix = choice.withAppendix});
 }
 
 std::optional<PatientSource> ReportSaving::patientSource() const {
@@ -146,7 +149,6 @@ void ReportSaving::showPatientOfFiles(ReportDialog& dialog) {
         return [this, patient, asking] {
             if (!asking) return;
             if (!patient) return asking->showPatientProblem(m_parts.names.sentenceOf(patient.error()));
-            m_patient = *patient;
             asking->showPatient(shownPatient(*patient));
         };
     });
@@ -205,6 +207,7 @@ void ReportSaving::write() {
     const Study& study = *m_parts.openStudy.study();
     taken.impression = wanted.words.impression;
     taken.comment = wanted.words.comment;
+    taken.withAppendix = wanted.words.withAppendix;
     std::optional<PatientSource> source;
     if (wanted.words.withPatient) {
         taken.patient = wanted.words.patient;

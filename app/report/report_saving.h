@@ -26,6 +26,7 @@ struct ReportWords {
     bool withPatient = false;
     Patient patient{};          ///< as typed
     bool restFromFiles = true;  ///< what is empty there is as the study's files say
+    bool withAppendix = false;
 };
 
 class MessageBar;
@@ -70,9 +71,10 @@ public:
     /// Asks for the report's content and its file. Does nothing if no study is open. Impression and comment are
     /// proposed again until another study opens; the patient never is.
     void choose();
-    /// Saves a report of the window as it will be at rest, with or without the patient. Pauses a
-    /// motion that plays. Does nothing if no study is open. If a report is being made already, a message says so and
-    /// nothing is begun. If another study opens before all panes were taken, a message says that there is no report.
+    /// Saves a report of the window as it will be at rest, with or without the patient. A path that
+    /// ends with ".pdf" becomes a PDF, any other HTML. Pauses a motion that plays. Does nothing if no study is open. If
+    /// a report is being made already, a message says so and nothing is begun. If another study opens before all panes
+    /// were taken, a message says that there is no report.
     void save(const QString& path, const ReportWords& words);
     /// Ends what save() began; a message says so. No file is left unless it was whole before the call.
     void cancel();
@@ -101,8 +103,7 @@ private:
     void tell(const QString& path, const Result<void>& written);
 
     Parts m_parts;
-    QString m_impression, m_comment;   ///< as typed last for the open study
-    std::optional<Patient> m_patient;  ///< of the files, while the dialog shows it
+    QString m_impression, m_comment;  ///< as typed last for the open study
     std::optional<Taken> m_taken;  ///< set while the panes are at rest; begins anew if they move before all are taken
     bool m_takesSoon = false;
     std::optional<Wanted> m_wanted;            ///< until the panes are taken

@@ -294,8 +294,8 @@ void MainWindow::open(const QString& path, const ReadOptions& options) { m_openi
 void MainWindow::openSimulatedScan() { m_openStudy.openSimulatedScan(); }
 bool MainWindow::openCurve(const QString& path) { return m_files->openCurve(path); }
 bool MainWindow::saveCurve(const QString& path) { return m_files->saveCurve(path); }
-void MainWindow::saveReport(const QString& path, bool withPatient) {
-    m_report->save(path, {.withPatient = withPatient});
+void MainWindow::saveReport(const QString& path, bool withPatient, bool withAppendix) {
+    m_report->save(path, {.withPatient = withPatient, .withAppendix = withAppendix});
 }
 bool MainWindow::savePicture(const QString& path) { return m_files->savePicture(path); }
 

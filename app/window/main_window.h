@@ -63,7 +63,7 @@ public:
     bool savePicture(const QString& path);
 
     /// As ReportSaving::save().
-    void saveReport(const QString& path, bool withPatient);
+    void saveReport(const QString& path, bool withPatient, bool withAppendix = false);
 
     [[nodiscard]] bool idle() const { return m_works.idle(); }
     [[nodiscard]] const Works& works() const { return m_works; }

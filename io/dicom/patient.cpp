@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
+#include <optional>
 
 #include "io/dicom/elements/dicom_attributes.h"
 #include "io/dicom/elements/dicom_file.h"
@@ -19,6 +21,24 @@ std::string dateText(const std::string& stored) {
     const bool date = stored.size() == 8 &&
                       std::ranges::all_of(stored, [](unsigned char letter) { return std::isdigit(letter) != 0; });
     return date ? stored.substr(0, 4) + '-' + stored.substr(4, 2) + '-' + stored.substr(6) : stored;
+}
+
+std::optional<std::chrono::sys_days> dayOf(const std::string& stored) {
+    const std::string date = dateText(stored);
+    if (date == stored) return std::nullopt;
+    const std::chrono::year_month_day day(std::chrono::year(std::stoi(date.substr(0, 4))),
+                                          std::chrono::month(static_cast<unsigned>(std::stoi(date.substr(5, 2)))),
+                                          std::chrono::day(static_cast<unsigned>(std::stoi(date.substr(8)))));
+    return day.ok() ? std::optional(std::chrono::sys_days(day)) : std::nullopt;
+}
+
+std::string gestationalAge(const std::string& lastMenstruation, const std::string& study) {
+    constexpr long longest = 45 * 7;  // days
+    const auto from = dayOf(lastMenstruation), to = dayOf(study);
+    if (!from || !to) return {};
+    const long days = (*to - *from).count();
+    if (days < 0 || days > longest) return {};
+    return std::to_string(days / 7) + '+' + std::to_string(days % 7);
 }
 
 bool isDicomFile(const std::string& path) {
@@ -38,12 +58,14 @@ struct Said {
 Said saidIn(DcmDataset& dataset) {
     // On some systems DCMTK has no library of character sets. Names then stay as stored.
     (void)dataset.convertToUTF8();
-    return {{.name = dicomText(dataset, {0x0010, 0x0010}),
-             .id = dicomText(dataset, {0x0010, 0x0020}),
-             .birthDate = dateText(dicomText(dataset, {0x0010, 0x0030})),
-             .sex = dicomText(dataset, {0x0010, 0x0040}),
-             .studyDate = dateText(dicomText(dataset, {0x0008, 0x0020}))},
-            dicomText(dataset, {0x0020, 0x000e})};
+    return {
+        {.name = dicomText(dataset, {0x0010, 0x0010}),
+         .id = dicomText(dataset, {0x0010, 0x0020}),
+         .birthDate = dateText(dicomText(dataset, {0x0010, 0x0030})),
+         .sex = dicomText(dataset, {0x0010, 0x0040}),
+         .studyDate = dateText(dicomText(dataset, {0x0008, 0x0020})),
+         .gestationalAge = gestationalAge(dicomText(dataset, {0x0010, 0x21d0}), dicomText(dataset, {0x0008, 0x0020}))},
+        dicomText(dataset, {0x0020, 0x000e})};
 }
 
 Result<Patient> patientOf(const std::vector<Said>& files, const std::string& file) {

@@ -18,6 +18,9 @@ struct Patient {
     std::string birthDate;  ///< (0010,0030), "1980-05-17"; as stored if it is no date
     std::string sex;        ///< (0010,0040) as stored; the standard knows "F", "M" and "O"
     std::string studyDate;  ///< (0008,0020), written like the date of birth
+    /// Weeks and days from the Last Menstrual Date (0010,21D0) to the date of the study, "22+4"; empty if one of them
+    /// is missing or no date, or if they are more than 45 weeks apart.
+    std::string gestationalAge{};
     friend bool operator==(const Patient&, const Patient&) = default;
 };
 

@@ -131,7 +131,7 @@ void describe(Archive& archive, Value& picture) {
 
 template <typename Archive, Described<Patient> Value>
 void describe(Archive& archive, Value& patient) {
-    archive(patient.name, patient.id, patient.birthDate, patient.sex, patient.studyDate);
+    archive(patient.name, patient.id, patient.birthDate, patient.sex, patient.studyDate, patient.gestationalAge);
 }
 
 template <typename Archive, Described<FilesBelow> Value>

@@ -46,7 +46,7 @@ void makeHarmless(SeriesList& list) {
 }
 
 void makeHarmless(Patient& patient) {
-    makeLines(patient.name, patient.id, patient.birthDate, patient.sex, patient.studyDate);
+    makeLines(patient.name, patient.id, patient.birthDate, patient.sex, patient.studyDate, patient.gestationalAge);
 }
 
 }  // namespace echolucent::restricted

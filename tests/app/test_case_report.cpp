@@ -31,8 +31,8 @@ class TestCaseReport : public QObject, private WindowFixture {
 
     [[nodiscard]] QString reportPath() const { return temporaryFolder().filePath("report.html"); }
     /// Saves a report and returns its page.
-    QString saved(bool withPatient = false) {
-        window().saveReport(reportPath(), withPatient);
+    QString saved(bool withAppendix = false) {
+        window().saveReport(reportPath(), false, withAppendix);
         if (window().idle()) qFatal("nothing is being written");
         waitUntilIdle();
         return page();
@@ -110,7 +110,7 @@ private slots:
                               .placesMm = {{10, 10, 10}, {20, 10, 10}, {20, 20, 10}}}};
         window().document().edit(next, "measure");
         waitUntilIdle();
-        const QString text = saved();
+        const QString text = saved(true);
         for (const QString words :
              {"Case report: visit.7.mha", "not a medical device", "What the picture shows", "Measurements", "Curves",
               "Parameters", "Import report", "Timings", "adaptive (rendered)", "voxels (logarithm)", "60 × 56 × 58",
@@ -134,7 +134,7 @@ private slots:
     }
 
     void thePageNeedsNothingBesideIt() {
-        const QString text = saved();
+        const QString text = saved(true);
         // An address is one of the page itself or the name of a language of markup.
         static const QRegularExpression address("(?:src|href|url|@import)\\s*[=(]\\s*[\"']?([^\"')\\s]{0,40})");
         int addresses = 0;
@@ -215,6 +215,7 @@ private slots:
         answerDialog([](ReportDialog* dialog) {
             QTest::keyClicks(textOf(dialog, "impression"), "No finding.");
             textOf(dialog, "comment")->setPlainText("Seen twice.\nLies still.");
+            dialog->findChild<QCheckBox*>("report.appendix")->click();
         });
         const QStringList parts = page().split("<section class=\"appendix\">");
         QCOMPARE(parts.size(), 2);
@@ -234,6 +235,45 @@ private slots:
             QVERIFY2(parts[1].contains(words), qPrintable(words));
         }
         QVERIFY(!page().contains("Continued in the appendix"));
+    }
+
+    void withoutAnAppendixOnlyWhatHasNoRoomFollowsTheFirstPage() {
+        const QString short1 = saved();
+        QVERIFY(short1.contains("Nothing was measured."));
+        QVERIFY(!short1.contains("class=\"appendix\"") && !short1.contains("Parameters</h2>"));
+        answerDialog([](ReportDialog* dialog) {
+            textOf(dialog, "impression")->setPlainText(QString("A long impression. ").repeated(300));
+        });
+        const QStringList parts = page().split("<section class=\"appendix\">");
+        QCOMPARE(parts.size(), 2);
+        QVERIFY(parts[0].contains("Continued on the next sheet: the impression."));
+        QVERIFY(parts[1].contains("Impression, whole</h2>"));
+        QVERIFY(!parts[1].contains("Parameters</h2>") && !parts[1].contains("Import report</h2>"));
+    }
+
+    void aNameThatEndsWithPdfMakesAPdf() {
+        showPanes(PaneLayout::quad);
+        const QString path = temporaryFolder().filePath("report.PDF");
+        const auto pdf = [&](bool withAppendix) {
+            window().saveReport(path, false, withAppendix);
+            waitUntilIdle();
+            QFile file(path);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        static const QRegularExpression side("/Type /Page\\b"), image("/Subtype /Image\\b");
+        const auto count = [](const QByteArray& bytes, const QRegularExpression& what) {
+            int found = 0;
+            for (auto all = what.globalMatch(QString::fromLatin1(bytes)); all.hasNext(); all.next()) ++found;
+            return found;
+        };
+        const QByteArray one = pdf(false);
+        QVERIFY(one.startsWith("%PDF-"));
+        QCOMPARE(child<MessageBar>("message")->text(), "The case report was saved as report.PDF.");
+        QCOMPARE(count(one, side), 1);
+        QCOMPARE(count(one, image), 4);  // three planes and the 3D view
+        const QByteArray all = pdf(true);
+        QVERIFY2(count(all, side) >= 3, qPrintable(QString::number(count(all, side))));
+        QCOMPARE(count(all, image), 5);  // and the plot of the curves
     }
 
     void impressionAndCommentStayUntilAnotherStudyOpens() {
@@ -268,9 +308,15 @@ private slots:
             QVERIFY(name->isEnabled());
             QCOMPARE(name->placeholderText(), "");
             QTest::keyClicks(name, "Anna Muster");
+            QTest::keyClicks(fieldOf(dialog, "Id"), "4711");
             QTest::keyClicks(fieldOf(dialog, "BirthDate"), "1990-02-03");
+            QCOMPARE(fieldOf(dialog, "GestationalAge")->placeholderText(), "weeks+days (22+4)");
+            QTest::keyClicks(fieldOf(dialog, "ExamDate"), "2024-02-29");
+            QTest::keyClicks(fieldOf(dialog, "GestationalAge"), "22+4");
         });
-        QVERIFY2(page().contains("<p>Patient: Anna Muster · born 1990-02-03</p>"), qPrintable(page().left(6000)));
+        QVERIFY2(page().contains("<p>Patient: Anna Muster · patient ID 4711 · born 1990-02-03 · exam of 2024-02-29 · "
+                                 "gestational age 22+4</p>"),
+                 qPrintable(page().left(6000)));
         QVERIFY(!saved().contains("Muster"));
     }
 

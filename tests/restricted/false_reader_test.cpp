@@ -221,9 +221,10 @@ TEST(TakenWords, OfSeriesAndPatientsAreLines) {
     }
     EXPECT_EQ(list.path + list.files.front() + taken.files.front().path, "/a\nb/a\nb/a\nb");
     EXPECT_EQ(list.warnings.front(), " ");
-    Patient patient{"Anna\nMuster", "\x01", "\x02", "\x03", "\x04"};
+    Patient patient{"Anna\nMuster", "\x01", "\x02", "\x03", "\x04", "\x05"};
     restricted::makeHarmless(patient);
-    EXPECT_EQ(patient.name + patient.id + patient.birthDate + patient.sex + patient.studyDate, "Anna Muster    ");
+    EXPECT_EQ(patient.name + patient.id + patient.birthDate + patient.sex + patient.studyDate + patient.gestationalAge,
+              "Anna Muster     ");
 }
 
 TEST_F(FalseReader, DiesWithASentence) {

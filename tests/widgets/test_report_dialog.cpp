@@ -24,6 +24,13 @@ private slots:
         QVERIFY(!dialog.choice().withPatient);
     }
 
+    void theAppendixIsOffAtFirst() {
+        ReportDialog dialog({});
+        QVERIFY(!dialog.choice().withAppendix);
+        dialog.findChild<QCheckBox*>("report.appendix")->click();
+        QVERIFY(dialog.choice().withAppendix);
+    }
+
     void aPatientIsTypedWhereFilesNameNone() {
         ReportDialog dialog({.filesNamePatient = false});
         QSignalSpy asked(&dialog, &ReportDialog::patientAsked);
@@ -35,7 +42,8 @@ private slots:
         }
         QVERIFY(asked.isEmpty());
         QVERIFY(dialog.choice().withPatient && !dialog.choice().restFromFiles);
-        QCOMPARE(dialog.choice().patient, (ReportPatient{"Name", "Id", "BirthDate", "Sex"}));
+        QCOMPARE(dialog.choice().patient,
+                 (ReportPatient{"Name", "Id", "BirthDate", "Sex", "ExamDate", "GestationalAge"}));
         tick(dialog);
         QCOMPARE(dialog.choice().patient, ReportPatient{});  // typed, and then not wanted
     }
@@ -48,8 +56,9 @@ private slots:
         QVERIFY(dialog.choice().restFromFiles);  // not read yet
         QTest::keyClicks(field(dialog, "Id"), "4711");
         QVERIFY(dialog.choice().restFromFiles);
-        dialog.showPatient({"Muster^Anna", "0815", "1990-02-03", "F"});
-        QCOMPARE(dialog.choice().patient, (ReportPatient{"Muster^Anna", "4711", "1990-02-03", "F"}));
+        dialog.showPatient({"Muster^Anna", "0815", "1990-02-03", "F", "2024-02-29", "22+4"});
+        QCOMPARE(dialog.choice().patient,
+                 (ReportPatient{"Muster^Anna", "4711", "1990-02-03", "F", "2024-02-29", "22+4"}));
         QVERIFY(!dialog.choice().restFromFiles);
         field(dialog, "BirthDate")->clear();
         QCOMPARE(dialog.choice().patient.birthDate, "");
@@ -79,7 +88,7 @@ private slots:
     }
 
 private:
-    static constexpr std::array facts{"Name", "Id", "BirthDate", "Sex"};
+    static constexpr std::array facts{"Name", "Id", "BirthDate", "Sex", "ExamDate", "GestationalAge"};
     static QLineEdit* field(ReportDialog& dialog, const char* fact) {
         return dialog.findChild<QLineEdit*>(QStringLiteral("report.patient") + fact);
     }

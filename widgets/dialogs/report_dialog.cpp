@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -15,7 +16,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr int linesOfText = 4;
+constexpr int linesOfText = 3;
 constexpr int longestField = 100;  // letters
 
 QPlainTextEdit* textField(const QString& objectName, const QString& words, const QString& text) {
@@ -32,6 +33,8 @@ ReportDialog::ReportDialog(const Facts& facts, QWidget* parent)
       m_facts(facts),
       m_impression(textField("report.impression", tr("Impression"), facts.impression)),
       m_comment(textField("report.comment", tr("Comment"), facts.comment)),
+      m_appendix(named(new QCheckBox(tr("With an &appendix: curves, parameters, import report, times")),
+                       "report.appendix", tr("With an appendix: curves, parameters, import report, times"))),
       m_patient(named(new QCheckBox(tr("With the &patient's name and data")), "report.patient",
                       tr("With the patient's name and data"))),
       m_patientLine(named(secondaryLabel(), "report.patientLine", tr("About the patient's data"))) {
@@ -39,8 +42,8 @@ ReportDialog::ReportDialog(const Facts& facts, QWidget* parent)
     setAccessibleName(tr("Case report"));
     setWindowTitle(tr("Case report"));
     auto* what = new QLabel(
-        tr("One page: the panes as they are on the screen, measurements, impression and comment. Its appendix holds "
-           "the rest. The file opens without a network."));
+        tr("The report has the pictures on the screen, the measurements, and what you type here. It fits one page. "
+           "Give its file a name that ends with .html for a web page, or with .pdf for a PDF."));
     what->setWordWrap(true);
     m_patientLine->setWordWrap(true);
     m_patientLine->setTextFormat(Qt::PlainText);
@@ -54,9 +57,18 @@ ReportDialog::ReportDialog(const Facts& facts, QWidget* parent)
     auto* form = new QFormLayout;
     form->addRow(labelFor(m_impression, tr("&Impression")), m_impression);
     form->addRow(labelFor(m_comment, tr("&Comment")), m_comment);
+    form->addRow(m_appendix);
     form->addRow(m_patient);
-    const std::array labels{tr("Name"), tr("Identification"), tr("Date of birth"), tr("Sex")};
-    for (std::size_t i = 0; i < m_fields.size(); ++i) form->addRow(labelFor(m_fields[i], labels[i]), m_fields[i]);
+    const std::array labels{tr("Name"), tr("Patient ID"), tr("Date of birth"),
+                            tr("Sex"),  tr("Exam date"),  tr("Gestational age")};
+    // Two in a row, so that the dialog fits a low screen.
+    for (std::size_t i = 0; i < m_fields.size(); i += 2) {
+        auto* row = new QHBoxLayout;
+        row->addWidget(m_fields[i]);
+        row->addWidget(labelFor(m_fields[i + 1], labels[i + 1]));
+        row->addWidget(m_fields[i + 1]);
+        form->addRow(labelFor(m_fields[i], labels[i]), row);
+    }
     form->addRow(m_patientLine);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(what);
@@ -72,9 +84,10 @@ ReportDialog::ReportDialog(const Facts& facts, QWidget* parent)
 }
 
 void ReportDialog::createFields() {
-    const std::array names{"report.patientName", "report.patientId", "report.patientBirthDate", "report.patientSex"};
-    const std::array words{tr("Name of the patient"), tr("Identification of the patient"),
-                           tr("Date of birth of the patient"), tr("Sex of the patient")};
+    const std::array names{"report.patientName", "report.patientId",       "report.patientBirthDate",
+                           "report.patientSex",  "report.patientExamDate", "report.patientGestationalAge"};
+    const std::array words{tr("Name of the patient"), tr("ID of the patient"), tr("Date of birth of the patient"),
+                           tr("Sex of the patient"),  tr("Date of the exam"),  tr("Gestational age, weeks+days")};
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
         m_fields[i] = named(new QLineEdit, QString::fromLatin1(names[i]), words[i]);
         m_fields[i]->setMaxLength(longestField);
@@ -84,15 +97,17 @@ void ReportDialog::createFields() {
 void ReportDialog::takeSwitch(bool on) {
     for (QLineEdit* field : m_fields) {
         enableOrSayWhy(*field, on, tr("Tick the box above first."));
-        field->setPlaceholderText(on && m_facts.filesNamePatient && !m_shown && !m_problem ? tr("as the files say")
-                                                                                           : QString());
+        const bool comesFromFiles = on && m_facts.filesNamePatient && !m_shown && !m_problem;
+        field->setPlaceholderText(comesFromFiles                   ? tr("as the files say")
+                                  : on && field == m_fields.back() ? tr("weeks+days (22+4)")
+                                                                   : QString());
     }
     if (m_problem) return;
     m_patientLine->setText(m_facts.filesNamePatient
-                               ? tr("Name, identification, date of birth, sex and date of the study are read from the "
-                                    "files for this page alone. What you type takes their place.")
-                               : tr("These files do not say whose study it is. What you type stands in this page "
-                                    "alone."));
+                               ? tr("The files say whose study it is. You may correct what they say. It stands in this "
+                                    "report and nowhere else.")
+                               : tr("These files do not say whose study it is. What you type stands in this report and "
+                                    "nowhere else."));
     if (!on || !m_facts.filesNamePatient || !m_facts.patientIsShown || m_asked) return;
     m_asked = true;
     emit patientAsked();
@@ -100,7 +115,8 @@ void ReportDialog::takeSwitch(bool on) {
 
 void ReportDialog::showPatient(const ReportPatient& patient) {
     m_shown = true;
-    const std::array texts{patient.name, patient.id, patient.birthDate, patient.sex};
+    const std::array texts{patient.name, patient.id,       patient.birthDate,
+                           patient.sex,  patient.examDate, patient.gestationalAge};
     for (std::size_t i = 0; i < m_fields.size(); ++i)
         if (m_fields[i]->text().isEmpty()) m_fields[i]->setText(texts[i]);
     takeSwitch(m_patient->isChecked());
@@ -116,9 +132,11 @@ bool ReportDialog::withPatient() const { return m_patient->isChecked(); }
 
 ReportChoice ReportDialog::choice() const {
     ReportChoice choice{.comment = m_comment->toPlainText(), .impression = m_impression->toPlainText()};
+    choice.withAppendix = m_appendix->isChecked();
     if (!withPatient()) return choice;
     choice.withPatient = true;
-    choice.patient = {m_fields[0]->text(), m_fields[1]->text(), m_fields[2]->text(), m_fields[3]->text()};
+    choice.patient = {m_fields[0]->text(), m_fields[1]->text(), m_fields[2]->text(),
+                      m_fields[3]->text(), m_fields[4]->text(), m_fields[5]->text()};
     const bool isTyped = choice.patient != ReportPatient{};
     choice.restFromFiles = m_facts.filesNamePatient && !m_shown && !(m_problem && isTyped);
     return choice;

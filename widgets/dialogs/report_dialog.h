@@ -14,7 +14,7 @@ namespace echolucent {
 
 /// Whose study it is, as the fields of the dialog hold it.
 struct ReportPatient {
-    QString name{}, id{}, birthDate{}, sex{};
+    QString name{}, id{}, birthDate{}, sex{}, examDate{}, gestationalAge{};
     friend bool operator==(const ReportPatient&, const ReportPatient&) = default;
 };
 
@@ -24,11 +24,13 @@ struct ReportChoice {
     bool withPatient = false;
     ReportPatient patient{};     ///< what stands in the fields
     bool restFromFiles = false;  ///< what is empty there is as the study's files say
+    bool withAppendix = false;
 };
 
-/// Objects: report (this), report.impression, report.comment, report.patient (off each time), report.patientName,
-/// report.patientId, report.patientBirthDate, report.patientSex (enabled while the patient is wanted),
-/// report.patientLine, report.note (if there is one), report.save, report.cancel.
+/// Objects: report (this), report.impression, report.comment, report.appendix (off each time), report.patient
+/// (off each time), report.patientName, report.patientId, report.patientBirthDate, report.patientSex,
+/// report.patientExamDate, report.patientGestationalAge (enabled while the patient is wanted), report.patientLine,
+/// report.note (if there is one), report.save, report.cancel.
 class ReportDialog : public QDialog {
     Q_OBJECT
 
@@ -59,8 +61,8 @@ private:
 
     Facts m_facts;
     QPlainTextEdit *m_impression, *m_comment;
-    QCheckBox* m_patient;
-    std::array<QLineEdit*, 4> m_fields{};  ///< name, id, date of birth, sex
+    QCheckBox *m_appendix, *m_patient;
+    std::array<QLineEdit*, 6> m_fields{};  ///< name, ID, date of birth, sex, exam date, gestational age
     QLabel* m_patientLine;
     bool m_asked = false;    ///< patientAsked() was emitted
     bool m_shown = false;    ///< the fields show what the files say

@@ -50,6 +50,21 @@ TEST_F(PatientTest, TheFileSaysWhoseItIs) {
     EXPECT_EQ(*patient, (Patient{"DOE^JANE", "4711", "1980-05-17", "F", "2024-02-29"}));
 }
 
+TEST_F(PatientTest, TheGestationalAgeCountsFromTheLastMenstruation) {
+    const auto age = [this](const std::string& lastMenstruation, const std::string& study) {
+        const auto patient =
+            readPatient({write("a.dcm", {{DCM_LastMenstrualDate, lastMenstruation}, {DCM_StudyDate, study}})});
+        return patient ? patient->gestationalAge : "no patient";
+    };
+    EXPECT_EQ(age("20230924", "20240229"), "22+4");  // 158 days
+    EXPECT_EQ(age("20240229", "20240229"), "0+0");
+    EXPECT_EQ(age("20240301", "20240229"), "") << "after the exam";
+    EXPECT_EQ(age("20220101", "20240229"), "") << "too long ago";
+    EXPECT_EQ(age("20231341", "20240229"), "") << "no day of a calendar";
+    EXPECT_EQ(age("", "20240229"), "");
+    EXPECT_EQ(age("20230924", ""), "");
+}
+
 TEST_F(PatientTest, WhatIsMissingIsEmptyAndWhatIsNoDateStaysAsItIs) {
     const auto patient = readPatient({write("a.dcm", {{DCM_PatientBirthDate, "1980"}})});
     ASSERT_TRUE(patient);
