@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDateTime>
+#include <QPainter>
 #include <QPointer>
 #include <utility>
 
@@ -59,12 +60,14 @@ Result<void> writeReport(CaseReport report, const std::optional<PatientSource>& 
     return writeFileAtomically(path, page);
 }
 
-QImage imageOfPane(PlanePane& pane) {
+QImage imageOfPane(const PlanePane& pane) {
     const qreal ratio = pane.devicePixelRatioF();
     QImage image(pane.size() * ratio, QImage::Format_RGB32);
     image.setDevicePixelRatio(ratio);
     image.fill(Qt::black);
-    pane.render(&image, {}, {}, QWidget::DrawWindowBackground);  // without the pane's buttons
+    QPainter painter(&image);
+    painter.drawImage(pane.rect(), pane.image());
+    painter.drawImage(pane.rect(), pane.drawings(ratio));
     return image;
 }
 

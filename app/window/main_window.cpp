@@ -17,6 +17,7 @@
 #include "app/otf/near_cut_finder.h"
 #include "app/picture/coming_study.h"
 #include "app/picture/loading_picture.h"
+#include "app/picture/panes_saving.h"
 #include "app/picture/picture_controls.h"
 #include "app/picture/preset_controls.h"
 #include "app/picture/side_controls.h"
@@ -154,6 +155,10 @@ void MainWindow::createUnits() {
         *this, m_document, m_openStudy, m_works, *m_otfs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
         *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
+    m_panesSaving = std::make_unique<PanesSaving>(
+        PanesSaving::Parts{*this, m_document, m_openStudy, m_works, *m_widgets.panes, m_widgets.planes,
+                           *m_widgets.picture, m_settings, *m_widgets.messages, m_names, *m_sides, *m_view,
+                           [this](const QString& what) { return m_files->proposedName(what); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{*this, m_document, m_openStudy, m_works,
                                                                         *m_shownStudy, m_settings, *m_widgets.editor,
                                                                         *m_widgets.messages, m_names});
@@ -237,6 +242,7 @@ void MainWindow::createActions() {
     commands.openSimulatedScan = [this] { openSimulatedScan(); };
     commands.fillRecentFiles = [this](QMenu& menu) { m_opening->fillRecentFiles(menu); };
     commands.savePicture = [this] { m_files->chooseAndSavePicture(); };
+    commands.savePanes = [this] { m_panesSaving->choose(); };
     commands.saveMovie = [this] { m_movies->ask(FrameOutput::movie); };
     commands.savePictureSeries = [this] { m_movies->ask(FrameOutput::series); };
     commands.saveReport = [this] { m_report->choose(); };
@@ -351,6 +357,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_motionPlayer.pause();
     m_movies->cancel();
     m_report->cancel();
+    m_panesSaving->cancel();
     m_fullScreen->leave();  // the hidden parts must be there again at the next start
     keepSettings();
     event->accept();

@@ -30,6 +30,7 @@ class HistoryControls;
 class LoadingPicture;
 class MovieFiles;
 class NearCutFinder;
+class PanesSaving;
 class PictureControls;
 class PresetControls;
 class RecentPictures;
@@ -74,6 +75,7 @@ public:
     [[nodiscard]] VolumeViewWidget& volumeView() { return *m_widgets.picture; }
     [[nodiscard]] CompareRoom& compareRoom() { return *m_compare; }
     [[nodiscard]] MovieFiles& movieFiles() { return *m_movies; }
+    [[nodiscard]] PanesSaving& panesSaving() { return *m_panesSaving; }
     [[nodiscard]] SessionKeeping& sessionKeeping() { return *m_sessions; }
     [[nodiscard]] OtfEditor& otfEditor() { return *m_widgets.editor; }
     [[nodiscard]] MotionPlayer& motionPlayer() { return m_motionPlayer; }
@@ -161,6 +163,7 @@ private:
     std::unique_ptr<ReviewRoom> m_room;
     std::unique_ptr<CompareRoom> m_compare;
     std::unique_ptr<ReportSaving> m_report;
+    std::unique_ptr<PanesSaving> m_panesSaving;
     std::unique_ptr<SessionKeeping> m_sessions;
     std::unique_ptr<HistoryControls> m_history;
     std::unique_ptr<WindowFaces> m_faces;

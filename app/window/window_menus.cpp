@@ -64,6 +64,7 @@ void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands
     file->addSeparator();
     file->addActions({editor.openCurveAction(), editor.saveCurveAction()});
     addAction(file, tr("Save &picture…"), "file.savePicture", commands.savePicture);
+    addAction(file, tr("Save &large picture or all panes…"), "file.savePanes", commands.savePanes);
     addAction(file, tr("Save &movie…"), "file.saveMovie", commands.saveMovie);
     addAction(file, tr("Save picture ser&ies…"), "file.savePictureSeries", commands.savePictureSeries);
     addAction(file, tr("Save case r&eport…"), "file.saveReport", commands.saveReport);

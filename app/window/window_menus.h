@@ -16,9 +16,9 @@ class OtfEditor;
 
 /// What the menus' own actions do; the OTF editor brings its actions along.
 struct WindowCommands {
-    std::function<void()> openFile, openFolder, openRawFile, chooseSeries, openSimulatedScan, savePicture, saveMovie,
-        savePictureSeries, saveReport, copyPicture, resetView, resetAll, computeForThisView, playOrPause, explain,
-        nextLighting, frontFromHere, findFront, noFront, toggleFullScreen;
+    std::function<void()> openFile, openFolder, openRawFile, chooseSeries, openSimulatedScan, savePicture, savePanes,
+        saveMovie, savePictureSeries, saveReport, copyPicture, resetView, resetAll, computeForThisView, playOrPause,
+        explain, nextLighting, frontFromHere, findFront, noFront, toggleFullScreen;
     std::function<void()> saveSession, saveSessionAs, showHistory;
     std::function<void(int levels)> reduceSpeckle;  ///< by `levels` more; less if negative
     std::function<void(int degrees)> turnMotion;

@@ -74,7 +74,8 @@ private:
         addCurve();
         addMenu(needingStudy({ToolPicture::save, "save", barText("Save"),
                               barText("Saves the picture (P); the arrow has movies, the session and the report")}),
-                {"file.savePicture", "file.saveMovie", "file.savePictureSeries", "file.saveSession", "file.saveReport"},
+                {"file.savePicture", "file.savePanes", "file.saveMovie", "file.savePictureSeries", "file.saveSession",
+                 "file.saveReport"},
                 "file.savePicture");
         addMenu(needingStudy({ToolPicture::reset, "reset", barText("Reset"),
                               barText("Shows the whole scan upright again (R); the arrow has all else")}),

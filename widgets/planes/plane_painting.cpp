@@ -79,15 +79,39 @@ void PlanePane::paintEvent(QPaintEvent*) {
     if (!m_image.isNull()) painter.drawImage(rect(), m_image);
     paintLines(painter);
     paintBox(painter);
-    paintMeasured(painter);
+    paintMeasured(painter, true);
     if (m_pointerAtRim || m_drag == Drag::turn) paintRim(painter);
     paintWords(painter);
     paintHint(painter);
-    const double width = hasFocus() ? 3.0 : 1.5;
+    paintFrame(painter, hasFocus() ? 3.0 : 1.5);
+    if (m_dimmed) painter.fillRect(rect(), oldPictureShadeColour());
+}
+
+QImage PlanePane::drawings(double scale) const {
+    QImage image((QSizeF(size()) * scale).toSize(), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(scale);
+    image.fill(Qt::transparent);
+    if (!m_scene) return image;
+    QPainter painter(&image);
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    paintLines(painter);
+    paintBox(painter);
+    paintMeasured(painter, false);
+    paintWords(painter);
+    paintFrame(painter, 1.5);
+    return image;
+}
+
+GreyScale PlanePane::greys() const {
+    return m_scene ? GreyScale{m_scene->planes.window, m_scene->planes.level, m_scene->brightness} : GreyScale{};
+}
+
+void PlanePane::paintFrame(QPainter& painter, double width) const {
     painter.setPen(QPen(colourOf(m_plane), width));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(rect()).adjusted(width / 2, width / 2, -width / 2, -width / 2));
-    if (m_dimmed) painter.fillRect(rect(), oldPictureShadeColour());
 }
 
 /// Draws the lines of the other planes and the reference point.
@@ -135,9 +159,9 @@ void PlanePane::paintBox(QPainter& painter) const {
     for (const BoxGrip& grip : shown.grips) paintGrip(painter, grip);
 }
 
-void PlanePane::paintMeasured(QPainter& painter) const {
+void PlanePane::paintMeasured(QPainter& painter, bool withMarking) const {
     std::vector<ShownMeasurement> shown = m_scene->measurements;
-    if (m_marking) shown.push_back(*m_marking);
+    if (withMarking && m_marking) shown.push_back(*m_marking);
     if (!shown.empty()) paintMeasurements(painter, placedInPlane(shown, mapping().view, m_scene->unitMm), size());
 }
 

@@ -102,10 +102,9 @@ void PlanePane::setToolCursor(std::optional<Qt::CursorShape> cursor) {
 
 void PlanePane::makeImage() {
     if (!m_scene || !m_samples) return;
-    const GreyScale greys{m_scene->planes.window, m_scene->planes.level, m_scene->brightness};
-    if (!m_image.isNull() && greys == m_greys) return;
-    m_greys = greys;
-    m_image = greyImage(*m_samples, greys);
+    if (!m_image.isNull() && greys() == m_greys) return;
+    m_greys = greys();
+    m_image = greyImage(*m_samples, m_greys);
 }
 
 PlaneMapping PlanePane::mapping() const {

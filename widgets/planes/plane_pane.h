@@ -60,6 +60,10 @@ public:
     [[nodiscard]] std::optional<PlaneRequest> wanted(const std::shared_ptr<const Volume>& volume) const;
     void setSamples(const std::shared_ptr<const PlaneSamples>& samples);
     [[nodiscard]] const QImage& image() const { return m_image; }
+    [[nodiscard]] GreyScale greys() const;
+    /// What the pane draws over its image, on a transparent ground, with `scale` (> 0) pixels in a pixel of a plain
+    /// screen. Without what only a hand at work needs: hint, measurement in progress, rim, focus.
+    [[nodiscard]] QImage drawings(double scale) const;
     /// Dims what the pane shows, because another study is about to take its place.
     void setDimmed(bool dimmed);
     [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
@@ -142,7 +146,8 @@ private:
     void makeImage();
     void paintLines(QPainter& painter) const;
     void paintBox(QPainter& painter) const;
-    void paintMeasured(QPainter& painter) const;
+    void paintMeasured(QPainter& painter, bool withMarking) const;
+    void paintFrame(QPainter& painter, double width) const;
     void paintWords(QPainter& painter) const;
     void paintHint(QPainter& painter) const;
     void paintRim(QPainter& painter) const;

@@ -1,0 +1,42 @@
+// One picture of all panes, or of the 3D view, in any size.
+#pragma once
+
+#include <QImage>
+#include <QRect>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "processing/pane_picture/pane_caster.h"
+#include "processing/progress.h"
+#include "processing/sides/side_search.h"
+#include "widgets/planes/grey_image.h"
+#include "widgets/planes/plane_resampler.h"
+
+namespace echolucent {
+
+/// A plane's pane in the picture.
+struct PlaneInPicture {
+    QRect place;           ///< in pixels of the picture
+    PlaneRequest request;  ///< in the size of `place`
+    GreyScale greys;
+    QImage drawings;  ///< as PlanePane::drawings()
+};
+
+/// All that a picture of panes is made from, as values.
+struct PanesInPicture {
+    Document document{};
+    StudyPhases phases{};
+    std::shared_ptr<const SidesFinding> sides{};  ///< of the document's beam, for the caption; null until found
+    QSize size{};                                 ///< of the picture, pixels
+    double scale = 1.0;                           ///< pixels of the picture in a pixel of a plain screen
+    std::optional<QRect> of3d{};                  ///< the place of the 3D view; no value if it is not in the picture
+    std::vector<PlaneInPicture> planes{};
+};
+
+/// The picture, over black. The 3D view is PaneCaster::picture() of the first pane in its size, with the measurements
+/// of its phase and the labels of the screen. Planes are sampled in their size. The result is empty only if
+/// progress.cancel was raised. Any thread may call this.
+[[nodiscard]] std::optional<QImage> panesPicture(const PanesInPicture& panes, const Progress& progress = {});
+
+}  // namespace echolucent

@@ -1,0 +1,64 @@
+// Saves the 3D view or all panes as one picture, in a size that a person chooses.
+#pragma once
+
+#include <QObject>
+#include <array>
+#include <functional>
+
+#include "app/files/file_writing.h"
+#include "app/picture/document_view.h"
+#include "app/picture/panes_picture.h"
+#include "app/study/open_study.h"
+#include "app/study/study_sides.h"
+#include "widgets/dialogs/picture_dialog.h"
+#include "widgets/document/document_model.h"
+
+namespace echolucent {
+
+class MessageBar;
+class PaneGrid;
+class PlanePane;
+class Settings;
+class StudyNames;
+class VolumeViewWidget;
+
+/// Takes the state of the panes when it is asked, and makes and writes the picture in a thread. The file names no
+/// patient; the window's own controls are not in it.
+class PanesSaving : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        QWidget& window;  ///< parent of the dialogs
+        DocumentModel& model;
+        OpenStudy& openStudy;
+        Works& works;
+        const PaneGrid& panes;
+        std::array<PlanePane*, 3> planes;
+        const VolumeViewWidget& picture;
+        Settings& settings;
+        MessageBar& messages;
+        StudyNames& names;
+        const StudySides& sides;
+        const DocumentView& shown;                                 ///< what the 3D view shows
+        std::function<QString(const QString& what)> proposedName;  ///< for a file of the study, without an ending
+    };
+    /// The parts outlive this object, which belongs to the window.
+    explicit PanesSaving(Parts parts);
+
+    /// Asks for content, size and file. Does nothing if no study is open.
+    void choose();
+    /// Saves what the choice says. A message confirms it, or says what stands in the way: a picture that is being
+    /// written, a 3D view that still shows the study before, a path that is a file of the study.
+    void save(const QString& path, const PictureChoice& choice);
+    void cancel() { m_writing.cancel(); }
+
+private:
+    [[nodiscard]] PanesInPicture taken(const PictureChoice& choice) const;
+    void tell(const QString& path, const Result<void>& written);
+
+    Parts m_parts;
+    FileWriting m_writing;  ///< last, so that its thread has ended before anything above is destroyed
+};
+
+}  // namespace echolucent

@@ -1,0 +1,151 @@
+// One picture of all panes, or a large one of the 3D view: what it shows, how large it is, what is said.
+#include <QAction>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QImage>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QTimer>
+#include <cmath>
+
+#include "app/picture/panes_saving.h"
+#include "tests/app/planes/measuring_fixture.h"
+#include "tests/qt_program/test_classes.h"
+#include "widgets/picture_labels/measurement_drawing.h"
+
+using namespace echolucent;
+
+class TestPanesSaving : public QObject, private MeasuringFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void init() {
+        showWindow();
+        openPoints();
+        Document next = document();
+        next.measurements = {{.id = 1, .placesMm = {at(0), at(1)}, .name = "LV"}};
+        next.scene.planes = planesHolding(next.scene.planes, next.measurements[0].placesMm, next.beam.axis, dataBox());
+        window().document().edit(next, "measure");
+        waitUntilIdle();
+        m_path = temporaryFolder().filePath("panes.png");
+        QFile::remove(m_path);
+    }
+    void cleanup() { close(); }
+
+    void allPanesStandAsOnTheScreenInTheSizeAskedFor() {
+        const auto* grid = child<PaneGrid>("panes");
+        key(Qt::Key_M);  // its hint is no part of the picture
+        const QImage image = saved({.allPanes = true, .width = 2 * grid->width()});
+        QCOMPARE(image.size(), grid->size() * 2);
+        for (const char* name : {"planes.a", "planes.b", "planes.c"}) {
+            const PlanePane& each = pane(name);
+            const QImage part = partOf(image, each, 2);
+            // The samples are those of the screen, more densely.
+            QVERIFY2(difference(part.scaled(each.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation),
+                                each.image()) < 12.0,
+                     name);
+            QCOMPARE(QColor(part.pixel(1, part.height() / 2)), colourOfFrame(each));
+        }
+        int drawn = 0;
+        for (const char* name : {"planes.a", "planes.b", "planes.c"}) {
+            const QImage part = partOf(image, pane(name), 2);
+            QVERIFY(inColour(part, coloursOverPictures().accent) < 20);
+            if (!liesInPlane({at(0), at(1)}, pane(name).mapping().view, 1e-6)) continue;
+            ++drawn;
+            QVERIFY2(inColour(part, measurementColour) > 200, name);
+        }
+        QVERIFY(drawn >= 1);
+        const QImage of3d = partOf(image, window().volumeView(), 2);
+        const QImage screen = window().volumeView().screenImage();
+        QVERIFY(difference(of3d.scaled(screen.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation), screen) < 8.0);
+        QVERIFY(inColour(of3d, measurementColour) > 200);
+    }
+
+    void the3dPictureIsMadeAnewInItsSize() {
+        key(Qt::Key_F2);
+        waitUntilIdle();
+        const QSize screen = window().volumeView().size();
+        const QImage image = saved({.allPanes = false, .width = 2000});
+        QCOMPARE(image.width(), 2000);
+        QVERIFY(std::abs(image.height() - 2000.0 * screen.height() / screen.width()) <= 1.0);
+        QVERIFY(difference(image.scaled(screen, Qt::IgnoreAspectRatio, Qt::SmoothTransformation),
+                           window().volumeView().screenImage()) < 8.0);
+    }
+
+    void theDialogAsksForContentAndSize() {
+        QTimer::singleShot(0, this, [&] {
+            auto* dialog = window().findChild<PictureDialog*>("pictureDialog");
+            if (dialog == nullptr) qFatal("no dialog");
+            QVERIFY(dialog->findChild<QRadioButton*>("pictureDialog.allPanes")->isChecked());
+            dialog->findChild<QComboBox*>("pictureDialog.size")->setCurrentIndex(2);
+            QCOMPARE(dialog->choice(), (PictureChoice{true, PictureDialog::pageWidth}));
+            QTimer::singleShot(0, this, [&] {
+                auto* files = window().findChild<QFileDialog*>("saveFile");
+                if (files == nullptr) qFatal("no dialog of files");
+                files->selectFile(m_path);
+                static_cast<QDialog*>(files)->done(QDialog::Accepted);
+            });
+            QTest::mouseClick(dialog->findChild<QPushButton*>("pictureDialog.save"), Qt::LeftButton);
+        });
+        child<QAction>("file.savePanes")->trigger();
+        waitUntilIdle();
+        QCOMPARE(QImage(m_path).width(), PictureDialog::pageWidth);
+        QCOMPARE(message(), "The picture was saved as panes.png.");
+        // Without planes there is no choice.
+        PictureDialog alone({.of3d = {400, 300}, .ofPanes = {400, 300}, .planesAreShown = false});
+        QVERIFY(!alone.findChild<QRadioButton*>("pictureDialog.allPanes")->isEnabled());
+        QCOMPARE(alone.choice(), (PictureChoice{false, 800}));
+    }
+
+    void aFileOfTheStudyIsKept() {
+        const QString study = window().openStudy().path();
+        QFile file(study);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray before = file.readAll();
+        window().panesSaving().save(study, {.allPanes = true, .width = 800});
+        waitUntilIdle();
+        QVERIFY(file.seek(0));
+        QCOMPARE(file.readAll(), before);
+        QVERIFY2(!message().contains("was saved"), qPrintable(message()));
+    }
+
+private:
+    QImage saved(const PictureChoice& choice) {
+        window().panesSaving().save(m_path, choice);
+        if (window().idle()) qFatal("nothing is being written");
+        waitUntilIdle();
+        return QImage(m_path);
+    }
+    QColor colourOfFrame(const PlanePane& pane) {
+        const QImage shown = const_cast<PlanePane&>(pane).grab().toImage();
+        return shown.pixelColor(0, shown.height() / 2);
+    }
+    static QImage partOf(const QImage& picture, const QWidget& pane, int scale) {
+        return picture.copy(QRect(pane.geometry().topLeft() * scale, pane.size() * scale));
+    }
+    /// The mean difference of grey levels, of 255.
+    static double difference(const QImage& one, const QImage& other) {
+        if (one.size() != other.size()) return 255.0;
+        double sum = 0.0;
+        for (int y = 0; y < one.height(); ++y)
+            for (int x = 0; x < one.width(); ++x) sum += std::abs(qGray(one.pixel(x, y)) - qGray(other.pixel(x, y)));
+        return sum / one.width() / one.height();
+    }
+    static int inColour(const QImage& image, const QColor& colour) {
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor is(image.pixel(x, y));
+                count += std::abs(is.red() - colour.red()) + std::abs(is.green() - colour.green()) +
+                             std::abs(is.blue() - colour.blue()) <
+                         30;
+            }
+        return count;
+    }
+
+    QString m_path;
+};
+
+ECHOLUCENT_TEST_CLASS(TestPanesSaving)
+#include "test_panes_saving.moc"
