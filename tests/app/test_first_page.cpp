@@ -118,6 +118,7 @@ private slots:
     void whatHasNoRoomStandsInTheAppendixWhole() {
         CaseReport report;
         report.study = "heart.nrrd";
+        report.withAppendix = true;
         report.geometry = {.size = {60, 60, 60}};
         report.comment = words(400) + " last word of the comment";
         report.impression = "short";

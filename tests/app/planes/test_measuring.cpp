@@ -355,8 +355,10 @@ private:
                 }
             return inside;
         };
-        // Right of the line, or left of it if they have no room there.
-        const int inside = std::max(lettersAbout(right + aside), lettersAbout(left - aside));
+        // Right of the line, left of it, or at the picture's edge below or above its end: where they have room.
+        const QPointF atEdge(picture.width() - words.width() / 2.0, right.y()), line(0.0, words.height() + 2.0);
+        const int inside = std::max({lettersAbout(right + aside), lettersAbout(left - aside),
+                                     lettersAbout(atEdge + line), lettersAbout(atEdge - line)});
         QVERIFY2(inside > 40, qPrintable(QString::number(inside)));
     }
 };
