@@ -1,6 +1,7 @@
 // One picture of all panes, or a large one of the 3D view: what it shows, how large it is, what is said.
 #include <QAction>
 #include <QComboBox>
+#include <QFile>
 #include <QFileDialog>
 #include <QImage>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include "tests/app/planes/measuring_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/picture_labels/measurement_drawing.h"
+#include "widgets/theme_colours.h"
 
 using namespace echolucent;
 
