@@ -95,7 +95,7 @@ QString methodSentences(const AdaptiveOtf& otf) {
                       "Surfaces are looked for where it is much brighter behind than before, by the ratio of means.")
                 : explanationText(
                       "Surfaces are looked for where the intensity varies most, from coarse to fine scales."));
-    if (otf.lengthsHalved())
+    if (otf.lengthsHalved)
         sentences << explanationText(
             "The volume has few voxels along the view, so all lengths along the tube cores are half of what was set.");
     sentences

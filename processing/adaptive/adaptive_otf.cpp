@@ -27,7 +27,7 @@ void requireOneGrid(const Volume& volume, const QuietVoxels& shown) {
 
 AdaptiveOtf unrun(const VolumeGeometry& geometry, const Viewpoint& view, const AdaptiveOtfConfig& config) {
     AdaptiveOtf otf;
-    otf.config = otf.used = config;
+    otf.config = config;
     otf.view = view;
     otf.tubeSpacingUnits = tubeSpacingUnits(geometry, view, config.grid, config.cells.size);
     otf.directionVoxel = directionInVoxels(view, geometry);
@@ -165,6 +165,7 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
         if (!found) return std::nullopt;
         if (found->tubesWithWeight > 0) {
             found->config = config;
+            found->lengthsHalved = true;
             return found;
         }
     }

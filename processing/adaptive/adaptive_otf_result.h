@@ -31,7 +31,7 @@ struct AdaptiveOtf {
         return static_cast<double>(sample) / (sampleCount - 1);
     }
     AdaptiveOtfConfig config;                      ///< as asked for
-    AdaptiveOtfConfig used;                        ///< as run: `config`, or halvedLengths() of it
+    bool lengthsHalved = false;                    ///< whether it ran with halvedLengths() of `config`: configUsed()
     std::array<double, 2> tubeSpacingUnits{0, 0};  ///< as used, units, along the view's right and down axes
     Viewpoint view;
     Vec3 directionVoxel{0, 0, 1};  ///< the view direction, of length 1, voxel index space
@@ -62,8 +62,6 @@ struct AdaptiveOtf {
     /// A sentence if something could not be done ("No surface found: the initial function is used."); else empty.
     std::string message;
     StageTimes times;
-
-    [[nodiscard]] bool lengthsHalved() const { return used.cells.size != config.cells.size; }
 };
 
 /// Intensities before and at the surfaces found: means over the tube cores, weighted by TubeCore::d, their weight in

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int half(int length) { return (length + 1) / 2; }
 
-RatioRule withHalvedLengths(RatioRule rule) {
+RatioRule halved(RatioRule rule) {
     rule.slabsBefore = half(rule.slabsBefore);
     rule.slabsBehind = half(rule.slabsBehind);
     rule.rampSlabs = half(rule.rampSlabs);
@@ -18,11 +18,18 @@ RatioRule withHalvedLengths(RatioRule rule) {
     return rule;
 }
 
-SurfaceRule withHalvedLengths(SurfaceRule rule) {
+SurfaceRule halved(SurfaceRule rule) {
     rule.lowReach = half(rule.lowReach);
     rule.highReach = half(rule.highReach);
     rule.slopeHalfStep = half(rule.slopeHalfStep);
     return rule;
+}
+
+AdaptiveOtfConfig halved(AdaptiveOtfConfig config, const RatioRule& ratio) {
+    config.cells.size = half(config.cells.size);
+    config.detection = halved(ratio);
+    config.surface = halved(config.surface);
+    return config;
 }
 
 bool hasDefaultLengths(const AdaptiveOtfConfig& config, const RatioRule& rule) {
@@ -41,11 +48,11 @@ std::optional<AdaptiveOtfConfig> halvedLengths(const AdaptiveOtfConfig& config, 
     if (ratio == nullptr || !hasDefaultLengths(config, *ratio)) return std::nullopt;
     const auto depths = geometry.depthsAlong(frameOf(view).forward);
     if (depths.farthest - depths.nearest >= shallowUnits * geometry.unit()) return std::nullopt;
-    AdaptiveOtfConfig halved = config;
-    halved.cells.size = half(config.cells.size);
-    halved.detection = withHalvedLengths(*ratio);
-    halved.surface = withHalvedLengths(config.surface);
-    return halved;
+    return halved(config, *ratio);
+}
+
+AdaptiveOtfConfig configUsed(const AdaptiveOtf& otf) {
+    return otf.lengthsHalved ? halved(otf.config, std::get<RatioRule>(otf.config.detection)) : otf.config;
 }
 
 }  // namespace echolucent

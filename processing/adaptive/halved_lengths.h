@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
 
@@ -18,5 +19,8 @@ inline constexpr double shallowUnits = 100.0;
 /// not the default one, because then somebody chose it.
 [[nodiscard]] std::optional<AdaptiveOtfConfig> halvedLengths(const AdaptiveOtfConfig& config,
                                                              const VolumeGeometry& geometry, const Viewpoint& view);
+
+/// The config as the method ran: AdaptiveOtf::config, with halved lengths if AdaptiveOtf::lengthsHalved.
+[[nodiscard]] AdaptiveOtfConfig configUsed(const AdaptiveOtf& otf);
 
 }  // namespace echolucent

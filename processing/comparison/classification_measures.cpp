@@ -1,12 +1,13 @@
 #include "processing/comparison/classification_measures.h"
 
+#include "processing/adaptive/halved_lengths.h"
 #include "processing/comparison/line_samples.h"
 #include "processing/tube_core/slabs/tube_grid.h"
 
 namespace echolucent {
 
 std::vector<SurfaceRay> tubeCoreRays(const VolumeGeometry& geometry, const AdaptiveOtf& otf) {
-    const auto axes = tubeAxes(geometry, otf.view, otf.used.grid, otf.used.cells.size);
+    const auto axes = tubeAxes(geometry, otf.view, otf.config.grid, configUsed(otf).cells.size);
     std::vector<SurfaceRay> rays;
     for (std::size_t t = 0; t < otf.tubes.size() && t < axes.size(); ++t) {
         const TubeCore& tube = otf.tubes[t];

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "processing/adaptive/halved_lengths.h"
 #include "processing/parallel.h"
 #include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/tube_core/slabs/tube_samples.h"
@@ -66,7 +67,7 @@ std::vector<std::size_t> samplesShown(const VolumeGeometry& geometry, const Adap
                                       std::span<const TubeAxis> axes) {
     std::vector<std::size_t> shown(axes.size(), std::numeric_limits<std::size_t>::max());
     if (!otf.view.box && !otf.view.cutSurface && !hasObliqueFront(otf.view)) return shown;
-    const auto samples = samplesOf(axes, geometry, otf.view, otf.used.cells.size);
+    const auto samples = samplesOf(axes, geometry, otf.view, configUsed(otf).cells.size);
     for (std::size_t t = 0; t < shown.size(); ++t) shown[t] = static_cast<std::size_t>(samples[t].slabs);
     return shown;
 }
@@ -86,7 +87,7 @@ std::vector<SurfaceLight> surfaceLights(const RaySampler& sampler, const Adaptiv
     for (std::size_t t = 0; t < otf.tubes.size(); ++t)
         if (otf.tubes[t].surfaceVoxel && otf.tubes[t].d > 0) used.push_back(t);
     if (used.empty()) return std::vector<SurfaceLight>(tables.size());
-    const auto axes = tubeAxes(geometry, otf.view, otf.used.grid, otf.used.cells.size);
+    const auto axes = tubeAxes(geometry, otf.view, otf.config.grid, configUsed(otf).cells.size);
     const auto shown = samplesShown(geometry, otf, axes);
     std::vector<TubeLight> lights(used.size() * tables.size());
     parallelFor(std::size_t{0}, used.size(), [&](std::size_t i) {

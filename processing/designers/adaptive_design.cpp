@@ -99,7 +99,7 @@ std::vector<std::string> explanationOf(const AdaptiveOtf& otf) {
         std::holds_alternative<RatioRule>(otf.config.detection)
             ? "Surfaces are looked for where it is much brighter behind than before, by the ratio of means."
             : "Surfaces are looked for where the intensity varies most, from coarse to fine scales.");
-    if (otf.lengthsHalved())
+    if (otf.lengthsHalved)
         sentences.emplace_back(
             "The volume has few voxels along the view, so all lengths along the tube cores are half of what was set.");
     sentences.push_back(curveSentence(otf));

@@ -137,8 +137,7 @@ TEST(SharedVolumesAll, NoEchoIsLostToTheGuess) {
 /// Of these nothing but the outside is dark before tissue along +z: without the guess the outside is their fluid.
 TEST(SharedVolumesAll, TheGuessTakesNoSurfacesAway) {
     SKIP_WITHOUT_SHARED_DATA();
-    for (const char* name :
-         {"adult_heart_4d_56x52x56x3_float.nrrd", "spine_phantom_freehand.mha", "reconstruction_lnmax.mha"}) {
+    for (const char* name : {"spine_phantom_freehand.mha", "reconstruction_lnmax.mha"}) {
         const auto guessed = readStudy(sharedData + "/volumes/" + name);
         const auto whole = readStudy(sharedData + "/volumes/" + name, withoutGuess());
         ASSERT_TRUE(guessed && whole) << name;
@@ -146,6 +145,17 @@ TEST(SharedVolumesAll, TheGuessTakesNoSurfacesAway) {
         EXPECT_GT(found->tubesWithWeight, 10) << name;
         EXPECT_EQ(found->tubesWithWeight, adaptOpacity(*whole->phases[0], {}, {})->tubesWithWeight) << name;
     }
+}
+
+/// Its chambers are shorter than the default's least fluid.
+TEST(SharedVolumesAll, TheCoarseHeartIsReadInHalvedLengths) {
+    SKIP_WITHOUT_SHARED_DATA();
+    const auto study = readStudy(sharedData + "/volumes/adult_heart_4d_56x52x56x3_float.nrrd");
+    ASSERT_TRUE(study);
+    const auto found = adaptOpacity(*study->phases[0], {}, {});
+    EXPECT_TRUE(found->lengthsHalved);
+    EXPECT_FALSE(found->surfacesWhereDataBegin);
+    EXPECT_GT(found->tubesWithWeight, 30);
 }
 
 TEST(SharedVolumesAll, NaNVoxelsAreNoData) {

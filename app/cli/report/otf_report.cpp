@@ -8,6 +8,7 @@
 
 #include "app/cli/report/opening_report.h"
 #include "app/cli/report/report_json.h"
+#include "processing/adaptive/halved_lengths.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/adaptive/quiet_reading.h"
@@ -66,7 +67,7 @@ Json valueOf(const ParameterValue& value) {
 
 /// Named like the command line's options. Parameters that do not apply are left out.
 Json methodParametersJson(const AdaptiveOtf& otf, const OtfContext& context) {
-    const AdaptiveOtfConfig& config = otf.used;
+    const AdaptiveOtfConfig config = configUsed(otf);
     Json all{{"reading", readingName(otf.config)},
              {"initial", withoutFolders(context.initialName)},
              {"initial_function", initialFunction(config.initial)},
@@ -83,7 +84,7 @@ Json methodParametersJson(const AdaptiveOtf& otf, const OtfContext& context) {
     all["fluid_intensity"] = maybe(otf.fluidIntensity);
     all["trust"] = otf.trust;
     all["surfaces_where_data_begin"] = otf.surfacesWhereDataBegin;
-    all["lengths_halved"] = otf.lengthsHalved();
+    all["lengths_halved"] = otf.lengthsHalved;
     const CurveRule used = quieterRule(config.curve, otf.speckleLeft);
     if (const auto* ramp = std::get_if<RampRule>(&used)) {
         all["quiet_ramp_begin"] = ramp->begin;
@@ -224,7 +225,7 @@ std::string summary(const Volume& volume, const AdaptiveOtf& otf) {
                         otf.tubesMeetingVolume, otf.tubes.size(), found, otf.tubesWithWeight);
     if (const std::size_t left = otf.config.grid.withoutTubes.size(); left > 0)
         text += fmt::format("{} of them {} never placed\n", left, left == 1 ? "is" : "are");
-    if (otf.lengthsHalved())
+    if (otf.lengthsHalved)
         text +=
             "The volume has few voxels along the view: all lengths along the tube cores are half of what was set.\n";
     text += fmt::format("d_max {:.4g}, sum of d {:.4g}\n", otf.dMax, sum);

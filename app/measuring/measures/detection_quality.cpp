@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "processing/adaptive/halved_lengths.h"
 #include "processing/parallel.h"
 
 namespace echolucent {
@@ -83,7 +84,7 @@ DetectionQuality detectionQuality(const AdaptiveOtf& otf, const std::vector<Tube
 }
 
 DetectionQuality detectionQuality(const AdaptiveOtf& otf, const PhantomTruth& truth, const VolumeGeometry& geometry) {
-    return detectionQuality(otf, tubeTruths(truth, geometry, otf.view, otf.used), geometry);
+    return detectionQuality(otf, tubeTruths(truth, geometry, otf.view, configUsed(otf)), geometry);
 }
 
 }  // namespace echolucent

@@ -6,6 +6,7 @@
 
 #include "app/measuring/otf/study_otf.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/halved_lengths.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/median.h"
 
@@ -87,7 +88,7 @@ void measureErrors(const OtfCase& one, std::vector<VariantResult>& results) {
         const AdaptiveOtf otf = *adaptOpacity(*one.volume, one.view, variants[v].config);
         addDifference(otf.curve, references[variants[v].interfaceFunction], results[v]);
         if (one.truth != nullptr)
-            results[v].detection.add(detectionQuality(otf, truths.of(otf.used), one.volume->geometry()));
+            results[v].detection.add(detectionQuality(otf, truths.of(configUsed(otf)), one.volume->geometry()));
     }
 }
 

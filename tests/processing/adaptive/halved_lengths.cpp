@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "tests/processing/grids.h"
@@ -29,7 +33,7 @@ Volume tissue(int depth, bool gap) {
 
 TEST(HalvedLengths, FindTheWallBehindAShortGapOfAShallowVolume) {
     const auto otf = adaptOpacity(tissue(56, true), {}, {});
-    ASSERT_TRUE(otf->lengthsHalved());
+    ASSERT_TRUE(otf->lengthsHalved);
     EXPECT_EQ(otf->config, AdaptiveOtfConfig{}) << "as asked for";
     EXPECT_EQ(otf->message, "");
     EXPECT_GE(otf->tubesWithWeight, otf->tubesMeetingVolume - 1) << "the last in rank has no weight";
@@ -43,10 +47,10 @@ TEST(HalvedLengths, FindTheWallBehindAShortGapOfAShallowVolume) {
 }
 
 TEST(HalvedLengths, AreLeftAloneInADeepVolumeAndWhereALengthWasChosen) {
-    EXPECT_FALSE(adaptOpacity(tissue(100, true), {}, {})->lengthsHalved());
+    EXPECT_FALSE(adaptOpacity(tissue(100, true), {}, {})->lengthsHalved);
     AdaptiveOtfConfig chosen;
     chosen.detection = RatioRule{.leastFluid = 9};
-    EXPECT_FALSE(adaptOpacity(tissue(56, true), {}, chosen)->lengthsHalved());
+    EXPECT_FALSE(adaptOpacity(tissue(56, true), {}, chosen)->lengthsHalved);
     chosen = {};
     chosen.detection = VarianceRule{};
     EXPECT_FALSE(halvedLengths(chosen, gridOf({56, 56, 56}), {}));
@@ -54,7 +58,7 @@ TEST(HalvedLengths, AreLeftAloneInADeepVolumeAndWhereALengthWasChosen) {
 
 TEST(HalvedLengths, FindNothingInSpeckleAlone) {
     const auto otf = adaptOpacity(tissue(56, false), {}, {});
-    EXPECT_FALSE(otf->lengthsHalved());
+    EXPECT_FALSE(otf->lengthsHalved);
     EXPECT_EQ(otf->tubesWithWeight, 0);
     EXPECT_EQ(otf->message, "No surface found: the initial function is used.");
 }
