@@ -156,6 +156,31 @@ private slots:
         QVERIFY(quality.qualityForEdits(asked, true) > chosen);
     }
 
+    void aLitEditMayBeCoarserThanANewView() {
+        // 60 ms for full size at step 1, a tenth less from kept samples; the light volume takes a frame.
+        RayCastSettings asked;
+        asked.shading = Shading{.reaching = {}};
+        const double sampling = 60.0 / (512 * 512), reclassifying = 0.9 * sampling;
+        PreviewQuality quality(33);
+        for (int i = 0; i < 8; ++i) {
+            const RayCastSettings moving = settingsAt(quality.qualityInMotion(asked), asked);
+            quality.sampled(moving, costOf(moving, sampling));
+            quality.lit(moving, 0);  // a new view keeps its light volume
+        }
+        const std::size_t inMotion = quality.qualityInMotion(asked);
+        for (int i = 0; i < 8; ++i) {
+            const RayCastSettings shown = settingsAt(quality.qualityForEdits(asked, true), asked);
+            quality.reclassified(shown, costOf(shown, reclassifying));
+            quality.lit(shown, 33);
+        }
+        const std::size_t chosen = quality.qualityForEdits(asked, true);
+        QVERIFY(chosen > inMotion);
+        QVERIFY(costOf(settingsAt(chosen, asked), reclassifying) <= 1.5 * 33 / 2);
+        asked.shading.reset();
+        const std::size_t unlit = quality.qualityInMotion(asked);
+        QVERIFY(quality.qualityForEdits(asked, true) <= unlit);
+    }
+
     void noEditBeginsWithALongWait() {
         // Five seconds for full size: from kept samples it might be quick, but not the two pictures before.
         const RayCastSettings asked;
