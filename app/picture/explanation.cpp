@@ -97,7 +97,7 @@ QString methodSentences(const AdaptiveOtf& otf) {
                       "Surfaces are looked for where the intensity varies most, from coarse to fine scales."));
     if (otf.lengthsHalved)
         sentences << explanationText(
-            "The volume has few voxels along the view, so all lengths along the tube cores are half of what was set.");
+            "The volume has few voxels, so all lengths along the tube cores are half of what was set.");
     sentences
         << (ramp ? explanationText(
                        "The curve is the mean of one ramp for each tube core, clear up to its fluid and full from its "

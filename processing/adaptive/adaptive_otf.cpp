@@ -160,12 +160,13 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     if (!otf || !findsNoSurface(*otf)) return otf;
     Progress silent = progress;  // the first run's progress already stands at the end, and must not fall
     silent.report = nullptr;
-    if (const auto halved = halvedLengths(config, volume.geometry(), view)) {
+    if (const auto halved = halvedLengths(config, volume.geometry())) {
         auto found = adaptToData(volume, view, *halved, silent, shown);
         if (!found) return std::nullopt;
         if (found->tubesWithWeight > 0) {
             found->config = config;
             found->lengthsHalved = true;
+            found->times += otf->times;
             return found;
         }
     }

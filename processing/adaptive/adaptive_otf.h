@@ -15,7 +15,7 @@ namespace echolucent {
 /// Runs the method on a volume, seen from a viewpoint. The result is empty only if progress.cancel was raised. The bits
 /// of the result are the same for any number of threads.
 ///
-/// If no tube core finds a surface behind fluid, and the volume is shallow, the method runs again with halvedLengths().
+/// If no tube core finds a surface behind fluid, and the volume is coarse, the method runs again with halvedLengths().
 /// If a tube core then has a weight, that is the result (AdaptiveOtf::lengthsHalved).
 ///
 /// If still no tube core finds a surface behind fluid, and zeros are masked as no data (by a guess or by the file), the

@@ -1,5 +1,6 @@
 #include "processing/adaptive/halved_lengths.h"
 
+#include <algorithm>
 #include <array>
 #include <variant>
 
@@ -42,12 +43,11 @@ bool hasDefaultLengths(const AdaptiveOtfConfig& config, const RatioRule& rule) {
 
 }  // namespace
 
-std::optional<AdaptiveOtfConfig> halvedLengths(const AdaptiveOtfConfig& config, const VolumeGeometry& geometry,
-                                               const Viewpoint& view) {
+std::optional<AdaptiveOtfConfig> halvedLengths(const AdaptiveOtfConfig& config, const VolumeGeometry& geometry) {
     const auto* ratio = std::get_if<RatioRule>(&config.detection);
     if (ratio == nullptr || !hasDefaultLengths(config, *ratio)) return std::nullopt;
-    const auto depths = geometry.depthsAlong(frameOf(view).forward);
-    if (depths.farthest - depths.nearest >= shallowUnits * geometry.unit()) return std::nullopt;
+    const Vec3 lengthMm = geometry.boxMaxMm() - geometry.boxMinMm();
+    if (std::max({lengthMm[0], lengthMm[1], lengthMm[2]}) >= coarseUnits * geometry.unit()) return std::nullopt;
     return halved(config, *ratio);
 }
 

@@ -101,7 +101,7 @@ std::vector<std::string> explanationOf(const AdaptiveOtf& otf) {
             : "Surfaces are looked for where the intensity varies most, from coarse to fine scales.");
     if (otf.lengthsHalved)
         sentences.emplace_back(
-            "The volume has few voxels along the view, so all lengths along the tube cores are half of what was set.");
+            "The volume has few voxels, so all lengths along the tube cores are half of what was set.");
     sentences.push_back(curveSentence(otf));
     if (otf.reduction != SpeckleReduction::off)
         sentences.push_back(

@@ -11,6 +11,17 @@ struct StageTimes {
     double weights = 0.0;    ///< weighing the tube cores
     double curve = 0.0;      ///< from the weights to the curve
     double total = 0.0;      ///< all of the run
+
+    /// Adds the times of a run before.
+    StageTimes& operator+=(const StageTimes& before) {
+        sampling += before.sampling;
+        cells += before.cells;
+        detection += before.detection;
+        weights += before.weights;
+        curve += before.curve;
+        total += before.total;
+        return *this;
+    }
 };
 
 }  // namespace echolucent

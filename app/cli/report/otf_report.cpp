@@ -226,8 +226,7 @@ std::string summary(const Volume& volume, const AdaptiveOtf& otf) {
     if (const std::size_t left = otf.config.grid.withoutTubes.size(); left > 0)
         text += fmt::format("{} of them {} never placed\n", left, left == 1 ? "is" : "are");
     if (otf.lengthsHalved)
-        text +=
-            "The volume has few voxels along the view: all lengths along the tube cores are half of what was set.\n";
+        text += "The volume has few voxels: all lengths along the tube cores are half of what was set.\n";
     text += fmt::format("d_max {:.4g}, sum of d {:.4g}\n", otf.dMax, sum);
     text += fmt::format("{:.2f} ms: sampling {:.2f}, cells {:.2f}, detection {:.2f}, weights {:.2f}, curve {:.2f}\n",
                         otf.times.total, otf.times.sampling, otf.times.cells, otf.times.detection, otf.times.weights,

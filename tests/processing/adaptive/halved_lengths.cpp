@@ -1,4 +1,4 @@
-// In a volume of few voxels, cavities are shorter than the default lengths: half of them find the walls behind.
+// In a coarse volume, cavities are shorter than the default lengths: half of them find the walls behind.
 #include "processing/adaptive/halved_lengths.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Volume tissue(int depth, bool gap) {
     return Volume(gridOf({56, 56, depth}, {3, 3, 3}), std::move(voxels), 255.0);
 }
 
-TEST(HalvedLengths, FindTheWallBehindAShortGapOfAShallowVolume) {
+TEST(HalvedLengths, FindTheWallBehindAShortGapOfACoarseVolume) {
     const auto otf = adaptOpacity(tissue(56, true), {}, {});
     ASSERT_TRUE(otf->lengthsHalved);
     EXPECT_EQ(otf->config, AdaptiveOtfConfig{}) << "as asked for";
@@ -46,14 +46,16 @@ TEST(HalvedLengths, FindTheWallBehindAShortGapOfAShallowVolume) {
     EXPECT_GT(otf->curve.opacities[160], 0.4);
 }
 
-TEST(HalvedLengths, AreLeftAloneInADeepVolumeAndWhereALengthWasChosen) {
+TEST(HalvedLengths, AreLeftAloneInALongVolumeAndWhereALengthWasChosen) {
     EXPECT_FALSE(adaptOpacity(tissue(100, true), {}, {})->lengthsHalved);
     AdaptiveOtfConfig chosen;
     chosen.detection = RatioRule{.leastFluid = 9};
     EXPECT_FALSE(adaptOpacity(tissue(56, true), {}, chosen)->lengthsHalved);
     chosen = {};
     chosen.detection = VarianceRule{};
-    EXPECT_FALSE(halvedLengths(chosen, gridOf({56, 56, 56}), {}));
+    EXPECT_FALSE(halvedLengths(chosen, gridOf({56, 56, 56})));
+    EXPECT_TRUE(halvedLengths({}, gridOf({99, 99, 99}))) << "also if a view runs along a diagonal of 171 units";
+    EXPECT_FALSE(halvedLengths({}, gridOf({99, 101, 99})));
 }
 
 TEST(HalvedLengths, FindNothingInSpeckleAlone) {
