@@ -90,7 +90,7 @@ std::size_t PreviewQuality::qualityForEdits(const RayCastSettings& asked, bool i
     if (samplingCost(asked) > 0.0)
         m_editQuality = qualityWithin(budget, m_editQuality, inSeries ? withinSeries : usual,
                                       [&](std::size_t quality) { return editCost(quality, asked); });
-    return lit ? m_editQuality : std::min(m_editQuality, m_motionQuality);
+    return std::min(m_editQuality, m_motionQuality + (lit ? 1 : 0));
 }
 
 double PreviewQuality::samplingCost(const RayCastSettings& settings) const {
