@@ -42,14 +42,22 @@ void showNote(QFileDialog& dialog, const QString& note) {
 
 }  // namespace
 
+QString freeName(const QString& folder, const QString& name, const QString& suffix) {
+    QString proposed = name + '.' + suffix;
+    for (int number = 2; QFileInfo::exists(QDir(folder).filePath(proposed)); ++number)
+        proposed = QStringLiteral("%1-%2.%3").arg(name).arg(number).arg(suffix);
+    return proposed;
+}
+
 QString chooseFileToSave(QWidget& window, Settings& settings, const OpenStudy& openStudy, const FileToSave& file) {
-    QFileDialog dialog(&window, file.title, writableFolder(file.folder, settings), file.filter);
+    const QString folder = writableFolder(file.folder, settings);
+    QFileDialog dialog(&window, file.title, folder, file.filter);
     dialog.setObjectName("saveFile");
     if (!file.note.isEmpty()) showNote(dialog, file.note);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setOption(QFileDialog::DontConfirmOverwrite, !file.asksBeforeReplacing);
     dialog.setDefaultSuffix(file.suffix);
-    dialog.selectFile(file.name + '.' + file.suffix);
+    dialog.selectFile(file.proposesAgain ? file.name + '.' + file.suffix : freeName(folder, file.name, file.suffix));
     QObject::connect(&openStudy, &OpenStudy::studyOpened, &dialog, &QDialog::reject);
     while (dialog.exec() == QDialog::Accepted) {
         const QString chosen = dialog.selectedFiles().first();

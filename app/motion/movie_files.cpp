@@ -86,10 +86,11 @@ QString MovieFiles::whatPlays() const {
 
 MovieChoice MovieFiles::proposal(FrameOutput output) const {
     MovieChoice choice = m_last;
-    const QString name = output == FrameOutput::movie ? m_parts.proposedName(QStringLiteral("movie")) + ".mp4"
-                                                      : m_parts.proposedName(QStringLiteral("frame")) + ".png";
-    const QString folder = m_parts.settings.lastSaveFolder();
-    choice.path = QDir(folder.isEmpty() ? QDir::homePath() : folder).filePath(name);
+    const QString last = m_parts.settings.lastSaveFolder(), folder = last.isEmpty() ? QDir::homePath() : last;
+    const QString name = output == FrameOutput::movie
+                             ? freeName(folder, m_parts.proposedName(QStringLiteral("movie")), "mp4")
+                             : m_parts.proposedName(QStringLiteral("frame")) + ".png";
+    choice.path = QDir(folder).filePath(name);
     choice.framesPerSecond =
         std::clamp(1.0 / heldInMovie().pictureSeconds, MovieDialog::leastRate, MovieDialog::largestRate);
     choice.replace = false;

@@ -200,7 +200,8 @@ QString SessionKeeping::chosenFile(const QString& named, const QString& folder) 
                              .filter = tr("Sessions (*.session.json *.json);;All files (*)"),
                              .name = m_parts.names.beginningFor(named),
                              .suffix = QStringLiteral("session.json"),
-                             .folder = folder});
+                             .folder = folder,
+                             .proposesAgain = true});
 }
 
 void SessionKeeping::chooseAndSave() {

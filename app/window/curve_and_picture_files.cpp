@@ -195,7 +195,7 @@ bool CurveAndPictureFiles::savePicture(const QString& path) {
     if (!report(writePng(path.toStdString(), image.width(), image.height(), rgbBytesOf(image)), pictureTopic))
         return false;
     m_parts.messages.showMessage(MessageKind::info,
-                                 tr("The picture was saved as %1.").arg(m_parts.names.nameOfOther(path)),
+                                 tr("The 3D picture was saved as %1.").arg(m_parts.names.nameOfOther(path)),
                                  MessageEnd::soon(pictureTopic));
     return true;
 }

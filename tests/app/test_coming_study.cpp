@@ -110,7 +110,7 @@ private slots:
         QVERIFY(message->text().contains("broken.mha"));
         message->setConfirmationMilliseconds(0);
         QVERIFY(window().savePicture(temporaryFolder().filePath("kept.png")));
-        QVERIFY2(message->text().contains("The picture was saved as kept.png."), qPrintable(message->text()));
+        QVERIFY2(message->text().contains("The 3D picture was saved as kept.png."), qPrintable(message->text()));
         QCOMPARE(message->kind(), MessageKind::info);
         QTRY_VERIFY(message->text().contains("broken.mha"));
         QCOMPARE(message->kind(), MessageKind::error);

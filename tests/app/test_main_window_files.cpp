@@ -151,6 +151,10 @@ private slots:
         QCOMPARE(proposed, "visit.7-picture.png");
         QCOMPARE(folder, QFileInfo(m_file).absolutePath());  // the study's own, the first time
         QVERIFY(QFile::exists(other + "/mine.png"));
+        QVERIFY(QFile::copy(other + "/mine.png", other + "/visit.7-picture.png"));
+        accept({});
+        QTest::keyClick(&window(), Qt::Key_P);
+        QCOMPARE(proposed, "visit.7-picture-2.png");  // what is there stays
         accept({});
         child<QWidget>("dock.otfEditor")->raise();
         QTRY_VERIFY(child<QWidget>("otfEditor.saveCurve")->isVisible());
