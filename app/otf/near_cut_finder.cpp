@@ -22,6 +22,7 @@ NearCutFinder::NearCutFinder(const Parts& parts, QObject* parent)
         if (busy() && m_searched != m_parts.openStudy.volume()) look();
     });
     connect(&m_parts.model, &DocumentModel::changed, this, &NearCutFinder::takeBackWhatIsNoLongerTrue);
+    connect(&m_parts.model.steps(), &DocumentSteps::changed, this, &NearCutFinder::nameWayBack);
 }
 
 void NearCutFinder::find() {
@@ -41,7 +42,7 @@ void NearCutFinder::look() {
             return [this, finding = *finding] { take(finding); };
         } catch (const std::bad_alloc&) {
             return [this] {
-                tell(MessageKind::error, tr("Looking for the front needs more memory than this machine has."));
+                tell(MessageKind::error, tr("Looking for the front needs more memory than this machine has."), {});
             };
         }
     });
@@ -70,14 +71,19 @@ void NearCutFinder::take(const NearCutFinding& finding) {
     if (before != m_frontBefore) return;  // a person has chosen another one meanwhile
     const QString said = QString::fromStdString(finding.message);
     if (finding.answer == NearCutAnswer::noFluid) {
-        tell(MessageKind::warning, cuts(before) ? tr("The front stays as it is. %1").arg(said) : said);
+        tell(MessageKind::warning, cuts(before) ? tr("The front stays as it is. %1").arg(said) : said, {});
         return;
     }
     // In tenths of mm, as people set it.
     const Front front = frontAcross(directionOf(m_looksFrom), std::round(10 * finding.nearCutMm) / 10);
     // Without a front no direction is needed: an OTF computed for another view stays.
     setFront(front, cuts(front) ? directionOf(m_looksFrom) : m_parts.model.document().scene.side);
-    tell(MessageKind::info, said, waysOn(finding, front == before ? std::nullopt : std::optional(before)));
+    WaysOn ways{.bowed = finding.surface};
+    if (front != before) {
+        ways.before = before;
+        ways.step = newestStep();
+    }
+    tell(MessageKind::info, said, std::move(ways));
 }
 
 void NearCutFinder::tellOpening(const NearCutFinding& finding) {
@@ -85,27 +91,49 @@ void NearCutFinder::tellOpening(const NearCutFinding& finding) {
     // A message about the file comes first. The picture's caption also tells of the cut.
     if (!m_parts.messages.text().isEmpty()) return;
     m_looksFrom = viewpointOf(m_parts.model.document());
-    tell(MessageKind::info, QString::fromStdString(messageOfFront(finding)), waysOn(finding, Front{}));
+    tell(MessageKind::info, QString::fromStdString(messageOfFront(finding)),
+         {.bowed = finding.surface, .before = Front{}});
 }
 
-/// Offers the bowed front if there is one, and the way back if `back` has a value.
-QList<MessageAction> NearCutFinder::waysOn(const NearCutFinding& finding, const std::optional<Front>& back) {
+QList<MessageAction> NearCutFinder::actions() {
     QList<MessageAction> actions;
-    if (finding.surface && !m_parts.model.document().scene.front.surface)
-        actions << MessageAction{tr("Bow it"), [this, surface = finding.surface] {
-                                     setFront({.surface = surface}, directionOf(m_looksFrom));
-                                 }};
-    if (back)
-        actions << MessageAction{tr("Undo"), [this, back] { setFront(*back, m_parts.model.document().scene.side); }};
+    if (m_ways.bowed && !m_parts.model.document().scene.front.surface)
+        actions << MessageAction{
+            tr("Bow it"), [this, surface = m_ways.bowed] { setFront({.surface = surface}, directionOf(m_looksFrom)); }};
+    if (m_ways.before)
+        actions << MessageAction{m_undoes               ? tr("Undo")
+                                 : cuts(*m_ways.before) ? tr("The front before")
+                                                        : tr("No front"),
+                                 [this] { goBack(); }};
     return actions;
 }
 
-void NearCutFinder::tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions) {
+bool NearCutFinder::goesBackByUndo() const { return m_ways.step && *m_ways.step == newestStep(); }
+
+void NearCutFinder::goBack() {
+    if (goesBackByUndo()) return m_parts.model.steps().undo();
+    setFront(*m_ways.before, m_parts.model.document().scene.side);
+}
+
+int NearCutFinder::newestStep() const {
+    const DocumentSteps& steps = m_parts.model.steps();
+    return steps.dropped() + steps.index();
+}
+
+void NearCutFinder::tell(MessageKind kind, const QString& text, WaysOn ways) {
     m_told = true;
+    m_toldKind = kind;
+    m_toldText = text;
+    m_ways = std::move(ways);
     m_toldPicture = presentPicture();
+    showTold();
+}
+
+void NearCutFinder::showTold() {
+    m_undoes = goesBackByUndo();
     m_parts.messages.showMessage(
-        kind, text, kind == MessageKind::error ? MessageEnd::withStudy(frontTopic) : MessageEnd::soon(frontTopic),
-        actions);
+        m_toldKind, m_toldText,
+        m_toldKind == MessageKind::error ? MessageEnd::withStudy(frontTopic) : MessageEnd::soon(frontTopic), actions());
 }
 
 NearCutFinder::CutPicture NearCutFinder::presentPicture() const {
@@ -117,6 +145,11 @@ void NearCutFinder::takeBackWhatIsNoLongerTrue() {
     if (!m_told || presentPicture() == m_toldPicture) return;
     m_told = false;
     m_parts.messages.takeBack(frontTopic);
+}
+
+void NearCutFinder::nameWayBack() {
+    if (m_told && m_ways.before && m_undoes != goesBackByUndo() && m_parts.messages.text().startsWith(m_toldText))
+        showTold();
 }
 
 void NearCutFinder::setFront(const Front& front, const ViewDirection& side) {

@@ -44,10 +44,20 @@ public:
     void setSearch(Search search) { m_search = std::move(search); }
 
 private:
+    /// What a message about a front offers beside itself.
+    struct WaysOn {
+        std::optional<CutSurface> bowed{};  ///< a bowed front instead
+        std::optional<Front> before{};      ///< the front to go back to; empty: there is no way back
+        std::optional<int> step{};          ///< place of the step that made the front; empty: it came on opening
+    };
     void look();
     void take(const NearCutFinding& finding);
-    [[nodiscard]] QList<MessageAction> waysOn(const NearCutFinding& finding, const std::optional<Front>& back);
-    void tell(MessageKind kind, const QString& text, const QList<MessageAction>& actions = {});
+    [[nodiscard]] QList<MessageAction> actions();
+    /// Whether going back undoes the step that made the front: no step has been made since.
+    [[nodiscard]] bool goesBackByUndo() const;
+    void goBack();
+    void tell(MessageKind kind, const QString& text, WaysOn ways);
+    void showTold();
     /// What a message about a front is true of: it is taken back once any of these values changes.
     struct CutPicture {
         StudyReference study;
@@ -57,6 +67,10 @@ private:
     };
     [[nodiscard]] CutPicture presentPicture() const;
     void takeBackWhatIsNoLongerTrue();
+    /// The place of the newest step among all that were ever made.
+    [[nodiscard]] int newestStep() const;
+    /// Names the way back anew if it undoes the front's step no more, or does so again.
+    void nameWayBack();
     void setFront(const Front& front, const ViewDirection& side);
 
     Parts m_parts;
@@ -65,6 +79,10 @@ private:
     Search m_search;
     std::shared_ptr<const Volume> m_searched;  ///< the volume of the newest search
     bool m_told = false;  ///< whether the newest message, true of m_toldPicture, may still be shown
+    MessageKind m_toldKind = MessageKind::info;
+    QString m_toldText;
+    WaysOn m_ways;          ///< of the newest message
+    bool m_undoes = false;  ///< whether its way back was shown as an undo
     CutPicture m_toldPicture;
     // Last, so that its thread has ended before anything above is destroyed.
     NewestWinsThread m_thread;

@@ -60,6 +60,47 @@ private slots:
         QCOMPARE(m_fixture.child<QAbstractSpinBox>("view.nearCut.value")->text(), "0.0 mm");
     }
 
+    void theWayBackUndoesTheStepWhileItIsTheNewest() {
+        const auto wayBack = [this] { return m_fixture.child<QAbstractButton>("message.action.0")->text(); };
+        DocumentSteps& steps = m_fixture.window().document().steps();
+        m_fixture.window().nearCutFinder().setSearch(found(wallBeforeFluid(18)));
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
+        const Document before = m_fixture.window().document().document();
+        const int index = steps.index();
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        QCOMPARE(wayBack(), "Undo");
+        QCOMPARE(steps.index(), index + 1);
+        m_fixture.click("message.action.0");
+        QVERIFY(m_fixture.window().document().document() == before);  // tube cores look as before too
+        QCOMPARE(steps.index(), index);
+        QVERIFY(steps.canRedo());
+
+        // After another step an undo would be of that one.
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_VERIFY(message()->isVisible());
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 25});
+        QCOMPARE(wayBack(), "No front");
+        steps.undo();
+        QCOMPARE(wayBack(), "Undo");
+        steps.redo();
+        m_fixture.click("message.action.0");
+        QVERIFY(front() == Front{});
+        QCOMPARE(m_fixture.window().document().document().scene.pose.direction.azimuth, 25.0);
+        QCOMPARE(steps.index(), index + 3);
+        QCOMPARE(steps.undoText(), "front");
+
+        steps.undo();
+        m_fixture.window().nearCutFinder().setSearch(found(wallBeforeFluid(12)));
+        m_fixture.click("view.nearCut.suggest");
+        QTRY_COMPARE(front().depthMm, 12.0);
+        lookFrom(m_fixture.window(), {.azimuthDegrees = 30});
+        QCOMPARE(wayBack(), "The front before");
+        m_fixture.click("message.action.0");
+        QCOMPARE(front().depthMm, 18.0);
+        m_fixture.waitUntilIdle();
+    }
+
     void theWayBackTurnsNoTubeCores() {
         m_fixture.window().nearCutFinder().setSearch(found(wallBeforeFluid(18)));
         lookFrom(m_fixture.window(), {.azimuthDegrees = 20});
