@@ -9,14 +9,28 @@ namespace echolucent {
 
 namespace {
 
-QString whyFirst(const SidesFinding& finding) {
-    if (!(finding.sides[finding.best].score.total > 0.0))
-        return SideControls::tr("It comes first: no side surely shows anything behind fluid.");
-    return finding.best == probeSide ? SideControls::tr("It comes first: no other side shows clearly more.")
-                                     : SideControls::tr("It comes first: it shows the most.");
+QString whyFirst(FirstSideReason reason) {
+    switch (reason) {
+        case FirstSideReason::nothingShows:
+            return SideControls::tr("It comes first: no side surely shows anything behind fluid.");
+        case FirstSideReason::tooLittleOpenElsewhere:
+            return SideControls::tr(
+                "It comes first: what other sides show behind fluid fills too little of their pictures.");
+        case FirstSideReason::noneClearlyMore:
+            return SideControls::tr("It comes first: no other side shows clearly more.");
+        case FirstSideReason::showsMost: return SideControls::tr("It comes first: it shows the most.");
+        case FirstSideReason::firstInTheCoarsePicture: break;
+    }
+    return SideControls::tr("It comes first: so it did in the coarse picture, which comes before all is read.");
 }
 
 }  // namespace
+
+QString tipOfSide(const SidesFinding& finding, std::size_t place, const QString& key) {
+    const Side& side = finding.sides[place].side;
+    const QString meaning = SideControls::tr("%1 (%2). %3").arg(textOf(side.name), key, textOf(side.meaning));
+    return place == finding.best ? meaning + QLatin1Char(' ') + whyFirst(finding.reason) : meaning;
+}
 
 SideControls::SideControls(const Parts& parts, QObject* parent)
     : QObject(parent), m_parts(parts), m_pictures(parts.model, parts.sides, parts.picture, parts.works) {
@@ -63,11 +77,9 @@ void SideControls::nameActions() {
             continue;
         }
         const Side& side = finding->sides[i].side;
-        const QString name = textOf(side.name), key = action->shortcut().toString(QKeySequence::NativeText);
-        action->setText(QStringLiteral("&%1 %2").arg(number).arg(name));
+        action->setText(QStringLiteral("&%1 %2").arg(number).arg(textOf(side.name)));
         action->setIconText(textOf(side.label));
-        const QString meaning = tr("%1 (%2). %3").arg(name, key, textOf(side.meaning));
-        action->setToolTip(i == finding->best ? meaning + QLatin1Char(' ') + whyFirst(*finding) : meaning);
+        action->setToolTip(tipOfSide(*finding, i, action->shortcut().toString(QKeySequence::NativeText)));
         enableOrSayWhy(*action, whyNot.isEmpty(), whyNot);
     }
     showTaken();

@@ -3,7 +3,9 @@
 
 #include <QAction>
 #include <QObject>
+#include <QString>
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include "app/picture/side_pictures.h"
@@ -15,6 +17,10 @@
 namespace echolucent {
 
 class VolumeViewWidget;
+
+/// What the strip says of the side at a place: its name with the key that takes it, from where it looks, and of the one
+/// that comes first, why.
+[[nodiscard]] QString tipOfSide(const SidesFinding& finding, std::size_t place, const QString& key);
 
 /// Taking a side is one step of the document. When the study is left, the side that a person took is remembered for its
 /// kind of scan (kindOfScan()), but not if it is the one that shows most: then a choice that was remembered is

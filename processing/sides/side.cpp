@@ -28,14 +28,14 @@ constexpr WordsOfSides byPlanes{fromProbeWords,
                                           "At a right angle to side 3, from the right of its picture."}};
 constexpr WordsOfSides acrossBeam{fromProbeWords,
                                   fromBehindWords,
-                                  SideWords{"From below", "across-1", "3 From below",
-                                            "From the lower edge of the picture of side 1. The probe is at the top."},
-                                  SideWords{"From above", "across-2", "4 From above",
-                                            "From the upper edge of the picture of side 1. The probe is at the top."},
-                                  SideWords{"From the left", "across-3", "5 From left",
-                                            "From the left edge of the picture of side 1. The probe is at the top."},
-                                  SideWords{"From the right", "across-4", "6 From right",
-                                            "From the right edge of the picture of side 1. The probe is at the top."}};
+                                  SideWords{"From the lower edge of side 1", "across-1", "3 Below side 1",
+                                            "Up through what side 1 shows. The probe is at the top."},
+                                  SideWords{"From the upper edge of side 1", "across-2", "4 Above side 1",
+                                            "Down through what side 1 shows. The probe is at the top."},
+                                  SideWords{"From the left edge of side 1", "across-3", "5 Left of side 1",
+                                            "To the right through what side 1 shows. The probe is at the top."},
+                                  SideWords{"From the right edge of side 1", "across-4", "6 Right of side 1",
+                                            "To the left through what side 1 shows. The probe is at the top."}};
 constexpr WordsOfSides numbered{
     SideWords{"Side 1", "side-1", "Side 1", ofNumber}, SideWords{"Side 2", "side-2", "Side 2", ofNumber},
     SideWords{"Side 3", "side-3", "Side 3", ofNumber}, SideWords{"Side 4", "side-4", "Side 4", ofNumber},

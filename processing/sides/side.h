@@ -43,8 +43,9 @@ inline constexpr std::size_t ontoPlaneSide = 2;
 /// | 6 | Along the scan plane, from the right | along-right | against the lateral direction | the beam |
 ///
 /// Left and right are those of side 3. If the scan planes are not sure, sides 3 to 6 are called after the edges of the
-/// view from the probe: "From below", "From above", "From the left", "From the right" (across-1 to across-4). If the
-/// beam is not sure, all are called "Side 1" to "Side 6" (side-1 to side-6), whatever is known of the planes.
+/// view from the probe: "From the lower edge of side 1", then the upper, left and right one (across-1 to across-4), so
+/// that side 3 looks up in the picture of side 1, side 4 down, side 5 to the right and side 6 to the left. If the beam
+/// is not sure, all are called "Side 1" to "Side 6" (side-1 to side-6), whatever is known of the planes.
 [[nodiscard]] Sides sidesOf(const Viewpoint& fromProbe, bool beamSure, const ScanPlanes& planes);
 
 /// The place among `sides` of the one that a command line names: by its word, or by its number from 1 to 6. Empty if

@@ -40,32 +40,66 @@ FinenessOfSides finenessOf(const Sides& sides, const ScanPlanes& planes, const V
 /// Rounded, so that sides that only differ by rounding are told apart by their order.
 double comparedScore(const JudgedSide& judged) { return std::round(judged.score.total * 1e9) * 1e-9; }
 
-std::size_t bestOf(const SidesFinding& finding, double leastOpened) {
-    std::size_t best = probeSide;
+bool opensEnough(const SidesFinding& finding, std::size_t place) {
+    return finding.sides[place].score.opened >= finding.leastOpened;
+}
+
+/// The place of the side with the largest score: the first one, or one that opens enough.
+std::size_t largestOf(const SidesFinding& finding) {
+    std::size_t largest = probeSide;
     for (std::size_t i = 0; i < finding.sides.size(); ++i)
-        if (finding.sides[i].score.opened >= leastOpened &&
-            comparedScore(finding.sides[i]) > comparedScore(finding.sides[best]))
-            best = i;
-    const bool isClose = comparedScore(finding.sides[probeSide]) >= closeTo * comparedScore(finding.sides[best]);
-    return isClose ? probeSide : best;
+        if (opensEnough(finding, i) && comparedScore(finding.sides[i]) > comparedScore(finding.sides[largest]))
+            largest = i;
+    return largest;
+}
+
+/// Whether a side scores clearly more than the first one.
+bool isClearlyMore(const SidesFinding& finding, const JudgedSide& judged) {
+    return comparedScore(finding.sides[probeSide]) < closeTo * comparedScore(judged);
+}
+
+std::size_t bestOf(const SidesFinding& finding) {
+    const std::size_t largest = largestOf(finding);
+    return isClearlyMore(finding, finding.sides[largest]) ? largest : probeSide;
+}
+
+FirstSideReason reasonOf(const SidesFinding& finding) {
+    const double score = comparedScore(finding.sides[finding.best]);
+    const double largest = comparedScore(finding.sides[largestOf(finding)]);
+    if (std::ranges::all_of(finding.sides, [](const JudgedSide& side) { return !(comparedScore(side) > 0.0); }))
+        return FirstSideReason::nothingShows;
+    if (finding.best != probeSide)
+        return opensEnough(finding, finding.best) && score >= largest ? FirstSideReason::showsMost
+                                                                      : FirstSideReason::firstInTheCoarsePicture;
+    if (bestOf(finding) != probeSide) return FirstSideReason::firstInTheCoarsePicture;
+    const bool moreElsewhere =
+        std::ranges::any_of(finding.sides, [&](const JudgedSide& side) { return isClearlyMore(finding, side); });
+    return moreElsewhere ? FirstSideReason::tooLittleOpenElsewhere : FirstSideReason::noneClearlyMore;
 }
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
 std::string sentenceOf(const SidesFinding& finding) {
     const JudgedSide& best = finding.sides[finding.best];
-    const std::string name = '"' + std::string(best.side.name) + '"';
-    if (!(best.score.total > 0.0)) return name + " comes first: no side surely shows anything behind fluid.";
-    std::string sentence =
-        name + " comes first: " + percent(best.score.opened) + " of its picture are surfaces behind fluid";
-    if (finding.best != probeSide) return sentence + ", seen more clearly than from any other side.";
-    return sentence + ", and no other side shows clearly more.";
+    const std::string first = '"' + std::string(best.side.name) + "\" comes first: ";
+    const std::string opened = percent(best.score.opened) + " of its picture are surfaces behind fluid";
+    switch (finding.reason) {
+        case FirstSideReason::nothingShows: return first + "no side surely shows anything behind fluid.";
+        case FirstSideReason::tooLittleOpenElsewhere:
+            return first + "what other sides show behind fluid fills too little of their pictures.";
+        case FirstSideReason::noneClearlyMore: return first + opened + ", and no other side shows clearly more.";
+        case FirstSideReason::showsMost:
+            return first + opened + ", seen more clearly than from any other side that opens as much.";
+        case FirstSideReason::firstInTheCoarsePicture: break;
+    }
+    return first + "so it did in the coarse picture, which comes before all is read.";
 }
 
 }  // namespace
 
 SidesFinding withFirst(SidesFinding finding, std::size_t place) {
     finding.best = place;
+    finding.reason = reasonOf(finding);
     finding.sentence = sentenceOf(finding);
     return finding;
 }
@@ -95,7 +129,8 @@ std::optional<SidesFinding> findSides(const Volume& volume, const Viewpoint& fro
     });
     if (progress.cancelled()) return std::nullopt;
     progress.at(1.0);
-    const std::size_t best = bestOf(finding, beamSure ? leastOpenedSure : leastOpenedUnsure);
+    finding.leastOpened = beamSure ? leastOpenedSure : leastOpenedUnsure;
+    const std::size_t best = bestOf(finding);
     return withFirst(std::move(finding), best);
 }
 

@@ -24,15 +24,27 @@ struct JudgedSide {
     double exposure = 1.0;  ///< exposureFor() of the face that the side shows behind its front
 };
 
+/// Why a side comes first.
+enum class FirstSideReason {
+    nothingShows,             ///< no side scores anything
+    tooLittleOpenElsewhere,   ///< others score clearly more, but open too little of their pictures
+    noneClearlyMore,          ///< it is the first one, and no other that opens enough scores clearly more
+    showsMost,                ///< no side that opens enough scores more
+    firstInTheCoarsePicture,  ///< none of these: the coarse volume is shown from there before all is read
+};
+
 /// The six sides of a scan, and which one comes first (docs/sides.md).
 struct SidesFinding {
     ScanPlanes planes{};
     std::array<JudgedSide, std::tuple_size_v<Sides>> sides{};  ///< in the order of sidesOf()
+    /// The least SideScore::opened with which a side comes before the first one, [0,1].
+    double leastOpened = 0.0;
     std::size_t best = probeSide;  ///< place among `sides` of the one that the scan is opened from
-    std::string sentence{};        ///< for a person: which side comes first, and why
+    FirstSideReason reason = FirstSideReason::nothingShows;  ///< why `best` comes first
+    std::string sentence{};                                  ///< for a person: which side comes first, and why
 };
 
-/// The finding if another side comes first; the sentence says so.
+/// The finding if another side comes first; reason and sentence say why.
 [[nodiscard]] SidesFinding withFirst(SidesFinding finding, std::size_t place);
 
 /// Finds the front of each side, scores the sides and picks the best. `fromProbe` is the view from the probe, and

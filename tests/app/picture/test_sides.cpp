@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/otf/near_cut_finder.h"
 #include "app/picture/side_controls.h"
 #include "app/settings/settings.h"
 #include "processing/document/opening_finds.h"
@@ -39,6 +40,23 @@ private slots:
         QCOMPARE(takenInStrip(), static_cast<int>(finds.sides->best) + 1);
         QVERIFY2(window().volumeView().caption().startsWith(QStringLiteral("side %1").arg(takenInStrip())),
                  qPrintable(window().volumeView().caption()));
+    }
+
+    void theMessageOfAFrontFoundOnOpeningOffersNone() {
+        window().nearCutFinder().tellOpening(*window().openStudy().finds()->cut);
+        QAbstractButton* none = nullptr;
+        for (auto* button : child<MessageBar>("message")->findChildren<QAbstractButton*>()) {
+            QVERIFY(button->text() != "Undo");  // that would take beam and side back too
+            if (button->text() == "No front") none = button;
+        }
+        QVERIFY(none != nullptr);
+        const Document opened = document();
+        const int steps = window().document().steps().index();
+        none->click();
+        QVERIFY(!cuts(document().scene.front));
+        QVERIFY(document().scene.side == opened.scene.side);
+        QCOMPARE(window().document().steps().index(), steps + 1);
+        waitUntilIdle();
     }
 
     void keysAndPicturesTakeASideInOneStep() {
@@ -169,9 +187,9 @@ private slots:
             tips.insert(tip.section(". ", 1));
         }
         QCOMPARE(tips.size(), std::size_t{6});  // each says something else
-        QCOMPARE(tips.count("As the probe looked into the body. It comes first: no other side shows clearly more.") +
-                     tips.count("As the probe looked into the body."),
-                 std::size_t{1});
+        QCOMPARE(tips.count("As the probe looked into the body."), std::size_t{1});
+        QCOMPARE(tips.count("Towards the probe, from the far end of the scan. It comes first: it shows the most."),
+                 std::size_t{1});  // where the hill lies open
         QCOMPARE(takenInStrip(), 1);
         QTRY_VERIFY2(window().volumeView().caption().startsWith("from the probe"),
                      qPrintable(window().volumeView().caption()));
@@ -180,6 +198,28 @@ private slots:
         takeByKey(Qt::Key_2);
         QVERIFY(frameOf(viewpointOf(document())).forward == Vec3(0, 1, 0));
         QVERIFY(window().volumeView().caption().startsWith("from behind"));
+    }
+
+    void theTipOfTheSideThatComesFirstSaysWhy() {
+        SidesFinding finding;
+        const Sides sides = sidesOf({}, true, {});
+        for (std::size_t i = 0; i < sides.size(); ++i) finding.sides[i].side = sides[i];
+        finding.leastOpened = 0.1;
+        const auto tip = [&finding](std::size_t first) {
+            return tipOfSide(withFirst(finding, first), first, QStringLiteral("Ctrl+1"));
+        };
+        const QString probe("From the probe (Ctrl+1). As the probe looked into the body. It comes first: ");
+        QCOMPARE(tip(0), probe + "no side surely shows anything behind fluid.");
+        finding.sides[3].score = {.opened = 0.05, .total = 0.4};
+        QCOMPARE(tip(0), probe + "what other sides show behind fluid fills too little of their pictures.");
+        finding.sides[0].score = {.opened = 0.3, .total = 0.4};
+        QCOMPARE(tip(0), probe + "no other side shows clearly more.");
+        finding.sides[1].score = {.opened = 0.3, .total = 0.5};
+        QCOMPARE(tip(1),
+                 "From behind (Ctrl+1). Towards the probe, from the far end of the scan. It comes first: it shows the "
+                 "most.");
+        QCOMPARE(tip(0), probe + "so it did in the coarse picture, which comes before all is read.");
+        QCOMPARE(tipOfSide(withFirst(finding, 1), 0, "Ctrl+1"), probe.section(" It comes", 0, 0));
     }
 
     void theSimulatedScanOpensFromTheProbeAndHasSidesToo() {

@@ -152,6 +152,41 @@ TEST(SideSearch, AsksForMoreOfThePictureWhereTheBeamIsUnsure) {
     EXPECT_EQ(frameOf(sure.sides[sure.best].side.view).forward, Vec3(0, 1, 0)) << sure.sentence;
     EXPECT_NEAR(sure.sides[sure.best].score.opened, std::numbers::pi * 11 * 11 / (48 * 48), 0.05);
     EXPECT_EQ(unsure.best, probeSide) << unsure.sentence;
+    EXPECT_EQ(sure.reason, FirstSideReason::showsMost);
+    EXPECT_EQ(unsure.reason, FirstSideReason::tooLittleOpenElsewhere);
+}
+
+TEST(SideSearch, SaysWhyASideComesFirst) {
+    SidesFinding finding;
+    const Sides sides = sidesOf({}, true, {});
+    for (std::size_t i = 0; i < sides.size(); ++i) finding.sides[i].side = sides[i];
+    finding.leastOpened = 0.1;
+    const auto says = [&finding](std::size_t first, FirstSideReason reason, const std::string& sentence) {
+        const SidesFinding said = withFirst(finding, first);
+        EXPECT_EQ(said.best, first);
+        EXPECT_EQ(said.reason, reason) << said.sentence;
+        EXPECT_EQ(said.sentence, sentence);
+    };
+    const std::string probe = "\"From the probe\" comes first: ";
+    says(0, FirstSideReason::nothingShows, probe + "no side surely shows anything behind fluid.");
+    finding.sides[3].score = {.opened = 0.05, .total = 0.4};
+    says(0, FirstSideReason::tooLittleOpenElsewhere,
+         probe + "what other sides show behind fluid fills too little of their pictures.");
+    finding.sides[0].score = {.opened = 0.03, .total = 0.2};
+    says(0, FirstSideReason::tooLittleOpenElsewhere,
+         probe + "what other sides show behind fluid fills too little of their pictures.");
+    finding.sides[0].score.total = 0.37;
+    says(0, FirstSideReason::noneClearlyMore,
+         probe + "3 % of its picture are surfaces behind fluid, and no other side shows clearly more.");
+    finding.sides[1].score = {.opened = 0.3, .total = 0.5};
+    says(1, FirstSideReason::showsMost,
+         "\"From behind\" comes first: 30 % of its picture are surfaces behind fluid, seen more clearly than from any "
+         "other side that opens as much.");
+    says(0, FirstSideReason::firstInTheCoarsePicture,
+         probe + "so it did in the coarse picture, which comes before all is read.");
+    says(3, FirstSideReason::firstInTheCoarsePicture,
+         "\"From the upper edge of side 1\" comes first: so it did in the coarse picture, which comes before all is "
+         "read.");
 }
 
 TEST(SideSearch, GivesTheSameBitsForAnyNumberOfThreads) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "processing/beam/probe_view.h"
@@ -70,12 +72,32 @@ TEST(Sides, AreNamedByWhatIsKnown) {
               "Onto the back of the scan plane|onto-back\nAlong the scan plane, from the left|along-left\n"
               "Along the scan plane, from the right|along-right\n");
     EXPECT_EQ(namesOf(sidesOf({}, true, unknown)),
-              "From the probe|probe\nFrom behind|behind\nFrom below|across-1\nFrom above|across-2\n"
-              "From the left|across-3\nFrom the right|across-4\n");
+              "From the probe|probe\nFrom behind|behind\nFrom the lower edge of side 1|across-1\n"
+              "From the upper edge of side 1|across-2\nFrom the left edge of side 1|across-3\n"
+              "From the right edge of side 1|across-4\n");
     for (const ScanPlanes& planes : {unknown, surePlanes({1, 0, 0})})
         EXPECT_EQ(namesOf(sidesOf({}, false, planes)),
                   "Side 1|side-1\nSide 2|side-2\nSide 3|side-3\nSide 4|side-4\nSide 5|side-5\nSide 6|side-6\n")
             << "who does not know the beam names no probe";
+}
+
+TEST(Sides, AcrossTheBeamLookFromTheEdgeOfSideOneThatTheyAreCalledAfter) {
+    for (const BeamAxis axis : beamAxes)
+        for (const double roll : {0.0, 25.0}) {
+            const Viewpoint probe{.beamAxis = axis, .azimuthDegrees = 17, .elevationDegrees = -9, .rollDegrees = roll};
+            const ViewFrame one = frameOf(probe);
+            const ScanPlanes unsure{.lateral = one.right};
+            const Sides sides = sidesOf(probe, true, unsure);
+            const std::array<std::pair<std::string_view, Vec3>, 4> towards{
+                {{"lower", one.down * -1.0}, {"upper", one.down}, {"left", one.right}, {"right", one.right * -1.0}}};
+            for (std::size_t i = 0; i < towards.size(); ++i) {
+                const Side& side = sides[i + 2];
+                EXPECT_EQ(side.name, "From the " + std::string(towards[i].first) + " edge of side 1");
+                EXPECT_LT(apart(frameOf(side.view).forward, towards[i].second), 1e-12) << side.name;
+                EXPECT_LT(apart(frameOf(side.view).down, one.forward), 1e-12)
+                    << "the probe is at the top: " << side.name;
+            }
+        }
 }
 
 TEST(Sides, AreFoundByWordAndNumber) {
