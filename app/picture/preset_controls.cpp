@@ -170,7 +170,7 @@ void PresetControls::remove(int preset) {
         }))
         return;
     m_parts.messages.showMessage(MessageKind::info, tr("The preset “%1” was removed.").arg(textOf(removed.name)),
-                                 MessageEnd::soon(presetTopic), {{tr("Undo"), [this, removed] {
+                                 MessageEnd::soon(presetTopic), {{tr("Bring back"), [this, removed] {
                                                                       changeOwn([&, this](std::vector<Preset>& own) {
                                                                           own.push_back(removed);
                                                                           own.back().name =

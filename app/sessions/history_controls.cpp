@@ -53,7 +53,7 @@ void HistoryControls::remove(int snapshot) {
     m_messages.showMessage(
         MessageKind::info, tr("The snapshot \"%1\" was removed.").arg(QString::fromStdString(removed.name)),
         MessageEnd::soon(snapshotTopic),
-        {{tr("Undo"),
+        {{tr("Bring back"),
           [this, removed] { (void)m_snapshots.keep(QString::fromStdString(removed.name), removed.document); }}});
 }
 

@@ -152,7 +152,7 @@ void ReviewRoom::addScalpel(QMenu& menu) {
     connect(scalpel, &QAction::triggered, &m_scalpel, &ScalpelHand::toggle);
     connect(&m_scalpel, &ScalpelHand::toolChanged, scalpel,
             [this, scalpel] { scalpel->setChecked(m_scalpel.tool().has_value()); });
-    QAction* back = menu.addAction(tr("&Undo all strokes"));
+    QAction* back = menu.addAction(tr("Remo&ve all strokes"));
     back->setObjectName(QStringLiteral("room.takeAllStrokesBack"));
     back->setShortcut(keyOf(back->objectName()));
     connect(back, &QAction::triggered, &m_scalpel, &ScalpelHand::takeAllBack);

@@ -75,6 +75,7 @@ private slots:
         QVERIFY(document() == later);
         click("history.remove");
         QCOMPARE(list->count(), 0);
+        QCOMPARE(child<QAbstractButton>("message.action.0")->text(), "Bring back");
         click("message.action.0");
         QCOMPARE(list->count(), 1);
         QVERIFY(keeping().snapshots().list().front().document == kept);

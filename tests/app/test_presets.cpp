@@ -136,6 +136,8 @@ private slots:
         child<QAction>("presets.remove")->trigger();
         QCOMPARE(list()->count(), row);
         QCOMPARE(message()->text(), QString("The preset “Mine” was removed."));
+        QCOMPARE(child<QPushButton>("message.action.0")->text(),
+                 QString("Bring back"));  // the history has no such step
         click("message.action.0");
         QCOMPARE(list()->count(), row + 1);
         QCOMPARE(list()->item(row)->text(), QString("Mine"));

@@ -232,10 +232,10 @@ void RoomPanel::addTools(QVBoxLayout& column) {
 void RoomPanel::addStrokes(QVBoxLayout& column) {
     m_strokes = named(new QListWidget, "room.scalpel.strokes", tr("Strokes"), tr("The strokes of the scalpel"));
     m_strokes->setFixedHeight(84);
-    m_takeBack = named(new QPushButton(tr("Undo stroke")), "room.scalpel.takeBack", tr("Undo stroke"),
+    m_takeBack = named(new QPushButton(tr("Remove stroke")), "room.scalpel.takeBack", tr("Remove stroke"),
                        tr("Shows again what the stroke selected in the list has cut"));
-    m_takeAllBack = named(new QPushButton(tr("Undo all strokes")), "room.scalpel.takeAllBack", tr("Undo all strokes"),
-                          tr("Shows all again that the scalpel has cut (Shift+S)"));
+    m_takeAllBack = named(new QPushButton(tr("Remove all strokes")), "room.scalpel.takeAllBack",
+                          tr("Remove all strokes"), tr("Shows all again that the scalpel has cut (Shift+S)"));
     connect(m_strokes, &QListWidget::currentRowChanged, this, &RoomPanel::updateEnabled);
     connect(m_takeBack, &QPushButton::clicked, this, [this] { emit strokeTakenBack(m_strokes->currentRow()); });
     connect(m_takeAllBack, &QPushButton::clicked, this, &RoomPanel::allStrokesTakenBack);
