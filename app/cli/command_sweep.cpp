@@ -316,11 +316,10 @@ void addOutputs(CLI::App& command, SweepOptions& options) {
     auto* movie =
         command.add_option("--movie", options.movie, "The rendered frames; the name ends in .avi, .mp4 or .mkv")
             ->type_name("FILE.mp4");
-    auto* loops = command
-                      .add_option("--loops", options.loops,
-                                  "How often the movie shows its frames: beats of a heart, turns of a probe [1]")
-                      ->type_name("NUMBER")
-                      ->needs(movie);
+    auto* loops =
+        command.add_option("--loops", options.loops, "How often the movie shows its frames, over and over [1]")
+            ->type_name("NUMBER")
+            ->needs(movie);
     command
         .add_option("--seconds", options.seconds,
                     "How long the movie is; its frames are shown over and over, and the last loop may end early")

@@ -11,7 +11,7 @@
 #include "io/study/import_report.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/panel_controls.h"
-#include "widgets/panels/motion_panel.h"
+#include "widgets/motion/motion_words.h"
 
 namespace echolucent {
 
@@ -71,14 +71,14 @@ QString MovieFiles::whatPlays() const {
     const MotionChoice& motion = m_parts.model.document().motion;
     const PhaseRange range = playedPhases(motion, static_cast<int>(m_parts.openStudy.study()->phases.size()));
     const auto order = [](const QString& what, bool pingPong) {
-        return pingPong ? tr("%1, and back").arg(what) : what;
+        return pingPong ? tr("%1, back and forth").arg(what) : what;
     };
     QStringList words;
     if (movesProbe(motion.scenario))
-        words << order(tr("Rotation from %1 to %2 (%3)")
-                           .arg(angleText(firstMotionAngle), angleText(lastMotionAngle),
-                                MotionPanel::axisText(motion.axis).toLower()),
-                       motion.pingPong);
+        words << order(
+            tr("Rotation from %1 to %2 (%3)")
+                .arg(angleText(firstMotionAngle), angleText(lastMotionAngle), axisText(motion.axis).toLower()),
+            motion.pingPong);
     if (movesObject(motion.scenario))
         words << order(tr("Volumes in time, %1 to %2").arg(range.first + 1).arg(range.last + 1), motion.phasesPingPong);
     return words.join(QLatin1Char('\n'));

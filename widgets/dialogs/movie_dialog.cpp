@@ -70,7 +70,8 @@ void MovieDialog::createControls() {
     m_rate->setRange(leastRate, largestRate);
     connect(m_rate, &QDoubleSpinBox::valueChanged, this, &MovieDialog::look);
     const QString lengthTip =
-        tr("How long the movie is. A loop is once through the volumes that play, or once over the rotation");
+        tr("How long the movie is. A loop is once over the rotation or, if none plays, once through the volumes that "
+           "play");
     m_length = named<QDoubleSpinBox>(new ShortSpinBox, "movieDialog.length", tr("Length"), lengthTip);
     connect(m_length, &QDoubleSpinBox::valueChanged, this, &MovieDialog::look);
     m_lengthUnit = named(new QComboBox, "movieDialog.lengthUnit", tr("Unit of the length"), lengthTip);

@@ -22,50 +22,18 @@
 #include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/tool_icons.h"
+#include "widgets/motion/motion_words.h"
 #include "widgets/panels/angle_slider.h"
 #include "widgets/panels/phase_controls.h"
 
 namespace echolucent {
 namespace {
 
-/// "¼×", "1×", "0.7×".
-QString speedText(double speed) {
-    if (speed == 0.25) return QStringLiteral("¼×");
-    if (speed == 0.5) return QStringLiteral("½×");
-    return QStringLiteral("%1×").arg(QLocale::c().toString(speed, 'g', 3));
-}
-
 QString bytesText(std::size_t bytes) {
     return QLocale::c().formattedDataSize(static_cast<qint64>(bytes), 0, QLocale::DataSizeTraditionalFormat);
 }
 
 }  // namespace
-
-namespace {
-
-/// For the list in the bar, which is narrow. Its tool tip says what they mean.
-QString shortAxisText(MotionAxis axis) {
-    switch (axis) {
-        case MotionAxis::screenVertical: return MotionPanel::tr("Upright");
-        case MotionAxis::screenHorizontal: return MotionPanel::tr("Across");
-        case MotionAxis::picturePlane: return MotionPanel::tr("In plane");
-        default: return MotionPanel::axisText(axis);
-    }
-}
-
-}  // namespace
-
-QString MotionPanel::axisText(MotionAxis axis) {
-    switch (axis) {
-        case MotionAxis::x: return tr("Elevation (older file)");
-        case MotionAxis::y: return tr("Azimuth (older file)");
-        case MotionAxis::z: return tr("Roll (older file)");
-        case MotionAxis::screenVertical: return tr("Screen's vertical");
-        case MotionAxis::screenHorizontal: return tr("Screen's horizontal");
-        case MotionAxis::picturePlane: return tr("In the picture's plane");
-    }
-    return {};
-}
 
 MotionPanel::MotionPanel(QWidget* parent) : QWidget(parent) {
     setObjectName("motion");
@@ -97,7 +65,7 @@ void MotionPanel::createControls() {
     for (const MotionAxis axis : screenAxes) m_axis->addItem(shortAxisText(axis), static_cast<int>(axis));
     wheelNeedsFocus(m_axis);
     m_pingPong = named(new QCheckBox(tr("Swing")), "motion.pingPong", tr("Swing"),
-                       tr("The rotation turns back at its ends; otherwise it starts from −45° again"));
+                       tr("The rotation plays back and forth; otherwise it starts from −45° again"));
     m_frameRate = named(new QLabel, "motion.frameRate", tr("Frame rate"));
     // Reserve the room now: neither the controls beside it nor the picture above may move when playing begins.
     m_frameRate->setMinimumWidth(m_frameRate->fontMetrics().horizontalAdvance(tr("%1 frames/s").arg(888)));
@@ -169,9 +137,9 @@ void MotionPanel::connectChoices() {
     connect(m_speed, &QComboBox::currentIndexChanged, this,
             changes(tr("speed"), [this](auto& next, int) { next.speed = m_speed->currentData().toDouble(); }));
     connect(m_pingPong, &QCheckBox::toggled, this,
-            changes(tr("order of the rotation"), [](auto& next, bool pingPong) { next.pingPong = pingPong; }));
+            changes(tr("rotation back and forth"), [](auto& next, bool pingPong) { next.pingPong = pingPong; }));
     connect(m_phaseOrder, &PhaseOrder::pingPongChanged, this,
-            changes(tr("order of the volumes"), [](auto& next, bool pingPong) { next.phasesPingPong = pingPong; }));
+            changes(tr("volumes back and forth"), [](auto& next, bool pingPong) { next.phasesPingPong = pingPong; }));
     connect(m_phaseOrder, &PhaseOrder::rangeChanged, this,
             changes(tr("volumes that play"), [](auto& next, const auto& range) { next.phaseRange = range; }));
     connect(m_otfPhase, &QSpinBox::valueChanged, this,
@@ -354,17 +322,7 @@ void MotionPanel::showSpeed() {
     while (m_speed->count() > usual) m_speed->removeItem(usual);
     if (m_speed->findData(m_choice.speed) < 0) m_speed->addItem(speedText(m_choice.speed), m_choice.speed);
     m_speed->setCurrentIndex(m_speed->findData(m_choice.speed));
-    const QString rate = QLocale::c().toString(1.0 / frameSeconds(m_choice, m_times), 'g', 3);
-    QString why;
-    if (!movesObject(m_choice.scenario))
-        why = tr("at 1× the view turns by %1° a second").arg(motionDegreesPerSecond);
-    else if (!m_times.starts.empty())
-        why = tr("at 1× as it was scanned, unevenly");
-    else if (m_times.meanSeconds)
-        why = tr("at 1× as fast as it was scanned");
-    else
-        why = tr("at 1× %1, as the file does not say the time between volumes").arg(assumedPhasesPerSecond);
-    m_speed->setToolTip(tr("Speed: %1 frames a second if they can be made in time (%2)").arg(rate, why));
+    m_speed->setToolTip(speedTip(m_choice, m_times));
 }
 
 void MotionPanel::showWhatMoves() {

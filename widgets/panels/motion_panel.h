@@ -43,8 +43,6 @@ class MotionPanel : public QWidget {
 public:
     explicit MotionPanel(QWidget* parent = nullptr);
 
-    /// An axis in a sentence. The list of axes calls it by a shorter name.
-    [[nodiscard]] static QString axisText(MotionAxis axis);
     [[nodiscard]] bool playing() const { return m_playing; }
     void setPlaying(bool playing);
     /// Whole degrees, firstMotionAngle to lastMotionAngle.
