@@ -72,11 +72,13 @@ private:
                 "room.scalpel");
         addMeasure();
         addCurve();
-        addMenu(needingStudy({ToolPicture::save, "save", barText("Save"),
-                              barText("Saves the picture (P); the arrow has movies, the session and the report")}),
-                {"file.savePicture", "file.savePanes", "file.saveMovie", "file.savePictureSeries", "file.saveSession",
-                 "file.saveReport"},
-                "file.savePicture");
+        addMenu(
+            needingStudy({ToolPicture::save, "save", barText("Save"),
+                          barText("Saves the picture (P); the arrow has large pictures, movies, the session and the "
+                                  "report")}),
+            {"file.savePicture", "file.savePanes", "file.saveMovie", "file.savePictureSeries", "file.saveSession",
+             "file.saveReport"},
+            "file.savePicture");
         addMenu(needingStudy({ToolPicture::reset, "reset", barText("Reset"),
                               barText("Shows the whole scan upright again (R); the arrow has all else")}),
                 {"view.resetView", "view.resetAll"}, "view.resetView");

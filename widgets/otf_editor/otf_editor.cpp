@@ -92,7 +92,7 @@ void OtfEditor::makeActions() {
     };
     make(m_undo, tr("Undo"), "undo");
     make(m_redo, tr("Redo"), "redo");
-    make(m_reset, tr("Reset"), "reset");
+    make(m_reset, tr("Reset curve"), "reset");
     make(m_copyAdaptive, tr("Copy adaptive into nodes"), "copyAdaptive");
     make(m_openCurve, tr("Open curve…"), "openCurve");
     make(m_saveCurve, tr("Save curve…"), "saveCurve");

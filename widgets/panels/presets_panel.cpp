@@ -97,7 +97,7 @@ void PresetsPanel::createList() {
 }
 
 void PresetsPanel::createActions() {
-    m_more = named(new QToolButton, "presets.more", tr("More with presets"),
+    m_more = named(new QToolButton, "presets.more", tr("Manage presets"),
                    tr("Rename, remove and export the selected preset, or import presets"));
     m_more->setText(tr("Manage"));
     m_more->setPopupMode(QToolButton::InstantPopup);
