@@ -9,15 +9,29 @@
 #include <cmath>
 
 #include "widgets/controls/panel_controls.h"
+#include "widgets/controls/short_spin_box.h"
 
 namespace echolucent {
 
-ValueSlider::ValueSlider(const QString& name, const QString& accessibleName, double step, int decimals, QWidget* parent)
+namespace {
+
+NumberBox* createBox(ValueSlider::Zeros zeros) {
+    if (zeros == ValueSlider::Zeros::none) return new ShortSpinBox;
+    return new NumberBox;
+}
+
+}  // namespace
+
+ValueSlider::ValueSlider(const QString& name, const QString& accessibleName, double step, int decimals, QWidget* parent,
+                         Zeros zeros)
     : QWidget(parent),
       m_step(step),
       m_slider(named(new QSlider(Qt::Horizontal), name, accessibleName)),
-      m_spinBox(named(new NumberBox, name + ".value", accessibleName)) {
-    m_spinBox->setDecimals(decimals);
+      m_spinBox(named(createBox(zeros), name + ".value", accessibleName)) {
+    if (decimals == 0)
+        m_spinBox->takeWholeNumbersOnly();
+    else
+        m_spinBox->setDecimals(decimals);
     m_spinBox->setSingleStep(step);
     m_spinBox->setAlignment(Qt::AlignRight);
     // Nothing can be set before there is a range. The default ranges of the two differ.

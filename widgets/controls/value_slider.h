@@ -3,11 +3,12 @@
 
 #include <QWidget>
 
-class QDoubleSpinBox;
 class QSlider;
 class QToolButton;
 
 namespace echolucent {
+
+class NumberBox;
 
 /// One number in a range, as slider (coarse steps) and spin box (exact). The slider's object name is `name`, the spin
 /// box's `name` + ".value". Both carry the accessible name.
@@ -15,9 +16,13 @@ class ValueSlider : public QWidget {
     Q_OBJECT
 
 public:
-    /// The slider moves by `step`. The spin box has `decimals` digits after the point.
+    /// Which zeros behind the point the spin box shows.
+    enum class Zeros { all, none };
+
+    /// The slider moves by `step`. The spin box has `decimals` digits after the point, and takes whole numbers only if
+    /// that is 0.
     ValueSlider(const QString& name, const QString& accessibleName, double step, int decimals,
-                QWidget* parent = nullptr);
+                QWidget* parent = nullptr, Zeros zeros = Zeros::all);
 
     [[nodiscard]] double value() const;
     [[nodiscard]] double minimum() const;
@@ -41,7 +46,7 @@ private:
 
     double m_step;
     QSlider* m_slider;
-    QDoubleSpinBox* m_spinBox;
+    NumberBox* m_spinBox;
     QToolButton* m_reset = nullptr;
     double m_standard = 0.0;
 };

@@ -3,7 +3,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <cmath>
 
 #include "processing/document/curve_adjustment.h"
 #include "widgets/controls/panel_controls.h"
@@ -18,11 +17,12 @@ CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent) : QWidget(p
     auto* grid = new QGridLayout(this);
     for (const Parameter<CurveAdjustment>& row : adjustmentParameters()) {
         const QString label = textOf(row.label);
-        auto* slider = new ValueSlider(QStringLiteral("view.") + textOf(row.name), label, 1.0, 0);
+        auto* slider = new ValueSlider(QStringLiteral("view.") + textOf(row.name), label, 1.0, 1, nullptr,
+                                       ValueSlider::Zeros::none);
         const ParameterRange range = row.offeredRange();
         slider->setRange(100.0 * range.least, 100.0 * range.largest);
         slider->setSuffix(tr(" %"));
-        slider->setToolTip(tr("%1. At 0 % the curve is as it was computed or drawn").arg(textOf(row.meaning)));
+        slider->setToolTip(tr("%1. At 0 % this slider changes nothing").arg(textOf(row.meaning)));
         const int line = grid->count() / 2;
         grid->addWidget(labelFor(slider, label), line, 0);
         grid->addWidget(slider, line, 1);
@@ -31,13 +31,15 @@ CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent) : QWidget(p
                             [&](Document& next) { row.set(next.curves.adjustment, percent / 100.0); });
         });
         document.bind(&DocumentModel::curvesChanged, slider, [slider, &row](const Document& shown) {
-            slider->setValue(std::round(100.0 * numberOf(*row.get(shown.curves.adjustment)).value()));
+            slider->setValue(100.0 * numberOf(*row.get(shown.curves.adjustment)).value());
         });
         if (row.name == "threshold") m_threshold = slider;
     }
     m_meaning = tr("%1. In percent of the grey scale").arg(m_threshold->toolTip());
-    connect(m_threshold, &ValueSlider::valueChanged, this, &CurveSliders::showThreshold);
-    document.bind(&DocumentModel::curvesChanged, this, [this](const Document&) { showThreshold(); });
+    document.bind(&DocumentModel::curvesChanged, this, [this](const Document& shown) {
+        m_shownThreshold = shown.curves.adjustment.threshold;
+        showThreshold();
+    });
     auto* reset = named(new QPushButton(tr("Reset curve")), "view.resetCurve", tr("Reset curve"),
                         tr("The curve says which brightness is seen through and which is solid. Resets both sliders "
                            "and all edits of the curve (C)"));
@@ -53,12 +55,11 @@ void CurveSliders::setValueWindow(const ValueWindow& window) {
 }
 
 void CurveSliders::showThreshold() {
-    const double percent = m_threshold->value();
     QString tip = m_meaning;
-    if (percent != 0.0 && !m_values.isNormalised()) {
-        const double by = m_values.valueAt(percent / 100.0) - m_values.black;
-        tip += "\n" + tr("%1 % moves it by %2 in the file's values")
-                          .arg(percent, 0, 'f', 0)
+    if (m_shownThreshold != 0.0 && !m_values.isNormalised()) {
+        const double by = m_values.valueAt(m_shownThreshold) - m_values.black;
+        tip += "\n" + tr("%1 % moves the curve's rise by %2 in the file's values")
+                          .arg(100.0 * m_shownThreshold, 0, 'g', 4)
                           .arg(valueText(by, {0.0, m_values.white - m_values.black}));
     }
     m_threshold->setToolTip(tip);

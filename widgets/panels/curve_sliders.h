@@ -30,6 +30,7 @@ private:
     void showThreshold();
 
     ValueSlider* m_threshold = nullptr;
+    double m_shownThreshold = 0.0;  ///< CurveAdjustment::threshold of the document
     ValueWindow m_values;
     QString m_meaning;  // of the threshold
 };

@@ -95,7 +95,8 @@ void ViewPanel::connectControls() {
 
 void ViewPanel::createLight() {
     constexpr double step = 100.0 * leastLight;
-    m_light = new ValueSlider("view.lightAmount", tr("Light, from flat to strong"), step, 0);
+    m_light = new ValueSlider("view.lightAmount", tr("Light, from flat to strong"), step, 1, nullptr,
+                              ValueSlider::Zeros::none);
     m_light->setToolTip(
         tr("To the left the picture is flat. To the right light falls on it, and what the light does not reach grows "
            "darker. Ctrl + left drag in the picture moves the light"));
