@@ -145,6 +145,7 @@ void CompareRoom::createMenu() {
     m_parts.panel.setSwitch(*compare);
     auto* figures = new QMenu(tr("Compare &for a lesson"), menu);
     figures->setObjectName(QStringLiteral("menu.compare"));
+    figures->setToolTipsVisible(true);
     const auto addFigure = [&](const QString& text, const QString& name, int number) {
         QAction* action = figures->addAction(text);
         action->setObjectName(name);
@@ -159,14 +160,9 @@ void CompareRoom::createMenu() {
         m_parts.model.edit(motionSideBySide(m_parts.model.document()), tr("motion side by side"));
         setShown(true);
     });
-    QAction* before = nullptr;
-    for (QAction* action : menu->actions())
-        if (action->isSeparator()) {
-            before = action;
-            break;
-        }
-    menu->insertAction(before, compare);
-    menu->insertMenu(before, figures);
+    menu->addSeparator();
+    menu->addAction(compare);
+    menu->addMenu(figures);
     m_parts.window.addAction(compare);  // the key works also while the menu bar is hidden
     // Choosing a layout of the review room leaves the comparison.
     for (const char* layout : {"room.only3d", "room.quad", "room.large3d"})

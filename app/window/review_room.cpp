@@ -89,9 +89,11 @@ void ReviewRoom::createMenu(QMainWindow& window) {
     menu->addSeparator();
     addMeasuring(*menu);
     // The keys work also while the menu bar is hidden.
-    for (const QMenu* each : {layouts, menu})
+    for (QMenu* each : {layouts, menu}) {
+        each->setToolTipsVisible(true);
         for (QAction* action : each->actions())
             if (!action->shortcut().isEmpty()) window.addAction(action);
+    }
 }
 
 void ReviewRoom::addLayouts(QMenu& menu) {

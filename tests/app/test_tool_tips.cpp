@@ -9,11 +9,13 @@
 #include <QMenuBar>
 #include <QScrollBar>
 #include <QTableView>
+#include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
 #include <QToolTip>
 #include <array>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "tests/app/window_fixture.h"
@@ -75,6 +77,46 @@ private slots:
         QCOMPARE(linesOfToolTip("<span>a &lt;b&gt; c</span>", font), "<p style='white-space:pre'>a &lt;b&gt; c</p>");
     }
 
+    void theTipOfAnItemLiesBesideItsTableAndRepeatsNothing() {
+        QTableWidget table(3, 1);
+        table.setWordWrap(false);
+        const QString whole = "short", cut = QString("much longer than its cell ").repeated(4);
+        for (const auto& [row, text, tip] : {std::tuple{0, whole, whole}, {1, cut, cut}, {2, whole, QString("why")}}) {
+            auto* item = new QTableWidgetItem(text);
+            item->setToolTip(tip);
+            table.setItem(row, 0, item);
+        }
+        table.setGeometry(300, 200, 220, 160);
+        table.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&table));
+        const auto tipOfRow = [&table](int row) {
+            return placeOfTip(*table.viewport(), table.visualItemRect(table.item(row, 0)).center());
+        };
+        QVERIFY(tipOfRow(0).isNull());
+        for (int row = 1; row < 3; ++row) {
+            const QRect tip = tipOfRow(row);
+            QVERIFY(!tip.isNull());
+            const QRect view(table.viewport()->mapToGlobal(QPoint(0, 0)), table.viewport()->size());
+            QVERIFY(!tip.intersects(view));
+        }
+    }
+
+    void anEntryOfAMenuHasATipOnlyIfItSaysMore() {
+        QMenu menu;
+        menu.setToolTipsVisible(true);
+        QAction* plain = menu.addAction("Cut && &paste...");
+        QAction* explained = menu.addAction("&Front");
+        explained->setToolTip("Cuts away what lies before it");
+        menu.popup(QPoint(200, 200));
+        QVERIFY(QTest::qWaitForWindowExposed(&menu));
+        QVERIFY(placeOfTip(menu, menu.actionGeometry(plain).center()).isNull());
+        const QRect tip = placeOfTip(menu, menu.actionGeometry(explained).center());
+        QVERIFY(!tip.isNull());
+        QVERIFY(!tip.intersects(QRect(menu.mapToGlobal(QPoint(0, 0)), menu.size())));
+        for (const char* name : {"menu.room", "menu.layout", "menu.compare"})
+            QVERIFY2(child<QMenu>(name)->toolTipsVisible(), name);
+    }
+
     void anActionHasOneNameWhereverItStands() {
         std::set<QString> names;
         for (const QAction* menu : window().menuBar()->actions())
@@ -88,6 +130,9 @@ private slots:
             QCOMPARE(child<QAction>(fronts[i].first)->text().remove('&'), name);
             QCOMPARE(ofTool.at(static_cast<int>(i))->text().remove('&'), name);
         }
+        QCOMPARE(child<QAction>("otfEditor.action.reset")->text(), child<QAbstractButton>("view.resetCurve")->text());
+        QCOMPARE(child<QAction>("room.takeAllStrokesBack")->text().remove('&'),
+                 child<QAbstractButton>("room.scalpel.takeAllBack")->text());
     }
 
 private:
@@ -134,6 +179,16 @@ private:
             if (!each->toolTip().isEmpty()) return each->toolTip();
         return {};
     }
+    /// Where the tip lies that a pointer resting there asks for; null if there is none.
+    static QRect placeOfTip(QWidget& widget, const QPoint& at) {
+        QToolTip::hideText();
+        [] { QTRY_VERIFY(!QToolTip::isVisible()); }();
+        QHelpEvent rest(QEvent::ToolTip, at, widget.mapToGlobal(at));
+        QCoreApplication::sendEvent(&widget, &rest);
+        for (const QWidget* tip : QApplication::topLevelWidgets())
+            if (tip->inherits("QTipLabel") && tip->isVisible()) return tip->geometry();
+        return {};
+    }
     /// Asks for the tip as a resting pointer does.
     static QStringList whatIsWrongWithTip(QWidget& control) {
         const QString tipText = tipOf(control), name = control.objectName();
@@ -150,7 +205,8 @@ private:
             constexpr int margins = 28;
             if (tip->width() > widestToolTip + margins)
                 wrong << QString("%1 has a tip of %2").arg(name).arg(tip->width());
-            if (place.height() <= 160 && tip->geometry().intersects(place)) wrong << name + " is covered by its tip";
+            if (place.height() <= highestWithTipBeside && tip->geometry().intersects(place))
+                wrong << name + " is covered by its tip";
         }
         QToolTip::hideText();
         if (!shown) wrong << name + " shows no tip";

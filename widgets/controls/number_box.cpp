@@ -9,6 +9,7 @@
 #include <string>
 
 #include "processing/parameters/typed_number.h"
+#include "widgets/controls/tool_tips.h"
 
 namespace echolucent {
 
@@ -71,7 +72,8 @@ QString whyNotTaken(const Box& box, const QString& text, bool whole) {
 template <typename Box>
 void sayWhyNot(const Box& box, const QString& text, bool whole) {
     if (stateOf(box, text, whole) != QValidator::Acceptable)
-        QToolTip::showText(box.mapToGlobal(box.rect().bottomLeft()), whyNotTaken(box, text, whole));
+        QToolTip::showText(box.mapToGlobal(box.rect().bottomLeft()),
+                           linesOfToolTip(whyNotTaken(box, text, whole), QToolTip::font()));
 }
 
 /// Whether a key is Enter with a text that the field does not take. The key must end there: a dialog would be accepted

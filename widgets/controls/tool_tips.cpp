@@ -1,11 +1,14 @@
 #include "widgets/controls/tool_tips.h"
 
+#include <QAbstractItemDelegate>
 #include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
 #include <QHelpEvent>
 #include <QMenu>
 #include <QScreen>
+#include <QStyleOptionViewItem>
+#include <QTableView>
 #include <QTextDocument>
 #include <QTextLayout>
 #include <QToolTip>
@@ -15,21 +18,46 @@ namespace echolucent {
 
 namespace {
 
-constexpr int gap = 4;            // between a control and its tip, logical pixels
-constexpr int largeHeight = 160;  // what is higher has its tip at the pointer
+constexpr int gap = 4;  // between a control and its tip, logical pixels
 constexpr QSize pointer(16, 20);
 
 /// What is explained, and where on the screen it lies.
 struct Explained {
     QString text{};
     QRect place{};
-    bool inMenu = false;
+    bool atItsSide = false;  ///< what lies below is of the same menu or list
 };
 
-/// An entry of a menu has a tip of its own if somebody gave it one: else QAction::toolTip() is the entry's text.
+/// An entry of a menu has a tip of its own if somebody gave it one: else QAction::toolTip() is the entry's text without
+/// the marks of its keys.
 QString tipOf(const QAction& action) {
-    QString text = action.text();
-    return action.toolTip() == text.remove('&') ? QString() : action.toolTip();
+    return action.toolTip() == QAction(action.text()).toolTip() ? QString() : action.toolTip();
+}
+
+QString plainText(const QString& text) {
+    if (!Qt::mightBeRichText(text)) return text;
+    QTextDocument document;
+    document.setHtml(text);
+    return document.toPlainText();
+}
+
+/// Whether an item has no room for all that it shows.
+bool isCutOff(const QAbstractItemView& view, const QModelIndex& item) {
+    QStyleOptionViewItem option;
+    option.initFrom(&view);
+    option.widget = &view;
+    option.rect = view.visualRect(item);
+    option.decorationSize = view.iconSize();
+    const auto* table = qobject_cast<const QTableView*>(&view);
+    if (table != nullptr && table->wordWrap()) option.features |= QStyleOptionViewItem::WrapText;
+    const QSize needed = view.itemDelegateForIndex(item)->sizeHint(option, item);
+    return needed.width() > option.rect.width() || needed.height() > option.rect.height();
+}
+
+QString tipOf(const QAbstractItemView& view, const QModelIndex& item) {
+    const QString tip = item.data(Qt::ToolTipRole).toString();
+    const bool repeats = plainText(tip) == item.data(Qt::DisplayRole).toString();
+    return repeats && !isCutOff(view, item) ? QString() : tip;
 }
 
 Explained explained(QWidget& widget, const QHelpEvent& event) {
@@ -39,24 +67,30 @@ Explained explained(QWidget& widget, const QHelpEvent& event) {
     if (const auto* menu = qobject_cast<const QMenu*>(&widget)) {
         QAction* action = menu->actionAt(event.pos());
         if (action == nullptr || !menu->toolTipsVisible()) return {};
-        return {tipOf(*action), onScreen(menu->actionGeometry(action)), true};
+        const QRect entry = menu->actionGeometry(action);
+        return {tipOf(*action), onScreen({0, entry.top(), menu->width(), entry.height()}), true};
     }
     const auto* view = qobject_cast<const QAbstractItemView*>(widget.parentWidget());
     if (view != nullptr && view->viewport() == &widget) {
         const QModelIndex item = view->indexAt(event.pos());
-        return {item.data(Qt::ToolTipRole).toString(), onScreen(view->visualRect(item))};
+        if (item.data(Qt::ToolTipRole).toString().isEmpty()) return {};
+        const QRect row = view->visualRect(item);
+        return {tipOf(*view, item), onScreen({0, row.top(), widget.width(), row.height()}), true};
     }
     return {widget.toolTip(), onScreen(widget.rect())};
 }
 
 QPoint cornerOf(const QSize& tip, const Explained& what, const QPoint& pointed, const QRect& screen) {
     QRect place = what.place;
-    if (place.height() > largeHeight) place = QRect(pointed, pointer);
+    if (place.height() > highestWithTipBeside) place = QRect(pointed, pointer);
     QPoint corner(place.left(), place.bottom() + gap);
     if (corner.y() + tip.height() > screen.bottom()) corner.setY(place.top() - gap - tip.height());
-    if (what.inMenu) {
-        corner = {place.right() + gap, place.top()};
-        if (corner.x() + tip.width() > screen.right()) corner.setX(place.left() - gap - tip.width());
+    if (what.atItsSide) {
+        const int right = place.right() + gap, left = place.left() - gap - tip.width();
+        if (right + tip.width() <= screen.right())
+            corner = {right, place.top()};
+        else if (left >= screen.left())
+            corner = {left, place.top()};
     }
     const auto within = [](int at, int least, int most) { return std::max(least, std::min(at, most)); };
     return {within(corner.x(), screen.left(), screen.right() - tip.width()),
@@ -66,14 +100,8 @@ QPoint cornerOf(const QSize& tip, const Explained& what, const QPoint& pointed, 
 }  // namespace
 
 QString linesOfToolTip(const QString& text, const QFont& font) {
-    QString plain = text;
-    if (Qt::mightBeRichText(text)) {
-        QTextDocument document;
-        document.setHtml(text);
-        plain = document.toPlainText();
-    }
     QStringList lines;
-    for (const QString& paragraph : plain.split('\n')) {
+    for (const QString& paragraph : plainText(text).split('\n')) {
         QTextLayout layout(paragraph, font);
         QTextOption wrapping;
         wrapping.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
@@ -98,12 +126,17 @@ bool ToolTips::eventFilter(QObject* watched, QEvent* event) {
     auto& widget = static_cast<QWidget&>(*watched);
     const auto& help = static_cast<const QHelpEvent&>(*event);
     const Explained what = explained(widget, help);
-    if (what.text.isEmpty()) return false;
+    if (what.text.isEmpty()) {
+        if (what.atItsSide) QToolTip::hideText();
+        return what.atItsSide;  // Qt would show what is left out here
+    }
     QToolTip::showText(help.globalPos(), linesOfToolTip(what.text, QToolTip::font()), &widget);
+    const QScreen* pointed = QGuiApplication::screenAt(help.globalPos());
+    const QRect screen = (pointed != nullptr ? pointed : widget.screen())->availableGeometry();
     // Qt puts a tip beside the pointer, where it covers what it explains.
     for (QWidget* tip : QApplication::topLevelWidgets())
         if (tip->inherits("QTipLabel") && tip->isVisible())
-            tip->move(cornerOf(tip->size(), what, help.globalPos(), widget.screen()->geometry()));
+            tip->move(cornerOf(tip->size(), what, help.globalPos(), screen));
     return true;
 }
 
