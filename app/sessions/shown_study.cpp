@@ -1,10 +1,10 @@
 #include "app/sessions/shown_study.h"
 
 #include <QMainWindow>
-#include <algorithm>
 #include <utility>
 
 #include "app/otf/editor_otfs.h"
+#include "app/sessions/study_rows.h"
 #include "app/study/study_names.h"
 #include "io/study/import_report.h"
 #include "processing/pane_picture/pane_caster.h"
@@ -25,35 +25,6 @@ namespace echolucent {
 
 namespace {
 constexpr const char *studyTopic = "study", *cuttingTopic = "cutting";
-
-/// Puts first what a person wants to know of a scan, in the field's words. What only the file is about follows.
-QList<StudyFactRow> essentialsFirst(QList<StudyFactRow> facts, const Study& study) {
-    const auto taken = [&facts](const char* name) {
-        const auto at = std::ranges::find(facts, QLatin1String(name), &StudyFactRow::name);
-        return at == facts.end() ? StudyFactRow{} : facts.takeAt(at - facts.begin());
-    };
-    const VolumeGeometry& geometry = study.phases.front()->geometry();
-    const auto edge = [&geometry](int axis) {
-        return QString::number(static_cast<double>(geometry.size[axis]) * geometry.spacing[axis], 'f', 1);
-    };
-    QString size = ShownStudy::tr("%1 × %2 × %3 mm").arg(edge(0), edge(1), edge(2));
-    if (!geometry.spacingKnown) size = ShownStudy::tr("%1 (guess)").arg(size);
-    const auto volumes = study.phases.size();
-    QList<StudyFactRow> rows{
-        {ShownStudy::tr("scan"),
-         volumes > 1 ? ShownStudy::tr("4D, %1 volumes in time").arg(volumes) : ShownStudy::tr("3D, one volume"),
-         {}},
-        {ShownStudy::tr("size"), size, {}}};
-    taken("phases");
-    if (StudyFactRow time = taken("time between phases"); !time.name.isEmpty())
-        rows << StudyFactRow{ShownStudy::tr("time between volumes"), time.value, time.source};
-    if (StudyFactRow beam = taken("beam"); !beam.name.isEmpty())
-        rows << StudyFactRow{ShownStudy::tr("probe looks along"), beam.value, beam.source};
-    for (StudyFactRow& fact : facts)
-        if (fact.name == QLatin1String("size")) fact.name = ShownStudy::tr("voxels");
-    return rows << StudyFactRow{ShownStudy::tr("of the file"), {}, {}} << facts;
-}
-
 }  // namespace
 
 ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
@@ -64,6 +35,7 @@ ShownStudy::ShownStudy(const Parts& parts, QObject* parent) : QObject(parent), m
     connect(&m_parts.openStudy, &OpenStudy::studyReplaced, this, &ShownStudy::beginDocument);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ShownStudy::tellFacts);
     connect(&m_parts.names, &StudyNames::changed, this, &ShownStudy::nameStudy);
+    connect(&m_parts.model, &DocumentModel::beamChanged, this, &ShownStudy::showFacts);
     const auto takeLoading = [this](bool loading) {
         m_asked = loading;
         entitle();
@@ -121,22 +93,25 @@ void ShownStudy::entitle() {
 /// Shows the study's name in the title and in the facts.
 void ShownStudy::nameStudy() {
     entitle();
+    showFacts();
+}
+
+void ShownStudy::showFacts() {
     const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
     StudyNames& names = m_parts.names;
-
     QList<StudyFactRow> facts;
     const auto& finds = m_parts.openStudy.finds();
     for (const ImportFact& fact : finds ? importReport(*study, finds->beam) : study->facts)
         facts << StudyFactRow{QString::fromStdString(fact.name), names.shown(QString::fromStdString(fact.value)),
                               names.shown(QString::fromStdString(fact.source))};
-    m_parts.facts.setStudy(essentialsFirst(facts, *study), warnings());
+    m_parts.facts.setStudy(studyRows(facts, *study, m_parts.model.document().beam), warnings());
 }
 
 QStringList ShownStudy::warnings() const {
     QStringList warnings;
     for (const std::string& warning : m_parts.openStudy.study()->warnings)
-        warnings << m_parts.names.shownOfFile(QString::fromStdString(warning));
+        warnings << withVolumesForPhases(m_parts.names.shownOfFile(QString::fromStdString(warning)));
     return warnings;
 }
 

@@ -58,6 +58,7 @@ signals:
 private:
     void tellFacts();
     void nameStudy();
+    void showFacts();
     void entitle();
     [[nodiscard]] QStringList warnings() const;
     void takeVolume();

@@ -1,6 +1,7 @@
 // Review and Teach: which panels and menus each offers, and what stays the same.
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -12,6 +13,7 @@
 #include <set>
 
 #include "app/compare/compare_room.h"
+#include "app/sessions/study_rows.h"
 #include "app/window/window_faces.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
@@ -60,7 +62,10 @@ private slots:
         QCOMPARE(openPanels(), all);
         QCOMPARE(entriesOf("menu.panels"), all);
         QVERIFY(menuBarShows("menu.otf"));
-        QVERIFY(child<QMenu>("menu.room")->actions().contains(child<QAction>("room.compare")));
+        const QList<QAction*> tools = child<QMenu>("menu.room")->actions();
+        const auto compare = tools.indexOf(child<QAction>("room.compare"));
+        QVERIFY(compare > 0 && tools.at(compare - 1)->isSeparator());  // a group of its own
+        QCOMPARE(tools.mid(compare + 1), QList<QAction*>{child<QMenu>("menu.compare")->menuAction()});
         QVERIFY(child("view.beamAxis")->isVisible());
         QVERIFY(child("motion.mode.mean")->isVisible());
         QVERIFY(child("status.otf")->isVisible());
@@ -87,6 +92,64 @@ private slots:
         QVERIFY(names.indexOf("of the file") > 1);
     }
 
+    void studySaysWhereTheProbeLooksByTheDocument() {
+        open(m_file);
+        const auto* facts = child<QTableWidget>("study.facts");
+        const auto rowOf = [facts](const QString& name) {
+            for (int row = 0; row < facts->rowCount(); ++row)
+                if (facts->item(row, 0)->text() == name) return row;
+            return -1;
+        };
+        const auto setBeam = [this](const Beam& beam) {
+            window().document().change("beam axis", [&beam](Document& next) { next.beam = beam; });
+        };
+        setBeam({BeamAxis::minusY, BeamSource::person});
+        const int row = rowOf("probe looks along");
+        QVERIFY(row > 0);
+        QCOMPARE(facts->item(row, 1)->text(), "-y of the voxel grid");
+        QCOMPARE(facts->item(row + 1, 1)->text(), "chosen by hand");
+        setBeam({});
+        QCOMPARE(rowOf("probe looks along"), -1);  // nobody knows it
+        QCOMPARE(rowOf("beam"), -1);
+        window().document().steps().undo();
+        QCOMPARE(facts->item(rowOf("probe looks along"), 1)->text(), "-y of the voxel grid");
+        waitUntilIdle();
+    }
+
+    void anUnevenStudyHasVolumesEverywhere() {
+        const auto still = smallPhantom(PhantomScene::shapes, 5);
+        const QString path = file("uneven.mha", {still, still, still});
+        QFile written(path);
+        QVERIFY(written.open(QIODevice::ReadWrite));
+        QByteArray bytes = written.readAll();
+        bytes.insert(bytes.indexOf("ElementDataFile"),
+                     "Seq_Frame0000_Timestamp = 0\nSeq_Frame0001_Timestamp = 0.1\nSeq_Frame0002_Timestamp = 0.4\n");
+        written.seek(0);
+        written.write(bytes);
+        written.close();
+        open(path);
+        const QString warning = child<QLabel>("study.warnings")->text();
+        QVERIFY2(warning.contains("times between volumes are uneven"), qPrintable(warning));
+        child<QDockWidget>("dock.study")->raise();
+        QCoreApplication::processEvents();
+        speaksPlainly();
+        const auto* facts = child<QTableWidget>("study.facts");
+        for (int row = 0; row < facts->rowCount(); ++row)
+            for (int column = 0; column < 2; ++column)
+                QVERIFY2(!facts->item(row, column)->text().contains("phase"),
+                         qPrintable(facts->item(row, column)->text()));
+        waitUntilIdle();
+    }
+
+    void whatAReaderCallsPhasesAreVolumesInTheWindow() {
+        QCOMPARE(withVolumesForPhases("DICOM, 4 phases of 3 slices"), "DICOM, 4 volumes of 3 slices");
+        QCOMPARE(
+            withVolumesForPhases("Phases with missing slices were left out (x): phase 2 of 3 lacks 1 of 9 slices."),
+            "Volumes with missing slices were left out (x): volume 2 of 3 lacks 1 of 9 slices.");
+        for (const char* name : {"(0054,0030) Phase Information", "phase.mha", "/home/phase/a.mha", "my-phase"})
+            QCOMPARE(withVolumesForPhases(name), QString(name));
+    }
+
     void thresholdIsShownInPercentOfTheGreys() {
         open(m_file);
         const auto* number = child<QDoubleSpinBox>("view.threshold.value");
@@ -99,6 +162,12 @@ private slots:
         QCOMPARE(window().document().steps().undoText(), "threshold");
         window().document().steps().undo();
         QCOMPARE(number->text(), "0 %");
+        window().document().change("threshold", [](Document& next) { next.curves.adjustment.threshold = 0.125; });
+        QCOMPARE(number->text(), "12.5 %");
+        QVERIFY2(slider->toolTip().isEmpty() &&
+                     slider->parentWidget()->toolTip().contains("At 0 % this slider changes nothing"),
+                 qPrintable(slider->parentWidget()->toolTip()));
+        window().document().steps().undo();
         waitUntilIdle();
     }
 
