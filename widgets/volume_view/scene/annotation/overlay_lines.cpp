@@ -31,6 +31,7 @@ void OverlayLines::setVisible(bool visible) {
 
 void OverlayLines::layOut(int viewportWidth, int viewportHeight, double scale, const Camera& camera) {
     m_lines.clear();
+    m_lines.setViewport(viewportWidth, viewportHeight);
     const auto pixelOf = [&](const PicturePlace& place) {
         return Point2(viewportWidth / 2.0 + place[0] * viewportHeight,
                       viewportHeight / 2.0 - place[1] * viewportHeight);

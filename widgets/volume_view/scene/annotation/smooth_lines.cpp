@@ -8,8 +8,11 @@
 #include <vtkPolyDataMapper2D.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace echolucent {
 
@@ -18,6 +21,40 @@ constexpr Colour black{0, 0, 0};
 constexpr double rim = 1.0;  // pixels around a shape
 constexpr double rimOpacity = 0.55;
 constexpr double feather = 0.5;  // an edge fades over twice this, pixels
+constexpr double margin = 64.0;  // pixels around the viewport, more than any width
+
+/// A piece of a line.
+struct Piece {
+    Point2 from, to;
+    double skipped;  ///< the length before it
+};
+
+double distance(const Point2& from, const Point2& to) { return std::hypot(to[0] - from[0], to[1] - from[1]); }
+
+/// Moves an end that lies below `least` along an axis there. `sign` -1 mirrors the axis. False if nothing is left.
+bool cutBelow(Point2& from, Point2& to, int axis, double least, double sign) {
+    const double begins = sign * from[axis], ends = sign * to[axis];
+    if (begins < least && ends < least) return false;
+    if (begins >= least && ends >= least) return true;
+    Point2& moved = begins < least ? from : to;
+    moved = from + (to - from) * ((least - begins) / (ends - begins));
+    moved[axis] = sign * least;  // exactly, however far the end was
+    return true;
+}
+
+/// The piece that lies in the viewport and the margin around it.
+std::optional<Piece> pieceIn(double width, double height, const Point2& from, const Point2& to) {
+    for (const int axis : {0, 1})
+        if (!std::isfinite(from[axis]) || !std::isfinite(to[axis])) return std::nullopt;
+    Piece piece{from, to, 0.0};
+    for (const int axis : {0, 1}) {
+        const double most = (axis == 0 ? width : height) + margin;
+        if (!cutBelow(piece.from, piece.to, axis, -margin, 1.0)) return std::nullopt;
+        if (!cutBelow(piece.from, piece.to, axis, -most, -1.0)) return std::nullopt;
+    }
+    piece.skipped = distance(from, piece.from);
+    return piece;
+}
 }  // namespace
 
 SmoothLines::SmoothLines() {
@@ -32,7 +69,13 @@ SmoothLines::SmoothLines() {
 
 SmoothLines::~SmoothLines() = default;
 
+void SmoothLines::setViewport(int width, int height) {
+    m_width = width;
+    m_height = height;
+}
+
 void SmoothLines::clear() {
+    m_bands = 0;
     m_points->Reset();
     m_colours->Reset();
     m_polygons->Reset();
@@ -48,34 +91,46 @@ void SmoothLines::addLine(const Point2& from, const Point2& to, double width, co
 
 void SmoothLines::addPath(const std::vector<Point2>& points, double width, const Colour& colour) {
     addRim(points, width);
-    for (std::size_t i = 1; i < points.size(); ++i) addBand(points[i - 1], points[i], width, colour, 1.0);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (const auto piece = pieceIn(m_width, m_height, points[i - 1], points[i]))
+            addBand(piece->from, piece->to, width, colour, 1.0);
 }
 
 void SmoothLines::addDashedPath(const std::vector<Point2>& points, double width, const Colour& colour, double dash,
                                 double gap) {
     addRim(points, width);
-    double done = 0.0;  // of the dash and the gap that the path is in
+    const double period = dash + gap;
+    double before = 0.0;  // length of the path before the line
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const Point2 along = points[i] - points[i - 1];
-        const double size = cv::norm(along);
-        for (double at = 0.0; at < size;) {
-            const bool drawn = done < dash;
-            const double next = std::min(size, at + (drawn ? dash : dash + gap) - done);
-            if (drawn)
-                addBand(points[i - 1] + along * (at / size), points[i - 1] + along * (next / size), width, colour, 1.0);
-            done += next - at;
-            // The remainder of a subtraction must not become a dash without length that never ends.
-            if (next < size) done = drawn ? dash : 0.0;
-            at = next;
-        }
+        const auto piece = pieceIn(m_width, m_height, points[i - 1], points[i]);
+        if (piece)
+            addDashes(piece->from, piece->to, std::fmod(before + piece->skipped, period), width, colour, dash, gap);
+        const double size = distance(points[i - 1], points[i]);
+        if (std::isfinite(size)) before = std::fmod(before + size, period);
+    }
+}
+
+/// `begun`: how much of a dash and its gap lies before the line.
+void SmoothLines::addDashes(const Point2& from, const Point2& to, double begun, double width, const Colour& colour,
+                            double dash, double gap) {
+    const double size = cv::norm(to - from);
+    if (size < 1e-9) return;
+    const Point2 along = (to - from) * (1.0 / size);
+    const int dashes = static_cast<int>(std::ceil((size + begun) / (dash + gap)));
+    for (int i = 0; i < dashes; ++i) {
+        const double start = i * (dash + gap) - begun;
+        const double first = std::max(0.0, start), last = std::min(size, start + dash);
+        if (first < last) addBand(from + along * first, from + along * last, width, colour, 1.0);
     }
 }
 
 void SmoothLines::addRim(const std::vector<Point2>& points, double width) {
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const Point2 along = points[i] - points[i - 1];
+        const auto piece = pieceIn(m_width, m_height, points[i - 1], points[i]);
+        if (!piece) continue;
+        const Point2 along = piece->to - piece->from;
         const Point2 end = along * (rim / std::max(cv::norm(along), 1e-9));
-        addBand(points[i - 1] - end, points[i] + end, width + 2 * rim, black, rimOpacity);
+        addBand(piece->from - end, piece->to + end, width + 2 * rim, black, rimOpacity);
     }
 }
 
@@ -101,6 +156,7 @@ void SmoothLines::addBand(const Point2& from, const Point2& to, double width, co
     const Point2 along = to - from;
     const double size = cv::norm(along);
     if (size < 1e-9) return;
+    ++m_bands;
     const Point2 across = Point2{-along[1], along[0]} * (1.0 / size);
     // Across the band: transparent, full, full, transparent.
     const std::array<double, 4> offsets{-width / 2 - feather, -width / 2 + feather, width / 2 - feather,

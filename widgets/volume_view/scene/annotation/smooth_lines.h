@@ -17,7 +17,8 @@ class vtkUnsignedCharArray;
 
 namespace echolucent {
 
-/// Shapes in viewport pixels (x right, y up, from the lower left corner), drawn in the order they were added.
+/// Shapes in viewport pixels (x right, y up, from the lower left corner), drawn in the order they were added. Lines
+/// beside the viewport take no time, and a line to or from a place that is not finite is not drawn.
 class SmoothLines {
 public:
     SmoothLines();
@@ -25,6 +26,10 @@ public:
     [[nodiscard]] vtkActor2D* actor() { return m_actor.Get(); }
 
     void clear();
+    /// The size of the viewport, pixels, for the lines that follow.
+    void setViewport(int width, int height);
+    /// The number of dashes, lines and rims that lie in the viewport.
+    [[nodiscard]] long long bandCount() const { return m_bands; }
     /// A line with a dark rim, so that it shows over bright tissue too. Widths in pixels.
     void addLine(const Point2& from, const Point2& to, double width, const Colour& colour);
     /// A line as addLine() draws it, through two or more points. No rim covers a piece of the line.
@@ -37,10 +42,14 @@ public:
 
 private:
     void addRim(const std::vector<Point2>& points, double width);
+    void addDashes(const Point2& from, const Point2& to, double begun, double width, const Colour& colour, double dash,
+                   double gap);
     void addBand(const Point2& from, const Point2& to, double width, const Colour& colour, double opacity);
     void addFeatheredDisc(const Point2& centre, double radius, const Colour& colour, double opacity);
     long long addPoint(const Point2& point, const Colour& colour, double opacity);
 
+    double m_width = 16384.0, m_height = 16384.0;  ///< of the viewport
+    long long m_bands = 0;
     vtkNew<vtkPoints> m_points;
     vtkNew<vtkUnsignedCharArray> m_colours;
     vtkNew<vtkCellArray> m_polygons;
