@@ -64,7 +64,7 @@ void addPictures(Page& page, const CaseReport& report, const FirstPageTexts& tex
 FirstPageRow rowOf(const Measurement& measurement, const CaseReport& report) {
     FirstPageRow row{.name = measurement.name, .value = {}, .unit = {}, .comment = measurement.comment};
     if (row.name.empty()) row.name = fmt::format("{} {}", nameOf(measurement.kind), measurement.id);
-    if (report.phases > 1) row.name += fmt::format(", phase {}", measurement.phase + 1);
+    if (report.phases > 1) row.name += fmt::format(", volume {}", measurement.phase + 1);
     if (const auto number = measurementNumber(measurement, report.geometry)) {
         row.value = number->digits;
         row.unit = number->unit;
@@ -168,7 +168,7 @@ void addMeasurements(Page& page, const CaseReport& report) {
                         value ? *value : value.error().sentence(), std::string(groundWords(measurement.ground)),
                         std::to_string(measurement.phase + 1), placesText(measurement.placesMm), measurement.comment});
     }
-    page.table({"number", "kind", "name", "value", "marked", "phase", "places (mm of the grid)", "comment"}, rows);
+    page.table({"number", "kind", "name", "value", "marked", "volume", "places (mm of the grid)", "comment"}, rows);
 }
 
 template <typename Page>
@@ -245,10 +245,10 @@ std::string caseReportPage(const CaseReport& report) {
     return page.text();
 }
 
-std::string caseReportPdf(const CaseReport& report) {
+std::optional<std::string> caseReportPdf(const CaseReport& report, const Progress& progress) {
     PaperPage page(titleOf(report));
     addReport(page, report);
-    return page.pdf("Echolucent " + report.version.toStdString());
+    return page.pdf("Echolucent " + report.version.toStdString(), progress);
 }
 
 }  // namespace echolucent

@@ -12,6 +12,7 @@
 #include "io/study/study.h"
 #include "processing/document/document.h"
 #include "processing/intensity/histogram.h"
+#include "processing/progress.h"
 
 namespace echolucent {
 
@@ -55,7 +56,7 @@ struct CaseReport {
 /// sheet of A4 or Letter (HtmlPage::beginSheet()). What has no room there (textsOfFirstPage()) and all the rest stand
 /// in the appendix. Without an appendix only what has no room on the first page follows it.
 [[nodiscard]] std::string caseReportPage(const CaseReport& report);
-/// The same as PDF, on A4. Works in any thread.
-[[nodiscard]] std::string caseReportPdf(const CaseReport& report);
+/// The same as PDF, on A4. Works in any thread. The result is empty only if progress.cancel was raised.
+[[nodiscard]] std::optional<std::string> caseReportPdf(const CaseReport& report, const Progress& progress = {});
 
 }  // namespace echolucent

@@ -12,6 +12,7 @@
 #include <QUrl>
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -42,9 +43,11 @@ bool isNumber(const std::string& text) {
 QImage imageOf(const PagePicture& picture) {
     if (picture.rgb.size() != std::size_t{3} * static_cast<std::size_t>(picture.width * picture.height))
         throw std::invalid_argument("PaperPage::pictures: the bytes do not fill the picture");
-    return QImage(picture.rgb.data(), picture.width, picture.height, qsizetype{3} * picture.width,
-                  QImage::Format_RGB888)
-        .copy();
+    QImage image =
+        QImage(picture.rgb.data(), picture.width, picture.height, qsizetype{3} * picture.width, QImage::Format_RGB888)
+            .copy();
+    if (image.isNull()) throw std::bad_alloc();
+    return image;
 }
 
 /// Lines over two axes from 0 to 1 or to what they hold, and their names below.
@@ -52,6 +55,7 @@ QImage imageOf(const Plot& plot) {
     constexpr double scale = 3.0, width = 640.0, height = 400.0, row = 18.0;
     const QRectF area(60, 12, width - 80, height - 150);
     QImage image(QSize(qRound(width * scale), qRound(height * scale)), QImage::Format_RGB32);
+    if (image.isNull()) throw std::bad_alloc();
     image.fill(Qt::white);
     QPainter painter(&image);
     painter.scale(scale, scale);
@@ -104,8 +108,15 @@ QImage imageOf(const Plot& plot) {
         painter.setPen(Qt::black);
         painter.drawText(QPointF(left + 32, at + 4), wordsOf(series.name));
     }
+    painter.end();
     return image;
 }
+
+/// A picture of a row, made once for all sizes that are tried.
+struct CaptionedImage {
+    QString caption;
+    QImage image;
+};
 
 QTextCharFormat letters(double points, bool bold = false) {
     QTextCharFormat format;
@@ -141,16 +152,17 @@ struct PaperPage::Paper {
         at.insertImage(format);
     }
     /// The caption and the picture below it.
-    void captioned(QTextCursor& at, const PagePicture& picture, double widthMm, bool isFirst) {
+    void captioned(QTextCursor& at, const CaptionedImage& picture, double widthMm, bool isFirst) {
         if (!isFirst) at.insertBlock();
-        at.insertText(wordsOf(picture.caption), letters(smallPoints));
+        at.insertText(picture.caption, letters(smallPoints));
         at.insertBlock();
-        image(at, imageOf(picture), widthMm);
+        image(at, picture.image, widthMm);
     }
-    QTextTable* grid(int rows, const std::vector<double>& percent) {
+    QTextTable* grid(int rows, const std::vector<double>& percent, int headerRows = 0) {
         cursor.movePosition(QTextCursor::End);
         QTextTableFormat format;
         format.setBorder(0);
+        format.setHeaderRowCount(headerRows);  // they stand again on each sheet that the table reaches
         format.setCellPadding(0.8 * pixelsPerMm());
         format.setCellSpacing(0);
         format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
@@ -182,7 +194,7 @@ void PaperPage::table(const std::vector<std::string>& columns, const std::vector
         if (!caption.empty()) paper.block(wordsOf(caption), letters(smallPoints), 2.0);
         std::vector<double> percent(columns.size(), 0.0);
         std::copy_n(widths.begin(), std::min(widths.size(), percent.size()), percent.begin());
-        QTextTable* table = paper.grid(static_cast<int>(rows.size()) + 1, percent);
+        QTextTable* table = paper.grid(static_cast<int>(rows.size()) + 1, percent, 1);
         const auto fill = [&](int row, int column, const std::string& text, bool bold) {
             QTextCursor at = table->cellAt(row, column).firstCursorPosition();
             QTextBlockFormat side;
@@ -198,11 +210,11 @@ void PaperPage::table(const std::vector<std::string>& columns, const std::vector
 }
 
 void PaperPage::plot(const Plot& plot) {
-    add([plot](Paper& paper) {
+    add([title = wordsOf(plot.title), image = imageOf(plot)](Paper& paper) {
         constexpr double width = 150.0;  // mm
-        paper.block(wordsOf(plot.title), letters(smallPoints), 2.0);
+        paper.block(title, letters(smallPoints), 2.0);
         paper.cursor.insertBlock();
-        paper.image(paper.cursor, imageOf(plot), width);
+        paper.image(paper.cursor, image, width);
     });
 }
 
@@ -210,12 +222,14 @@ void PaperPage::beginSheet() {
     add([title = m_title](Paper& paper) { paper.block(wordsOf(title), letters(titlePoints, true), 0.0); });
 }
 
-void PaperPage::pictures(const std::vector<PagePicture>& row, PictureRow how) {
-    if (row.empty()) return;
+void PaperPage::pictures(const std::vector<PagePicture>& pictures, PictureRow how) {
+    if (pictures.empty()) return;
+    std::vector<CaptionedImage> row;
+    for (const PagePicture& picture : pictures) row.push_back({wordsOf(picture.caption), imageOf(picture)});
     add([row, how](Paper& paper) {
         constexpr double largeShare = 0.74, gap = 3.0, highest = 150.0;  // mm
         const bool beside = how == PictureRow::beside && row.size() > 1;
-        const double aspect = static_cast<double>(row[0].width) / std::max(1, row[0].height);
+        const double aspect = static_cast<double>(row[0].image.width()) / std::max(1, row[0].image.height());
         const double room = beside ? largeShare * paperWidth - gap : paperWidth - gap;
         const double large = std::min(room, highest * aspect) * paper.pictureShare;
         const double count = static_cast<double>(row.size() - 1);
@@ -244,7 +258,7 @@ void PaperPage::appendix(const std::string& title) {
     add([title](Paper& paper) { paper.block(wordsOf(title), letters(titlePoints, true), 0.0); });
 }
 
-std::string PaperPage::pdf(const std::string& creator) const {
+std::optional<std::string> PaperPage::pdf(const std::string& creator, const Progress& progress) const {
     QBuffer bytes;
     bytes.open(QIODevice::WriteOnly);
     QPdfWriter writer(&bytes);
@@ -292,12 +306,16 @@ std::string PaperPage::pdf(const std::string& creator) const {
     };
     constexpr double least = 0.25, step = 0.05;
     for (double share = 1.0;; share -= step) {
+        if (progress.cancelled()) return std::nullopt;
+        progress.at(1.0 - share);
         QTextDocument sheet;
         fill(sheet, m_sheet, share);
         if (sheet.pageCount() > 1 && share > least) continue;
         draw(sheet);
         break;
     }
+    if (progress.cancelled()) return std::nullopt;
+    progress.at(0.8);
     if (!m_rest.empty()) {
         QTextDocument rest;
         fill(rest, m_rest, 1.0);

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/pages/html_page.h"
+#include "processing/progress.h"
 
 namespace echolucent {
 
@@ -24,11 +27,13 @@ public:
     void plot(const Plot& plot);
     /// Begins the first sheet. Its pictures shrink until it fits one side.
     void beginSheet();
+    /// Throws std::invalid_argument if the bytes of a picture do not fill it.
     void pictures(const std::vector<PagePicture>& row, PictureRow how = PictureRow::beside);
     /// Ends the first sheet. What follows has a title of its own.
     void appendix(const std::string& title);
-    /// The file. Each sheet says at its foot that this is not a medical device. `creator` names the program.
-    [[nodiscard]] std::string pdf(const std::string& creator) const;
+    /// The file. Each sheet says at its foot that this is not a medical device. `creator` names the program. The
+    /// result is empty only if progress.cancel was raised. Throws std::bad_alloc if there is no memory for it.
+    [[nodiscard]] std::optional<std::string> pdf(const std::string& creator, const Progress& progress = {}) const;
 
     /// Where parts are written.
     struct Paper;

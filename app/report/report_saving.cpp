@@ -27,14 +27,6 @@ namespace {
 
 constexpr const char* reportTopic = "report";
 
-/// What a person typed, and what the files say of the rest.
-Patient withTyped(Patient ofFiles, const Patient& typed) {
-    for (std::string Patient::*fact : {&Patient::name, &Patient::id, &Patient::birthDate, &Patient::sex,
-                                       &Patient::studyDate, &Patient::gestationalAge})
-        if (!(typed.*fact).empty()) ofFiles.*fact = typed.*fact;
-    return ofFiles;
-}
-
 ReportPatient shownPatient(const Patient& patient) {
     return {QString::fromStdString(patient.name),      QString::fromStdString(patient.id),
             QString::fromStdString(patient.birthDate), QString::fromStdString(patient.sex),
@@ -54,10 +46,11 @@ Result<void> writeReport(CaseReport report, const std::optional<PatientSource>& 
     }
     progress.at(0.2);
     const bool isPdf = QString::fromStdString(path).endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive);
-    const std::string page = isPdf ? caseReportPdf(report) : caseReportPage(report);
+    const Progress ofPage{[&progress](double share) { progress.at(0.2 + 0.7 * share); }, progress.cancel};
+    const std::optional<std::string> page = isPdf ? caseReportPdf(report, ofPage) : caseReportPage(report);
     progress.at(0.9);
-    if (progress.cancelled()) return fail(FailureKind::cancelled, path, {}, "was not written: cancelled");
-    return writeFileAtomically(path, page);
+    if (!page || progress.cancelled()) return fail(FailureKind::cancelled, path, {}, "was not written: cancelled");
+    return writeFileAtomically(path, *page);
 }
 
 QImage imageOfPane(const PlanePane& pane) {
@@ -271,7 +264,7 @@ std::vector<ReportTime> ReportSaving::times() const {
     if (const auto loading = openStudy.loadingMilliseconds())
         times.push_back({tr("opening: reading the files, looking for beam and cut"), *loading});
     if (const auto quietening = openStudy.quieteningMilliseconds())
-        times.push_back({tr("speckle reduction of all phases that are kept"), *quietening});
+        times.push_back({tr("speckle reduction of all volumes that are kept"), *quietening});
     if (const auto otf = m_parts.otfs.adaptive()) times.push_back({tr("adaptive OTF"), otf->times.total});
     if (const auto made = m_parts.otfs.designOf(firstPane))
         times.push_back({tr("OTF of the designer %1").arg(labelOf(made->asked.config)), made->milliseconds});

@@ -70,12 +70,19 @@ Said saidIn(DcmDataset& dataset) {
 
 Result<Patient> patientOf(const std::vector<Said>& files, const std::string& file) {
     const Patient& first = files.front().patient;
-    for (const Said& said : files)
+    for (const Said& said : files) {
         if (said.patient.name != first.name || said.patient.id != first.id)
             return fail(FailureKind::unreadable, file, "",
                         "lies beside files of another patient, so that it cannot be told whose study it is",
                         "Keep the files of each patient in a folder of their own.");
-    return first;
+    }
+    Patient agreed = first;
+    for (std::string Patient::*fact :
+         {&Patient::birthDate, &Patient::sex, &Patient::studyDate, &Patient::gestationalAge})
+        for (const Said& said : files)
+            if (said.patient.*fact != first.*fact) (agreed.*fact).clear();
+    if (agreed.studyDate.empty()) agreed.gestationalAge.clear();  // nobody could tell of which day it is
+    return agreed;
 }
 
 Result<Patient> readAll(const std::vector<std::string>& files, const std::string& series, const Progress& progress) {
@@ -95,6 +102,14 @@ Result<Patient> readAll(const std::vector<std::string>& files, const std::string
 }
 
 }  // namespace
+
+Patient withTyped(Patient ofFiles, const Patient& typed) {
+    if (!typed.studyDate.empty() && typed.studyDate != ofFiles.studyDate) ofFiles.gestationalAge.clear();
+    for (std::string Patient::*fact : {&Patient::name, &Patient::id, &Patient::birthDate, &Patient::sex,
+                                       &Patient::studyDate, &Patient::gestationalAge})
+        if (!(typed.*fact).empty()) ofFiles.*fact = typed.*fact;
+    return ofFiles;
+}
 
 bool areDicomFiles(const std::vector<std::string>& files) {
     return !files.empty() && (isDicomFile(files.front()) || isDicomFile(files.back()));

@@ -24,13 +24,18 @@ struct Patient {
     friend bool operator==(const Patient&, const Patient&) = default;
 };
 
+/// What a person typed, and what the files say of the rest. The files' gestational age is that of their own exam date,
+/// so that it is left out beside another date.
+[[nodiscard]] Patient withTyped(Patient ofFiles, const Patient& typed);
+
 /// Whether readPatient() may find a patient in these files: the first or the last of them looks like DICOM. False if
 /// there are none.
 [[nodiscard]] bool areDicomFiles(const std::vector<std::string>& files);
 
 /// Reads the patient from the headers of DICOM files and passes over other files. If one of the files has the Series
-/// Instance UID `series`, only the files of that series count. Fails (unreadable) if no file is readable DICOM, or if
-/// two files differ in the patient's name or ID; (cancelled) if progress.cancel was raised.
+/// Instance UID `series`, only the files of that series count. What these files do not agree on is empty. Fails
+/// (unreadable) if no file is readable DICOM, or if two files differ in the patient's name or ID; (cancelled) if
+/// progress.cancel was raised.
 [[nodiscard]] Result<Patient> readPatient(const std::vector<std::string>& files, const std::string& series = {},
                                           const Progress& progress = {});
 

@@ -217,6 +217,17 @@ private slots:
         const QByteArray all = pdf(true);
         QVERIFY2(count(all, side) >= 3, qPrintable(QString::number(count(all, side))));
         QCOMPARE(count(all, image), 5);  // and the plot of the curves
+        // Beside what is drawn, the title says whose file it is: in UTF-16, as PDF wants it.
+        const auto says = [](const QByteArray& bytes, const QString& words) {
+            QByteArray stored;
+            for (const QChar letter : words) stored.append(letter.row()).append(letter.cell());
+            return bytes.contains(stored);
+        };
+        QVERIFY(says(one, "visit"));
+        child<QAction>("view.numbersForNames")->trigger();
+        const QByteArray numbered = pdf(false);
+        child<QAction>("view.numbersForNames")->trigger();
+        QVERIFY(says(numbered, "Study 1") && !says(numbered, "visit") && !numbered.contains("visit"));
     }
 
     void impressionAndCommentStayUntilAnotherStudyOpens() {

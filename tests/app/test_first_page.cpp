@@ -115,6 +115,18 @@ private slots:
         QVERIFY(!named.rowsAreWhole);
     }
 
+    void aReportOfSeveralVolumesCallsThemVolumes() {
+        CaseReport report;
+        report.withAppendix = true;
+        report.geometry = {.size = {60, 60, 60}};
+        report.phases = 2;
+        report.document.measurements = {{.id = 1, .placesMm = {{1, 1, 1}, {1, 1, 11}}, .phase = 1}};
+        const QString page = QString::fromStdString(caseReportPage(report));
+        QVERIFY(page.contains("distance 1, volume 2"));
+        QVERIFY(page.contains(">volume</th>"));
+        QVERIFY(!page.contains("phase 2") && !page.contains(">phase</th>"));
+    }
+
     void whatHasNoRoomStandsInTheAppendixWhole() {
         CaseReport report;
         report.study = "heart.nrrd";

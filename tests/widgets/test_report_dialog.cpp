@@ -68,6 +68,25 @@ private slots:
         QCOMPARE(asked.count(), 1);
     }
 
+    void theGestationalAgeOfTheFilesIsThatOfTheirDate() {
+        const ReportPatient ofFiles{"Muster^Anna", "0815", "1990-02-03", "F", "2024-02-29", "22+4"};
+        ReportDialog corrected({.filesNamePatient = true});
+        tick(corrected);
+        corrected.showPatient(ofFiles);
+        field(corrected, "ExamDate")->selectAll();
+        QTest::keyClicks(field(corrected, "ExamDate"), "2024-03-07");
+        QCOMPARE(corrected.choice().patient.gestationalAge, "");
+        QTest::keyClicks(field(corrected, "GestationalAge"), "23+4");
+        QTest::keyClicks(field(corrected, "ExamDate"), "!");
+        QCOMPARE(corrected.choice().patient.gestationalAge, "23+4");  // typed
+        ReportDialog typed({.filesNamePatient = true});
+        tick(typed);
+        QTest::keyClicks(field(typed, "ExamDate"), "2024-03-07");
+        typed.showPatient(ofFiles);
+        QCOMPARE(typed.choice().patient.gestationalAge, "");
+        QCOMPARE(typed.choice().patient.birthDate, "1990-02-03");
+    }
+
     void namesThatAreHiddenAreNotShown() {
         ReportDialog dialog({.filesNamePatient = true, .patientIsShown = false});
         QSignalSpy asked(&dialog, &ReportDialog::patientAsked);

@@ -42,7 +42,8 @@ ReportDialog::ReportDialog(const Facts& facts, QWidget* parent)
     setAccessibleName(tr("Case report"));
     setWindowTitle(tr("Case report"));
     auto* what = new QLabel(
-        tr("The report has the pictures on the screen, the measurements, and what you type here. It fits one page. "
+        tr("The report has the pictures on the screen, the measurements, and what you type here. It is one page, and a "
+           "second one for long texts. "
            "Give its file a name that ends with .html for a web page, or with .pdf for a PDF."));
     what->setWordWrap(true);
     m_patientLine->setWordWrap(true);
@@ -117,8 +118,15 @@ void ReportDialog::showPatient(const ReportPatient& patient) {
     m_shown = true;
     const std::array texts{patient.name, patient.id,       patient.birthDate,
                            patient.sex,  patient.examDate, patient.gestationalAge};
+    constexpr std::size_t examDate = 4, gestationalAge = 5;
     for (std::size_t i = 0; i < m_fields.size(); ++i)
-        if (m_fields[i]->text().isEmpty()) m_fields[i]->setText(texts[i]);
+        if (m_fields[i]->text().isEmpty() && (i != gestationalAge || m_fields[examDate]->text() == patient.examDate))
+            m_fields[i]->setText(texts[i]);
+    // The files' age is that of their own date.
+    connect(m_fields[examDate], &QLineEdit::textEdited, this, [this, patient](const QString& date) {
+        if (date != patient.examDate && m_fields[gestationalAge]->text() == patient.gestationalAge)
+            m_fields[gestationalAge]->clear();
+    });
     takeSwitch(m_patient->isChecked());
 }
 

@@ -47,6 +47,7 @@ public:
     /// Whether the person wants the patient in the report.
     [[nodiscard]] bool withPatient() const;
     /// What the files say, after patientAsked(). Fields in which a person has typed stay as they are.
+    /// The files' gestational age is left out beside another exam date than theirs.
     void showPatient(const ReportPatient& patient);
     /// Says why the files' patient cannot be shown. A person may still type one.
     void showPatientProblem(const QString& sentence);

@@ -95,6 +95,26 @@ TEST_F(PatientTest, FilesOfTwoPatientsNameNobody) {
     EXPECT_FALSE(readPatient(files, "1.2.5"));
 }
 
+TEST_F(PatientTest, WhatFilesDoNotAgreeOnStaysEmpty) {
+    auto first = jane, second = jane;
+    first.emplace_back(DCM_LastMenstrualDate, "20230924");
+    second[2].second = "19800518";
+    second[4].second = "20240301";
+    second.emplace_back(DCM_LastMenstrualDate, "20230925");  // the same age on another day
+    const auto patient = readPatient({write("a.dcm", first), write("b.dcm", second)});
+    ASSERT_TRUE(patient);
+    EXPECT_EQ(*patient, (Patient{"DOE^JANE", "4711", "", "F", ""}));
+}
+
+TEST(WithTyped, AFilesAgeIsThatOfItsDate) {
+    const Patient file{"DOE^JANE", "4711", "1980-05-17", "F", "2024-02-29", "22+4"};
+    EXPECT_EQ(withTyped(file, {"Roe", "", "", "", ""}),
+              (Patient{"Roe", "4711", "1980-05-17", "F", "2024-02-29", "22+4"}));
+    EXPECT_EQ(withTyped(file, {"", "", "", "", "2024-02-29"}).gestationalAge, "22+4");
+    EXPECT_EQ(withTyped(file, {"", "", "", "", "2024-03-07"}).gestationalAge, "");
+    EXPECT_EQ(withTyped(file, {"", "", "", "", "2024-03-07", "23+4"}).gestationalAge, "23+4");
+}
+
 TEST_F(PatientTest, OtherFilesArePassedOver) {
     const std::string text = m_folder.path() + "/notes.txt";
     std::ofstream(text) << "no DICOM";
