@@ -188,10 +188,10 @@ Measurement MeasuringHand::marked() const {
 void MeasuringHand::finish() {
     Measurement next = marked();
     auto* pane = qobject_cast<QWidget*>(m_pane);
-    m_hints = false;
     dropMarked();
     if (const auto value = measuredValue(next, geometry()); !value)
         return tell(QString::fromStdString(value.error().sentence()));
+    m_hints = false;
     Document document = m_parts.model.document();
     for (const Measurement& each : document.measurements) next.id = std::max(next.id, each.id + 1);
     document.measurements.push_back(next);

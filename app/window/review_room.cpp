@@ -6,6 +6,8 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <algorithm>
+#include <vector>
 
 #include "app/window/window_layout.h"
 #include "widgets/key_table.h"
@@ -36,8 +38,10 @@ ReviewRoom::ReviewRoom(const Parts& parts, QObject* parent)
     });
     connect(&m_measuring, &MeasuringHand::measured, this, &ReviewRoom::askForName);
     connect(&m_parts.measurements, &MeasurementsPanel::done, this, [this] {
-        QWidget& pane = m_measuredIn && m_measuredIn->isVisible() ? *m_measuredIn : m_parts.picture;
-        pane.setFocus(Qt::OtherFocusReason);
+        std::vector<QWidget*> panes{m_measuredIn, &m_parts.picture};
+        panes.insert(panes.end(), m_parts.planes.begin(), m_parts.planes.end());
+        const auto shown = std::ranges::find_if(panes, [](const QWidget* pane) { return pane && pane->isVisible(); });
+        if (shown != panes.end()) (*shown)->setFocus(Qt::OtherFocusReason);
     });
     for (std::size_t i = 0; i < m_parts.planes.size(); ++i)
         connect(m_parts.planes[i], &PlanePane::maximiseRequested, &m_parts.panes,
@@ -51,7 +55,7 @@ void ReviewRoom::askForName(QWidget* pane) {
     m_measuredIn = pane;
     if (dockOf(m_parts.measurements).isHidden()) return;
     showDockOf(m_parts.measurements);
-    m_parts.measurements.goToName();
+    m_parts.measurements.askForName();
 }
 
 void ReviewRoom::addTo(EscapeOrder& escapes) {

@@ -22,6 +22,7 @@
 
 #include "processing/one_line.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/key_table.h"
 
 namespace echolucent {
 
@@ -101,6 +102,12 @@ bool beginsName(const QKeyEvent& key) {
     const QString text = key.text();
     return !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) && !text.isEmpty() &&
            text.front().isPrint() && !text.front().isSpace();
+}
+
+bool isKeyOfTool(const QKeyEvent& key) {
+    const QKeySequence pressed(key.keyCombination());
+    return pressed == keyOf(QStringLiteral("room.measureDistance")) ||
+           pressed == keyOf(QStringLiteral("room.measureAngle"));
 }
 
 QString measureToolText(MeasurementKind kind) {
@@ -238,6 +245,9 @@ void MeasurementsPanel::createComment() {
 
 bool MeasurementsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_comment && event->type() == QEvent::FocusOut) emit typingEnded();
+    if (watched != m_comment && watched != m_list &&
+        (event->type() == QEvent::FocusOut || event->type() == QEvent::MouseButtonPress))
+        m_asks = false;
     if (event->type() == QEvent::ShortcutOverride) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (watched == m_list && beginsName(*key)) {
@@ -246,6 +256,10 @@ bool MeasurementsPanel::eventFilter(QObject* watched, QEvent* event) {
         }
         // While nothing was typed, undo and redo are the window's: they take back the measurement.
         const QLineEdit& field = *m_name->lineEdit();
+        if (watched == m_name && asks() && isKeyOfTool(*key)) {
+            key->ignore();
+            return true;
+        }
         if (watched == m_name && ((key->matches(QKeySequence::Undo) && !field.isUndoAvailable()) ||
                                   (key->matches(QKeySequence::Redo) && !field.isRedoAvailable()))) {
             key->ignore();
@@ -255,8 +269,9 @@ bool MeasurementsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (key->key() == Qt::Key_Escape) {
+            const bool isOfWindow = watched != m_list && watched != m_comment && asks();
             emit done();
-            return true;
+            return !isOfWindow;
         }
         if (watched == m_list) return takeKeyOfList(*key);
     }
@@ -281,6 +296,13 @@ void MeasurementsPanel::goToName() {
     m_name->setFocus(Qt::OtherFocusReason);
     m_name->lineEdit()->selectAll();
 }
+
+void MeasurementsPanel::askForName() {
+    goToName();
+    m_asks = true;
+}
+
+bool MeasurementsPanel::asks() const { return m_asks && m_name->currentText().isEmpty(); }
 
 void MeasurementsPanel::removeSelected() {
     if (selectedId() != 0) emit removed(selectedId());

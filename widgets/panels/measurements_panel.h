@@ -40,6 +40,9 @@ public:
     void setTool(std::optional<MeasurementKind> tool);
     /// Puts the cursor into the name of the selected measurement, with its text selected.
     void goToName();
+    /// goToName() after a measurement that nobody may want to name: until something is typed or the field is clicked,
+    /// the keys of the measuring tools and Escape are the window's.
+    void askForName();
 
 signals:
     /// No value: the person put the tool away.
@@ -62,6 +65,7 @@ protected:
 private:
     QWidget* createList();
     void orderTabs();
+    [[nodiscard]] bool asks() const;
     bool takeKeyOfList(QKeyEvent& key);
     void createName();
     void createComment();
@@ -77,6 +81,7 @@ private:
     QPlainTextEdit* m_comment = nullptr;
     QPushButton* m_remove = nullptr;
     QPushButton* m_removeAll = nullptr;
+    bool m_asks = false;  ///< askForName() was called, and nobody has clicked or left the name since
 };
 
 }  // namespace echolucent

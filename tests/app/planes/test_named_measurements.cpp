@@ -70,10 +70,10 @@ private slots:
         // The next measurement begins with a click, wherever the focus was.
         for (const QPointF& click : {from, to}) press(pane, click);
         QCOMPARE(measurements().size(), 1u);
-        // These are keys of the window elsewhere: the measuring tool and the front.
+        // These are keys of the window elsewhere: the front and the measuring tool.
         const Front front = document().scene.front;
-        QTest::keyClicks(QApplication::focusWidget(), "MN");
-        QCOMPARE(measurements()[0].name, std::string("MN"));
+        QTest::keyClicks(QApplication::focusWidget(), "NM");
+        QCOMPARE(measurements()[0].name, std::string("NM"));
         QVERIFY(document().scene.front == front);
         for (const QPointF& click : {from, to}) press(pane, click + QPointF(0, 30));
         QCOMPARE(measurements().size(), 2u);
@@ -87,10 +87,30 @@ private slots:
         QCOMPARE(measurements()[1].name, std::string("MV"));
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
         QVERIFY(pane.hasFocus());
-        // A panel that was closed stays so, and the pane keeps the keys.
-        child<QDockWidget>("dock.room")->close();
+        key(Qt::Key_M);
+        // While a new measurement has no name, the keys of the tools are the window's.
         for (const QPointF& click : {from, to}) press(pane, click + QPointF(0, -30));
-        QCOMPARE(measurements().size(), 3u);
+        const auto* distance = child<QAction>("room.measureDistance");
+        const auto* angle = child<QAction>("room.measureAngle");
+        QVERIFY(name->hasFocus() && distance->isChecked());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_M);
+        QVERIFY(!distance->isChecked());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_M, Qt::ShiftModifier);
+        QVERIFY(angle->isChecked());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QVERIFY(!angle->isChecked() && pane.hasFocus());
+        QCOMPARE(measurements().back().name, std::string());
+        // A person who clicks the field wants letters there.
+        QTest::mouseClick(name, Qt::LeftButton);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_M);
+        QVERIFY(!distance->isChecked());
+        QCOMPARE(measurements().back().name, std::string("m"));
+        pane.setFocus();
+        // A panel that was closed stays so, and the pane keeps the keys.
+        key(Qt::Key_M);
+        child<QDockWidget>("dock.room")->close();
+        for (const QPointF& click : {from, to}) press(pane, click + QPointF(0, -15));
+        QCOMPARE(measurements().size(), 4u);
         QVERIFY(child("dock.room")->isHidden() && pane.hasFocus());
     }
 
