@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/planes/edge_letters.h"
+#include "app/study/study_sides.h"
 #include "processing/document/box_editing.h"
 #include "processing/sampling/sampler.h"
 #include "processing/scene/shown_measurement.h"
@@ -78,9 +79,12 @@ PlaneScene DocumentPlanes::sceneFor(const Volume& volume, const BoxScene& box, P
     scene.box = box;
     scene.measurements = shownMeasurements(document.measurements, phaseOf(document, firstPane), volume.geometry());
     const ViewFrame frame = frameOf(plane, scene.planes, scene.beam);
-    const bool beamIsSure = document.beam.source != BeamSource::assumed || m_openStudy.isSimulatedScan();
-    scene.letters = edgeLetters(frame, beamIsSure ? std::optional(scene.beam) : std::nullopt, volume.geometry());
-    if (beamIsSure) {
+    const bool isSure = beamIsSure(document.beam, m_openStudy);
+    const EdgeLetters letters =
+        edgeLetters(frame, isSure ? std::optional(scene.beam) : std::nullopt, volume.geometry());
+    scene.letters = letters.words;
+    scene.lettersNameProbe = letters.nameProbe;
+    if (isSure) {
         scene.towardsProbe = towardsProbe(frame, scene.beam);
         scene.lie = lieOf(frame, scene.beam);
     }

@@ -28,15 +28,16 @@ QString translated(const char* words) { return QCoreApplication::translate("plan
 
 }  // namespace
 
-std::array<QString, 4> edgeLetters(const ViewFrame& frame, std::optional<BeamAxis> beam,
-                                   const VolumeGeometry& geometry) {
+EdgeLetters edgeLetters(const ViewFrame& frame, std::optional<BeamAxis> beam, const VolumeGeometry& geometry) {
     const std::array<Vec3, 4> edges{-frame.right, frame.right, -frame.down, frame.down};
-    std::array<QString, 4> letters;
+    EdgeLetters letters;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         QStringList words;
         if (geometry.patientFrameKnown) words << patientLetters(geometry.direction * edges[i]);
-        if (beam && edges[i].dot(-beamOf(*beam)) >= cosine30) words << translated("probe");
-        letters[i] = words.join(QStringLiteral(" · "));
+        const bool namesProbe = beam && edges[i].dot(-beamOf(*beam)) >= cosine30;
+        if (namesProbe) words << translated("probe");
+        letters.nameProbe = letters.nameProbe || namesProbe;
+        letters.words[i] = words.join(QStringLiteral(" · "));
     }
     return letters;
 }

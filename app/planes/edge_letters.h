@@ -17,11 +17,17 @@ namespace echolucent {
 /// "LA". `towards` is a unit vector in DICOM's LPS.
 [[nodiscard]] QString patientLetters(const Vec3& towards);
 
+/// Words at the left, right, top and bottom edge.
+struct EdgeLetters {
+    std::array<QString, 4> words{};
+    bool nameProbe = false;  ///< one of them says where the probe is
+};
+
 /// Letters at the left, right, top and bottom edge: the patient's letters, if the geometry knows the patient's frame.
 /// The edge within 30 degrees of the direction to the probe also says "probe". Other edges are empty. `beam` has no
 /// value if nobody knows it.
-[[nodiscard]] std::array<QString, 4> edgeLetters(const ViewFrame& frame, std::optional<BeamAxis> beam,
-                                                 const VolumeGeometry& geometry);
+[[nodiscard]] EdgeLetters edgeLetters(const ViewFrame& frame, std::optional<BeamAxis> beam,
+                                      const VolumeGeometry& geometry);
 
 /// The direction to the probe in the picture, to the right and down: a unit vector. No value if that way lies within 30
 /// degrees of the way the picture is looked at.

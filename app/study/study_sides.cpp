@@ -27,7 +27,7 @@ void StudySides::follow() {
     m_thread.cancel();
     set(foundOnOpening());
     if (m_finding) return;
-    const bool sure = beam.source != BeamSource::assumed || m_openStudy.isSimulatedScan();
+    const bool sure = beamIsSure(beam, m_openStudy);
     m_thread.submit([this, volume = m_volume, fromProbe = viewAlongBeam(beam),
                      sure](const Progress& progress) -> NewestWinsThread::Deliver {
         try {
@@ -38,6 +38,10 @@ void StudySides::follow() {
             return {};  // there are no sides to choose from; the 3D view tells of missing memory
         }
     });
+}
+
+bool beamIsSure(const Beam& beam, const OpenStudy& openStudy) {
+    return beam.source != BeamSource::assumed || openStudy.isSimulatedScan();
 }
 
 /// The sides found on opening, if they are of the document's beam; else null.

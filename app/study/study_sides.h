@@ -12,6 +12,9 @@
 
 namespace echolucent {
 
+/// Whether the way of the beam may be told: the file or a person says it, or the scan is the simulated one.
+[[nodiscard]] bool beamIsSure(const Beam& beam, const OpenStudy& openStudy);
+
 /// Knows the sides of the first phase along the document's beam: those found on opening, else those that a thread
 /// finds.
 class StudySides : public QObject {

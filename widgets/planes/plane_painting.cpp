@@ -81,14 +81,15 @@ void PlanePane::paintEvent(QPaintEvent*) {
     paintBox(painter);
     paintMeasured(painter, true);
     if (m_pointerAtRim || m_drag == Drag::turn) paintRim(painter);
-    paintWords(painter);
+    paintWords(painter, size());
     paintHint(painter);
     paintFrame(painter, hasFocus() ? 3.0 : 1.5);
     if (m_dimmed) painter.fillRect(rect(), oldPictureShadeColour());
 }
 
-QImage PlanePane::drawings(double scale) const {
+QImage PlanePane::drawings(double scale, double words) const {
     QImage image((QSizeF(size()) * scale).toSize(), QImage::Format_ARGB32_Premultiplied);
+    if (image.isNull()) return image;
     image.setDevicePixelRatio(scale);
     image.fill(Qt::transparent);
     if (!m_scene) return image;
@@ -96,11 +97,14 @@ QImage PlanePane::drawings(double scale) const {
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    paintLines(painter);
-    paintBox(painter);
-    paintMeasured(painter, false);
-    paintWords(painter);
-    paintFrame(painter, 1.5);
+    paintLines(painter, words);
+    paintBox(painter, words);
+    paintMeasured(painter, false, words);
+    painter.save();
+    painter.scale(words, words);
+    paintWords(painter, QSizeF(size()) / words);
+    painter.restore();
+    paintFrame(painter, 1.5 * words);
     return image;
 }
 
@@ -115,7 +119,7 @@ void PlanePane::paintFrame(QPainter& painter, double width) const {
 }
 
 /// Draws the lines of the other planes and the reference point.
-void PlanePane::paintLines(QPainter& painter) const {
+void PlanePane::paintLines(QPainter& painter, double words) const {
     const Planes& planes = m_scene->planes;
     const ViewFrame frame = mapping().view.frame;
     const QPointF centre = referencePixel();
@@ -126,28 +130,28 @@ void PlanePane::paintLines(QPainter& painter) const {
         const QPointF way(frame.right.dot(along), frame.down.dot(along));
         QColor colour = colourOf(other);
         for (const double sign : {-1.0, 1.0}) {
-            const QLineF line(centre + way * (sign * gapAtReference), centre + way * (sign * reach));
-            painter.setPen(QPen(QColor(0, 0, 0, 130), 3.0));
+            const QLineF line(centre + way * (sign * gapAtReference * words), centre + way * (sign * reach));
+            painter.setPen(QPen(QColor(0, 0, 0, 130), 3.0 * words));
             painter.drawLine(line);
-            painter.setPen(QPen(colour, 1.25));
+            painter.setPen(QPen(colour, 1.25 * words));
             painter.drawLine(line);
         }
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0, 0, 0, 160), 3.0));
-    painter.drawEllipse(centre, referenceRadius, referenceRadius);
-    painter.setPen(QPen(coloursOverPictures().text, 1.25));
-    painter.drawEllipse(centre, referenceRadius, referenceRadius);
+    painter.setPen(QPen(QColor(0, 0, 0, 160), 3.0 * words));
+    painter.drawEllipse(centre, referenceRadius * words, referenceRadius * words);
+    painter.setPen(QPen(coloursOverPictures().text, 1.25 * words));
+    painter.drawEllipse(centre, referenceRadius * words, referenceRadius * words);
 }
 
 /// Draws the box, then the front's line and the grips.
-void PlanePane::paintBox(QPainter& painter) const {
+void PlanePane::paintBox(QPainter& painter, double words) const {
     const BoxDrawing& shown = drawing();
     painter.setBrush(Qt::NoBrush);
     const auto paintLine = [&](const QPolygonF& line, const QColor& colour, double width, Qt::PenStyle style) {
-        painter.setPen(QPen(QColor(0, 0, 0, 150), width + 2.0));
+        painter.setPen(QPen(QColor(0, 0, 0, 150), (width + 2.0) * words));
         painter.drawPolyline(line);
-        painter.setPen(QPen(colour, width, style));
+        painter.setPen(QPen(colour, width * words, style));
         painter.drawPolyline(line);
     };
     const qsizetype count = shown.outline.size();
@@ -156,16 +160,25 @@ void PlanePane::paintBox(QPainter& painter) const {
         paintLine(edge, boxColour(), 1.5, Qt::SolidLine);
     }
     if (!shown.frontLine.isEmpty()) paintLine(shown.frontLine, frontColour(), 2.0, Qt::DashLine);
-    for (const BoxGrip& grip : shown.grips) paintGrip(painter, grip);
+    for (const BoxGrip& grip : shown.grips) {
+        painter.save();
+        painter.translate(grip.at);
+        painter.scale(words, words);
+        painter.translate(-grip.at);
+        paintGrip(painter, grip);
+        painter.restore();
+    }
 }
 
-void PlanePane::paintMeasured(QPainter& painter, bool withMarking) const {
+void PlanePane::paintMeasured(QPainter& painter, bool withMarking, double words) const {
     std::vector<ShownMeasurement> shown = m_scene->measurements;
     if (withMarking && m_marking) shown.push_back(*m_marking);
-    if (!shown.empty()) paintMeasurements(painter, placedInPlane(shown, mapping().view, m_scene->unitMm), size());
+    if (!shown.empty())
+        paintMeasurements(painter, placedInPlane(shown, mapping().view, m_scene->unitMm), size(), words);
 }
 
-void PlanePane::paintWords(QPainter& painter) const {
+/// `pane`: the size of the pane in the painter's units.
+void PlanePane::paintWords(QPainter& painter, const QSizeF& pane) const {
     const QColor words = coloursOverPictures().text;
     QFont font = painter.font();
     font.setBold(true);
@@ -175,22 +188,19 @@ void PlanePane::paintWords(QPainter& painter) const {
     font.setPixelSize(12);
     painter.setFont(font);
     const QFontMetricsF metrics(font);
-    paintRimmedText(painter, {10, height() - 10.0}, offsetWords(), words);
+    paintRimmedText(painter, {10, pane.height() - 10.0}, offsetWords(), words);
     const std::array<QPointF, 4> places{
-        QPointF(8, height() / 2.0),
-        QPointF(width() - 8 - metrics.horizontalAdvance(m_scene->letters[1]), height() / 2.0),
-        QPointF((width() - metrics.horizontalAdvance(m_scene->letters[2])) / 2, 20),
-        QPointF((width() - metrics.horizontalAdvance(m_scene->letters[3])) / 2, height() - 10.0)};
+        QPointF(8, pane.height() / 2.0),
+        QPointF(pane.width() - 8 - metrics.horizontalAdvance(m_scene->letters[1]), pane.height() / 2.0),
+        QPointF((pane.width() - metrics.horizontalAdvance(m_scene->letters[2])) / 2, 20),
+        QPointF((pane.width() - metrics.horizontalAdvance(m_scene->letters[3])) / 2, pane.height() - 10.0)};
     for (std::size_t i = 0; i < places.size(); ++i)
         if (!m_scene->letters[i].isEmpty()) paintRimmedText(painter, places[i], m_scene->letters[i], words);
-    if (m_scene->towardsProbe) {
-        const bool isSaid =
-            std::ranges::any_of(m_scene->letters, [](const QString& said) { return said.endsWith(tr("probe")); });
-        paintProbe(painter, size(), *m_scene->towardsProbe, isSaid ? QString() : tr("probe"));
-    }
+    if (m_scene->towardsProbe)
+        paintProbe(painter, pane, *m_scene->towardsProbe, m_scene->lettersNameProbe ? QString() : tr("probe"));
     // How the plane lies stands below its letter, if that leaves the letters in the middle of the left edge clear.
     constexpr double belowLetter = 41.0;
-    if (height() / 2.0 > belowLetter + 20.0) paintRimmedText(painter, {10, belowLetter}, m_scene->lie, words);
+    if (pane.height() / 2.0 > belowLetter + 20.0) paintRimmedText(painter, {10, belowLetter}, m_scene->lie, words);
 }
 
 QString PlanePane::offsetWords() const {

@@ -32,6 +32,7 @@ struct PlaneScene {
     double brightness = 1.0;   ///< of the look
     BoxScene box{};
     std::array<QString, 4> letters{};              ///< letters at the edges: left, right, top, bottom
+    bool lettersNameProbe = false;                 ///< one of them says "probe"
     std::optional<QPointF> towardsProbe{};         ///< in the picture, right and down, length 1; no value: not seen
     QString lie{};                                 ///< how the plane lies to the beam, in words; empty: unknown
     std::vector<ShownMeasurement> measurements{};  ///< those that lie in the plane are drawn
@@ -61,9 +62,10 @@ public:
     void setSamples(const std::shared_ptr<const PlaneSamples>& samples);
     [[nodiscard]] const QImage& image() const { return m_image; }
     [[nodiscard]] GreyScale greys() const;
-    /// What the pane draws over its image, on a transparent ground, with `scale` (> 0) pixels in a pixel of a plain
-    /// screen. Without what only a hand at work needs: hint, measurement in progress, rim, focus.
-    [[nodiscard]] QImage drawings(double scale) const;
+    /// What the pane draws over its image, on a transparent ground, with `scale` (> 0) pixels in a pixel of the pane.
+    /// Letters and lines are `words` (> 0) times as large as in the pane. Without what only a hand at work needs: hint,
+    /// measurement in progress, rim, focus.
+    [[nodiscard]] QImage drawings(double scale, double words = 1.0) const;
     /// Dims what the pane shows, because another study is about to take its place.
     void setDimmed(bool dimmed);
     [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
@@ -144,11 +146,11 @@ private:
     void zoom(double factor, const QPointF& about);
     void reset();
     void makeImage();
-    void paintLines(QPainter& painter) const;
-    void paintBox(QPainter& painter) const;
-    void paintMeasured(QPainter& painter, bool withMarking) const;
+    void paintLines(QPainter& painter, double words = 1.0) const;
+    void paintBox(QPainter& painter, double words = 1.0) const;
+    void paintMeasured(QPainter& painter, bool withMarking, double words = 1.0) const;
     void paintFrame(QPainter& painter, double width) const;
-    void paintWords(QPainter& painter) const;
+    void paintWords(QPainter& painter, const QSizeF& pane) const;
     void paintHint(QPainter& painter) const;
     void paintRim(QPainter& painter) const;
 

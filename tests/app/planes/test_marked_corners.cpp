@@ -97,14 +97,15 @@ private slots:
         const ViewFrame alongBeam = frameOf(Viewpoint{});
         QVERIFY(alongBeam.right == Vec3(1, 0, 0));
         QVERIFY(alongBeam.down == Vec3(0, 1, 0));
-        QVERIFY(edgeLetters(alongBeam, BeamAxis::plusZ, geometry) == (std::array<QString, 4>{}));
+        QVERIFY(edgeLetters(alongBeam, BeamAxis::plusZ, geometry).words == (std::array<QString, 4>{}));
         geometry.patientFrameKnown = true;
-        QVERIFY(edgeLetters(alongBeam, BeamAxis::plusZ, geometry) == (std::array<QString, 4>{"A", "P", "F", "H"}));
+        QVERIFY(edgeLetters(alongBeam, BeamAxis::plusZ, geometry).words ==
+                (std::array<QString, 4>{"A", "P", "F", "H"}));
         // The beam runs down in this picture, so that the probe stands above it.
         const ViewFrame fromHead{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-        QVERIFY(edgeLetters(fromHead, BeamAxis::plusZ, geometry) ==
+        QVERIFY(edgeLetters(fromHead, BeamAxis::plusZ, geometry).words ==
                 (std::array<QString, 4>{"A", "P", QString::fromUtf8("L · probe"), "R"}));
-        QVERIFY(edgeLetters(fromHead, std::nullopt, geometry) == (std::array<QString, 4>{"A", "P", "L", "R"}));
+        QVERIFY(edgeLetters(fromHead, std::nullopt, geometry).words == (std::array<QString, 4>{"A", "P", "L", "R"}));
         QVERIFY(towardsProbe(fromHead, BeamAxis::plusZ) == QPointF(0, -1));
         QVERIFY(towardsProbe(fromHead, BeamAxis::minusX) == QPointF(1, 0));
         QVERIFY(!towardsProbe(alongBeam, BeamAxis::plusZ));
