@@ -1,8 +1,6 @@
 #include "app/motion/frame_files.h"
 
 #include <QFileInfo>
-#include <QImage>
-#include <QPainter>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +8,7 @@
 #include <set>
 #include <span>
 
+#include "app/picture/labelled_picture.h"
 #include "app/picture/picture_caption.h"
 #include "io/output/output_place.h"
 #include "io/output/overwriting.h"
@@ -18,8 +17,7 @@
 #include "io/writers/movie_file.h"
 #include "io/writers/picture_file.h"
 #include "processing/picture/picture.h"
-#include "processing/scene/shown_measurement.h"
-#include "widgets/picture_labels/measurement_drawing.h"
+#include "widgets/casting/picture_image.h"
 #include "widgets/picture_labels/picture_labels.h"
 
 namespace echolucent {
@@ -33,24 +31,18 @@ tl::unexpected<Failure> cancelled(const FrameOrder& order) {
     return fail(FailureKind::cancelled, order.choice.path.toStdString(), "", "was cancelled");
 }
 
-PictureLabels frameLabels(const FrameOrder& order, const PaneFrames& frames, int frame, const PanePicture& picture) {
+LabelFacts labelsOf(const FrameOrder& order, const PaneFrames& frames, int frame) {
     const Document shown = frames.documentOf(frame);
-    const bool known = picture.voxels->geometry().spacingKnown;
     const MotionChoice& motion = order.document.motion;
     // If the probe moves, no frame is a view of its own, not even the middle one.
     const bool ofAnotherView =
         !movesProbe(motion.scenario) && curveIsOfAnotherView(shown, otfViewpointOf(shown, firstPane));
-    return {.caption = pictureCaption({.document = shown,
-                                       .speckle = ShownSpeckle::reduced,
-                                       .curveOfAnotherView = ofAnotherView,
-                                       .curveIsTold = order.curveIsTold,
-                                       .sides = order.sides.get(),
-                                       .lengthsKnown = known,
-                                       .reduction = picture.voxels->geometry().reduction}),
+    return {.curveOfAnotherView = ofAnotherView,
+            .curveIsTold = order.curveIsTold,
+            .sides = order.sides.get(),
+            .remembered = std::nullopt,
             .frame = frameWords(frames.position(frame), motion.scenario, static_cast<int>(order.phases.scans.size()),
-                                order.phaseTimes),
-            .camera = picture.cast.camera,
-            .spacingKnown = known};
+                                order.phaseTimes)};
 }
 
 /// A frame as 8-bit red, green, blue. No value if the work was cancelled.
@@ -59,18 +51,9 @@ std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, PaneF
     const QSize size = order.choice.size;
     const auto picture = frames.picture(frame, size.width(), size.height(), progress);
     if (!picture) return std::nullopt;
-    std::vector<std::uint8_t> rgb = overBackground(picture->picture, Vec3(0, 0, 0));
-    if (!order.choice.labels) return rgb;
-    QImage image(rgb.data(), size.width(), size.height(), qsizetype{3} * size.width(), QImage::Format_RGB888);
-    QPainter painter(&image);
+    if (!order.choice.labels) return overBackground(picture->picture, Vec3(0, 0, 0));
     const double scale = std::max(1.0, size.height() / plainHeight);
-    const auto measured =
-        shownMeasurementsIn3d(order.document.measurements, frames.position(frame).phase, *picture->voxels,
-                              order.document.scene.planes, order.document.beam.axis);
-    paintMeasurements(painter, placedInPicture(measured, picture->cast.camera), size, scale);
-    paintLabels(painter, size, frameLabels(order, frames, frame, *picture), scale);
-    painter.end();
-    return rgb;
+    return rgbBytesOf(labelledPicture(*picture, frames.documentOf(frame), labelsOf(order, frames, frame), scale));
 }
 
 /// Writes pictures beside their places and puts them all in place at the end.

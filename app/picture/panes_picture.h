@@ -3,6 +3,7 @@
 
 #include <QImage>
 #include <QRect>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,14 +30,18 @@ struct PanesInPicture {
     StudyPhases phases{};
     std::shared_ptr<const SidesFinding> sides{};  ///< of the document's beam, for the caption; null until found
     QSize size{};                                 ///< of the picture, pixels
-    double scale = 1.0;                           ///< pixels of the picture in a pixel of a plain screen
+    bool curveIsTold;                             ///< as in CaptionFacts; each caller decides
+    std::optional<std::size_t> remembered;        ///< as in CaptionFacts; each caller decides
+    double scale = 1.0;                           ///< pixels of the picture in a pixel of the screen
+    double words = 1.0;                           ///< how much larger letters and lines are than `scale` makes them
     std::optional<QRect> of3d{};                  ///< the place of the 3D view; no value if it is not in the picture
     std::vector<PlaneInPicture> planes{};
 };
 
 /// The picture, over black. The 3D view is PaneCaster::picture() of the first pane in its size, with the measurements
 /// of its phase and the labels of the screen. Planes are sampled in their size. The result is empty only if
-/// progress.cancel was raised. Any thread may call this.
+/// progress.cancel was raised. Any thread may call this. Throws std::bad_alloc if there is
+/// no memory for the picture.
 [[nodiscard]] std::optional<QImage> panesPicture(const PanesInPicture& panes, const Progress& progress = {});
 
 }  // namespace echolucent

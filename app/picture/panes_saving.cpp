@@ -1,15 +1,18 @@
 #include "app/picture/panes_saving.h"
 
+#include <QBuffer>
+#include <algorithm>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include "app/files/save_dialog.h"
 #include "app/settings/settings.h"
 #include "app/study/study_names.h"
+#include "io/output/atomic_file.h"
 #include "io/output/overwriting.h"
 #include "io/study/import_report.h"
-#include "io/writers/picture_file.h"
-#include "widgets/casting/picture_image.h"
+#include "processing/motion/motion_mode.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
@@ -20,6 +23,19 @@ namespace echolucent {
 namespace {
 
 constexpr const char* panesTopic = "picture of panes";
+constexpr double plainDotsPerInch = 96.0;  ///< of a plain screen
+constexpr double metresPerInch = 0.0254;
+
+/// Writes a PNG that a printer makes as large as its dots per inch say.
+Result<void> writePicture(const std::string& file, QImage image, double dotsPerInch) {
+    const int dotsPerMetre = qRound(dotsPerInch / metresPerInch);
+    image.setDotsPerMeterX(dotsPerMetre);
+    image.setDotsPerMeterY(dotsPerMetre);
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    if (!image.save(&bytes, "PNG")) throw std::bad_alloc();  // nothing else ends it in memory
+    return writeFileAtomically(file, bytes.data().toStdString());
+}
 
 QRect scaled(const QRect& place, double scale) {
     const QPoint first = (QPointF(place.topLeft()) * scale).toPoint();
@@ -37,12 +53,19 @@ PanesSaving::PanesSaving(Parts parts)
 void PanesSaving::choose() {
     const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
+    if (!m_parts.panes.isVisible()) return;
+    const Document& document = m_parts.model.document();
+    const bool isSmoothed = needsComputedOtf(document, firstPane) && designerConfigOf(document, firstPane) == nullptr &&
+                            smoothingOf(document.motion.otf).value_or(OtfSmoothing::none) != OtfSmoothing::none;
     bool planesAreShown = false;
     for (const PlanePane* plane : m_parts.planes) planesAreShown = planesAreShown || plane->isVisible();
     const double ratio = m_parts.panes.devicePixelRatioF();
     PictureDialog dialog({.of3d = m_parts.picture.isVisible() ? m_parts.picture.size() * ratio : QSize(),
                           .ofPanes = m_parts.panes.size() * ratio,
-                          .planesAreShown = planesAreShown},
+                          .planesAreShown = planesAreShown,
+                          .note = isSmoothed ? tr("The 3D picture gets the curve of its own volume and view. A motion "
+                                                  "also smooths curves over time; this picture does not.")
+                                             : QString()},
                          &m_parts.window);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, &dialog, &QDialog::reject);
     if (dialog.exec() != QDialog::Accepted) return;
@@ -60,11 +83,14 @@ PanesInPicture PanesSaving::taken(const PictureChoice& choice) const {
     const QuietPhases& quiet = openStudy.quietPhases();
     PanesInPicture panes{.document = m_parts.model.document(),
                          .phases = {.scans = openStudy.study()->phases, .quiet = {}, .reduction = quiet.reduction()},
-                         .sides = m_parts.sides.finding()};
+                         .sides = m_parts.sides.finding(),
+                         .curveIsTold = m_parts.settings.face() == Face::teach,
+                         .remembered = m_parts.rememberedSide()};
     for (int phase = 0; phase < quiet.phaseCount(); ++phase) panes.phases.quiet.push_back(quiet.of(phase));
     const QRect whole = choice.allPanes ? m_parts.panes.rect() : QRect({}, m_parts.picture.size());
     panes.scale = static_cast<double>(choice.width) / std::max(1, whole.width());
     panes.size = scaled(whole, panes.scale).size();
+    panes.words = std::max(1.0, choice.dotsPerInch / plainDotsPerInch / panes.scale);
     if (!choice.allPanes) {
         panes.of3d = QRect({}, panes.size);
         return panes;
@@ -76,7 +102,7 @@ PanesInPicture PanesSaving::taken(const PictureChoice& choice) const {
         const std::optional<PlaneRequest> request = plane->wanted(voxels);
         if (!request) continue;
         PlaneInPicture next{scaled(plane->geometry(), panes.scale), *request, plane->greys(),
-                            plane->drawings(panes.scale)};
+                            plane->drawings(panes.scale, panes.words)};
         next.request.columns = next.place.width();
         next.request.rows = next.place.height();
         panes.planes.push_back(std::move(next));
@@ -92,16 +118,25 @@ void PanesSaving::save(const QString& path, const PictureChoice& choice) {
     if (m_writing.busy()) return say(tr("A picture is being written. Wait for it, or cancel it."));
     if (m_parts.shown.held())
         return say(tr("The picture of this study is not there yet, so nothing was saved. Try it again once it is."));
+    const QSize whole = choice.allPanes ? m_parts.panes.size() : m_parts.picture.size();
+    const bool isShown = choice.allPanes ? m_parts.panes.isVisible() : m_parts.picture.isVisible();
+    if (!isShown || whole.isEmpty() || choice.width < 1)
+        return say(tr("No pane is shown that could be saved, so nothing was saved."));
+    const double height = static_cast<double>(choice.width) / whole.width() * whole.height();
+    if (choice.width > PictureDialog::longestEdge || height > PictureDialog::longestEdge)
+        return say(tr("No edge of a picture may have more than %1 pixels, so nothing was saved.")
+                       .arg(PictureDialog::longestEdge));
     if (const auto allowed = refuseToOverwrite(m_parts.openStudy.study()->files, {path.toStdString()}); !allowed)
         return tell(path, allowed);
     m_writing.begin(
         path,
         [panes = std::make_shared<const PanesInPicture>(taken(choice)),
+         dotsPerInch = choice.dotsPerInch > 0 ? choice.dotsPerInch : plainDotsPerInch,
          file = path.toStdString()](const Progress& progress) -> Result<void> {
             const std::optional<QImage> image = panesPicture(*panes, progress);
             if (!image || progress.cancelled())
                 return fail(FailureKind::cancelled, file, {}, "was not written: cancelled");
-            return writePng(file, image->width(), image->height(), rgbBytesOf(*image));
+            return writePicture(file, *image, dotsPerInch);
         },
         [this, path](const Result<void>& written) { tell(path, written); });
 }

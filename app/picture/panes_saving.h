@@ -3,7 +3,9 @@
 
 #include <QObject>
 #include <array>
+#include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "app/files/file_writing.h"
 #include "app/picture/document_view.h"
@@ -23,7 +25,8 @@ class StudyNames;
 class VolumeViewWidget;
 
 /// Takes the state of the panes when it is asked, and makes and writes the picture in a thread. The file names no
-/// patient; the window's own controls are not in it.
+/// patient; the window's own controls are not in it. The 3D picture is made with the OTF of its own volume and view: a
+/// smoothing over time, as a motion shows it, is not in it.
 class PanesSaving : public QObject {
     Q_OBJECT
 
@@ -40,8 +43,9 @@ public:
         MessageBar& messages;
         StudyNames& names;
         const StudySides& sides;
-        const DocumentView& shown;                                 ///< what the 3D view shows
-        std::function<QString(const QString& what)> proposedName;  ///< for a file of the study, without an ending
+        const DocumentView& shown;                                   ///< what the 3D view shows
+        std::function<QString(const QString& what)> proposedName;    ///< for a file of the study, without an ending
+        std::function<std::optional<std::size_t>()> rememberedSide;  ///< as CaptionFacts::remembered
     };
     /// The parts outlive this object, which belongs to the window.
     explicit PanesSaving(Parts parts);
@@ -49,7 +53,8 @@ public:
     /// Asks for content, size and file. Does nothing if no study is open.
     void choose();
     /// Saves what the choice says. A message confirms it, or says what stands in the way: a picture that is being
-    /// written, a 3D view that still shows the study before, a path that is a file of the study.
+    /// written, a 3D view that still shows the study before, a path that is a file of the study, panes that are hidden,
+    /// a size without pixels or above PictureDialog::longestEdge.
     void save(const QString& path, const PictureChoice& choice);
     void cancel() { m_writing.cancel(); }
 

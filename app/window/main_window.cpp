@@ -155,10 +155,10 @@ void MainWindow::createUnits() {
         *this, m_document, m_openStudy, m_works, *m_otfs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
         *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
-    m_panesSaving = std::make_unique<PanesSaving>(
-        PanesSaving::Parts{*this, m_document, m_openStudy, m_works, *m_widgets.panes, m_widgets.planes,
-                           *m_widgets.picture, m_settings, *m_widgets.messages, m_names, *m_sides, *m_view,
-                           [this](const QString& what) { return m_files->proposedName(what); }});
+    m_panesSaving = std::make_unique<PanesSaving>(PanesSaving::Parts{
+        *this, m_document, m_openStudy, m_works, *m_widgets.panes, m_widgets.planes, *m_widgets.picture, m_settings,
+        *m_widgets.messages, m_names, *m_sides, *m_view,
+        [this](const QString& what) { return m_files->proposedName(what); }, [this] { return rememberedSide(); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{*this, m_document, m_openStudy, m_works,
                                                                         *m_shownStudy, m_settings, *m_widgets.editor,
                                                                         *m_widgets.messages, m_names});
@@ -280,6 +280,13 @@ void MainWindow::createActions() {
     };
     connect(&m_openStudy, &OpenStudy::studyOpened, this, countSeries);
     countSeries();
+    const auto offerPanes = [this] {
+        enableOrSayWhy(*findChild<QAction*>("file.savePanes"),
+                       m_widgets.rooms->currentWidget()->isAncestorOf(m_widgets.panes),
+                       tr("The comparison is shown. F5 goes back to the panes."));
+    };
+    connect(m_widgets.rooms, &QStackedWidget::currentChanged, this, offerPanes);
+    offerPanes();
     connect(&m_sessions->leftUnsaved(), &LeftUnsaved::listChanged, this, &MainWindow::countLeftUnsaved);
     countLeftUnsaved();
     m_room->createMenu(*this);

@@ -26,7 +26,8 @@ PictureDialog::PictureDialog(const Facts& facts, QWidget* parent)
       m_allPanes(named(new QRadioButton(tr("All &panes as shown")), "pictureDialog.allPanes", tr("All panes as shown"),
                        tr("The planes with their lines and measurements, and the 3D picture"))),
       m_size(named(new QComboBox, "pictureDialog.size", tr("Size"))),
-      m_pixels(named(secondaryLabel(), "pictureDialog.pixels", tr("Width and height in pixels"))) {
+      m_pixels(named(secondaryLabel(), "pictureDialog.pixels", tr("Width and height in pixels"))),
+      m_save(named(new QPushButton(tr("&Save…")), "pictureDialog.save", tr("Save the picture"))) {
     setObjectName("pictureDialog");
     setAccessibleName(tr("Save picture"));
     setWindowTitle(tr("Save picture"));
@@ -38,9 +39,8 @@ PictureDialog::PictureDialog(const Facts& facts, QWidget* parent)
     enableOrSayWhy(*m_allPanes, facts.planesAreShown, tr("No plane is shown. F3 shows planes A, B and C."));
     (facts.planesAreShown ? m_allPanes : m_only3d)->setChecked(true);
     auto* buttons = new QDialogButtonBox;
-    auto* save = buttons->addButton(tr("&Save…"), QDialogButtonBox::AcceptRole);
+    buttons->addButton(m_save, QDialogButtonBox::AcceptRole);
     auto* cancel = buttons->addButton(QDialogButtonBox::Cancel);
-    named(save, "pictureDialog.save", tr("Save the picture"));
     named(cancel, "pictureDialog.cancel", tr("Cancel"));
     for (QAbstractButton* button : buttons->buttons()) button->setIcon({});
     auto* form = new QFormLayout;
@@ -50,9 +50,10 @@ PictureDialog::PictureDialog(const Facts& facts, QWidget* parent)
     form->addRow(QString(), m_pixels);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(form);
+    if (!facts.note.isEmpty()) layout->addWidget(noteLabel(facts.note, "pictureDialog.note"));
     layout->addWidget(buttons);
     setMinimumWidth(360);
-    save->setDefault(true);
+    m_save->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_size, &QComboBox::currentIndexChanged, this, &PictureDialog::showPixels);
@@ -73,9 +74,17 @@ QSize PictureDialog::chosenSize() const {
 
 void PictureDialog::showPixels() {
     const QSize size = chosenSize();
-    m_pixels->setText(tr("%1 × %2 pixels").arg(size.width()).arg(size.height()));
+    const bool isTooLarge = std::max(size.width(), size.height()) > longestEdge;
+    m_pixels->setText(size.isEmpty() ? tr("No pane is shown.")
+                                     : tr("%1 × %2 pixels").arg(size.width()).arg(size.height()));
+    enableOrSayWhy(*m_save, !size.isEmpty() && !isTooLarge,
+                   isTooLarge ? tr("No edge may have more than %1 pixels. Choose a smaller size.").arg(longestEdge)
+                              : tr("No pane is shown."));
 }
 
-PictureChoice PictureDialog::choice() const { return {m_allPanes->isChecked(), chosenSize().width()}; }
+PictureChoice PictureDialog::choice() const {
+    const bool isForPaper = m_size->currentData().toInt() == ofPage;
+    return {m_allPanes->isChecked(), chosenSize().width(), isForPaper ? pageDotsPerInch : 0};
+}
 
 }  // namespace echolucent

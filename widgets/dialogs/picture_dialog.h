@@ -7,6 +7,7 @@
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QRadioButton;
 
 namespace echolucent {
@@ -15,10 +16,12 @@ namespace echolucent {
 struct PictureChoice {
     bool allPanes = false;  ///< else the 3D view alone
     int width = 0;          ///< pixels
+    int dotsPerInch = 0;    ///< of the paper it is made for; 0 if it is made for a screen
     friend bool operator==(const PictureChoice&, const PictureChoice&) = default;
 };
 
-/// Objects: pictureDialog (this), pictureDialog.only3d, .allPanes, .size, .pixels, .save, .cancel.
+/// It cannot be accepted for a picture without pixels, or with an edge above `longestEdge`. Objects: pictureDialog
+/// (this), pictureDialog.only3d, .allPanes, .size, .pixels, .note (if there is one), .save, .cancel.
 class PictureDialog : public QDialog {
     Q_OBJECT
 
@@ -27,6 +30,7 @@ public:
         QSize of3d{};     ///< of the 3D view on the screen, pixels; null if it is hidden
         QSize ofPanes{};  ///< of all panes on the screen, pixels
         bool planesAreShown = true;
+        QString note{};  ///< a sentence to read before saving; empty if there is none
     };
     explicit PictureDialog(const Facts& facts, QWidget* parent = nullptr);
 
@@ -34,6 +38,9 @@ public:
 
     /// Width of the text of a page (170 mm) at 300 dots per inch.
     static constexpr int pageWidth = 2008;
+    static constexpr int pageDotsPerInch = 300;
+    /// The longest edge of a picture, pixels. A picture of that size takes about 2 GiB while it is made.
+    static constexpr int longestEdge = 12000;
 
 private:
     [[nodiscard]] QSize onScreen() const;
@@ -44,6 +51,7 @@ private:
     QRadioButton *m_only3d, *m_allPanes;
     QComboBox* m_size;
     QLabel* m_pixels;
+    QPushButton* m_save;
 };
 
 }  // namespace echolucent
