@@ -39,7 +39,7 @@ public:
     /// Width of the text of a page (170 mm) at 300 dots per inch.
     static constexpr int pageWidth = 2008;
     static constexpr int pageDotsPerInch = 300;
-    /// The longest edge of a picture, pixels. A picture of that size takes about 2 GiB while it is made.
+    /// The longest edge of a picture, pixels.
     static constexpr int longestEdge = 12000;
 
 private:

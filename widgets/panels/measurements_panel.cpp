@@ -22,7 +22,6 @@
 
 #include "processing/one_line.h"
 #include "widgets/controls/panel_controls.h"
-#include "widgets/key_table.h"
 
 namespace echolucent {
 
@@ -102,12 +101,6 @@ bool beginsName(const QKeyEvent& key) {
     const QString text = key.text();
     return !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) && !text.isEmpty() &&
            text.front().isPrint() && !text.front().isSpace();
-}
-
-bool isKeyOfTool(const QKeyEvent& key) {
-    const QKeySequence pressed(key.keyCombination());
-    return pressed == keyOf(QStringLiteral("room.measureDistance")) ||
-           pressed == keyOf(QStringLiteral("room.measureAngle"));
 }
 
 QString measureToolText(MeasurementKind kind) {
@@ -256,10 +249,6 @@ bool MeasurementsPanel::eventFilter(QObject* watched, QEvent* event) {
         }
         // While nothing was typed, undo and redo are the window's: they take back the measurement.
         const QLineEdit& field = *m_name->lineEdit();
-        if (watched == m_name && asks() && isKeyOfTool(*key)) {
-            key->ignore();
-            return true;
-        }
         if (watched == m_name && ((key->matches(QKeySequence::Undo) && !field.isUndoAvailable()) ||
                                   (key->matches(QKeySequence::Redo) && !field.isRedoAvailable()))) {
             key->ignore();

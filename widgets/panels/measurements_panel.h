@@ -41,7 +41,7 @@ public:
     /// Puts the cursor into the name of the selected measurement, with its text selected.
     void goToName();
     /// goToName() after a measurement that nobody may want to name: until something is typed or the field is clicked,
-    /// the keys of the measuring tools and Escape are the window's.
+    /// Escape is the window's. Letters are the name's: "MV" begins with the key of a tool.
     void askForName();
 
 signals:
