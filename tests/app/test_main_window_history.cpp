@@ -1,6 +1,8 @@
 // The history of steps and snapshots, and what is kept of a session that nobody saved.
 #include <QAction>
+#include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -205,6 +207,11 @@ private slots:
     void itIsOfferedOnceAndStandsInTheMenu() {
         leave("100-dead");
         leave("200-dead");
+        // The menu begins with the oldest, and files written at once may have one time.
+        QFile older(path("100-dead.autosave.json"));
+        QVERIFY(older.open(QIODevice::ReadWrite));
+        QVERIFY(older.setFileTime(QDateTime::currentDateTime().addSecs(-60), QFileDevice::FileModificationTime));
+        older.close();
         close();
         startAgain();
         message()->setConfirmationMilliseconds(0);
