@@ -163,7 +163,7 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     if (const auto halved = halvedLengths(config, volume.geometry())) {
         auto found = adaptToData(volume, view, *halved, silent, shown);
         if (!found) return std::nullopt;
-        if (found->tubesWithWeight > 0) {
+        if (found->tubesWithWeight > 0 && found->tubesWithWeight >= leastShareHalved * found->tubesMeetingVolume) {
             found->config = config;
             found->lengthsHalved = true;
             found->times += otf->times;

@@ -16,7 +16,7 @@ namespace echolucent {
 /// of the result are the same for any number of threads.
 ///
 /// If no tube core finds a surface behind fluid, and the volume is coarse, the method runs again with halvedLengths().
-/// If a tube core then has a weight, that is the result (AdaptiveOtf::lengthsHalved).
+/// If enough tube cores then have a weight (leastShareHalved), that is the result (AdaptiveOtf::lengthsHalved).
 ///
 /// If still no tube core finds a surface behind fluid, and zeros are masked as no data (by a guess or by the file), the
 /// method runs again with these zeros as data, dark as fluid. If a tube core then has a weight, the surfaces are where
