@@ -81,7 +81,7 @@ Result<Patient> patientOf(const std::vector<Said>& files, const std::string& fil
          {&Patient::birthDate, &Patient::sex, &Patient::studyDate, &Patient::gestationalAge})
         for (const Said& said : files)
             if (said.patient.*fact != first.*fact) (agreed.*fact).clear();
-    if (agreed.studyDate.empty()) agreed.gestationalAge.clear();  // nobody could tell of which day it is
+    if (agreed.studyDate.empty()) agreed.gestationalAge.clear();  // an age needs the day on which it was counted
     return agreed;
 }
 

@@ -56,7 +56,7 @@ public:
         if (dialog == nullptr) qFatal("no dialog");
         return dialog;
     }
-    /// Saves a report by the dialogs, the first of which is answered by `edit`.
+    /// Saves a report by the dialogs. `edit` answers the first one.
     void answerDialog(const std::function<void(ReportDialog*)>& edit) {
         QTimer::singleShot(0, &window(), [&] {
             auto* dialog = theDialog();

@@ -133,7 +133,7 @@ bool ToolTips::eventFilter(QObject* watched, QEvent* event) {
     QToolTip::showText(help.globalPos(), linesOfToolTip(what.text, QToolTip::font()), &widget);
     const QScreen* pointed = QGuiApplication::screenAt(help.globalPos());
     const QRect screen = (pointed != nullptr ? pointed : widget.screen())->availableGeometry();
-    // Qt puts a tip beside the pointer, where it covers what it explains.
+    // Qt would cover the control: it puts tips beside the pointer.
     for (QWidget* tip : QApplication::topLevelWidgets())
         if (tip->inherits("QTipLabel") && tip->isVisible())
             tip->move(cornerOf(tip->size(), what, help.globalPos(), screen));

@@ -355,7 +355,7 @@ private:
                 }
             return inside;
         };
-        // Right of the line, left of it, or at the picture's edge below or above its end: where they have room.
+        // The words stand right of the line, else left of it. If neither has room, they stand at the picture's edge.
         const QPointF atEdge(picture.width() - words.width() / 2.0, right.y()), line(0.0, words.height() + 2.0);
         const int inside = std::max({lettersAbout(right + aside), lettersAbout(left - aside),
                                      lettersAbout(atEdge + line), lettersAbout(atEdge - line)});
