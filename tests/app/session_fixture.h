@@ -70,7 +70,7 @@ public:
         waitUntilIdle();
         QSignalSpy saved(&window().sessionKeeping(), &SessionKeeping::saved);
         window().sessionKeeping().saveAs(session);
-        if (!saved.wait(10000)) qFatal("nothing was saved");
+        if (!saved.wait(patience)) qFatal("nothing was saved");
         waitUntilIdle();
         return session;
     }

@@ -178,7 +178,7 @@ private slots:
         broken.close();
         QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(bad);
-        QVERIFY(failed.wait());
+        QVERIFY(failed.wait(patience));
         waitUntilIdle();
         QVERIFY(message()->isVisible());
         QVERIFY(message()->text().contains("broken.mha"));
@@ -217,7 +217,7 @@ private slots:
         headerless.close();
         QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(raw);
-        QVERIFY(failed.wait());
+        QVERIFY(failed.wait(patience));
         QVERIFY(message()->text().contains("headerless.bin"));
         QVERIFY(!message()->text().contains("--"));
         click("message.action.0");
@@ -229,14 +229,14 @@ private slots:
         QVERIFY(dialog->fits());
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         dialog->accept();
-        QVERIFY(opened.wait());
+        QVERIFY(opened.wait(patience));
         QCOMPARE(window().openStudy().volume()->storedValue(0), 40.0);
         QVERIFY(!window().openStudy().volume()->geometry().spacingKnown);
         QVERIFY(window().windowTitle().contains("spacing unknown"));
         // The next time nothing needs to be said.
         opened.clear();
         window().open(raw);
-        QVERIFY(opened.wait());
+        QVERIFY(opened.wait(patience));
         waitUntilIdle();
     }
 

@@ -207,7 +207,7 @@ private slots:
         QVERIFY(writeCurve(path.toStdString(), curve));
         QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(path);
-        QVERIFY(failed.wait());
+        QVERIFY(failed.wait(patience));
         QCOMPARE(message()->text(), "curve.json: is an opacity curve, not a volume.");
         QCOMPARE(child<QPushButton>("message.action.0")->text(), "Open it as a curve");
         click("message.action.0");
@@ -227,7 +227,7 @@ private slots:
         sweep.close();
         QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(sweep.fileName());
-        QVERIFY(failed.wait());
+        QVERIFY(failed.wait(patience));
         QVERIFY2(message()->text().contains("tracked 2D sweep of 2 frames"), qPrintable(message()->text()));
         QVERIFY2(message()->text().contains("Reconstruct a volume"), qPrintable(message()->text()));
         QVERIFY2(!message()->text().contains("--"), "an option of the command line is no way out here");
@@ -246,7 +246,7 @@ private slots:
         broken.close();
         QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(folder);
-        QVERIFY(failed.wait());
+        QVERIFY(failed.wait(patience));
         QVERIFY2(message()->text().contains("17.dcm"), qPrintable(message()->text()));
         QVERIFY2(message()->text().startsWith("slices"), qPrintable(message()->text()));
         QVERIFY2(!message()->text().contains(m_out.path()), qPrintable(message()->text()));

@@ -167,7 +167,7 @@ private slots:
         // Opened as a volume, the file says what it is and offers what it is for.
         QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(path);
-        QVERIFY(failed.wait());
+        QVERIFY(failed.wait(patience));
         QCOMPARE(message()->text(), QString("from here.json: holds presets, not a volume."));
         QCOMPARE(child<QPushButton>("message.action.0")->text(), QString("Import them as presets"));
         click("message.action.0");

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QObject>
 #include <QStringList>
+#include <QTest>
 #include <functional>
 #include <map>
 #include <memory>
@@ -44,6 +45,14 @@ struct DrivenProgram {
 void keepPictureOfFailure();
 
 }  // namespace echolucent
+
+/// Qt waits 5 s, which a program under a sanitizer may not keep, or one on a machine that is busy elsewhere.
+#undef QTRY_VERIFY
+#define QTRY_VERIFY(statement) QTRY_VERIFY_WITH_TIMEOUT(statement, echolucent::patience)
+#undef QTRY_VERIFY2
+#define QTRY_VERIFY2(statement, description) QTRY_VERIFY2_WITH_TIMEOUT(statement, description, echolucent::patience)
+#undef QTRY_COMPARE
+#define QTRY_COMPARE(computed, expected) QTRY_COMPARE_WITH_TIMEOUT(computed, expected, echolucent::patience)
 
 /// After the class come the names of its long functions.
 #define ECHOLUCENT_TEST_CLASS(Class, ...)                                                                        \

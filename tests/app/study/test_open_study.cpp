@@ -74,7 +74,7 @@ private slots:
         open(openStudy, m_bright);
         QSignalSpy failed(&openStudy, &OpenStudy::openFailed);
         openStudy.open(m_folder.filePath("not there.mha"));
-        QVERIFY(failed.wait());
+        QVERIFY(failed.wait(patience));
         QCOMPARE(openStudy.volume()->storedValue(0), 200.0);
         QCOMPARE(openStudy.path(), m_bright);
         const auto failure = failed.first().at(1).value<Failure>();
@@ -149,7 +149,7 @@ private:
     static void open(OpenStudy& openStudy, const QString& path) {
         QSignalSpy opened(&openStudy, &OpenStudy::studyOpened);
         openStudy.open(path);
-        QVERIFY(opened.wait());
+        QVERIFY(opened.wait(patience));
     }
 
     QTemporaryDir m_folder;

@@ -122,7 +122,7 @@ private slots:
         const auto save = [this](const QString& path) {
             QSignalSpy saved(&window().sessionKeeping(), &SessionKeeping::saved);
             window().sessionKeeping().saveAs(path);
-            return saved.wait(10000);
+            return saved.wait(patience);
         };
         QVERIFY(save(session));
         close();

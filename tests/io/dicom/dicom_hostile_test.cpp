@@ -113,7 +113,7 @@ TEST(HostileDicom, DeflatedDataThatUnpackTooFarAreRefusedBeforeTheLibrarySeesThe
     const auto scan = scanDicom(*InputFile::open(path), progress);
     ASSERT_FALSE(scan);
     EXPECT_EQ(scan.error().kind, FailureKind::cancelled);
-    EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::milliseconds(100));
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(1));
 }
 
 }  // namespace

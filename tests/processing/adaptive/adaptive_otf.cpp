@@ -249,6 +249,8 @@ TEST(AdaptiveOtf, StopsWhenCancelled) {
 
 TEST(AdaptiveOtf, ReportsProgressThatRisesToOneAndTimesOfEveryStage) {
     const Volume volume = PlaneVolume{}.make();
+    // Only the caller's thread reports how far it is: others may leave it nothing to do.
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
     for (const DetectionRule& detection : {DetectionRule(VarianceRule{}), DetectionRule(RatioRule{})}) {
         AdaptiveOtfConfig config;
         config.detection = detection;
