@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "processing/parallel.h"
@@ -15,6 +16,7 @@ namespace echolucent::light {
 namespace {
 
 constexpr double levelsAbove = 254.0;
+constexpr std::size_t mostVoxels = 16;  // of a place along an axis, LightScene::coarseness at most
 
 /// Opacity per unit of each byte that stands for a voxel, then 256 zeros for bytes of no data.
 using ByteOpacities = std::array<float, 512>;
@@ -62,7 +64,7 @@ float opacityOf(const ByteRow& row, std::size_t at, const ByteOpacities& opaciti
 
 /// Adds the opacities of a row of voxels to the sums of its whole places. A place has so few voxels that it is summed
 /// in registers.
-template <int voxels, bool isMasked>
+template <std::size_t voxels, bool isMasked>
 void addWholePlaces(const ByteRow& row, std::size_t places, const ByteOpacities& opacities, float* sums) {
     for (std::size_t place = 0; place < places; ++place) {
         const std::size_t first = place * voxels;
@@ -75,19 +77,11 @@ void addWholePlaces(const ByteRow& row, std::size_t places, const ByteOpacities&
 template <bool isMasked>
 void addRow(const ByteRow& row, std::size_t count, std::size_t voxels, const ByteOpacities& opacities, float* sums) {
     const std::size_t whole = count / voxels;
-    std::size_t done = whole * voxels;
-    switch (voxels) {
-        case 1: addWholePlaces<1, isMasked>(row, whole, opacities, sums); break;
-        case 2: addWholePlaces<2, isMasked>(row, whole, opacities, sums); break;
-        case 3: addWholePlaces<3, isMasked>(row, whole, opacities, sums); break;
-        case 4: addWholePlaces<4, isMasked>(row, whole, opacities, sums); break;
-        case 5: addWholePlaces<5, isMasked>(row, whole, opacities, sums); break;
-        case 6: addWholePlaces<6, isMasked>(row, whole, opacities, sums); break;
-        case 7: addWholePlaces<7, isMasked>(row, whole, opacities, sums); break;
-        case 8: addWholePlaces<8, isMasked>(row, whole, opacities, sums); break;
-        default: done = 0;
-    }
-    for (std::size_t x = done; x < count; ++x) sums[x / voxels] += opacityOf<isMasked>(row, x, opacities);
+    const auto addAll = [&]<std::size_t... below>(std::index_sequence<below...>) {
+        ((voxels == below + 1 ? addWholePlaces<below + 1, isMasked>(row, whole, opacities, sums) : void()), ...);
+    };
+    addAll(std::make_index_sequence<mostVoxels>());
+    for (std::size_t x = whole * voxels; x < count; ++x) sums[x / voxels] += opacityOf<isMasked>(row, x, opacities);
 }
 
 template <typename Voxel>

@@ -149,12 +149,21 @@ public:
     }
 
 private:
+    static constexpr std::size_t mostKept = 2;
+
     /// Extinctions of the whole volume.
     struct Classified {
         Classification otf;
         int coarseness;
         std::vector<float> extinctions;  ///< and spareFloats more
         RowMarks stale;                  ///< rows of voxels whose extinctions are those of another cut
+    };
+
+    /// What a surface that cuts leaves of each place.
+    struct LeftBySurface {
+        CutSurface surface;
+        int coarseness;
+        std::vector<float> shares;
     };
 
     /// Puts the extinctions of the OTF first in m_classified. False if the work was cancelled.
@@ -167,8 +176,7 @@ private:
             m_classified.splice(m_classified.begin(), m_classified, found);
         } else {
             if (found != m_classified.end()) m_classified.erase(found);
-            constexpr std::size_t most = 2;
-            if (m_classified.size() >= most) m_classified.pop_back();
+            if (m_classified.size() >= mostKept) m_classified.pop_back();
             m_classified.push_front({otf, coarseness, std::vector<float>(grid.places() + light::spareFloats),
                                      RowMarks(volume->geometry().size, true)});
         }
@@ -202,7 +210,7 @@ private:
                   const Progress& progress) {
         const RenderedShares shares(scene.rendered, grid.spacingMm);
         std::vector<float> cut;
-        if (!shares.everywhere()) cut = renderedExtinctions(shares, grid);
+        if (!shares.everywhere()) cut = renderedExtinctions(shares, scene.coarseness, grid);
         light::GridExtinctions extinctions{grid, shares.everywhere() ? m_classified.front().extinctions : cut, {}};
         std::vector<std::pair<const light::DirectionBundle*, SweptLight*>> jobs;
         bool alongX = false;
@@ -222,23 +230,49 @@ private:
         });
     }
 
-    /// The extinctions that remain if only a part of the volume is rendered.
-    [[nodiscard]] std::vector<float> renderedExtinctions(const RenderedShares& shares,
-                                                         const light::LightGrid& grid) const {
-        std::vector<float> rendered = m_classified.front().extinctions;
+    /// Calls forRow(y, z, the row's first place) for each row of places.
+    template <typename ForRow>
+    static void forRowsOf(const light::LightGrid& grid, const ForRow& forRow) {
         parallelFor(0, grid.size[2], [&](int z) {
-            for (int y = 0; y < grid.size[1]; ++y) {
-                const auto row =
-                    static_cast<std::size_t>(z) * static_cast<std::size_t>(grid.size[1]) + static_cast<std::size_t>(y);
-                shares.multiplyRow(grid.gridMm(0, y, z), grid.spacingMm[0], grid.size[0],
-                                   rendered.data() + row * static_cast<std::size_t>(grid.size[0]));
-            }
+            for (int y = 0; y < grid.size[1]; ++y)
+                forRow(y, z, (std::int64_t{z} * grid.size[1] + y) * std::int64_t{grid.size[0]});
+        });
+    }
+
+    /// The extinctions that remain if only a part of the volume is rendered.
+    [[nodiscard]] std::vector<float> renderedExtinctions(const RenderedShares& shares, int coarseness,
+                                                         const light::LightGrid& grid) {
+        std::vector<float> rendered = m_classified.front().extinctions;
+        const float* const left = shares.surface() ? surfaceShares(shares, coarseness, grid).data() : nullptr;
+        forRowsOf(grid, [&](int y, int z, std::int64_t first) {
+            float* const row = rendered.data() + first;
+            shares.multiplyRowByFaces(grid.gridMm(0, y, z), grid.spacingMm[0], grid.size[0], row);
+            for (int x = 0; left != nullptr && x < grid.size[0]; ++x) row[x] *= left[first + x];
         });
         return rendered;
     }
 
+    /// The shares of all places that the surface leaves.
+    const std::vector<float>& surfaceShares(const RenderedShares& shares, int coarseness,
+                                            const light::LightGrid& grid) {
+        const auto found = std::ranges::find(m_surfaces, coarseness, &LeftBySurface::coarseness);
+        if (found != m_surfaces.end() && found->surface == *shares.surface()) {
+            m_surfaces.splice(m_surfaces.begin(), m_surfaces, found);
+            return m_surfaces.front().shares;
+        }
+        if (found != m_surfaces.end()) m_surfaces.erase(found);
+        if (m_surfaces.size() >= mostKept) m_surfaces.pop_back();
+        m_surfaces.push_front({*shares.surface(), coarseness, std::vector<float>(grid.places())});
+        std::vector<float>& left = m_surfaces.front().shares;
+        forRowsOf(grid, [&](int y, int z, std::int64_t first) {
+            shares.surfaceShares(grid.gridMm(0, y, z), grid.spacingMm[0], grid.size[0], left.data() + first);
+        });
+        return left;
+    }
+
     light::CoarseExtinction m_extinction;
     std::list<Classified> m_classified;       ///< the newest first, each of another coarseness
+    std::list<LeftBySurface> m_surfaces;      ///< the newest first, each of another coarseness
     std::optional<LightScene> m_aroundScene;  ///< the scene of m_around, without its key light
     std::vector<std::uint16_t> m_around;      ///< 256ths of a level
 };

@@ -58,8 +58,9 @@ struct LightOtf {
 };
 
 /// Makes light volumes of one volume again and again, and keeps what they share. It keeps coarse extinctions while the
-/// OTF stays, for two coarsenesses, because pictures while the hand moves and pictures at rest alternate. If only the
-/// key light changes, it keeps the light around the viewer. Only one thread at a time may use it.
+/// OTF stays, and what a cutting surface leaves while the surface stays, each for two coarsenesses, because pictures
+/// while the hand moves and pictures at rest alternate. If only the key light changes, it keeps the light around the
+/// viewer. Only one thread at a time may use it.
 ///
 /// The light of a place is a mean over a fixed set of directions. The key light's directions lie within its half-angle.
 /// Those around the viewer lie in the hemisphere before the viewer and count by the cosine. Light is swept along each

@@ -34,7 +34,7 @@ void RenderedShares::addFace(const Vec3& normal, double depth, const Vec3& place
     m_faces.push_back({normal, depth, thicknessAlong(normal, placeMm)});
 }
 
-void RenderedShares::multiplyRow(const Vec3& firstMm, double stepMm, int count, float* values) const {
+void RenderedShares::multiplyRowByFaces(const Vec3& firstMm, double stepMm, int count, float* values) const {
     for (const Face& face : m_faces) {
         const auto first = static_cast<float>((face.normal.dot(firstMm) - face.depth) / face.thicknessMm + 0.5);
         const auto step = static_cast<float>(face.normal[0] * stepMm / face.thicknessMm);
@@ -43,14 +43,13 @@ void RenderedShares::multiplyRow(const Vec3& firstMm, double stepMm, int count, 
         for (int x = 0; x < count; ++x)
             values[x] *= std::min(std::max(first + step * static_cast<float>(x), 0.0f), 1.0f);
     }
-    if (m_surface) multiplyRowBySurface(firstMm, stepMm, count, values);
 }
 
-void RenderedShares::multiplyRowBySurface(const Vec3& firstMm, double stepMm, int count, float* values) const {
+void RenderedShares::surfaceShares(const Vec3& firstMm, double stepMm, int count, float* shares) const {
     for (int x = 0; x < count; ++x) {
         const Vec3 place = firstMm + Vec3(stepMm * x, 0, 0);
         const double behind = m_surface->frame.forward.dot(place) - m_surface->depthAt(place);
-        values[x] *= static_cast<float>(std::clamp(behind / m_surfaceThicknessMm + 0.5, 0.0, 1.0));
+        shares[x] = static_cast<float>(std::clamp(behind / m_surfaceThicknessMm + 0.5, 0.0, 1.0));
     }
 }
 

@@ -27,9 +27,13 @@ public:
     RenderedShares(const RenderedPart& part, const Vec3& placeMm);
 
     [[nodiscard]] bool everywhere() const { return m_faces.empty() && !m_surface; }
-    /// Multiplies `count` values by the shares of the places at firstMm, firstMm + (stepMm,0,0), ... Only here light
-    /// asks whether something is rendered.
-    void multiplyRow(const Vec3& firstMm, double stepMm, int count, float* values) const;
+    /// Multiplies `count` values by the shares of the places at firstMm, firstMm + (stepMm,0,0), ... that the faces of
+    /// front, box and clipping planes leave. Only here and in surfaceShares() light asks whether something is rendered.
+    void multiplyRowByFaces(const Vec3& firstMm, double stepMm, int count, float* values) const;
+    /// The surface that cuts, if any.
+    [[nodiscard]] const std::optional<CutSurface>& surface() const { return m_surface; }
+    /// The shares that the surface leaves of these places. It must be there.
+    void surfaceShares(const Vec3& firstMm, double stepMm, int count, float* shares) const;
     /// Whether a place in grid mm is rendered, exactly.
     [[nodiscard]] bool contains(const Vec3& gridMm) const;
 
@@ -41,7 +45,6 @@ private:
         double thicknessMm;  ///< of a place along the normal
     };
     void addFace(const Vec3& normal, double depth, const Vec3& placeMm);
-    void multiplyRowBySurface(const Vec3& firstMm, double stepMm, int count, float* values) const;
 
     std::vector<Face> m_faces;
     std::optional<CutSurface> m_surface;
