@@ -156,6 +156,29 @@ private slots:
         QVERIFY(quality.qualityForEdits(asked, true) > chosen);
     }
 
+    void aLitEditMayBeOneCoarserThanANewView() {
+        // 90 ms for full size at step 1, more from kept samples under new light; the light volume takes a frame.
+        RayCastSettings asked;
+        asked.shading = Shading{.reaching = {}};
+        const double sampling = 90.0 / (512 * 512), reclassifying = 1.7 * sampling;
+        PreviewQuality quality(33);
+        for (int i = 0; i < 8; ++i) {
+            const RayCastSettings moving = settingsAt(quality.qualityInMotion(asked), asked);
+            quality.sampled(moving, costOf(moving, sampling));
+            quality.lit(moving, 0);  // a new view keeps its light volume
+        }
+        const std::size_t inMotion = quality.qualityInMotion(asked);
+        for (int i = 0; i < 8; ++i) {
+            const RayCastSettings shown = settingsAt(quality.qualityForEdits(asked, true), asked);
+            quality.reclassified(shown, costOf(shown, reclassifying));
+            quality.lit(shown, 33);
+        }
+        QCOMPARE(quality.qualityForEdits(asked, true), inMotion + 1);
+        asked.shading.reset();
+        const std::size_t unlit = quality.qualityInMotion(asked);
+        QVERIFY(quality.qualityForEdits(asked, true) <= unlit);
+    }
+
     void noEditBeginsWithALongWait() {
         // Five seconds for full size: from kept samples it might be quick, but not the two pictures before.
         const RayCastSettings asked;

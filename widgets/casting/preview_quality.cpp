@@ -8,12 +8,16 @@ namespace {
 
 constexpr double newestMeasureShare = 0.5;  // weight of the newest measure in a learnt cost
 constexpr double smallestBudget = 1.0 / 3;  // of a frame, however slowly pictures reach the screen
+constexpr double smallestLitEdit = 0.5;     // of a frame for the rays of an edit, however long its light takes
 constexpr double reclassifyShare = 0.25;    // of the cost of sampling, until it is measured
 constexpr double shadedRatio = 4.0;         // of the cost of sampling, until it is measured
 
 double samplesOf(const RayCastSettings& settings) {
     return static_cast<double>(settings.width) * settings.height / settings.step;
 }
+
+/// Whether a picture needs a light volume.
+bool isLit(const RayCastSettings& settings) { return settings.shading && settings.shading->asksWhatReaches(); }
 
 double samplesAt(std::size_t quality, const RayCastSettings& asked) { return samplesOf(settingsAt(quality, asked)); }
 
@@ -57,12 +61,11 @@ void PreviewQuality::drawn(double milliseconds) {
 }
 
 void PreviewQuality::lit(const RayCastSettings& settings, double milliseconds) {
-    if (settings.shading && settings.shading->asksWhatReaches()) learn(m_light, std::min(milliseconds, m_frame));
+    if (isLit(settings)) learn(m_light, std::min(milliseconds, m_frame));
 }
 
 double PreviewQuality::budgetFor(const RayCastSettings& asked) const {
-    const bool lit = asked.shading && asked.shading->asksWhatReaches();
-    return std::max(budgetMilliseconds() - (lit ? m_light : 0.0), smallestBudget * m_frame);
+    return std::max(budgetMilliseconds() - (isLit(asked) ? m_light : 0.0), smallestBudget * m_frame);
 }
 
 double PreviewQuality::budgetMilliseconds() const { return std::max(m_frame - m_drawing, smallestBudget * m_frame); }
@@ -82,10 +85,12 @@ std::size_t PreviewQuality::qualityAlone(const RayCastSettings& asked) {
 }
 
 std::size_t PreviewQuality::qualityForEdits(const RayCastSettings& asked, bool inSeries) {
+    const bool lit = isLit(asked);
+    const double budget = lit ? std::max(budgetFor(asked), smallestLitEdit * m_frame) : budgetFor(asked);
     if (samplingCost(asked) > 0.0)
-        m_editQuality = qualityWithin(budgetFor(asked), m_editQuality, inSeries ? withinSeries : usual,
+        m_editQuality = qualityWithin(budget, m_editQuality, inSeries ? withinSeries : usual,
                                       [&](std::size_t quality) { return editCost(quality, asked); });
-    return std::min(m_editQuality, m_motionQuality);
+    return std::min(m_editQuality, m_motionQuality + (lit ? 1 : 0));
 }
 
 double PreviewQuality::samplingCost(const RayCastSettings& settings) const {
