@@ -47,14 +47,16 @@ void addPatient(Page& page, const CaseReport& report) {
     if (!facts.empty()) page.paragraph("Patient: " + facts);
 }
 
-/// The 3D view first: it is the large one. Beside few texts all pictures are larger.
+/// The 3D view first: it is the large one. Beside few texts all pictures are larger. Captions name the volume of a 4D
+/// study.
 template <typename Page>
 void addPictures(Page& page, const CaseReport& report, const FirstPageTexts& texts) {
     constexpr double fewTexts = 45.0;  // mm
     std::vector<PagePicture> row;
     for (const ReportPane& pane : report.panes) {
-        PagePicture picture{pane.image.width(), pane.image.height(), rgbBytesOf(pane.image),
-                            pane.caption.toStdString()};
+        std::string caption = pane.caption.toStdString();
+        if (report.phases > 1) caption += fmt::format(", volume {}", report.document.scene.phase + 1);
+        PagePicture picture{pane.image.width(), pane.image.height(), rgbBytesOf(pane.image), std::move(caption)};
         row.insert(pane.is3d ? row.begin() : row.end(), std::move(picture));
     }
     page.pictures(row, row.size() > 1 && texts.heightMm <= fewTexts ? PictureRow::below : PictureRow::beside);

@@ -111,6 +111,16 @@ private slots:
         QCOMPARE(picturesOf(saved()).keys(), QStringList{"3D view"});
     }
 
+    void thePicturesOfA4DStudyNameTheirVolume() {
+        const auto scan = smallPhantom(PhantomScene::shapes, 5);
+        open(file("beating.mha", {scan, scan, scan}));
+        showPanes(PaneLayout::quad);
+        window().document().showPhase(1);
+        waitUntilIdle();
+        QCOMPARE(picturesOf(saved()).keys(),
+                 (QStringList{"3D view, volume 2", "Plane A, volume 2", "Plane B, volume 2", "Plane C, volume 2"}));
+    }
+
     void theDialogAsksForThePatientEachTime() {
         for (const bool dicom : {false, true}) {
             if (dicom) open(m_dicom);
