@@ -90,7 +90,7 @@ public:
         if (!writeMetaImage(inFolder(name).toStdString(), {smallPhantom(PhantomScene::fetus, 3)})) qFatal("no study");
         QSignalSpy computed(&window().otfs(), &PaneOtfs::computed);
         window().open(inFolder(name));
-        QVERIFY(computed.wait(20000));
+        QVERIFY(computed.wait(patience));
         QTRY_VERIFY(window().openStudy().takingChecksum());
     }
     void release() { m_held = false; }

@@ -102,7 +102,7 @@ private slots:
         QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(m_broken);
         QVERIFY(view().dimmed());
-        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patience);
         QTRY_VERIFY(window().idle());
         asBefore();
         // The trouble stays until the next study is asked for.

@@ -102,7 +102,7 @@ private slots:
     void theProgramTakesCareOfIt() {
         QProcess program;
         start(program, QStringLiteral(ECHOLUCENT_PROGRAM), {moving()});
-        QTRY_VERIFY_WITH_TIMEOUT(handlesSignals(program.processId()), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(handlesSignals(program.processId()), patience);
         program.terminate();
         QVERIFY(program.waitForFinished());
         QCOMPARE(program.exitCode(), SIGTERM);

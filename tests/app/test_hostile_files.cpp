@@ -63,7 +63,7 @@ private slots:
                 row.opened == "." ? folder.path() : folder.filePath(QString::fromStdString(row.opened));
             window().openStudy().open(path, row.options);
             const auto isAsked = [this] { return choice() != nullptr && choice()->isVisible(); };
-            QTRY_VERIFY2_WITH_TIMEOUT(!failed.isEmpty() || isAsked(), row.name.c_str(), 20000);
+            QTRY_VERIFY2_WITH_TIMEOUT(!failed.isEmpty() || isAsked(), row.name.c_str(), patience);
             if (isAsked()) {
                 QCOMPARE(QString::fromStdString(row.name), ofTwoSeries);
                 QTRY_VERIFY2(window().idle(), row.name.c_str());

@@ -193,7 +193,7 @@ private slots:
                                   const Progress&) -> std::optional<Design> { throw std::bad_alloc(); });
         QSignalSpy failed(&window().otfs(), &PaneOtfs::failed);
         window().open(m_moving);
-        QVERIFY(failed.wait(20000));
+        QVERIFY(failed.wait(patience));
         QVERIFY(message()->text().contains("needs more memory"));
         QVERIFY(window().otfEditor().state().adaptive.opacities.empty());
         waitUntilIdle();

@@ -277,7 +277,7 @@ private slots:
         // Opening a study keeps them too.
         QSignalSpy computed(&next.otfs(), &PaneOtfs::computed);
         next.open(m_file);
-        QVERIFY(computed.wait(20000));
+        QVERIFY(computed.wait(patience));
         QCOMPARE(again.motion.otf, MotionOtf::mean);
         QVERIFY(next.otfs().adaptive()->config == configOf(document));
         QTRY_VERIFY_WITH_TIMEOUT(next.idle(), 30000);

@@ -125,7 +125,7 @@ private slots:
         QSignalSpy written(&keeping().autosave(), &Autosave::written);
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         QTRY_COMPARE(written.count(), 1);  // what was left for it
         QCOMPARE(files().size(), 2);
         QVERIFY(files().contains("100-dead.autosave.json"));
@@ -143,7 +143,7 @@ private slots:
         QTRY_VERIFY(message()->text().startsWith("A session of"));
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         waitUntilIdle();
         QVERIFY(document().curves.manual == next.curves.manual);
         QVERIFY(window().otfEditor().isManualModified());
@@ -166,7 +166,7 @@ private slots:
                      qPrintable(message()->text()));
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         waitUntilIdle();
         QVERIFY(document().curves.manual == next.curves.manual);
     }
@@ -177,13 +177,13 @@ private slots:
         startAgain();
         QSignalSpy computed(&window().otfs(), &PaneOtfs::computed);
         window().open(m_file);
-        QVERIFY(computed.wait(20000));
+        QVERIFY(computed.wait(patience));
         waitUntilIdle();
         QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was left unsaved ("),
                      qPrintable(message()->text()));
         computed.clear();
         click("message.action.0");
-        QVERIFY(computed.wait(20000));
+        QVERIFY(computed.wait(patience));
         waitUntilIdle();
         QVERIFY(document().scene.pose == left.scene.pose);
         QVERIFY(document().measurements == left.measurements);
@@ -234,7 +234,7 @@ private slots:
         child<QAction>("file.leftUnsaved.1.open")->trigger();
         // The session is called by its study, not by the file that the program keeps.
         QVERIFY2(window().windowTitle().contains("opening heart.mha"), qPrintable(window().windowTitle()));
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         waitUntilIdle();
         QVERIFY(left().empty());
         QCOMPARE(document().measurements.size(), std::size_t{1});
@@ -273,7 +273,7 @@ private slots:
         });
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         window().open(file("other.mha", {smallPhantom(PhantomScene::fetus, 2)}));
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         QCOMPARE(left().size(), std::size_t{1});
         keeping().leftUnsaved().discard(left().front().file);
         held = false;
@@ -317,7 +317,7 @@ private slots:
         QTRY_VERIFY2(message()->text().startsWith("A session of heart.mha was left unsaved"),
                      qPrintable(message()->text()));
         click("message.action.0");
-        QTRY_COMPARE_WITH_TIMEOUT(window().openStudy().path(), m_file, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(window().openStudy().path(), m_file, patience);
         waitUntilIdle();
         QVERIFY(document().measurements == next.measurements);
     }

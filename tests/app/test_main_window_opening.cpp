@@ -29,7 +29,7 @@ private slots:
         options.studyMebibytes = 1;
         QSignalSpy computed(&window().otfs(), &PaneOtfs::computed);
         window().open(large, options);
-        QVERIFY(computed.wait(20000));
+        QVERIFY(computed.wait(patience));
         waitUntilIdle();
         QCOMPARE(window().openStudy().volume()->geometry().size[2], 60);
         QVERIFY(window().volumeView().caption().endsWith(

@@ -46,7 +46,7 @@ private slots:
         answerDialog([&](QFileDialog& dialog) { dialog.selectFile(moved); }, true);
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         waitUntilIdle();
         QCOMPARE(window().openStudy().path(), moved);
         QVERIFY(nameless(document()) == nameless(saved));
@@ -66,7 +66,7 @@ private slots:
         QVERIFY(window().openStudy().study() == nullptr);
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         waitUntilIdle();
         QVERIFY(nameless(document()) == nameless(saved));
         QVERIFY(std::get<StudyFile>(document().study).bytes == std::get<StudyFile>(saved.study).bytes + 4);

@@ -40,7 +40,7 @@ private slots:
         show();
         QSignalSpy pictures(&window().otfs(), &PaneOtfs::computed);
         window().open(proposed);
-        QTRY_VERIFY_WITH_TIMEOUT(!pictures.isEmpty(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(!pictures.isEmpty(), patience);
         waitUntilIdle();
         QVERIFY(document() == saved);
         QCOMPARE(pictures.count(), 2);  // the scene's one, and the first pane's, which is the same
@@ -117,7 +117,7 @@ private slots:
             QFileDialog& dialog = fileDialog();
             QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
             window().open(other);
-            QVERIFY(opened.wait(20000));
+            QVERIFY(opened.wait(patience));
             closed = !dialog.isVisible();
             if (!closed) static_cast<QDialog&>(dialog).accept();
         });
@@ -228,7 +228,7 @@ private slots:
         QVERIFY(window().sessionKeeping().saving());
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         window().open(session);
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         QTRY_COMPARE(saved.count(), 1);
         QVERIFY(window().isVisible());
         QCOMPARE(window().sessionKeeping().file(), session);

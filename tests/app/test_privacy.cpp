@@ -262,7 +262,7 @@ private slots:
         QVERIFY(foundIn(allWords().join('\n').toUtf8(), m_markers, "choice").isEmpty());
         QTest::keyClick(child<QWidget>("series.list"), Qt::Key_Down);
         QTest::keyClick(child<QDialog>("series"), Qt::Key_Return);
-        QVERIFY(computed.wait(20000));
+        QVERIFY(computed.wait(patience));
         waitUntilIdle();
         const QString recent = path("settings-data/recent/") + Settings::hashOf(folder) + ".png";
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(recent), patience);  // once its picture is fine

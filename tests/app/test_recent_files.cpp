@@ -207,7 +207,7 @@ private slots:
         file.close();
         QSignalSpy failed(&window().openStudy(), &OpenStudy::openFailed);
         window().open(path);
-        QVERIFY(failed.wait(20000));
+        QVERIFY(failed.wait(patience));
         waitUntilIdle();
         QVERIFY(!child<MessageBar>("message")->text().isEmpty());
         QCOMPARE(wordsWith("ROE"), QStringList());
@@ -217,7 +217,7 @@ private slots:
         // The message changes with the switch while it is shown.
         child<QAction>("view.numbersForNames")->trigger();
         window().open(path);
-        QVERIFY(failed.wait(20000));
+        QVERIFY(failed.wait(patience));
         QVERIFY(!wordsWith("RICHARD").isEmpty());
         child<QAction>("view.numbersForNames")->trigger();
         QCOMPARE(wordsWith("RICHARD"), QStringList());

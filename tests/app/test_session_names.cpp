@@ -141,7 +141,7 @@ private slots:
         QCOMPARE(told(), QString());
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         waitUntilIdle();
         QVERIFY2(window().windowTitle().contains("Study 1 "), qPrintable(window().windowTitle()));
         QCOMPARE(recent().value(0), QString("&1  Study 1"));

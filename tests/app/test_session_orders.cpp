@@ -33,7 +33,7 @@ private slots:
         const std::vector<Measurement> measurements = document().measurements;
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         window().open(inFolder("held.mha"));
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         QTRY_COMPARE(saved.count(), 1);
         QVERIFY(window().isVisible());
         QVERIFY(document().measurements.empty());
@@ -65,14 +65,14 @@ private slots:
         keeping().saveAs(session);
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         window().open(studyFile());
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         QTRY_COMPARE(saved.count(), 1);
         release();
         waitUntilIdle();
         QVERIFY2(m_said.filter("was left unsaved").isEmpty(), qPrintable(m_said.join('|')));
         QVERIFY2(autosaves().isEmpty(), qPrintable(autosaves().join(' ')));
         window().open(inFolder("held.mha"));
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 2, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 2, patience);
         waitUntilIdle();
         QVERIFY2(m_said.filter("was left unsaved").isEmpty(), qPrintable(m_said.join('|')));
     }
@@ -85,7 +85,7 @@ private slots:
         QVERIFY(keeping().saving());
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         window().open(studyFile());
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         QTRY_VERIFY(message()->text().contains("could not be written"));
         release();
         waitUntilIdle();
@@ -155,7 +155,7 @@ private slots:
         QTRY_VERIFY2(message()->text().contains("was left unsaved"), qPrintable(message()->text()));
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
         click("message.action.0");
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, patience);
         waitUntilIdle();
         QCOMPARE(keeping().file(), session);
         answerBox("newerSession", QMessageBox::RejectRole);

@@ -83,7 +83,7 @@ public:
     void open(const QString& path) {
         QSignalSpy computed(&window().otfs(), &PaneOtfs::computed);
         window().open(path);
-        QVERIFY(computed.wait(20000));
+        QVERIFY(computed.wait(patience));
         waitUntilIdle();
     }
     void waitUntilIdle() {

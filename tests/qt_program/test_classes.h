@@ -46,7 +46,7 @@ void keepPictureOfFailure();
 
 }  // namespace echolucent
 
-/// Qt waits 5 s, which a program under a sanitizer may not keep, or one on a machine that is busy elsewhere.
+/// Qt waits 5 s: too short under a sanitizer, or on a machine that is busy elsewhere.
 #undef QTRY_VERIFY
 #define QTRY_VERIFY(statement) QTRY_VERIFY_WITH_TIMEOUT(statement, echolucent::patience)
 #undef QTRY_VERIFY2

@@ -76,7 +76,7 @@ private slots:
         waitUntilRest();
         const QString path = temporaryFolder().filePath("comparison.html");
         window().compareRoom().savePage(path);
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), patience);
         waitUntilRest();
         QFile page(path);
         QVERIFY(page.open(QIODevice::ReadOnly));

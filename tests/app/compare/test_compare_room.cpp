@@ -282,7 +282,7 @@ private slots:
         waitUntilRest();
         window().open(m_moving);
         QSignalSpy opened(&window().openStudy(), &OpenStudy::studyOpened);
-        QVERIFY(opened.wait(20000));
+        QVERIFY(opened.wait(patience));
         QVERIFY(!window().compareRoom().views().settled());
         waitUntilRest();
         QVERIFY(window().compareRoom().views().settled());

@@ -102,7 +102,7 @@ private slots:
     }
 
     void eachSideHasItsPictureWhileTheStripIsSeen() {
-        QTRY_VERIFY_WITH_TIMEOUT(window().idle(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(window().idle(), patience);
         std::vector<QImage> images;
         for (int side = 1; side <= 6; ++side) {
             images.push_back(picture(side)->icon().pixmap(QSize(104, 68)).toImage());
@@ -129,7 +129,7 @@ private slots:
         // Also for a file that is read while the window is made.
         auto early = std::make_unique<MainWindow>(settingsFile(), [this](OpenStudy& study) { study.open(m_file); });
         QSignalSpy opened(&early->openStudy(), &OpenStudy::studyOpened);
-        QVERIFY(opened.wait(20000));
+        QVERIFY(opened.wait(patience));
         QCOMPARE(early->openStudy().finds()->source, SideSource::remembered);
         early.reset();
         showAgain();

@@ -95,12 +95,12 @@ private slots:
         qputenv("ECHOLUCENT_FALSE_PIPE", pipe);
         readBy("coarse-fails");
         window().open(m_large);
-        QTRY_VERIFY_WITH_TIMEOUT(still() && still()->isVisible(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(still() && still()->isVisible(), patience);
         QCOMPARE(child<QLabel>("status.activity")->text(), QStringLiteral("coarse picture, loading goes on"));
         QVERIFY(window().openStudy().loading());
         QVERIFY(!window().idle());
         QVERIFY(std::ofstream(pipe.toStdString()));  // it goes on
-        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patience);
         QTRY_VERIFY(still()->isHidden());
         QTRY_VERIFY(window().idle());
         QCOMPARE(window().openStudy().volume(), before);
@@ -111,7 +111,7 @@ private slots:
         const auto before = window().openStudy().volume();
         readBy("coarse-stays");
         window().open(m_large);
-        QTRY_VERIFY_WITH_TIMEOUT(still() && still()->isVisible(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(still() && still()->isVisible(), patience);
         QTRY_VERIFY(child<QAbstractButton>("status.cancel")->isVisible());
         click("status.cancel");
         QTRY_VERIFY(still()->isHidden());
@@ -122,7 +122,7 @@ private slots:
     void goesWhereAnotherStudyIsOpenedInstead() {
         readBy("coarse-stays");
         window().open(m_large);
-        QTRY_VERIFY_WITH_TIMEOUT(still() && still()->isVisible(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(still() && still()->isVisible(), patience);
         restricted::useReaderProgram({});
         window().open(m_small);
         QVERIFY(still()->isHidden());

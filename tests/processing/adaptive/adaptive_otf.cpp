@@ -249,7 +249,7 @@ TEST(AdaptiveOtf, StopsWhenCancelled) {
 
 TEST(AdaptiveOtf, ReportsProgressThatRisesToOneAndTimesOfEveryStage) {
     const Volume volume = PlaneVolume{}.make();
-    // Only the caller's thread reports how far it is: others may leave it nothing to do.
+    // Only the caller's thread reports, and others may do all the work.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
     for (const DetectionRule& detection : {DetectionRule(VarianceRule{}), DetectionRule(RatioRule{})}) {
         AdaptiveOtfConfig config;

@@ -54,8 +54,8 @@ Volume noisyScene(const Vec3& spacing, bool masked) {
     return volume.withDataMask(maskWithout(geometry, [](auto x, auto y, auto z) { return x + y + z / 3 < 20; }));
 }
 
-/// Filters with two threads. A slab has a slice for each thread, so with as many threads as there are slices there
-/// would be one slab only.
+/// Filters in an arena of two threads. A slab has a slice for each thread, so with as many threads as there are slices
+/// there would be one slab only.
 std::optional<Volume> filteredByTwo(const Volume& volume, std::span<const JointBilateralPass> passes,
                                     const Progress& progress, std::int64_t mostVoxels) {
     tbb::task_arena two(2);
@@ -100,7 +100,7 @@ TEST(FilterSlabs, MayBeThinnerThanAMeanReachesAndThanTheVolume) {
 
 TEST(FilterSlabs, LeaveOffWhereTheRunIsCancelled) {
     const Volume volume = noisyScene<std::uint8_t>({1, 1, 1}, false);
-    // Only the caller's thread reports how far it is: others may leave it nothing to do.
+    // Only the caller's thread reports, and others may do all the work.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
     // Speckle is measured in a fifth of the time, a slab after the other, and then means are made.
     struct Cancel {

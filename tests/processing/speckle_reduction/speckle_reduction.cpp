@@ -161,7 +161,7 @@ TEST(SpeckleReduction, IsCancelledBeforeAndWhileItRuns) {
         const std::atomic<bool> cancel = true;
         EXPECT_FALSE(quietVolume(volume, reduction, {{}, &cancel})) << nameOf(reduction);
     }
-    // Only the caller's thread reports how far it is: others may leave it nothing to do.
+    // Only the caller's thread reports, and others may do all the work.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
     for (const SpeckleReduction reduction : reductions) {
         std::atomic<bool> cancel = false;
