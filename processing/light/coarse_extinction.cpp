@@ -16,7 +16,6 @@ namespace echolucent::light {
 namespace {
 
 constexpr double levelsAbove = 254.0;
-constexpr std::size_t mostVoxels = 16;  // of a place along an axis, LightScene::coarseness at most
 
 /// Opacity per unit of each byte that stands for a voxel, then 256 zeros for bytes of no data.
 using ByteOpacities = std::array<float, 512>;
@@ -80,7 +79,7 @@ void addRow(const ByteRow& row, std::size_t count, std::size_t voxels, const Byt
     const auto addAll = [&]<std::size_t... below>(std::index_sequence<below...>) {
         ((voxels == below + 1 ? addWholePlaces<below + 1, isMasked>(row, whole, opacities, sums) : void()), ...);
     };
-    addAll(std::make_index_sequence<mostVoxels>());
+    addAll(std::make_index_sequence<coarsest>());
     for (std::size_t x = whole * voxels; x < count; ++x) sums[x / voxels] += opacityOf<isMasked>(row, x, opacities);
 }
 

@@ -9,6 +9,9 @@
 
 namespace echolucent::light {
 
+inline constexpr int coarsest =
+    16;  ///< the largest LightScene::coarseness, and the most voxels of a place along an axis
+
 /// Places over a volume from the grid's low corner on, each of `voxels` voxels along each axis. The last places of an
 /// axis may reach beyond the volume.
 struct LightGrid {

@@ -21,12 +21,11 @@
 namespace echolucent {
 
 int coarsenessWithin(const VolumeGeometry& geometry, std::int64_t places) {
-    constexpr int coarsest = 16;
     int coarseness = 1;
     const auto tooMany = [&] {
         return static_cast<std::int64_t>(light::LightGrid(geometry, coarseness).places()) > places;
     };
-    while (coarseness < coarsest && tooMany()) ++coarseness;
+    while (coarseness < light::coarsest && tooMany()) ++coarseness;
     return coarseness;
 }
 
@@ -54,7 +53,7 @@ void check(const LightScene& scene) {
         throw std::invalid_argument("LightScene: keyHalfAngleDegrees must be within 0 and 45");
     if (!(scene.attenuation > 0.0 && scene.attenuation <= 1.0))
         throw std::invalid_argument("LightScene: attenuation must be above 0 and at most 1");
-    if (scene.coarseness < 1 || scene.coarseness > 16)
+    if (scene.coarseness < 1 || scene.coarseness > light::coarsest)
         throw std::invalid_argument("LightScene: coarseness must be within 1 and 16");
 }
 
@@ -149,7 +148,15 @@ public:
     }
 
 private:
-    static constexpr std::size_t mostKept = 2;
+    /// Puts an entry first, in the place of one of its coarseness. Two stay.
+    template <typename Kept>
+    static Kept& keep(std::list<Kept>& all, Kept made) {
+        constexpr std::size_t most = 2;
+        all.remove_if([&](const Kept& other) { return other.coarseness == made.coarseness; });
+        if (all.size() >= most) all.pop_back();
+        all.push_front(std::move(made));
+        return all.front();
+    }
 
     /// Extinctions of the whole volume.
     struct Classified {
@@ -159,7 +166,7 @@ private:
         RowMarks stale;                  ///< rows of voxels whose extinctions are those of another cut
     };
 
-    /// What a surface that cuts leaves of each place.
+    /// What a cutting surface leaves of each place.
     struct LeftBySurface {
         CutSurface surface;
         int coarseness;
@@ -175,10 +182,8 @@ private:
         if (found != m_classified.end() && found->otf == otf) {
             m_classified.splice(m_classified.begin(), m_classified, found);
         } else {
-            if (found != m_classified.end()) m_classified.erase(found);
-            if (m_classified.size() >= mostKept) m_classified.pop_back();
-            m_classified.push_front({otf, coarseness, std::vector<float>(grid.places() + light::spareFloats),
-                                     RowMarks(volume->geometry().size, true)});
+            keep(m_classified, {otf, coarseness, std::vector<float>(grid.places() + light::spareFloats),
+                                RowMarks(volume->geometry().size, true)});
         }
         Classified& kept = m_classified.front();
         if (!kept.stale.any()) return true;
@@ -243,7 +248,7 @@ private:
     [[nodiscard]] std::vector<float> renderedExtinctions(const RenderedShares& shares, int coarseness,
                                                          const light::LightGrid& grid) {
         std::vector<float> rendered = m_classified.front().extinctions;
-        const float* const left = shares.surface() ? surfaceShares(shares, coarseness, grid).data() : nullptr;
+        const float* const left = shares.surface() ? leftBySurface(shares, coarseness, grid).data() : nullptr;
         forRowsOf(grid, [&](int y, int z, std::int64_t first) {
             float* const row = rendered.data() + first;
             shares.multiplyRowByFaces(grid.gridMm(0, y, z), grid.spacingMm[0], grid.size[0], row);
@@ -252,22 +257,16 @@ private:
         return rendered;
     }
 
-    /// The shares of all places that the surface leaves.
-    const std::vector<float>& surfaceShares(const RenderedShares& shares, int coarseness,
+    /// What the surface leaves of all places.
+    const std::vector<float>& leftBySurface(const RenderedShares& shares, int coarseness,
                                             const light::LightGrid& grid) {
         const auto found = std::ranges::find(m_surfaces, coarseness, &LeftBySurface::coarseness);
-        if (found != m_surfaces.end() && found->surface == *shares.surface()) {
-            m_surfaces.splice(m_surfaces.begin(), m_surfaces, found);
-            return m_surfaces.front().shares;
-        }
-        if (found != m_surfaces.end()) m_surfaces.erase(found);
-        if (m_surfaces.size() >= mostKept) m_surfaces.pop_back();
-        m_surfaces.push_front({*shares.surface(), coarseness, std::vector<float>(grid.places())});
-        std::vector<float>& left = m_surfaces.front().shares;
+        if (found != m_surfaces.end() && found->surface == *shares.surface()) return found->shares;
+        LeftBySurface made{*shares.surface(), coarseness, std::vector<float>(grid.places())};
         forRowsOf(grid, [&](int y, int z, std::int64_t first) {
-            shares.surfaceShares(grid.gridMm(0, y, z), grid.spacingMm[0], grid.size[0], left.data() + first);
+            shares.surfaceShares(grid.gridMm(0, y, z), grid.spacingMm[0], grid.size[0], made.shares.data() + first);
         });
-        return left;
+        return keep(m_surfaces, std::move(made)).shares;
     }
 
     light::CoarseExtinction m_extinction;

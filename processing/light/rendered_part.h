@@ -32,7 +32,7 @@ public:
     void multiplyRowByFaces(const Vec3& firstMm, double stepMm, int count, float* values) const;
     /// The surface that cuts, if any.
     [[nodiscard]] const std::optional<CutSurface>& surface() const { return m_surface; }
-    /// The shares that the surface leaves of these places. It must be there.
+    /// The shares that the surface leaves of these places. There must be a surface().
     void surfaceShares(const Vec3& firstMm, double stepMm, int count, float* shares) const;
     /// Whether a place in grid mm is rendered, exactly.
     [[nodiscard]] bool contains(const Vec3& gridMm) const;

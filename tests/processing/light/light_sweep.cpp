@@ -8,7 +8,6 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -162,41 +161,7 @@ TEST(LightSweep, WhatIsKeptChangesNothing) {
     EXPECT_TRUE(same()) << "after a cancelled call";
 }
 
-TEST(LightSweep, APlaceOfAnySizeHasTheMeanOpacityOfItsVoxels) {
-    constexpr int edge = 35;  // the last places are beyond the volume in part
-    std::mt19937 random(7);
-    std::vector<float> voxels(edge * edge * edge);
-    for (float& voxel : voxels) voxel = static_cast<float>(random() % 256) / 255.0f;
-    for (int coarseness = 1; coarseness <= 16; ++coarseness) {
-        // The same means, voxel by voxel.
-        const auto places = static_cast<std::size_t>((edge + coarseness - 1) / coarseness);
-        const auto placeOf = [&](std::size_t i) {
-            const std::size_t x = i % edge, y = i / edge % edge, z = i / edge / edge;
-            const auto each = static_cast<std::size_t>(coarseness);
-            return x / each + places * (y / each + places * (z / each));
-        };
-        std::vector<double> sums(places * places * places), counts = sums;
-        for (std::size_t i = 0; i < voxels.size(); ++i) {
-            sums[placeOf(i)] += static_cast<double>(voxels[i]);
-            counts[placeOf(i)] += 1.0;
-        }
-        std::vector<float> means(voxels.size());
-        for (std::size_t i = 0; i < means.size(); ++i)
-            means[i] = static_cast<float>(sums[placeOf(i)] / counts[placeOf(i)]);
-        LightScene scene = obliqueScene();
-        scene.coarseness = coarseness;
-        const auto lightOf = [&](std::vector<float> values) {
-            const auto volume = std::make_shared<const Volume>(cubeGeometry(edge), std::move(values), 1.0);
-            return *LightSweep(volume).lightVolume(rising(0.1), scene);
-        };
-        const LightVolume light = lightOf(voxels), expected = lightOf(std::move(means));
-        for (std::size_t i = 0; i < light.reaching.size(); ++i)
-            ASSERT_NEAR(light.reaching[i], expected.reaching[i], 2) << coarseness;  // intensities are bytes of light
-        EXPECT_LT(*std::ranges::min_element(light.reaching), 200) << coarseness;
-    }
-}
-
-TEST(LightSweep, WhatASurfaceLeavesIsKeptWhileItStays) {
+TEST(LightSweep, WhatIsKeptOfACuttingSurfaceChangesNothing) {
     const auto volume = phantom(40);
     LightSweep kept(volume);
     LightScene scene = obliqueScene();

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "processing/light/light_grid.h"
 #include "processing/light/light_sweep.h"
 #include "processing/volume/filled_volume.h"
 #include "tests/processing/light/lit_volumes.h"
@@ -34,7 +35,7 @@ void expectLightOfTheCurve(double white) {
     const OpacityCurve curve = ManualCurve{{{0.0, 0.0}, {1.0, 0.3}}};
     const TwoDimensionalOtf otf = tabulated(255, 3, 0.2, [&](double f, double) { return opacityAt(curve, f); });
     for (const bool masked : {false, true})
-        for (const int coarseness : {1, 3}) {
+        for (int coarseness = 1; coarseness <= light::coarsest; ++coarseness) {
             const auto volume = noise<Voxel>(white, masked);
             LightScene scene;
             scene.coarseness = coarseness;
