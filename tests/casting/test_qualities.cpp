@@ -156,27 +156,48 @@ private slots:
         QVERIFY(quality.qualityForEdits(asked, true) > chosen);
     }
 
-    void aLitEditMayBeOneCoarserThanANewView() {
-        // 90 ms for full size at step 1, more from kept samples under new light; the light volume takes a frame.
+    void aLitEditMayBeOneCoarserThanAViewInMotion() {
+        // 90 ms for full size at step 1, more from kept samples. The light of another curve takes most of a frame.
+        RayCastSettings asked;
+        const double sampling = 90.0 / (512 * 512), reclassifying = 1.7 * sampling;
+        const auto coarserBy = [&](bool lit) {
+            if (lit) asked.shading = Shading{.reaching = {}};
+            PreviewQuality quality(33);
+            for (int i = 0; i < 8; ++i) {
+                const RayCastSettings moving = settingsAt(quality.qualityInMotion(asked), asked);
+                quality.sampled(moving, costOf(moving, sampling));
+                quality.lit(moving, 5);
+            }
+            const std::size_t inMotion = quality.qualityInMotion(asked);
+            for (int i = 0; i < 8; ++i) {
+                const RayCastSettings shown = settingsAt(quality.qualityForEdits(asked, true), asked);
+                quality.reclassified(shown, costOf(shown, reclassifying));
+                quality.lit(shown, 25);
+            }
+            return static_cast<int>(quality.qualityForEdits(asked, true)) - static_cast<int>(inMotion);
+        };
+        QCOMPARE(coarserBy(false), 0);
+        QCOMPARE(coarserBy(true), 1);
+    }
+
+    void raysOfALitEditKeepHalfOfTheBudget() {
+        // The light takes the whole frame. An edit's rays take 14 ms at the first quality.
         RayCastSettings asked;
         asked.shading = Shading{.reaching = {}};
-        const double sampling = 90.0 / (512 * 512), reclassifying = 1.7 * sampling;
-        PreviewQuality quality(33);
-        for (int i = 0; i < 8; ++i) {
-            const RayCastSettings moving = settingsAt(quality.qualityInMotion(asked), asked);
-            quality.sampled(moving, costOf(moving, sampling));
-            quality.lit(moving, 0);  // a new view keeps its light volume
-        }
-        const std::size_t inMotion = quality.qualityInMotion(asked);
-        for (int i = 0; i < 8; ++i) {
-            const RayCastSettings shown = settingsAt(quality.qualityForEdits(asked, true), asked);
-            quality.reclassified(shown, costOf(shown, reclassifying));
-            quality.lit(shown, 33);
-        }
-        QCOMPARE(quality.qualityForEdits(asked, true), inMotion + 1);
-        asked.shading.reset();
-        const std::size_t unlit = quality.qualityInMotion(asked);
-        QVERIFY(quality.qualityForEdits(asked, true) <= unlit);
+        const RayCastSettings first = settingsAt(firstQuality, asked);
+        const auto ofEdit = [&](double drawing) {
+            PreviewQuality quality(33);
+            for (int i = 0; i < 8; ++i) {
+                quality.sampled(first, 10);
+                quality.reclassified(first, 14);
+                quality.lit(first, 33);
+                quality.drawn(drawing);
+            }
+            (void)quality.qualityInMotion(asked);
+            return quality.qualityForEdits(asked, false);
+        };
+        QCOMPARE(ofEdit(0), firstQuality);
+        QCOMPARE(ofEdit(25), firstQuality + 1);  // 11 ms are left, and a third of a frame is kept for the rays
     }
 
     void noEditBeginsWithALongWait() {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double newestMeasureShare = 0.5;  // weight of the newest measure in a learnt cost
 constexpr double smallestBudget = 1.0 / 3;  // of a frame, however slowly pictures reach the screen
-constexpr double smallestLitEdit = 0.5;     // of a frame for the rays of an edit, however long its light takes
+constexpr double smallestLitEdit = 0.5;     // of a picture's budget for the rays, however long an edit's light takes
 constexpr double reclassifyShare = 0.25;    // of the cost of sampling, until it is measured
 constexpr double shadedRatio = 4.0;         // of the cost of sampling, until it is measured
 
@@ -86,7 +86,7 @@ std::size_t PreviewQuality::qualityAlone(const RayCastSettings& asked) {
 
 std::size_t PreviewQuality::qualityForEdits(const RayCastSettings& asked, bool inSeries) {
     const bool lit = isLit(asked);
-    const double budget = lit ? std::max(budgetFor(asked), smallestLitEdit * m_frame) : budgetFor(asked);
+    const double budget = lit ? std::max(budgetFor(asked), smallestLitEdit * budgetMilliseconds()) : budgetFor(asked);
     if (samplingCost(asked) > 0.0)
         m_editQuality = qualityWithin(budget, m_editQuality, inSeries ? withinSeries : usual,
                                       [&](std::size_t quality) { return editCost(quality, asked); });

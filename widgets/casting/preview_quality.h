@@ -44,10 +44,10 @@ public:
     /// longer than aloneFrames frames, else qualityInMotion().
     [[nodiscard]] std::size_t qualityAlone(const RayCastSettings& asked);
     static constexpr double aloneFrames = 1.5;
-    /// The quality for the next picture of an edit, never coarser than the last qualityInMotion(). Under a light volume
-    /// it may be one coarser: an edit makes the light anew, as a new view does not. The first two pictures at each
-    /// quality must be sampled. So within a series of edits the quality stays unless it is far off. A quality is left
-    /// out if each of the two would take longer than warmUpFrames frames.
+    /// The quality for the next picture of an edit, at most as coarse as the last qualityInMotion(). With a light
+    /// volume it may be one coarser, because another curve also changes how much each place attenuates. The first two
+    /// pictures at each quality must be sampled. So within a series of edits the quality stays unless it is far off. A
+    /// quality is left out if each of the two would take longer than warmUpFrames frames.
     [[nodiscard]] std::size_t qualityForEdits(const RayCastSettings& asked, bool inSeries);
     static constexpr double warmUpFrames = 5.0;
 
