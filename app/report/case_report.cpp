@@ -47,16 +47,19 @@ void addPatient(Page& page, const CaseReport& report) {
     if (!facts.empty()) page.paragraph("Patient: " + facts);
 }
 
-/// The 3D view first: it is the large one. Beside few texts all pictures are larger. Captions name the volume of a 4D
-/// study.
+/// Names a phase of a 4D study behind other words, else nothing.
+std::string volumeWords(const CaseReport& report, int phase) {
+    return report.phases > 1 ? fmt::format(", volume {}", phase + 1) : std::string();
+}
+
+/// The 3D view first: it is the large one. Beside few texts all pictures are larger.
 template <typename Page>
 void addPictures(Page& page, const CaseReport& report, const FirstPageTexts& texts) {
     constexpr double fewTexts = 45.0;  // mm
     std::vector<PagePicture> row;
     for (const ReportPane& pane : report.panes) {
-        std::string caption = pane.caption.toStdString();
-        if (report.phases > 1) caption += fmt::format(", volume {}", report.document.scene.phase + 1);
-        PagePicture picture{pane.image.width(), pane.image.height(), rgbBytesOf(pane.image), std::move(caption)};
+        PagePicture picture{pane.image.width(), pane.image.height(), rgbBytesOf(pane.image),
+                            pane.caption.toStdString() + volumeWords(report, report.document.scene.phase)};
         row.insert(pane.is3d ? row.begin() : row.end(), std::move(picture));
     }
     page.pictures(row, row.size() > 1 && texts.heightMm <= fewTexts ? PictureRow::below : PictureRow::beside);
@@ -66,7 +69,7 @@ void addPictures(Page& page, const CaseReport& report, const FirstPageTexts& tex
 FirstPageRow rowOf(const Measurement& measurement, const CaseReport& report) {
     FirstPageRow row{.name = measurement.name, .value = {}, .unit = {}, .comment = measurement.comment};
     if (row.name.empty()) row.name = fmt::format("{} {}", nameOf(measurement.kind), measurement.id);
-    if (report.phases > 1) row.name += fmt::format(", volume {}", measurement.phase + 1);
+    row.name += volumeWords(report, measurement.phase);
     if (const auto number = measurementNumber(measurement, report.geometry)) {
         row.value = number->digits;
         row.unit = number->unit;
