@@ -157,9 +157,10 @@ private slots:
     }
 
     void aLitEditMayBeOneCoarserThanAViewInMotion() {
-        // 90 ms for full size at step 1, more from kept samples. The light of another curve takes most of a frame.
+        // 90 ms for full size at step 1, and four times as long from kept samples: every edit would rather be coarser.
+        // The light of another curve takes most of a frame.
         RayCastSettings asked;
-        const double sampling = 90.0 / (512 * 512), reclassifying = 1.7 * sampling;
+        const double sampling = 90.0 / (512 * 512), reclassifying = 4.0 * sampling;
         const auto coarserBy = [&](bool lit) {
             if (lit) asked.shading = Shading{.reaching = {}};
             PreviewQuality quality(33);
