@@ -18,8 +18,8 @@ namespace echolucent {
 
 class VolumeViewWidget;
 
-/// The tip of the side at a place: its name, the key that takes it, and from where one looks. The tip of the side that
-/// comes first says why it does.
+/// The tip of a side: its name, the key that takes it, and from where one looks. The first side's tip also says why it
+/// is first. `place` counts from 0.
 [[nodiscard]] QString tipOfSide(const SidesFinding& finding, std::size_t place, const QString& key);
 
 /// Taking a side is one step of the document. When the study is left, the side that a person took is remembered for its

@@ -136,55 +136,60 @@ TEST(LightSweep, AnObliqueCutGivesAnEvenFace) {
     EXPECT_LT(most - least, 0.08) << "steps of places would be seen as stripes: " << least << " to " << most;
 }
 
-TEST(LightSweep, WhatIsKeptChangesNothing) {
-    const auto volume = phantom(40);
-    LightSweep kept(volume);
+/// A sweep that makes light volumes again and again, to compare each with that of a new sweep.
+struct SweepUsedAgain {
+    std::shared_ptr<const Volume> volume = phantom(40);
+    LightSweep kept{volume};
     LightScene scene = obliqueScene();
     OpacityCurve curve = PowerCurve{2, 0.5};
-    const auto same = [&] { return kept.lightVolume(curve, scene) == LightSweep(volume).lightVolume(curve, scene); };
-    EXPECT_TRUE(same());
+    bool isAsNew() { return kept.lightVolume(curve, scene) == LightSweep(volume).lightVolume(curve, scene); }
+};
+
+TEST(LightSweep, WhatIsKeptChangesNothing) {
+    SweepUsedAgain used;
+    LightScene& scene = used.scene;
+    OpacityCurve& curve = used.curve;
+    EXPECT_TRUE(used.isAsNew());
     scene.towardsKey = {1, 0.1, 0.2};
-    EXPECT_TRUE(same()) << "the key light moved";
+    EXPECT_TRUE(used.isAsNew()) << "the key light moved";
     scene.keyHalfAngleDegrees = 20;
-    EXPECT_TRUE(same());
+    EXPECT_TRUE(used.isAsNew());
     curve = PowerCurve{4, 1.0};
-    EXPECT_TRUE(same()) << "another curve";
+    EXPECT_TRUE(used.isAsNew()) << "another curve";
     scene.towardsViewer = {0, 1, 0.3};
-    EXPECT_TRUE(same()) << "another viewer";
+    EXPECT_TRUE(used.isAsNew()) << "another viewer";
     scene.rendered.front = CuttingFace{{0, 0, 1}, 10};
-    EXPECT_TRUE(same()) << "a cut";
+    EXPECT_TRUE(used.isAsNew()) << "a cut";
     scene.coarseness = 4;
-    EXPECT_TRUE(same()) << "coarser";
+    EXPECT_TRUE(used.isAsNew()) << "coarser";
     const std::atomic<bool> raised = true;
     curve = PowerCurve{2, 0.9};
-    EXPECT_EQ(kept.lightVolume(curve, scene, Progress{{}, &raised}), std::nullopt);
-    EXPECT_TRUE(same()) << "after a cancelled call";
+    EXPECT_EQ(used.kept.lightVolume(curve, scene, Progress{{}, &raised}), std::nullopt);
+    EXPECT_TRUE(used.isAsNew()) << "after a cancelled call";
 }
 
 TEST(LightSweep, WhatIsKeptOfACuttingSurfaceChangesNothing) {
-    const auto volume = phantom(40);
-    LightSweep kept(volume);
-    LightScene scene = obliqueScene();
-    OpacityCurve curve = PowerCurve{2, 0.5};
-    const auto same = [&] { return kept.lightVolume(curve, scene) == LightSweep(volume).lightVolume(curve, scene); };
+    SweepUsedAgain used;
+    LightScene& scene = used.scene;
+    OpacityCurve& curve = used.curve;
     // Across the middle of the volume of 100 mm an edge, seen along z.
     CutSurface bowed{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 0.0, 0.0, 50.0, 3, 3, {}};
     bowed.depthMm = std::vector<float>{29, 35, 29, 35, 55, 35, 29, 35, 29};
     scene.rendered.cutSurface = bowed;
-    EXPECT_TRUE(same());
-    const auto before = kept.lightVolume(curve, scene);
+    EXPECT_TRUE(used.isAsNew());
+    const auto before = used.kept.lightVolume(curve, scene);
     curve = PowerCurve{4, 1.0};
-    EXPECT_TRUE(same()) << "another curve";
-    EXPECT_NE(kept.lightVolume(curve, scene), before);
+    EXPECT_TRUE(used.isAsNew()) << "another curve";
+    EXPECT_NE(used.kept.lightVolume(curve, scene), before);
     scene.rendered.front = CuttingFace{{0, 1, 0}, 10};
-    EXPECT_TRUE(same()) << "a face besides";
+    EXPECT_TRUE(used.isAsNew()) << "a face besides";
     scene.coarseness = 4;
-    EXPECT_TRUE(same()) << "coarser";
+    EXPECT_TRUE(used.isAsNew()) << "coarser";
     bowed.depthMm = std::vector<float>{29, 35, 29, 35, 35, 35, 29, 35, 29};
     scene.rendered.cutSurface = bowed;
-    EXPECT_TRUE(same()) << "another surface";
+    EXPECT_TRUE(used.isAsNew()) << "another surface";
     scene.coarseness = 2;
-    EXPECT_TRUE(same()) << "another surface, finer";
+    EXPECT_TRUE(used.isAsNew()) << "another surface, finer";
 }
 
 TEST(LightSweep, ReadsEveryTypeOfVoxelAlike) {
