@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/otf/editor_otfs.h"
-#include "processing/adaptive/method_reading.h"
+#include "processing/designers/adaptive_words.h"
 #include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
@@ -35,6 +35,21 @@ QStringList designSentences(const PictureFacts& facts, const DesignerConfig& con
     return sentences;
 }
 
+/// Eq. 1 with its numbers.
+QString linearSentence(const CurveSet& curves) {
+    const LinearCurve& curve = curves.linear;
+    const auto hundredths = [](double value) { return QString::number(std::round(value * 100.0) / 100.0); };
+    QString sentence = explanationText(
+                           "A piecewise linear OTF (eq. 1): opacity is 0 up to an intensity of %1 (L_L), rises from "
+                           "there by %2 (a) for "
+                           "each unit of intensity up to %3 (L_H), and stays at %4 above.")
+                           .arg(hundredths(curve.lower), hundredths(curve.slope), hundredths(curve.upper),
+                                hundredths(opacityAt(curve, curve.upper)));
+    if (curves.adjustment != CurveAdjustment{})
+        sentence += QLatin1Char(' ') + explanationText("The sliders threshold and transparency move it.");
+    return sentence;
+}
+
 QString curveSentence(const PictureFacts& facts) {
     switch (facts.document.panes.at(firstPane).curve) {
         case CurveKind::adaptive:
@@ -43,9 +58,7 @@ QString curveSentence(const PictureFacts& facts) {
                 "computed from this volume.");
         case CurveKind::manual:
             return explanationText("What is seen and what is clear follows from the OTF drawn by hand.");
-        case CurveKind::linear:
-            return explanationText(
-                "A linear OTF: everything above a threshold becomes opaque in proportion to its intensity.");
+        case CurveKind::linear: return linearSentence(facts.document.curves);
         case CurveKind::parabolic:
             return explanationText("A parabolic OTF: opacity grows with the square of the intensity.");
         case CurveKind::quartic:
@@ -54,58 +67,18 @@ QString curveSentence(const PictureFacts& facts) {
     return {};
 }
 
-QString surfaceSentence(const AdaptiveOtf& otf) {
-    if (!otf.message.empty()) return QString::fromStdString(otf.message);
-    const MeanInterface mean = meanInterfaceOf(otf);
-    const QString effect =
-        std::holds_alternative<RampRule>(otf.config.curve)
-            ? explanationText(
-                  "In front of it the intensity is about %1 and stays clear, at it about %2 and becomes opaque.")
-            : explanationText(
-                  "In front of it the intensity is about %1 and becomes clearer, at it about %2 and becomes more "
-                  "opaque.");
-    return explanationText(
-               "%1 of %2 tube cores (columns of voxels along the view) found a surface behind darker tissue or fluid.")
-               .arg(otf.tubesWithWeight)
-               .arg(otf.tubesMeetingVolume) +
-           QLatin1Char(' ') + effect.arg(mean.low, 0, 'f', 2).arg(mean.high, 0, 'f', 2);
-}
-
-QString readingSentence(const AdaptiveOtfConfig& config) {
-    const auto reading = readingOf(config);
-    if (!reading) return explanationText("Parameters of the method were changed.");
-    switch (*reading) {
-        case MethodReading::asPublished:
-            return explanationText("The method is read as it was published, word by word.");
-        case MethodReading::settled:
-            return explanationText("The open points of the published method are settled by experiment.");
-        case MethodReading::standard: return explanationText("The method runs with this program's default parameters.");
-    }
-    return {};
-}
-
-/// How the method tells surfaces, and what it makes of them.
+/// What the method found, how, and what it made of it.
 QString methodSentences(const AdaptiveOtf& otf) {
-    const AdaptiveOtfConfig& config = otf.config;
-    const bool ramp = std::holds_alternative<RampRule>(config.curve);
-    QStringList sentences{readingSentence(config)};
-    sentences
-        << (std::holds_alternative<RatioRule>(config.detection)
-                ? explanationText(
-                      "Surfaces are looked for where it is much brighter behind than before, by the ratio of means.")
-                : explanationText(
-                      "Surfaces are looked for where the intensity varies most, from coarse to fine scales."));
+    const bool made = tubeCoresMadeTheCurve(otf);
+    QStringList sentences{QString::fromStdString(made ? surfaceSentence(otf) : otf.message),
+                          QString::fromStdString(readingSentence(otf)),
+                          QString::fromStdString(detectionSentence(otf.config))};
     if (otf.lengthsHalved)
         sentences << explanationText(
             "The volume has few voxels, so all lengths along the tube cores are half of what was set.");
-    sentences
-        << (ramp ? explanationText(
-                       "The curve is the mean of one ramp for each tube core, clear up to its fluid and full from its "
-                       "surface on.")
-                 : explanationText("The curve is the initial function times one basis function for each tube core."));
-    if (ramp && otf.trust > 0.0 && otf.trust < 1.0)
-        sentences << explanationText("As few tube cores found a surface, %1 % of the curve is the initial function.")
-                         .arg(100.0 * (1.0 - otf.trust), 0, 'f', 0);
+    if (made) sentences << QString::fromStdString(curveSentence(otf));
+    sentences << QString::fromStdString(voxelsSentence(otf));
+    sentences.removeAll(QString());
     return sentences.join(QLatin1Char(' '));
 }
 
@@ -156,8 +129,7 @@ QStringList whatIsSeen(const PictureFacts& facts) {
     const DesignerConfig* config = designerConfigOf(facts.document, firstPane);
     QStringList sentences = config != nullptr ? designSentences(facts, *config) : QStringList{curveSentence(facts)};
     if (config == nullptr && facts.otf != nullptr && facts.document.panes.at(firstPane).curve == CurveKind::adaptive)
-        sentences << surfaceSentence(*facts.otf) << methodSentences(*facts.otf)
-                  << motionSentence(facts.document.motion, facts.study.phases.size());
+        sentences << methodSentences(*facts.otf) << motionSentence(facts.document.motion, facts.study.phases.size());
     if (curveIsOfAnotherView(facts.document, facts.otf))
         sentences << explanationText(
             "The curve was computed for another view than this one: A computes it for this one.");
@@ -167,11 +139,8 @@ QStringList whatIsSeen(const PictureFacts& facts) {
             "It falls only as far as it reaches through the tissue before it: hollows are dark, and what "
             "stands in front casts shadows.");
     if (look.reduction != SpeckleReduction::off && facts.speckle == ShownSpeckle::reduced)
-        sentences
-            << explanationText(
-                   "Speckle was reduced (%1) in the voxels of the picture; the tube cores read the voxels as they "
-                   "were measured.")
-                   .arg(textOf(nameOf(look.reduction)));
+        sentences << explanationText("Speckle was reduced (%1) in the voxels of the picture.")
+                         .arg(textOf(nameOf(look.reduction)));
     if (look.depthColoured) sentences << explanationText("What is near is tinted warm, what is far blue.");
     return sentences;
 }

@@ -92,6 +92,7 @@ std::optional<AdaptiveOtf> adaptToData(const Volume& volume, const Viewpoint& vi
                                        const Progress& progress, const QuietVoxels& shown) {
     AdaptiveOtf otf = unrun(volume.geometry(), view, config);
     otf.reduction = shown.volume != nullptr ? shown.reduction : SpeckleReduction::off;
+    if (otf.reduction != SpeckleReduction::off) otf.speckleLeft.reset();  // until it is measured
     StageRunner run(progress, otf.times);
 
     // Place the tube cores and read them.
@@ -179,6 +180,7 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     if (begun->tubesWithWeight == 0) return otf;
     begun->surfacesWhereDataBegin = true;
     begun->reduction = otf->reduction;
+    begun->speckleLeft = otf->speckleLeft;
     // No fluid of the scan lies before these surfaces, so their intensities make no curve.
     begun->logOpacity = std::move(otf->logOpacity);
     begun->curve = std::move(otf->curve);

@@ -1,8 +1,10 @@
 // What a run of the adaptive method gives: the curve and everything that led to it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,8 +50,9 @@ struct AdaptiveOtf {
     std::optional<double> fluidIntensity;
     SpeckleReduction reduction = SpeckleReduction::off;  ///< of the voxels for which the curve is meant
     /// The share of the speckle that is left in the voxels for which the curve is meant, see QuietReading. 1 without
-    /// reduction, without a weight or if surfacesWhereDataBegin.
-    double speckleLeft = 1.0;
+    /// reduction. With one, no value if none was measured: with VarianceRule, without a weight, or if
+    /// surfacesWhereDataBegin.
+    std::optional<double> speckleLeft = 1.0;
     /// Of each tube core. Empty if the curve is meant for the voxels read, if no tube core has a weight, or if
     /// surfacesWhereDataBegin.
     std::vector<QuietInterface> quiet{};
@@ -63,6 +66,16 @@ struct AdaptiveOtf {
     std::string message;
     StageTimes times;
 };
+
+/// The number of tube cores that found a surface.
+[[nodiscard]] inline int surfacesFound(const AdaptiveOtf& otf) {
+    return static_cast<int>(std::ranges::count(otf.tubes, TubeStatus::surface, &TubeCore::status));
+}
+/// The sum of TubeCore::d: with ProductRule the part of the strength that is used.
+[[nodiscard]] inline double sumOfD(const AdaptiveOtf& otf) {
+    return std::accumulate(otf.tubes.begin(), otf.tubes.end(), 0.0,
+                           [](double sum, const TubeCore& tube) { return sum + tube.d; });
+}
 
 /// Intensities before and at the surfaces found: means over the tube cores, weighted by TubeCore::d, their weight in
 /// the curve. Both are 0 if no tube core has a weight.

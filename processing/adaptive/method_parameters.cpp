@@ -270,15 +270,17 @@ Row detectionRule() {
     return alternative<detection, RatioRule, ratio, VarianceRule, variance>(
         {"interface_function", "Interface function",
          "What tells tissue from fluid along a tube core. Ratio: how much brighter it is behind than before, which "
-         "speckle does not disturb; variance: where intensities vary most, followed through scale space, as published",
+         "speckle does not disturb; variance: how much its cells vary, as published, with a surface at the first "
+         "significant "
+         "local maximum, tracked from coarse to fine scales",
          "", "docs/experiments.md, Detection by ratio"});
 }
 
 Row curveRule() {
     return alternative<curve, RampRule, ramp, ProductRule, product>(
         {"form", "Form",
-         "Ramp: clear up to the fluid, full from the surface on, averaged over the tube cores; product: the "
-         "initial function times one basis function for each tube core, as published",
+         "Ramp: rises from ramp begin to ramp end about each surface's intensity, averaged over the tube cores; "
+         "product: the initial function times one basis function for each tube core, as published with eq. 5 mended",
          "", triedCurves});
 }
 

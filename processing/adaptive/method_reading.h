@@ -9,7 +9,8 @@
 namespace echolucent {
 
 enum class MethodReading {
-    asPublished,  ///< the paper's words taken literally, with the erratum of eq. 5 and d_max 0.03
+    asPublished,  ///< the paper's words taken literally, but with eq. 5 mended and with d_max 0.03, which it leaves
+                  ///< open. It knows no quiet voxels: of these, I_L and I_H are read as by the other readings
     settled,      ///< the paper's open points settled by experiment (docs/experiments.md, "Three readings")
     standard,     ///< the program's defaults
 };

@@ -28,14 +28,15 @@ TubeCore readAnew(const TubeCore& found, const CellStatistics& cells, const Adap
     return quiet;
 }
 
-double speckleLeft(std::span<const TubeCore> found, std::span<const TubeCore> quiet) {
+std::optional<double> speckleLeft(std::span<const TubeCore> found, std::span<const TubeCore> quiet) {
     double before = 0.0, after = 0.0;
     for (std::size_t t = 0; t < found.size(); ++t) {
         if (!(found[t].d > 0.0) || !found[t].fluidSpread || !quiet[t].fluidSpread) continue;
         before += found[t].d * *found[t].fluidSpread;
         after += found[t].d * *quiet[t].fluidSpread;
     }
-    return before > 0.0 ? std::min(1.0, after / before) : 1.0;
+    if (!(before > 0.0)) return std::nullopt;
+    return std::min(1.0, after / before);
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ std::optional<QuietReading> readQuiet(const Volume& quiet, const AdaptiveOtfConf
     readTubeCores(quiet, samples, config.grid.columns, config.cells, *detection, run);
     if (progress.cancelled()) return std::nullopt;
     detection->computeInterfaceFunction(run);
-    QuietReading reading{{tubes.begin(), tubes.end()}, config.curve, 1.0};
+    QuietReading reading{{tubes.begin(), tubes.end()}, config.curve, {}};
     run.forEach(
         tubes.size(), [] { return CellStatistics(); },
         [&](std::size_t t, CellStatistics& scratch) {
@@ -69,7 +70,7 @@ std::optional<QuietReading> readQuiet(const Volume& quiet, const AdaptiveOtfConf
         });
     if (progress.cancelled()) return std::nullopt;
     reading.speckleLeft = speckleLeft(tubes, reading.tubes);
-    reading.curve = quieterRule(config.curve, reading.speckleLeft);
+    reading.curve = quieterRule(config.curve, reading.speckleLeft.value_or(1.0));
     return reading;
 }
 

@@ -27,9 +27,9 @@ struct QuietReading {
         tubes;  ///< surfaces and weights as found; what readSurface() reads and the fluid's spread are of the quiet
                 ///< voxels, unless a tube core has no weight or the quiet voxels show no rise
     CurveRule curve;  ///< for the quiet voxels, see quieterRule()
-    /// The fluid's spread in the quiet voxels over that in the voxels read, [0,1]: means weighted by d; 1 if the
-    /// detection measures no spread.
-    double speckleLeft = 1.0;
+    /// The fluid's spread in the quiet voxels over that in the voxels read, [0,1]: means weighted by d. No value if no
+    /// spread was measured, as with VarianceRule.
+    std::optional<double> speckleLeft{};
 };
 
 /// Reads the quiet voxels along the same samples, at the surfaces already found. The result is empty only if the work

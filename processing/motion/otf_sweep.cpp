@@ -63,7 +63,7 @@ bool computeFrames(std::span<const SweepFrame> frames, std::span<const std::size
             results[wanted[i]] = {.frame = frame, .unsmoothed = otf->curve, .shown = {}};
             results[wanted[i]].tubesMeetingVolume = otf->tubesMeetingVolume;
             results[wanted[i]].tubesWithWeight = otf->tubesWithWeight;
-            for (const TubeCore& tube : otf->tubes) results[wanted[i]].sumOfD += tube.d;
+            results[wanted[i]].sumOfD = sumOfD(*otf);
             count.oneDone();
         }
     });

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/otf/pane_otfs.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/designers/choice/designer.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "tests/app/session_fixture.h"
@@ -143,6 +144,25 @@ private slots:
         QVERIFY(!window().volumeView().caption().contains("Otsu"));
         QVERIFY(window().explanation().contains("adaptive"));
         QVERIFY(child<QLabel>("status.otf")->text().startsWith("OTF "));
+    }
+
+    void wordsOfTheCurvesAreThoseOfThePaper() {
+        key(Qt::Key_3);
+        QVERIFY2(window().explanation().contains(
+                     "A piecewise linear OTF (eq. 1): opacity is 0 up to an intensity of 0.08 (L_L), rises from there "
+                     "by 0.5 (a) for each unit of intensity up to 1 (L_H), and stays at 0.46 above."),
+                 qPrintable(window().explanation()));
+        key(Qt::Key_1);
+        Document next = document();
+        next.method.config = configOf(MethodReading::asPublished);
+        next.scene.look.reduction = SpeckleReduction::medium;
+        window().document().edit(next, "reading");
+        waitUntilIdle();
+        const QString said = window().explanation();
+        QVERIFY2(said.contains("first significant local maximum") && said.contains("eq. 5 mended") &&
+                     said.contains("The paper knows no reduction of speckle"),
+                 qPrintable(said));
+        QVERIFY(!said.contains("word by word"));
     }
 
     void cancelLeavesThePictureAsItWas() {

@@ -51,6 +51,8 @@ TEST(QuietCommand, TheReportOfOtfNamesTheReduction) {
     EXPECT_EQ(off["speckle_left"], 1.0);
     EXPECT_EQ(medium["reduction"], "medium");
     EXPECT_LT(medium["speckle_left"], 0.6);
+    EXPECT_FALSE(otfOf(shapesFile(), "--reduction medium --reading published").contains("speckle_left"))
+        << "detection by variance measures no speckle";
     for (auto& tube : medium["tubes"]) tube.erase("quiet");
     EXPECT_TRUE(off["tubes"] == medium["tubes"]) << "surfaces are those of the voxels as they were read";
     EXPECT_NE(off["otf"], medium["otf"]);

@@ -87,15 +87,16 @@ void MethodPanel::createControls() {
     of("opacity_scale").label->setText(tr("Scale a"));
     of("interface_function").label->setText(tr("Interface"));
     QWidget* scale = of("opacity_scale").widget;
-    scale->setToolTip(tr("%1. The linear curve and the manual nodes bring their own").arg(scale->toolTip()));
+    scale->setToolTip(tr("%1. The piecewise linear curve and the manual nodes bring their own").arg(scale->toolTip()));
     qobject_cast<QDoubleSpinBox*>(of("tube_spacing").widget)->setSpecialValueText(tr("automatic"));
 }
 
 void MethodPanel::createReading() {
     m_reading = named(new QComboBox, "adaptive.reading", tr("Reading"),
                       tr("How the method is understood, all parameters at once. As published: the paper's words taken "
-                         "literally. Settled: its open points settled by experiment. Default: what this "
-                         "program takes"));
+                         "literally, but for eq. 5, which is mended, and for voxels of less speckle, of which the "
+                         "curve is made if speckle is reduced. Settled: its open points settled by experiment. "
+                         "Default: what this program takes"));
     wheelNeedsFocus(m_reading);
     m_reading->addItem(tr("As published"), static_cast<int>(MethodReading::asPublished));
     m_reading->addItem(tr("Settled"), static_cast<int>(MethodReading::settled));

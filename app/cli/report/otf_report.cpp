@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -85,7 +84,7 @@ Json methodParametersJson(const AdaptiveOtf& otf, const OtfContext& context) {
     all["trust"] = otf.trust;
     all["surfaces_where_data_begin"] = otf.surfacesWhereDataBegin;
     all["lengths_halved"] = otf.lengthsHalved;
-    const CurveRule used = quieterRule(config.curve, otf.speckleLeft);
+    const CurveRule used = quieterRule(config.curve, otf.speckleLeft.value_or(1.0));
     if (const auto* ramp = std::get_if<RampRule>(&used)) {
         all["quiet_ramp_begin"] = ramp->begin;
         all["quiet_ramp_end"] = ramp->end;
@@ -172,7 +171,7 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfCo
     report["beam"] = {
         {"axis", echolucent::nameOf(beam.axis)}, {"source", beam.source}, {"confidence", maybe(beam.confidence)}};
     report["reduction"] = echolucent::nameOf(otf.reduction);
-    report["speckle_left"] = otf.speckleLeft;
+    if (otf.speckleLeft) report["speckle_left"] = *otf.speckleLeft;
     report["parameters"] = methodParametersJson(otf, context);
     report["times_ms"] = {{"sampling", times.sampling},
                           {"cells", times.cells},
@@ -214,20 +213,16 @@ std::string tubeTable(const AdaptiveOtf& otf) {
 
 std::string summary(const Volume& volume, const AdaptiveOtf& otf) {
     const auto& size = volume.geometry().size;
-    const auto found = std::count_if(otf.tubes.begin(), otf.tubes.end(),
-                                     [](const TubeCore& tube) { return tube.status == TubeStatus::surface; });
-    double sum = 0.0;
-    for (const TubeCore& tube : otf.tubes) sum += tube.d;
     std::string text = fmt::format("{}x{}x{} {}, view {} turned by {} and {} degrees, front {} mm\n", size[0], size[1],
                                    size[2], volume.typeName(), echolucent::nameOf(otf.view.beamAxis),
                                    otf.view.azimuthDegrees, otf.view.elevationDegrees, frontDepthMm(otf.view));
     text += fmt::format("{} of {} tube cores meet the volume; {} have a surface, {} with a weight\n",
-                        otf.tubesMeetingVolume, otf.tubes.size(), found, otf.tubesWithWeight);
+                        otf.tubesMeetingVolume, otf.tubes.size(), surfacesFound(otf), otf.tubesWithWeight);
     if (const std::size_t left = otf.config.grid.withoutTubes.size(); left > 0)
         text += fmt::format("{} of them {} never placed\n", left, left == 1 ? "is" : "are");
     if (otf.lengthsHalved)
         text += "The volume has few voxels: all lengths along the tube cores are half of what was set.\n";
-    text += fmt::format("d_max {:.4g}, sum of d {:.4g}\n", otf.dMax, sum);
+    text += fmt::format("d_max {:.4g}, sum of d {:.4g}\n", otf.dMax, sumOfD(otf));
     text += fmt::format("{:.2f} ms: sampling {:.2f}, cells {:.2f}, detection {:.2f}, weights {:.2f}, curve {:.2f}\n",
                         otf.times.total, otf.times.sampling, otf.times.cells, otf.times.detection, otf.times.weights,
                         otf.times.curve);

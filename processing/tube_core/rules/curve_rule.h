@@ -14,8 +14,9 @@ struct ProductRule {
     friend bool operator==(const ProductRule&, const ProductRule&) = default;
 };
 
-/// The mean, weighted by d, of one ramp per tube core: clear up to its fluid, full from its surface on. Only the ratios
-/// of the weights count, so the paper's strength is taken for d_max.
+/// The mean, weighted by d, of one ramp per tube core. A ramp begins between the intensity before its surface (I_L) and
+/// that at it (I_H), and is full beyond I_H: at I_H these ends give half of it, and more in quiet voxels
+/// (quieterRule()). Only the ratios of the weights count, so the paper's strength is taken for d_max.
 struct RampRule {
     double begin = 0.4;          ///< an intensity is clear up to this share of the way from I_L to I_H
     double clearSpreads = 2.5;   ///< an intensity is clear, too, up to this many standard deviations of the fluid's

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent {
@@ -43,8 +44,8 @@ TEST(QuietReading, SurfacesAreThoseOfTheVolumeAndTheCurveIsNot) {
     EXPECT_EQ(raw.reduction, SpeckleReduction::off);
     EXPECT_EQ(raw.speckleLeft, 1.0);
     EXPECT_EQ(quiet.reduction, SpeckleReduction::medium);
-    EXPECT_LT(quiet.speckleLeft, 0.5);
-    EXPECT_GT(quiet.speckleLeft, 0.0);
+    EXPECT_LT(quiet.speckleLeft.value(), 0.5);
+    EXPECT_GT(quiet.speckleLeft.value(), 0.0);
     ASSERT_EQ(raw.tubes.size(), quiet.tubes.size());
     for (std::size_t t = 0; t < raw.tubes.size(); ++t) {
         EXPECT_EQ(raw.tubes[t].surfaceVoxel, quiet.tubes[t].surfaceVoxel);
@@ -53,6 +54,17 @@ TEST(QuietReading, SurfacesAreThoseOfTheVolumeAndTheCurveIsNot) {
     }
     // Halfway between fluid and tissue, where speckle used to be, it is clearer.
     EXPECT_LT(quiet.curve.opacities[45], raw.curve.opacities[45]);
+}
+
+TEST(QuietReading, ClaimsNoSpeckleLeftIfNoneWasMeasured) {
+    const QuietVoxels shown{&quietShapes(), SpeckleReduction::medium};
+    const AdaptiveOtf byVariance = *adaptOpacity(shapes(), {}, configOf(MethodReading::asPublished), {}, shown);
+    EXPECT_FALSE(byVariance.quiet.empty());
+    EXPECT_FALSE(byVariance.speckleLeft);
+    const Volume even(shapes().geometry(),
+                      std::vector<std::uint8_t>(static_cast<std::size_t>(shapes().geometry().voxelCount()), 90));
+    EXPECT_FALSE(adaptOpacity(even, {}, {}, {}, {&even, SpeckleReduction::medium})->speckleLeft);
+    EXPECT_EQ(adaptOpacity(even, {}, {})->speckleLeft, 1.0);
 }
 
 TEST(QuietReading, OnTheVoxelsThatWereReadItIsTheCurveThatWasRead) {

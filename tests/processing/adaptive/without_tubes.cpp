@@ -138,7 +138,7 @@ TEST(WithoutTubes, QuietVoxelsAreReadAlongTheOthersAlone) {
     const std::vector<int> left{2, 90, 133};
     const AdaptiveOtf blinded = *adaptOpacity(blindedFor(plane, {}, left), {}, {}, {}, shown);
     const AdaptiveOtf otf = *adaptOpacity(volume, {}, without({}, left), {}, shown);
-    EXPECT_LT(otf.speckleLeft, 0.9);
+    EXPECT_LT(otf.speckleLeft.value(), 0.9);
     EXPECT_EQ(otf.speckleLeft, blinded.speckleLeft);
     EXPECT_EQ(otf.curve, blinded.curve);
     EXPECT_NE(otf.curve, adaptOpacity(volume, {}, {}, {}, shown)->curve);

@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
+#include "processing/designers/adaptive_words.h"
 #include "processing/designers/design.h"
 #include "processing/parameters/parameter.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
@@ -61,6 +63,74 @@ TEST(AdaptiveDesign, IsTheAdaptiveCurveOfTheShownVoxelsWithItsFacts) {
     EXPECT_NE(textOf(made).find("tube cores (columns of voxels along the view) found a surface"), std::string::npos);
     EXPECT_NE(textOf(made).find("is about 0.05"), std::string::npos) << textOf(made);
     expectExplainedCurve(made);
+}
+
+/// The number as sentences write it.
+std::string hundredths(double value) { return echolucent::textOf(std::round(100.0 * value) / 100.0); }
+
+TEST(AdaptiveDesign, SaysHowFarARampHasRisenAtItsSurface) {
+    const Volume volume = PlaneVolume{}.make(), quiet = *quietVolume(volume, SpeckleReduction::medium);
+    const std::string raw = textOf(*design(AdaptiveConfig{}, {.raw = volume, .shown = volume}));
+    EXPECT_NE(raw.find("begins at 0.4 of the way"), std::string::npos) << raw;
+    EXPECT_NE(raw.find("is full at 1.6 of the way: at its own surface it has risen to 50 % at most."),
+              std::string::npos);
+    EXPECT_EQ(raw.find("as they were measured"), std::string::npos) << "there are no other voxels";
+
+    const Design made =
+        *design(AdaptiveConfig{}, {.raw = volume, .shown = quiet, .reduction = SpeckleReduction::medium});
+    const double left = *factIn(made, "speckle_left");
+    const double begin = 0.4 + 0.16 * (1 - left), end = 1.6 - 0.5 * (1 - left);
+    ASSERT_LT(left, 0.9);
+    const std::string text = textOf(made);
+    EXPECT_NE(text.find("begins at " + hundredths(begin) + " of the way"), std::string::npos) << text;
+    EXPECT_NE(text.find("full at " + hundredths(end) + " of the way: at its own surface it has risen to " +
+                        echolucent::textOf(std::round(100 * (1 - begin) / (end - begin))) + " % at most."),
+              std::string::npos)
+        << text;
+    EXPECT_NE(
+        text.find("in which " + echolucent::textOf(std::round(100 * left)) + " % of the fluid's speckle is left."),
+        std::string::npos)
+        << text;
+    const double high = *factIn(made, "high_intensity");
+    EXPECT_NE(text.find("at it about " + hundredths(high) + ", to which it gives " +
+                        hundredths(opacityAt(made.classification.curve(), high)) + "."),
+              std::string::npos)
+        << text;
+
+    AdaptiveOtfConfig steep;
+    steep.curve = RampRule{.begin = 0.2, .end = 0.4, .opacity = 0.5};
+    const std::string full = textOf(*design(AdaptiveConfig{}, {.raw = volume, .shown = volume, .method = steep}));
+    EXPECT_NE(full.find("is full at 0.5 of the way. Full is an opacity of 0.5 per unit."), std::string::npos) << full;
+}
+
+TEST(AdaptiveDesign, AsPublishedTracksTheFirstSignificantMaximumAndClaimsNoSpeckle) {
+    const Volume volume = PlaneVolume{}.make(), quiet = *quietVolume(volume, SpeckleReduction::medium);
+    for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled}) {
+        const Design made = *design(
+            AdaptiveConfig{},
+            {.raw = volume, .shown = quiet, .reduction = SpeckleReduction::medium, .method = configOf(reading)});
+        ASSERT_TRUE(factIn(made, "low_intensity"));
+        EXPECT_FALSE(factIn(made, "speckle_left")) << "detection by variance measures no speckle";
+        const std::string text = textOf(made);
+        EXPECT_NE(text.find("the first significant local maximum of the variance"), std::string::npos) << text;
+        EXPECT_EQ(text.find("at least 40 % of the largest variance") != std::string::npos,
+                  reading == MethodReading::settled)
+            << text;
+        EXPECT_NE(text.find("read at these surfaces in the quiet voxels."), std::string::npos) << text;
+    }
+}
+
+TEST(AdaptiveDesign, AReadingSaysWhereItGoesBeyondThePaper) {
+    const Volume volume = PlaneVolume{}.make(), quiet = *quietVolume(volume, SpeckleReduction::medium);
+    const AdaptiveOtfConfig published = configOf(MethodReading::asPublished);
+    const std::string raw = readingSentence(*adaptOpacity(volume, {}, published));
+    EXPECT_NE(raw.find("eq. 5 mended"), std::string::npos) << raw;
+    EXPECT_EQ(raw.find("reduction of speckle"), std::string::npos) << raw;
+    const AdaptiveOtf ofQuiet = *adaptOpacity(volume, {}, published, {}, {&quiet, SpeckleReduction::medium});
+    EXPECT_NE(readingSentence(ofQuiet).find("The paper knows no reduction of speckle"), std::string::npos);
+    AdaptiveOtfConfig changed = published;
+    changed.cells.size = 7;
+    EXPECT_EQ(readingSentence(*adaptOpacity(volume, {}, changed)), "Parameters of the method were changed.");
 }
 
 TEST(AdaptiveDesign, PlotsTheInitialFunction) {
