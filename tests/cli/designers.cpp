@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -134,6 +136,21 @@ TEST(LongDesignersCommand, TheStudyHasARowForEachDesignerConditionAndSeed) {
     for (const Designer designer : allDesigners)
         EXPECT_NE(page.find(std::string(labelOf(designer))), std::string::npos) << labelOf(designer);
     EXPECT_NE(outcome.output.find("hard_log_compressed"), std::string::npos);
+}
+
+TEST(LongDesignersCommand, RowsOfAVolumeBearItsNameWithoutFolders) {
+    const Folder folder;
+    const std::string file = folder / "my chest.mha";
+    std::filesystem::copy_file(shapesFile(), file);
+    const Outcome outcome =
+        runProgram("study designers \"" + file + "\" --repeats 1 --picture-size 16 -o \"" + folder / "d" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    std::istringstream lines(contentsOf(folder / "d/designers.csv"));
+    std::string line;
+    std::getline(lines, line);
+    std::size_t rows = 0;
+    for (; std::getline(lines, line); ++rows) EXPECT_NE(line.find(",my chest.mha,,"), std::string::npos) << line;
+    EXPECT_EQ(rows, 1 + allDesigners.size());
 }
 
 }  // namespace

@@ -3,15 +3,25 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "app/cli/options/look_options.h"
+#include "app/cli/report/opening_report.h"
 #include "app/measuring/study.h"
 #include "processing/picture/view_limits.h"
 
 namespace echolucent::cli {
 
 namespace {
+
+/// A folder's own name may be a patient's, so it is left out.
+std::string nameOfFile(const std::string& path) {
+    std::error_code unreadable;
+    return std::filesystem::is_directory(path, unreadable) ? "a folder" : withoutFolders(path);
+}
 
 class DesignersStudyCommand final : public StudyCommand {
 public:
@@ -57,7 +67,7 @@ private:
             if (!read) return tl::unexpected<Failure>(read.error());
             const auto from = viewOf(**read);
             if (!from) return tl::unexpected<Failure>(from.error());
-            return std::vector{caseOf("the volume", *read, *from)};
+            return std::vector{caseOf(nameOfFile(volume.path), *read, *from)};
         }
         const auto from = view.getOfSimulatedScan();
         if (!from) return tl::unexpected<Failure>(from.error());
