@@ -4,12 +4,12 @@
 #include <new>
 #include <utility>
 
+#include "app/compare/paper_figures.h"
 #include "processing/comparison/plain_frames.h"
 #include "processing/designers/choice/designer.h"
 #include "processing/motion/flicker.h"
 #include "processing/motion/motion_mode.h"
 #include "processing/pane_picture/pane_caster.h"
-#include "widgets/compare/compare_panel.h"
 
 namespace echolucent {
 
@@ -80,7 +80,7 @@ void CompareMeasures::showRows(const std::optional<Asked>& asked) {
     const bool measured = asked && asked == m_measured;
     const bool flickers = m_flickerOf && m_flickerOf == flickerWanted(asked);
     for (std::size_t place = 0; place < document.panes.size(); ++place) {
-        CompareRow row{.name = nameOfPane(document.panes[place])};
+        CompareRow row{.name = captionOfPane(document, place)};
         m_views.addTimes(place, row);
         for (std::size_t i = 0; measured && i < asked->places.size(); ++i) {
             if (asked->places[i] != place || m_measures[i].light.rays == 0) continue;

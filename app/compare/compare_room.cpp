@@ -97,7 +97,7 @@ void CompareRoom::showInPanel() {
     const Study* study = m_parts.openStudy.study();
     m_parts.panel.setLimits(study != nullptr ? static_cast<int>(study->phases.size()) : 1, grid.columns * grid.rows);
     m_parts.panel.setComparison(document.comparison);
-    m_parts.panel.setPanes(isCompared(document) ? document.panes : std::vector<Pane>{});
+    m_parts.panel.setPanes(isCompared(document) ? document.panes : std::vector<Pane>{}, captionsOfPanes(document));
 }
 
 Work CompareRoom::work() {
@@ -151,7 +151,7 @@ void CompareRoom::createMenu() {
         action->setObjectName(name);
         connect(action, &QAction::triggered, this, [this, number] { showFigure(number); });
     };
-    addFigure(tr("Figure &1: linear, eq. 1, adaptive"), QStringLiteral("compare.figure1"), 1);
+    addFigure(tr("Figure &1: linear, piecewise linear, adaptive OTF"), QStringLiteral("compare.figure1"), 1);
     addFigure(tr("Figure &9: one OTF, or each view's"), QStringLiteral("compare.figure9"), 9);
     figures->addSeparator();
     auto* motion = figures->addAction(tr("&Motion: one OTF, each view's, smoothed"));

@@ -4,9 +4,9 @@
 #include <utility>
 #include <variant>
 
+#include "app/compare/paper_figures.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "widgets/casting/picture_image.h"
-#include "widgets/compare/compare_panel.h"
 #include "widgets/compare/difference_image.h"
 #include "widgets/otf_editor/curve_style.h"
 
@@ -18,8 +18,9 @@ constexpr double frameMilliseconds = 40.0;  // the time for a frame while the ha
 
 /// A curve has the same colour and dashes everywhere, and so has the adaptive OTF. The OTF of another designer has
 /// none.
-PaneFace faceOf(std::size_t place, const Pane& choice) {
-    PaneFace face{.name = QStringLiteral("%1  %2").arg(place + 1).arg(nameOfPane(choice))};
+PaneFace faceOf(std::size_t place, const Document& document) {
+    const Pane& choice = document.panes[place];
+    PaneFace face{.name = QStringLiteral("%1  %2").arg(place + 1).arg(captionOfPane(document, place))};
     const bool adaptive = choice.designer && std::holds_alternative<AdaptiveConfig>(*choice.designer);
     if (choice.designer && !adaptive) return face;
     const CurveKind kind = adaptive ? CurveKind::adaptive : choice.curve;
@@ -163,7 +164,7 @@ void ComparedViews::showPair() {
     ComparePane& pair = m_parts.grid.pair();
     const auto nameAt = [&](int place) {
         const auto at = static_cast<std::size_t>(place);
-        return QStringLiteral("%1 %2").arg(place + 1).arg(nameOfPane(m_parts.model.document().panes.at(at)));
+        return QStringLiteral("%1 %2").arg(place + 1).arg(captionOfPane(m_parts.model.document(), at));
     };
     const QString one = nameAt(comparison.first), other = nameAt(comparison.second);
     // The document changes more often than the pair: do not paint the same pair again.
@@ -191,7 +192,7 @@ void ComparedViews::showFaces() {
     if (!m_shown || !m_parts.openStudy.volume()) return;
     bool pairBusy = false;
     for (std::size_t place = 0; place < document.panes.size(); ++place) {
-        PaneFace face = faceOf(place, document.panes[place]);
+        PaneFace face = faceOf(place, document);
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
         row.pictureMilliseconds.reset();  // the table shows it; under a picture it would flicker
         face.numbers = numbersOf(row);

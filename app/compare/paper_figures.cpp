@@ -1,8 +1,10 @@
 #include "app/compare/paper_figures.h"
 
+#include <QCoreApplication>
 #include <utility>
 
 #include "processing/document/panes.h"
+#include "widgets/compare/compare_panel.h"
 
 namespace echolucent {
 
@@ -23,6 +25,22 @@ Document figure1(Document document) {
     document.curves.linear = LinearCurve{};  // the paper's
     return sideBySide(std::move(document),
                       {{.curve = CurveKind::manual}, {.curve = CurveKind::linear}, {.curve = CurveKind::adaptive}});
+}
+
+QStringList captionsOfPanes(const Document& document) {
+    // What setting the figure up again does not change is the figure.
+    const Document figure = figure1(document);
+    if (document.panes == figure.panes && document.curves == figure.curves)
+        return {QCoreApplication::translate("compare", "(a) Linear OTF"),
+                QCoreApplication::translate("compare", "(b) Manually designed piecewise linear OTF"),
+                QCoreApplication::translate("compare", "(c) Adaptively designed OTF")};
+    QStringList names;
+    for (const Pane& pane : document.panes) names << nameOfPane(pane);
+    return names;
+}
+
+QString captionOfPane(const Document& document, std::size_t place) {
+    return captionsOfPanes(document).at(static_cast<qsizetype>(place));
 }
 
 Document figure9(Document document) {

@@ -31,7 +31,7 @@ QString labelOfCurve(CurveKind kind) {
     switch (kind) {
         case CurveKind::adaptive: return ComparePanel::tr("Adaptive curve");
         case CurveKind::manual: return ComparePanel::tr("Manual curve");
-        case CurveKind::linear: return ComparePanel::tr("Linear curve");
+        case CurveKind::linear: return ComparePanel::tr("Piecewise linear curve (eq. 1)");
         case CurveKind::parabolic: return ComparePanel::tr("x² (parabolic curve)");
         case CurveKind::quartic: return ComparePanel::tr("x⁴ (quartic curve)");
     }
@@ -285,9 +285,10 @@ void ComparePanel::chooseComparison(const QString& what) {
     emit comparisonChosen(next, what);
 }
 
-void ComparePanel::setPanes(const std::vector<Pane>& panes) {
-    if (panes == m_panes) return;
+void ComparePanel::setPanes(const std::vector<Pane>& panes, const QStringList& names) {
+    if (panes == m_panes && names == m_names) return;
     m_panes = panes;
+    m_names = names;
     showAll();
 }
 
@@ -337,7 +338,7 @@ void ComparePanel::showAll() {
             pane.tube->setValue(m_tubes / 2);
         pane.phase->setValue(m_panes[i].phase ? *m_panes[i].phase + 1 : 0);
         pane.motion->setCurrentIndex(m_panes[i].motionOtf ? static_cast<int>(*m_panes[i].motionOtf) + 1 : 0);
-        const QString name = QStringLiteral("%1: %2").arg(i + 1).arg(nameOfPane(m_panes[i]));
+        const QString name = QStringLiteral("%1: %2").arg(i + 1).arg(m_names.value(static_cast<qsizetype>(i)));
         m_first->addItem(name);
         m_second->addItem(name);
     }

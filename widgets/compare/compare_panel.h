@@ -1,6 +1,7 @@
 // The panes of a comparison, its layout, and the table of its measures.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <vector>
@@ -20,8 +21,8 @@ class QToolButton;
 
 namespace echolucent {
 
-/// "Linear curve", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112". With ", mean of 5" if the pane
-/// has an OTF of its own in a motion, and with ", volume 3" if it has a phase of its own.
+/// "Piecewise linear curve (eq. 1)", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112". With ", mean of
+/// 5" if the pane has an OTF of its own in a motion, and with ", volume 3" if it has a phase of its own.
 [[nodiscard]] QString nameOfPane(const Pane& choice);
 
 /// Objects: compare (this), compare.switch, compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4,
@@ -35,8 +36,8 @@ public:
 
     /// The button on top begins and ends the comparison, as this action does, which outlives the panel.
     void setSwitch(QAction& compares);
-    /// The panes compared. Without a pane, a person can set nothing but the number of panes.
-    void setPanes(const std::vector<Pane>& panes);
+    /// The panes compared, and their names. Without a pane, a person can set nothing but the number of panes.
+    void setPanes(const std::vector<Pane>& panes, const QStringList& names);
     void setComparison(const Comparison& comparison);
     /// Limits of the study and the method, for the choices that depend on them.
     void setLimits(int phases, int tubes);
@@ -72,6 +73,7 @@ private:
     void fitTable();
 
     std::vector<Pane> m_panes;
+    QStringList m_names;
     Comparison m_comparison;
     std::vector<CompareRow> m_rows;
     int m_phases = 1, m_tubes = 1;

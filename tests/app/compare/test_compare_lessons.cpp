@@ -70,6 +70,21 @@ private slots:
         const auto one = window().compareRoom().views().frame();
         QCOMPARE(one->panes.size(), std::size_t{3});
         QVERIFY(opacityAt(one->request.panes[0].classification, 0.5, 0.0) == 0.5);
+        const auto names = [this] {
+            QStringList all;
+            for (std::size_t place = 0; place < 3; ++place) all << grid().pane(place).face().name;
+            return all;
+        };
+        QCOMPARE(names(), QStringList({"1  (a) Linear OTF", "2  (b) Manually designed piecewise linear OTF",
+                                       "3  (c) Adaptively designed OTF"}));
+        QCOMPARE(panel().rows()[1].name, QString("(b) Manually designed piecewise linear OTF"));
+        QCOMPARE(child<QComboBox>("compare.first")->itemText(2), QString("3: (c) Adaptively designed OTF"));
+        // Another slope is another curve than the paper's.
+        Document steeper = document();
+        steeper.curves.linear.slope = 0.6;
+        window().document().edit(steeper, "slope");
+        QCOMPARE(names(), QStringList({"1  Manual curve", "2  Piecewise linear curve (eq. 1)", "3  Adaptive curve"}));
+        QCOMPARE(child<QComboBox>("compare.first")->itemText(1), QString("2: Piecewise linear curve (eq. 1)"));
     }
 
     void thePageOpensWithoutANetwork() {
