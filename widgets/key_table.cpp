@@ -87,7 +87,7 @@ std::vector<KeyRow> windowRows() {
         {place, "A", tr("computes the OTF for this view"), {{"otf.computeForThisView", "A"}}},
         {place,
          "1 2 3 4 5",
-         tr("render the adaptive, manual, linear, parabolic or quartic curve"),
+         tr("render the adaptive, manual, piecewise linear, parabolic or quartic curve"),
          {{"otfEditor.action.active.adaptive", "1"},
           {"otfEditor.action.active.manual", "2"},
           {"otfEditor.action.active.linear", "3"},

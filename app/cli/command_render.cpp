@@ -131,7 +131,8 @@ void addRenderCommand(CLI::App& program, Action& action) {
     options->volume.addTo(command);
     options->document.addTo(command, "renders a pane of it as it is at rest");
     command
-        .add_option("--otf", options->otf, "linear, parabolic, quartic, manual:FILE or adaptive (for the given view)")
+        .add_option("--otf", options->otf,
+                    "linear (eq. 1), parabolic, quartic, manual:FILE or adaptive (for the given view)")
         ->type_name("NAME")
         ->capture_default_str();
     options->designer.addTo(command);

@@ -48,7 +48,8 @@ void StudyCommand::addCount(CLI::App& command, const std::string& name, int& val
 }
 
 void StudyCommand::addOtf(CLI::App& command) {
-    command.add_option("--otf", otf, "linear, parabolic, quartic, manual:FILE or adaptive (for the rendered view)")
+    command
+        .add_option("--otf", otf, "linear (eq. 1), parabolic, quartic, manual:FILE or adaptive (for the rendered view)")
         ->type_name("NAME")
         ->capture_default_str();
 }

@@ -15,7 +15,7 @@ constexpr ChoiceNames<4> initialKindNames{"parabolic", "quartic", "linear", "man
 
 constexpr std::array initialKinds{parameter_rows::Choice{InitialKind::parabolic, initialKindNames[0], "x² (parabolic)"},
                                   parameter_rows::Choice{InitialKind::quartic, initialKindNames[1], "x⁴ (quartic)"},
-                                  parameter_rows::Choice{InitialKind::linear, initialKindNames[2], "Linear curve"},
+                                  parameter_rows::Choice{InitialKind::linear, initialKindNames[2], "Linear (eq. 1)"},
                                   parameter_rows::Choice{InitialKind::manual, initialKindNames[3], "Manual nodes"}};
 
 bool hasInitialScale(const MethodChoice& method) {

@@ -14,7 +14,7 @@ namespace echolucent {
 enum class InitialKind {
     parabolic,  ///< a x^2
     quartic,    ///< a x^4
-    linear,     ///< the linear curve of the document
+    linear,     ///< the piecewise linear curve of the document
     manual,     ///< the manual curve of the document
 };
 /// "parabolic", "quartic", "linear", "manual".

@@ -104,7 +104,7 @@ private slots:
         QTest::addColumn<int>("nodes");
         QTest::newRow("adaptive") << static_cast<int>(Qt::Key_1) << "adaptive" << 256;
         QTest::newRow("manual") << static_cast<int>(Qt::Key_2) << "manual" << 3;
-        QTest::newRow("linear") << static_cast<int>(Qt::Key_3) << "linear" << 2;
+        QTest::newRow("linear") << static_cast<int>(Qt::Key_3) << "piecewise linear" << 2;
         QTest::newRow("parabolic") << static_cast<int>(Qt::Key_4) << "parabolic" << 256;
         QTest::newRow("quartic") << static_cast<int>(Qt::Key_5) << "quartic" << 256;
     }

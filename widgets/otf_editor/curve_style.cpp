@@ -31,7 +31,7 @@ const CurveStyle& styleOf(CurveKind kind) {
     static const std::array<CurveStyle, 5> styles{{
         {translated("Adaptive"), translated("adaptive"), accent, 2.4, 3.2, {}},
         {translated("Manual"), translated("manual"), amber, 1.4, 2.2, {}},
-        {translated("Linear"), translated("linear"), grey, 1.4, 2.2, {8, 5}},
+        {translated("Linear (eq. 1)"), translated("piecewise linear"), grey, 1.4, 2.2, {8, 5}},
         {translated("x²"), translated("parabolic"), violet, 1.6, 2.4, {2, 4}},
         {translated("x⁴"), translated("quartic"), green, 1.4, 2.2, {9, 4, 2, 4}},
     }};

@@ -14,9 +14,9 @@ namespace echolucent {
 
 /// The part of object names that stands for a kind: "adaptive", "manual", "linear", "parabolic", "quartic".
 [[nodiscard]] QString curveKey(CurveKind kind);
-/// The name in a legend: "Adaptive", "Manual", "Linear", "x²", "x⁴".
+/// The name in a legend: "Adaptive", "Manual", "Linear (eq. 1)", "x²", "x⁴".
 [[nodiscard]] QString curveShortName(CurveKind kind);
-/// The name in a sentence: "adaptive", "manual", "linear", "parabolic", "quartic".
+/// The name in a sentence: "adaptive", "manual", "piecewise linear", "parabolic", "quartic".
 [[nodiscard]] QString curveName(CurveKind kind);
 
 /// The curve's one colour. It has a contrast of at least 3 : 1 on plots and panels of the theme (WCAG 2.1, 1.4.11).

@@ -157,7 +157,7 @@ void OtfEditorModel::setLinear(const LinearCurve& curve, Gesture gesture) {
     next.linear.lower = inUnitInterval(curve.lower);
     next.linear.upper = std::max(next.linear.lower, inUnitInterval(curve.upper));
     next.linear.slope = std::isfinite(curve.slope) ? std::max(curve.slope, 0.0) : m_state.linear.slope;
-    edit(next, tr("change linear curve"), gesture);
+    edit(next, tr("change piecewise linear curve"), gesture);
 }
 
 void OtfEditorModel::setScale(CurveKind kind, double scale, Gesture gesture) {

@@ -36,11 +36,11 @@ QLabel* formula(const QString& richText) {
 LinearParameters::LinearParameters(OtfEditorModel& model, QWidget* parent)
     : QWidget(parent),
       m_model(model),
-      m_lower(spinBox(model, "otfEditor.linear.lower", tr("Lower bound of the linear curve"), 1.0)),
-      m_slope(spinBox(model, "otfEditor.linear.slope", tr("Slope of the linear curve"), maxSlope)),
-      m_upper(spinBox(model, "otfEditor.linear.upper", tr("Upper bound of the linear curve"), 1.0)) {
+      m_lower(spinBox(model, "otfEditor.linear.lower", tr("Lower bound of the piecewise linear curve"), 1.0)),
+      m_slope(spinBox(model, "otfEditor.linear.slope", tr("Slope of the piecewise linear curve"), maxSlope)),
+      m_upper(spinBox(model, "otfEditor.linear.upper", tr("Upper bound of the piecewise linear curve"), 1.0)) {
     m_lower->setToolTip(tr("Intensity below which all is clear"));
-    m_slope->setToolTip(tr("Opacity gained over the whole range of intensities"));
+    m_slope->setToolTip(tr("Opacity gained for each unit of intensity between the bounds"));
     m_upper->setToolTip(tr("Intensity above which opacity no longer rises"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -56,7 +56,7 @@ LinearParameters::LinearParameters(OtfEditorModel& model, QWidget* parent)
         grid->addWidget(box, row++, 1);
     }
     grid->setColumnStretch(2, 1);
-    grid->addWidget(formula(tr("0 below L<sub>L</sub>, <i>a</i> (<i>x</i> − L<sub>L</sub>) up to L<sub>H</sub>, "
+    grid->addWidget(formula(tr("Eq. 1: 0 below L<sub>L</sub>, <i>a</i> (<i>x</i> − L<sub>L</sub>) up to L<sub>H</sub>, "
                                "then constant")),
                     row, 0, 1, 3);
     grid->setRowStretch(row + 1, 1);

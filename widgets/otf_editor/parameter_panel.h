@@ -7,7 +7,7 @@
 
 namespace echolucent {
 
-/// The linear curve's lower bound L_L, slope a and upper bound L_H (Petersch 2005, eq. 1).
+/// The piecewise linear curve's lower bound L_L, slope a and upper bound L_H (Petersch 2005, eq. 1).
 class LinearParameters : public QWidget {
     Q_OBJECT
 

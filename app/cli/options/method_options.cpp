@@ -28,7 +28,7 @@ void MethodOptions::addTo(CLI::App& command) {
         ->type_name("NAME")
         ->capture_default_str();
     m_initialOption =
-        command.add_option("--initial", initial, "Initial function: parabolic, quartic, linear or manual:FILE")
+        command.add_option("--initial", initial, "Initial function: parabolic, quartic, linear (eq. 1) or manual:FILE")
             ->type_name("NAME")
             ->capture_default_str();
     for (const auto& [row, standard] : defaultsOf(methodParameters())) {
