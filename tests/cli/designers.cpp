@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
@@ -138,10 +137,10 @@ TEST(LongDesignersCommand, TheStudyHasARowForEachDesignerConditionAndSeed) {
     EXPECT_NE(outcome.output.find("hard_log_compressed"), std::string::npos);
 }
 
-TEST(LongDesignersCommand, RowsOfAVolumeBearItsNameWithoutFolders) {
+TEST(DesignersCommand, StudyRowsOfAVolumeBearItsNameWithoutFolders) {
     const Folder folder;
     const std::string file = folder / "my chest.mha";
-    std::filesystem::copy_file(shapesFile(), file);
+    writeConstantVolume(file, 24, 90);
     const Outcome outcome =
         runProgram("study designers \"" + file + "\" --repeats 1 --picture-size 16 -o \"" + folder / "d" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
