@@ -85,7 +85,12 @@ const PaneCaster::Voxels* PaneCaster::voxels(const AskedVoxels& asked, const Pro
 
 std::optional<PaneCaster::OtfVoxels> PaneCaster::otfVoxels(const Document& document, std::size_t pane,
                                                            const Progress& progress) {
-    const Voxels* of = voxels(askedVoxels(document, otfPhaseOf(document, pane, phaseCount())), {{}, progress.cancel});
+    return phaseVoxels(document, otfPhaseOf(document, pane, phaseCount()), progress);
+}
+
+std::optional<PaneCaster::OtfVoxels> PaneCaster::phaseVoxels(const Document& document, int phase,
+                                                             const Progress& progress) {
+    const Voxels* of = voxels(askedVoxels(document, phase), {{}, progress.cancel});
     return of ? std::optional(OtfVoxels{of->raw, of->shown}) : std::nullopt;
 }
 

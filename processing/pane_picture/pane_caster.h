@@ -94,6 +94,10 @@ public:
     /// The voxels from which the OTF of a pane is computed. The result is empty only if progress.cancel was raised.
     [[nodiscard]] std::optional<OtfVoxels> otfVoxels(const Document& document, std::size_t pane,
                                                      const Progress& progress = {});
+    /// The voxels of a phase, for what is measured of its picture. The result is empty only if progress.cancel was
+    /// raised.
+    [[nodiscard]] std::optional<OtfVoxels> phaseVoxels(const Document& document, int phase,
+                                                       const Progress& progress = {});
     /// What tube cores read for the adaptive OTF of a pane, and the voxels for which the OTF is made.
     struct TubeCoreReading {
         AdaptiveOtf otf;

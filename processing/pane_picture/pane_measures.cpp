@@ -1,31 +1,53 @@
 #include "processing/pane_picture/pane_measures.h"
 
+#include <map>
 #include <utility>
 
 namespace echolucent {
 
-std::optional<std::vector<std::optional<ClassificationMeasures>>> measuresOfPanes(const Document& document,
-                                                                                  StudyPhases phases,
-                                                                                  const Progress& progress) {
-    std::vector<std::optional<ClassificationMeasures>> measured(document.panes.size());
+std::optional<MeasuredSurfaces> measuredSurfacesOf(const Document& document, const Volume& raw,
+                                                   const Progress& progress) {
+    const Viewpoint view = viewpointOf(document);
+    const auto* simulated = std::get_if<SimulatedScan>(&document.study);
+    if (simulated != nullptr && document.scene.strokes.empty()) {
+        PhantomConfig config = defaultPhantom(simulated->scene);
+        config.size = simulated->size;
+        config.seed = simulated->seed;
+        return MeasuredSurfaces{SurfacesFrom::truth, trueSurfaces(raw.geometry(), PhantomTruth(config), view,
+                                                                  InterfaceInto::objectOrTissue, measuredRaySpacing)};
+    }
+    auto found = foundSurfaces(raw, view, progress);
+    if (!found) return std::nullopt;
+    return MeasuredSurfaces{SurfacesFrom::tubeCores, std::move(*found)};
+}
+
+std::optional<std::vector<std::optional<PaneMeasures>>> measuresOfPanes(const Document& document, StudyPhases phases,
+                                                                        const Progress& progress) {
+    std::vector<std::optional<PaneMeasures>> measured(document.panes.size());
     PaneCaster caster(std::move(phases));
     const Progress silent{{}, progress.cancel};
-    const auto read = caster.readTubeCores(document, firstPane, silent);
-    if (!read) return std::nullopt;
-    const int phase = otfPhaseOf(document, firstPane, caster.phaseCount());
-    std::vector<std::size_t> places;
-    std::vector<Classification> classifications;
-    for (std::size_t place = 0; place < document.panes.size(); ++place) {
-        if (phaseOf(document, place) != phase) continue;
-        const auto otf = caster.otf(document, place, silent);
-        if (!otf) return std::nullopt;
-        places.push_back(place);
-        classifications.push_back(classificationOf(document, place, *otf));
+    std::map<int, std::vector<std::size_t>> places;  // by phase
+    for (std::size_t place = 0; place < document.panes.size(); ++place)
+        places[phaseOf(document, place)].push_back(place);
+    std::size_t done = 0;
+    for (const auto& [phase, ofPhase] : places) {
+        std::vector<Classification> classifications;
+        for (const std::size_t place : ofPhase) {
+            const auto otf = caster.otf(document, place, silent);
+            if (!otf) return std::nullopt;
+            classifications.push_back(classificationOf(document, place, *otf));
+        }
+        const auto voxels = caster.phaseVoxels(document, phase, silent);
+        if (!voxels) return std::nullopt;
+        const auto surfaces = measuredSurfacesOf(document, *voxels->raw, silent);
+        if (!surfaces) return std::nullopt;
+        const auto measures =
+            measuresOf(*voxels->shown, viewpointOf(document), surfaces->rays, classifications, silent);
+        if (!measures) return std::nullopt;
+        for (std::size_t i = 0; i < ofPhase.size() && !surfaces->rays.empty(); ++i)
+            measured[ofPhase[i]] = PaneMeasures{surfaces->from, (*measures)[i]};
+        progress.at(static_cast<double>(++done) / static_cast<double>(places.size()));
     }
-    const auto measures = measuresOf(*read->shown, read->otf, classifications, progress);
-    if (!measures) return std::nullopt;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if ((*measures)[i].light.rays > 0) measured[places[i]] = (*measures)[i];
     return measured;
 }
 

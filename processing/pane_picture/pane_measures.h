@@ -9,11 +9,33 @@
 
 namespace echolucent {
 
-/// The measures of each pane, in their order. They are taken at the surfaces that the first pane's tube cores found. A
-/// pane has no value if it shows another phase than the one whose tube cores are read for the first pane, or if no tube
-/// core has a surface and a weight. The result is empty only if progress.cancel was raised. Throws std::out_of_range if
-/// the study lacks the phase whose tube cores are read.
-[[nodiscard]] std::optional<std::vector<std::optional<ClassificationMeasures>>> measuresOfPanes(
-    const Document& document, StudyPhases phases, const Progress& progress = {});
+/// Where the surfaces come from with which panes are measured.
+enum class SurfacesFrom {
+    truth,      ///< of a simulated scan (trueSurfaces())
+    tubeCores,  ///< foundSurfaces()
+};
+struct MeasuredSurfaces {
+    SurfacesFrom from = SurfacesFrom::tubeCores;
+    std::vector<SurfaceRay> rays{};
+};
+/// Units between the rays of true surfaces with which panes are measured.
+inline constexpr double measuredRaySpacing = 2.0;
+/// The surfaces with which a document's panes are measured in a phase, seen along viewpointOf(). They are the true ones
+/// of interfaces into tissue or object, if the study is a simulated scan and the scalpel has cut nothing; else those
+/// that tube cores find in `raw`, the phase as it was read, cut by the strokes. The result is empty only if
+/// progress.cancel was raised.
+[[nodiscard]] std::optional<MeasuredSurfaces> measuredSurfacesOf(const Document& document, const Volume& raw,
+                                                                 const Progress& progress = {});
+
+/// The measures of each pane, in their order: of the voxels of the pane's own phase, along viewpointOf(), with
+/// measuredSurfacesOf() of that phase. A pane has no value if no surface is known. The result is empty only if
+/// progress.cancel was raised. Throws std::out_of_range if the study lacks a phase that is measured.
+struct PaneMeasures {
+    SurfacesFrom from = SurfacesFrom::tubeCores;
+    ClassificationMeasures measures;
+};
+[[nodiscard]] std::optional<std::vector<std::optional<PaneMeasures>>> measuresOfPanes(const Document& document,
+                                                                                      StudyPhases phases,
+                                                                                      const Progress& progress = {});
 
 }  // namespace echolucent

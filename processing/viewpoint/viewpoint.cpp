@@ -128,29 +128,4 @@ double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry) {
     return geometry.depthsAlong(frameOf(view).forward).nearest;
 }
 
-LeftByFront::LeftByFront(const Viewpoint& view, const VolumeGeometry& geometry)
-    : m_forward(frameOf(view).forward),
-      m_depths{nearPlaneDepthMm(view, geometry), geometry.depthsAlong(m_forward).farthest} {
-    if (hasObliqueFront(view)) m_oblique = cuttingFaceOf(*view.frontPlane, geometry);
-}
-
-std::optional<DepthRange> LeftByFront::of(const Vec3& pointMm) const {
-    DepthRange left = m_depths;
-    if (m_oblique) {
-        constexpr double alongFront = 1e-9;
-        const double slope = m_oblique->inwards.dot(m_forward);
-        const double before = m_oblique->depthMm - m_oblique->inwards.dot(pointMm);
-        const double crossing = m_forward.dot(pointMm) + before / slope;
-        if (std::abs(slope) < alongFront) {
-            if (before > 0.0) return std::nullopt;
-        } else if (slope > 0.0) {
-            left.from = std::max(left.from, crossing);
-        } else {
-            left.to = std::min(left.to, crossing);
-        }
-    }
-    if (!(left.from < left.to)) return std::nullopt;
-    return left;
-}
-
 }  // namespace echolucent

@@ -82,23 +82,5 @@ struct Viewpoint {
 /// Nothing of the volume is left before this depth along the view, mm from the grid origin. If the view's flat front
 /// lies across the view, it is that of the front, else that of the foremost corner of the volume's box.
 [[nodiscard]] double nearPlaneDepthMm(const Viewpoint& view, const VolumeGeometry& geometry);
-/// Depths along a view, mm from the grid origin.
-struct DepthRange {
-    double from, to;
-};
-
-/// What the view's flat front leaves of lines along the view.
-class LeftByFront {
-public:
-    LeftByFront(const Viewpoint& view, const VolumeGeometry& geometry);
-    /// The part of the line through a point (grid mm) that lies behind the front and within the depths of the volume's
-    /// box. Empty if there is none.
-    [[nodiscard]] std::optional<DepthRange> of(const Vec3& pointMm) const;
-
-private:
-    Vec3 m_forward;
-    DepthRange m_depths;                   ///< of the volume's box behind a front across the view
-    std::optional<CuttingFace> m_oblique;  ///< the front, if it does not lie across the view
-};
 
 }  // namespace echolucent

@@ -8,16 +8,18 @@
 
 #include "processing/adaptive/halved_lengths.h"
 #include "processing/parallel.h"
+#include "processing/viewpoint/shown_stretch.h"
 
 namespace echolucent {
 
 std::optional<double> interfaceDepthMm(const PhantomTruth& truth, const VolumeGeometry& geometry, const Viewpoint& view,
                                        const TubeAxis& axis, const Vec3& offsetMm) {
     const Vec3 start = axis.pointMm + offsetMm;
-    const auto left = LeftByFront(view, geometry).of(start);
-    if (!left) return std::nullopt;
-    const auto point = truth.firstInterfacePoint(start, axis.directionMm, left->from);
-    if (!point || axis.directionMm.dot(*point) > left->to) return std::nullopt;
+    const auto shown = ShownStretches(view, geometry).of(start);
+    if (!shown) return std::nullopt;
+    const double startDepth = axis.directionMm.dot(start);
+    const auto point = truth.firstInterfacePoint(start, axis.directionMm, startDepth + shown->begin);
+    if (!point || axis.directionMm.dot(*point) > startDepth + shown->end) return std::nullopt;
     return axis.directionMm.dot(*point);
 }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+
+#include "processing/viewpoint/shown_stretch.h"
 
 namespace echolucent {
 
@@ -25,59 +26,9 @@ Vec3 onVoxelCentres(const Vec3& voxel, const Vec3& forward, int cellSize) {
     return moved;
 }
 
-/// A part of an axis, in mm from the axis's point.
-using Chord = CutSurface::Stretch;
-
 /// The box that the tube cores cover: the view's box or, if it has none, the volume's.
 OrientedBox coveredBox(const VolumeGeometry& geometry, const Viewpoint& view) {
     return view.box.value_or(orientedBoxOf(DataBox(geometry)));
-}
-
-/// The part of a chord behind all faces; no value if nothing is left.
-std::optional<Chord> chordWithin(const std::vector<CuttingFace>& faces, const Vec3& point, const Vec3& direction,
-                                 Chord chord) {
-    for (const CuttingFace& face : faces) {
-        const double behind = face.inwards.dot(point) - face.depthMm, slope = face.inwards.dot(direction);
-        if (std::abs(slope) < gridRounding) {
-            if (behind < 0.0) return std::nullopt;
-            continue;
-        }
-        const double crossing = -behind / slope;
-        if (slope > 0.0)
-            chord.begin = std::max(chord.begin, crossing);
-        else
-            chord.end = std::min(chord.end, crossing);
-    }
-    if (!(chord.end > chord.begin)) return std::nullopt;
-    return chord;
-}
-
-/// The part of a line inside the volume's box and behind a depth along the line; no value if there is none.
-std::optional<Chord> chordInBox(const VolumeGeometry& geometry, const Vec3& point, const Vec3& direction,
-                                double nearDepth) {
-    Chord chord{nearDepth - direction.dot(point), std::numeric_limits<double>::infinity()};
-    const Vec3 low = geometry.boxMinMm(), high = geometry.boxMaxMm();
-    for (int axis = 0; axis < 3; ++axis) {
-        if (direction[axis] == 0.0) {
-            if (point[axis] < low[axis] || point[axis] > high[axis]) return std::nullopt;
-            continue;
-        }
-        const double atLow = (low[axis] - point[axis]) / direction[axis];
-        const double atHigh = (high[axis] - point[axis]) / direction[axis];
-        chord.begin = std::max(chord.begin, std::min(atLow, atHigh));
-        chord.end = std::min(chord.end, std::max(atLow, atHigh));
-    }
-    if (!(chord.end > chord.begin)) return std::nullopt;
-    return chord;
-}
-
-/// The part of chordInBox() that is also behind the cutting faces and the cut surface; no value if there is none.
-std::optional<Chord> chordOf(const VolumeGeometry& geometry, const std::vector<CuttingFace>& faces, const Vec3& point,
-                             const Viewpoint& view, double nearDepth) {
-    const Vec3 direction = frameOf(view).forward;
-    auto chord = chordInBox(geometry, point, direction, nearDepth);
-    if (chord) chord = chordWithin(faces, point, direction, *chord);
-    return chord && view.cutSurface ? view.cutSurface->firstLeft(point, direction, *chord) : chord;
 }
 
 /// The box's axes in the order of the frame's axes to which they are nearest. Their forward is across the side that
@@ -123,11 +74,9 @@ std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& 
     const ViewFrame frame = frameOf(view);
     const auto [acrossUnits, downUnits] = tubeSpacingUnits(geometry, view, grid, cellSize);
     const double unit = geometry.unit();
-    const double nearDepth = nearPlaneDepthMm(view, geometry);
+    const ShownStretches shown(view, geometry);
     const bool onVoxels = tubesLieOnVoxels(geometry, view);
     const Vec3 centre = view.box ? view.box->centreMm : geometry.centreMm();
-    auto faces = view.box ? facesThatCut(*view.box, geometry) : std::vector<CuttingFace>{};
-    if (hasObliqueFront(view)) faces.push_back(cuttingFaceOf(*view.frontPlane, geometry));
 
     std::vector<TubeAxis> axes;
     axes.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
@@ -140,12 +89,10 @@ std::vector<TubeAxis> tubeAxes(const VolumeGeometry& geometry, const Viewpoint& 
             if (onVoxels)
                 axis.pointMm = geometry.gridMmFromVoxel(
                     onVoxelCentres(geometry.voxelFromGridMm(axis.pointMm), frame.forward, cellSize));
-            const auto chord = isNeverPlaced(grid, axes.size())
-                                   ? std::nullopt
-                                   : chordOf(geometry, faces, axis.pointMm, view, nearDepth);
-            if (chord) {
-                axis.entryVoxel = geometry.voxelFromGridMm(axis.pointMm + axis.directionMm * chord->begin);
-                axis.lengthUnits = (chord->end - chord->begin) / unit;
+            const auto stretch = isNeverPlaced(grid, axes.size()) ? std::nullopt : shown.of(axis.pointMm);
+            if (stretch) {
+                axis.entryVoxel = geometry.voxelFromGridMm(axis.pointMm + axis.directionMm * stretch->begin);
+                axis.lengthUnits = (stretch->end - stretch->begin) / unit;
             }
             axes.push_back(axis);
         }

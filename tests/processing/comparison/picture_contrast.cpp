@@ -10,7 +10,7 @@
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/comparison/classification_measures.h"
-#include "processing/comparison/surface_contrast.h"
+#include "processing/comparison/surface_rays.h"
 #include "processing/sampling/gradient_magnitude.h"
 #include "processing/volume/filled_volume.h"
 #include "tests/processing/comparison/small_volumes.h"
@@ -42,16 +42,16 @@ TEST(LongPictureContrast, OfTheDefaultReadingIsHighAndNeverBelowFixedCurves) {
     for (const NamedPhantom& condition : conditions) {
         const Volume volume = *makePhantom(condition.config);
         const Viewpoint view;
-        std::vector<OpacityCurve> curves{PowerCurve{2, 1.0}, LinearCurve{20.0 / 255.0, 0.5, 1.0}};
+        std::vector<Classification> curves{PowerCurve{2, 1.0}, LinearCurve{20.0 / 255.0, 0.5, 1.0}};
         for (const MethodReading reading :
              {MethodReading::asPublished, MethodReading::settled, MethodReading::standard})
-            curves.emplace_back(adaptOpacity(volume, view, configOf(reading))->curve);
-        const auto contrasts =
-            surfaceContrasts(volume, objectRays(volume.geometry(), PhantomTruth(condition.config), view), view, curves);
+            curves.emplace_back(OpacityCurve(adaptOpacity(volume, view, configOf(reading))->curve));
+        const auto rays = trueSurfaces(volume.geometry(), PhantomTruth(condition.config), view, InterfaceInto::object);
+        const auto measures = *measuresOf(volume, view, rays, curves);
         std::array<double, curveCount> values{};
         for (std::size_t c = 0; c < curveCount; ++c) {
-            ASSERT_TRUE(contrasts[c].contrastToNoise());
-            values[c] = *contrasts[c].contrastToNoise();
+            ASSERT_TRUE(measures[c].contrast.contrastToNoise());
+            values[c] = *measures[c].contrast.contrastToNoise();
             sums[c] += values[c];
         }
         std::printf("%-22s %8.2f %8.2f %9.2f %8.2f %8.2f\n", condition.name.c_str(), values[0], values[1], values[2],
@@ -88,18 +88,18 @@ TEST(LongPictureContrast, WithTheTubeCoresSurfacesPraisesTheAdaptiveCurveAsTheTr
         const std::vector<Classification> all{PowerCurve{2, 1.0}, LinearCurve{20.0 / 255.0, 0.5, 1.0},
                                               opacityOfGradient(steep), otf.curve};
         const PhantomTruth truth(condition.config);
-        const auto contrastsInto = [&](InterfaceInto into) {
-            return surfaceContrasts(volume, objectRays(volume.geometry(), truth, {}, into), {}, all);
+        const auto measuresInto = [&](InterfaceInto into) {
+            return *measuresOf(volume, {}, trueSurfaces(volume.geometry(), truth, {}, into), all);
         };
-        const auto objects = contrastsInto(InterfaceInto::object);
-        const auto truths = contrastsInto(InterfaceInto::objectOrTissue);
-        const auto measures = *measuresOf(volume, otf, all);
+        const auto objects = measuresInto(InterfaceInto::object);
+        const auto truths = measuresInto(InterfaceInto::objectOrTissue);
+        const auto measures = *measuresOf(volume, {}, *foundSurfaces(volume, {}), all);
         std::printf("%s, %d rays\n", condition.name.c_str(), measures[0].contrast.rays);
         std::array<FourMeasures, 4> values{};
         for (std::size_t c = 0; c < all.size(); ++c) {
-            ASSERT_TRUE(objects[c].contrastToNoise() && truths[c].contrastToNoise());
+            ASSERT_TRUE(objects[c].contrast.contrastToNoise() && truths[c].contrast.contrastToNoise());
             ASSERT_TRUE(measures[c].contrast.contrastToNoise());
-            values[c] = {*objects[c].contrastToNoise(), *truths[c].contrastToNoise(),
+            values[c] = {*objects[c].contrast.contrastToNoise(), *truths[c].contrast.contrastToNoise(),
                          *measures[c].contrast.contrastToNoise(), measures[c].light.meanShare};
             print(names[c], values[c]);
             sums[c].objects += values[c].objects / 6;

@@ -1,13 +1,14 @@
 // Volumes so small that what a ray shows can be worked out by hand.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/classification.h"
+#include "processing/comparison/classification_measures.h"
 #include "processing/phantom/phantom.h"
-#include "processing/tube_core/slabs/tube_grid.h"
 #include "processing/volume/volume.h"
 
 namespace echolucent {
@@ -43,20 +44,23 @@ inline PhantomConfig smallShapes() {
     return config;
 }
 
-/// One tube core along z through the middle of a volume, with its surface in a given slice.
-inline AdaptiveOtf oneTube(double slice, double d) {
-    AdaptiveOtf otf;
-    otf.config.grid.columns = otf.config.grid.rows = 1;
-    otf.config.grid.spacing = 5;
-    TubeCore tube;
-    tube.status = TubeStatus::surface;
-    const Vec3 middle = tubeAxes(smallGeometry(), {}, otf.config.grid, otf.config.cells.size).front().pointMm;
-    tube.entryVoxel = Vec3(middle[0], middle[1], -0.5);
-    tube.firstSampleVoxel = Vec3(middle[0], middle[1], 0);
-    tube.surfaceVoxel = Vec3(middle[0], middle[1], slice);
-    tube.d = d;
-    otf.tubes = {tube};
-    return otf;
+/// A ray along z through the middle of a volume, with its surface at a depth.
+inline std::vector<SurfaceRay> oneRay(double surfaceDepthMm) {
+    return {{.pointMm = Vec3(2.5, 2.5, 0), .surfaceDepthMm = surfaceDepthMm}};
+}
+
+/// There is one ray through each voxel of the front face.
+inline std::vector<SurfaceRay> allRays() {
+    std::vector<SurfaceRay> rays;
+    for (int y = 0; y < width; ++y)
+        for (int x = 0; x < width; ++x) rays.push_back({.pointMm = Vec3(x, y, 0), .surfaceDepthMm = surfaceDepth});
+    return rays;
+}
+
+/// The measures of one classification.
+inline ClassificationMeasures measured(const Volume& volume, const Viewpoint& view, const std::vector<SurfaceRay>& rays,
+                                       const Classification& classification) {
+    return measuresOf(volume, view, rays, std::span(&classification, 1))->front();
 }
 
 }  // namespace echolucent

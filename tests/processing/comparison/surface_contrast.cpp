@@ -1,33 +1,23 @@
 // CNR_S against closed forms, on volumes small enough to work them out by hand.
-#include "processing/comparison/surface_contrast.h"
-
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
-#include <array>
 #include <cmath>
 
+#include "processing/comparison/classification_measures.h"
+#include "processing/comparison/surface_rays.h"
 #include "tests/processing/comparison/small_volumes.h"
 
 namespace echolucent {
 namespace {
 
-/// There is one ray through each voxel of the front face.
-std::vector<SurfaceRay> allRays() {
-    std::vector<SurfaceRay> rays;
-    for (int y = 0; y < width; ++y)
-        for (int x = 0; x < width; ++x) rays.push_back({.pointMm = Vec3(x, y, 0), .surfaceDepthMm = surfaceDepth});
-    return rays;
-}
-
 SurfaceContrast contrastOf(const Volume& volume, const Classification& classification) {
-    return surfaceContrasts(volume, allRays(), Viewpoint{}, std::span(&classification, 1)).front();
+    return measured(volume, Viewpoint{}, allRays(), classification).contrast;
 }
 
 SurfaceContrast contrastOf(const Volume& volume, const PhantomTruth& truth, const Viewpoint& view,
                            const Classification& classification) {
-    const auto rays = objectRays(volume.geometry(), truth, view);
-    return surfaceContrasts(volume, rays, view, std::span(&classification, 1)).front();
+    const auto rays = trueSurfaces(volume.geometry(), truth, view, InterfaceInto::object);
+    return measured(volume, view, rays, classification).contrast;
 }
 
 TEST(SurfaceContrast, LayersOfOneOpacityGiveAGeometricSeries) {
@@ -86,9 +76,8 @@ TEST(SurfaceContrast, VarianceIsThatOfTheRays) {
 
 TEST(SurfaceContrast, TheNearCutTakesWhatLiesBeforeItAway) {
     constexpr double opacity = 0.1;
-    const OpacityCurve curve = constantOpacity(opacity);
     const SurfaceContrast cut =
-        surfaceContrasts(twoLayers(100, 200), allRays(), withFrontAcross({}, 15), {&curve, 1}).front();
+        measured(twoLayers(100, 200), withFrontAcross({}, 15), allRays(), constantOpacity(opacity)).contrast;
     double rest = 0.0;
     for (int k = 15; k < 18; ++k) rest += std::pow(1 - opacity, k - 15) * opacity * 100;
     for (int k = 26; k < depth; ++k) rest += std::pow(1 - opacity, k - 15) * opacity * 200;
@@ -102,60 +91,6 @@ TEST(SurfaceContrast, NoDataIsClear) {
     const SurfaceContrast contrast = contrastOf(volume.withDataMask(mask), constantOpacity(1.0));
     EXPECT_NEAR(contrast.meanSurface, 200.0, 1e-9);
     EXPECT_EQ(contrast.meanRest, 0.0);
-}
-
-TEST(SurfaceContrast, RaysAreThoseWhoseFirstInterfaceIsObject) {
-    const PhantomConfig config = smallShapes();
-    const PhantomTruth truth(config);
-    const Volume volume = *makePhantom(config);
-    const Viewpoint view{.azimuthDegrees = 12};
-    const Vec3 forward = frameOf(view).forward;
-    const auto rays = objectRays(volume.geometry(), truth, view);
-    ASSERT_GT(rays.size(), 100U);
-    EXPECT_LT(rays.size(), 64U * 60U);
-    for (std::size_t i = 0; i < rays.size(); i += 37) {
-        const Vec3 surface = rays[i].pointMm + forward * (rays[i].surfaceDepthMm - forward.dot(rays[i].pointMm));
-        EXPECT_EQ(truth.materialAt(surface - forward * 0.01), PhantomMaterial::fluid);
-        EXPECT_EQ(truth.materialAt(surface + forward * 1e-4), PhantomMaterial::object);
-        EXPECT_NEAR(truth.fluidDistance(surface), 0.0, 1e-9);
-    }
-    EXPECT_TRUE(objectRays(volume.geometry(), PhantomTruth([] {
-                               PhantomConfig none = smallShapes();
-                               none.scene = PhantomScene::empty;
-                               return none;
-                           }()),
-                           view)
-                    .empty());
-}
-
-TEST(SurfaceContrast, SameBitsForAnyNumberOfThreads) {
-    const PhantomConfig config = smallShapes();
-    const PhantomTruth truth(config);
-    const Volume volume = *makePhantom(config);
-    const Viewpoint view{.azimuthDegrees = 20, .elevationDegrees = -8};
-    const auto with = [&](int threads) {
-        tbb::task_arena arena(threads);
-        return arena.execute([&] { return contrastOf(volume, truth, view, PowerCurve{2, 1.0}); });
-    };
-    const SurfaceContrast one = with(1);
-    EXPECT_GT(one.rays, 0);
-    for (const int threads : {2, 7}) {
-        const SurfaceContrast other = with(threads);
-        EXPECT_EQ(one.meanSurface, other.meanSurface);
-        EXPECT_EQ(one.meanRest, other.meanRest);
-        EXPECT_EQ(one.varianceSurface, other.varianceSurface);
-        EXPECT_EQ(one.varianceRest, other.varianceRest);
-    }
-}
-
-TEST(SurfaceContrast, ManyCurvesAtOnceEqualEachAlone) {
-    const PhantomConfig config = smallShapes();
-    const PhantomTruth truth(config);
-    const Volume volume = *makePhantom(config);
-    const std::array<OpacityCurve, 3> curves{PowerCurve{2, 1.0}, LinearCurve{}, PowerCurve{4, 0.5}};
-    const auto together = surfaceContrasts(volume, objectRays(volume.geometry(), truth, {}), {}, curves);
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        EXPECT_EQ(together[i].contrastToNoise(), contrastOf(volume, truth, {}, curves[i]).contrastToNoise());
 }
 
 /// A table of 256 intensities that says the same as a curve of as many samples, whatever the gradient magnitude.
@@ -195,38 +130,6 @@ TEST(SurfaceContrast, NoEdgeStandsWhereTheDataEnd) {
     std::fill(mask.begin(), mask.begin() + width * width * surfaceSlice, std::uint8_t{0});
     EXPECT_NEAR(contrastOf(volume, opacityOfGradient(0.6)).meanSurface, (1.0 / 3) * (2.0 / 3) * 204, 1e-4);
     EXPECT_NEAR(contrastOf(volume.withDataMask(mask), opacityOfGradient(0.6)).meanSurface, 0.0, 1e-9);
-}
-
-TEST(SurfaceContrast, WhatIsNotShownOfARayGivesNoLight) {
-    constexpr double opacity = 0.1;
-    const Classification curve = constantOpacity(opacity);
-    std::vector<SurfaceRay> rays = allRays();
-    // From slice 12 on and up to slice 29: faces lie half a voxel beside the centres.
-    for (SurfaceRay& ray : rays) {
-        ray.fromDepthMm = 11.5;
-        ray.toDepthMm = 29.5;
-    }
-    const auto contrast = surfaceContrasts(twoLayers(100, 200), rays, {}, std::span(&curve, 1)).front();
-    double surface = 0.0, rest = 0.0;
-    for (int k = 12; k <= 29; ++k)
-        (k >= 18 && k <= 25 ? surface : rest) += std::pow(1 - opacity, k - 12) * opacity * (k < 20 ? 100 : 200);
-    EXPECT_NEAR(contrast.meanSurface, surface, 1e-9);
-    EXPECT_NEAR(contrast.meanRest, rest, 1e-9);
-    for (SurfaceRay& ray : rays) ray.toDepthMm = 11.0;
-    EXPECT_EQ(surfaceContrasts(twoLayers(100, 200), rays, {}, std::span(&curve, 1)).front().meanSurface, 0.0);
-}
-
-TEST(SurfaceContrast, BothKindsAtOnceEqualEachAlone) {
-    const PhantomConfig config = smallShapes();
-    const PhantomTruth truth(config);
-    const Volume volume = *makePhantom(config);
-    const std::array<Classification, 3> mixed{PowerCurve{2, 1.0}, opacityOfGradient(0.3), LinearCurve{}};
-    const auto together = surfaceContrasts(volume, objectRays(volume.geometry(), truth, {}), {}, mixed);
-    for (std::size_t i = 0; i < mixed.size(); ++i) {
-        const SurfaceContrast alone = contrastOf(volume, truth, {}, mixed[i]);
-        EXPECT_EQ(together[i].meanSurface, alone.meanSurface);
-        EXPECT_EQ(together[i].contrastToNoise(), alone.contrastToNoise());
-    }
 }
 
 }  // namespace

@@ -177,27 +177,5 @@ TEST(Viewpoint, AnglesThatAreWholeButForRoundingAreWhole) {
     EXPECT_EQ(withoutRounding({BeamAxis::plusY, 12.5, 1e-5, 3}), (Viewpoint{BeamAxis::plusY, 12.5, 1e-5, 3}));
 }
 
-TEST(Viewpoint, OfALineIsLeftWhatLiesBehindTheFront) {
-    VolumeGeometry geometry;
-    geometry.size = {40, 40, 40};
-    Viewpoint view = withFrontAcross({}, 10.5);  // the plane z = 10
-    EXPECT_DOUBLE_EQ(LeftByFront(view, geometry).of({3, 4, 5})->from, 10.0);
-    EXPECT_DOUBLE_EQ(LeftByFront(view, geometry).of({3, 4, 5})->to, 39.5);
-    view.azimuthDegrees = 30;  // forward is (1/2, 0, sqrt(3)/2)
-    const Vec3 forward = frameOf(view).forward;
-    for (const Vec3& point : {Vec3(3, 4, 5), Vec3(30, 0, 30), Vec3(20, 1, -7)}) {
-        const Vec3 entry = point + forward * (LeftByFront(view, geometry).of(point)->from - forward.dot(point));
-        EXPECT_NEAR(entry[2], 10.0, 1e-12);
-    }
-    view.azimuthDegrees = 120;  // comes from behind
-    const Vec3 back = frameOf(view).forward, point(5, 4, 20);
-    EXPECT_DOUBLE_EQ(LeftByFront(view, geometry).of(point)->from, nearPlaneDepthMm(view, geometry));
-    EXPECT_NEAR((point + back * (LeftByFront(view, geometry).of(point)->to - back.dot(point)))[2], 10.0, 1e-12);
-    view.azimuthDegrees = 90;  // runs along it
-    EXPECT_TRUE(LeftByFront(view, geometry).of({3, 4, 11}));
-    EXPECT_FALSE(LeftByFront(view, geometry).of({3, 4, 9}));
-    EXPECT_FALSE(LeftByFront(withFrontAcross({}, 60), geometry).of({3, 4, 5})) << "nothing is left";
-}
-
 }  // namespace
 }  // namespace echolucent
