@@ -1,9 +1,11 @@
 // The curve that the tube cores make of the initial function (Petersch 2005, eqs. 4 to 7; docs/method.md, "7. Curve").
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "processing/adaptive/found_ramp.h"
 #include "processing/opacity_curve.h"
 #include "processing/tube_core/rules/curve_rule.h"
 #include "processing/tube_core/tube_core.h"
@@ -18,8 +20,13 @@ struct AdaptedCurve {
 };
 
 /// The curve at `count` (>= 2) intensities. If no tube core has a weight, the curve is the initial function, clamped to
-/// [0,1]. With RampRule and some trust, the initial function is clamped before it is mixed in.
+/// [0,1]. With RampRule and some trust, the initial function is clamped before it is mixed in. `everySurface` is the
+/// ramp of rampForEverySurface(), which RampRule::aim mixes in; empty if the rule asks for none
+/// (asksForEverySurface()).
 [[nodiscard]] AdaptedCurve adaptedCurve(const CurveRule& rule, const OpacityCurve& initial,
-                                        std::span<const TubeCore> tubes, int count);
+                                        std::span<const TubeCore> tubes, int count,
+                                        const std::optional<FoundRamp>& everySurface = {});
+/// Whether the rule mixes in the ramp of rampForEverySurface().
+[[nodiscard]] bool asksForEverySurface(const CurveRule& rule);
 
 }  // namespace echolucent

@@ -49,23 +49,31 @@ TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const Cell
     return tube;
 }
 
+/// The curve that the rule makes of tube cores in the voxels `shown`.
+AdaptedCurve curveOf(const CurveRule& rule, const Volume& shown, std::span<const TubeSamples> samples,
+                     std::span<const TubeCore> tubes, AdaptiveOtf& otf) {
+    const AdaptiveOtfConfig& config = otf.config;
+    if (asksForEverySurface(rule))
+        otf.everySurface = rampForEverySurface(axisProfiles(shown, samples, tubes, config.cells.size), tubes);
+    return adaptedCurve(rule, config.initial, tubes, AdaptiveOtf::sampleCount, otf.everySurface);
+}
+
 /// The curve for the shown voxels; empty if the work was cancelled.
 std::optional<AdaptedCurve> curveFor(const Volume& volume, const QuietVoxels& shown,
                                      std::span<const TubeSamples> samples, AdaptiveOtf& otf, const Progress& progress) {
     const AdaptiveOtfConfig& config = otf.config;
     if (otf.reduction == SpeckleReduction::off || otf.tubesWithWeight == 0)
-        return adaptedCurve(config.curve, config.initial, otf.tubes, AdaptiveOtf::sampleCount);
+        return curveOf(config.curve, volume, samples, otf.tubes, otf);
     // The surfaces were found with the mask of `volume`, and the shown voxels may have another one. So read them with
     // the mask of `volume`.
     const auto& mask = volume.dataMask();
-    const auto quiet = shown.volume->dataMask() == mask
-                           ? readQuiet(*shown.volume, config, samples, otf.tubes, progress)
-                           : readQuiet(shown.volume->withDataMask(mask), config, samples, otf.tubes, progress);
+    const Volume masked = shown.volume->dataMask() == mask ? *shown.volume : shown.volume->withDataMask(mask);
+    const auto quiet = readQuiet(masked, config, samples, otf.tubes, progress);
     if (!quiet) return std::nullopt;
     otf.speckleLeft = quiet->speckleLeft;
     for (const TubeCore& tube : quiet->tubes)
         otf.quiet.push_back({tube.lowIntensity, tube.highIntensity, tube.fluidSpread});
-    return adaptedCurve(quiet->curve, config.initial, quiet->tubes, AdaptiveOtf::sampleCount);
+    return curveOf(quiet->curve, masked, samples, quiet->tubes, otf);
 }
 
 /// Why the curve is the initial function, as a sentence; empty if it is not.
@@ -185,6 +193,7 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     begun->logOpacity = std::move(otf->logOpacity);
     begun->curve = std::move(otf->curve);
     begun->trust = otf->trust;
+    begun->everySurface = otf->everySurface;
     begun->fluidIntensity = otf->fluidIntensity;
     begun->message =
         "No surface stands behind fluid: where the data begin is taken for the surface, and the initial function is "

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/adaptive/found_ramp.h"
 #include "processing/opacity_curve.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "processing/tube_core/stage_times.h"
@@ -56,8 +57,11 @@ struct AdaptiveOtf {
     /// Of each tube core. Empty if the curve is meant for the voxels read, if no tube core has a weight, or if
     /// surfacesWhereDataBegin.
     std::vector<QuietInterface> quiet{};
-    double trust = 1.0;  ///< [0,1]; with RampRule the curve is trust * RampRule::opacity * ramp + (1 - trust) * initial
-                         ///< function; 1 with ProductRule
+    /// With RampRule::aim above 0: the ramp that shows every surface found, in the voxels for which the curve is meant.
+    /// Empty if no tube core has a weight, or if surfacesWhereDataBegin.
+    std::optional<FoundRamp> everySurface{};
+    double trust = 1.0;  ///< [0,1]; with RampRule the curve is trust * RampRule::opacity * ((1 - aim) * mean ramp + aim
+                         ///< * everySurface) + (1 - trust) * initial function; 1 with ProductRule
     /// sampleCount values: ln of the curve before the clamp to 1. With ProductRule: ln initial(x) + sum over the tubes
     /// of ln(1+d) g(x).
     std::vector<double> logOpacity;

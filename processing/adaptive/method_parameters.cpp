@@ -310,6 +310,10 @@ std::vector<Row> curveByRamp() {
         number<curve, &RampRule::opacity>({"ramp_opacity", "Opacity", "Opacity where all tube cores say surface",
                                            "opacity per unit length", triedCurves},
                                           {1e-6, 1}, {.offered = ParameterRange{0.01, 1}, .steps = bySteps(0.01)}),
+        number<curve, &RampRule::aim>(
+            {"aim", "Aim", "0: bright surfaces alone; 1: every wall that the tube cores found, at its place", "share",
+             "docs/experiments.md, The aim"},
+            {0, 1}, {.steps = bySteps(0.05)}),
         number<curve, &RampRule::trustedShare>(
             {"trusted_share", "Trusted share",
              "Share of the tube cores that must have a weight for the initial function to "

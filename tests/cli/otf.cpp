@@ -86,8 +86,14 @@ long double rampCurveAt(const json& otf, long double x) {
     if (weighted == 0 || parameters["surfaces_where_data_begin"] == true) return initial;
     const long double trust =
         std::min(1.0L, weighted / (parameters["trusted_share"].get<double>() * static_cast<long double>(meeting)));
-    const long double opacity = parameters["ramp_opacity"].get<double>();
-    return std::min(1.0L, trust * opacity * ramps / weights + (1 - trust) * initial);
+    const long double opacity = parameters["ramp_opacity"].get<double>(), aim = parameters["aim"].get<double>();
+    long double shown = (1 - aim) * ramps / weights;
+    if (aim > 0) {
+        const json& every = parameters["every_surface"];
+        const long double from = every["begin"].get<double>(), to = every["end"].get<double>();
+        shown += aim * every["opacity"].get<double>() * std::clamp((x - from) / (to - from), 0.0L, 1.0L);
+    }
+    return std::min(1.0L, trust * opacity * shown + (1 - trust) * initial);
 }
 
 void expectCurveIsThatOfItsRamps(const json& otf) {
@@ -196,6 +202,12 @@ TEST(OtfJson, CurveFollowsFromTheQuietTubesToo) {
         expectCurveIsThatOfItsRamps(otf);
     }
     expectCurveFollowsFromTubes(otfOf(shapesFile(), "--form product --reduction medium"), 2);
+    for (const std::string options : {"--aim 0.3 --reduction medium", "--aim 1", "--aim 0.7 --ramp-opacity 0.4"}) {
+        const json aimed = otfOf(shapesFile(), options);
+        EXPECT_GT(aimed["parameters"]["every_surface"]["end"], aimed["parameters"]["every_surface"]["begin"]);
+        expectCurveIsThatOfItsRamps(aimed);
+    }
+    EXPECT_FALSE(otfOf(shapesFile())["parameters"].contains("every_surface")) << "bright surfaces ask for none";
     // Few tube cores, so that the initial function has a say.
     const json few = otfOf(shapesFile(), "--reduction medium --initial linear --trusted-share 0.9");
     EXPECT_LT(few["parameters"]["trust"].get<double>(), 1.0);

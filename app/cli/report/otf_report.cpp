@@ -7,6 +7,7 @@
 
 #include "app/cli/report/opening_report.h"
 #include "app/cli/report/report_json.h"
+#include "processing/adaptive/adapted_curve.h"
 #include "processing/adaptive/halved_lengths.h"
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
@@ -64,6 +65,11 @@ Json valueOf(const ParameterValue& value) {
     return std::visit([](const auto& one) { return Json(one); }, value);
 }
 
+Json foundRampJson(const std::optional<FoundRamp>& ramp) {
+    if (!ramp) return nullptr;
+    return {{"begin", ramp->begin}, {"end", ramp->end}, {"opacity", ramp->opacity}};
+}
+
 /// Named like the command line's options. Parameters that do not apply are left out.
 Json methodParametersJson(const AdaptiveOtf& otf, const OtfContext& context) {
     const AdaptiveOtfConfig config = configUsed(otf);
@@ -82,6 +88,7 @@ Json methodParametersJson(const AdaptiveOtf& otf, const OtfContext& context) {
     all["least_contrast"] = maybe(otf.leastContrast);
     all["fluid_intensity"] = maybe(otf.fluidIntensity);
     all["trust"] = otf.trust;
+    if (asksForEverySurface(config.curve)) all["every_surface"] = foundRampJson(otf.everySurface);
     all["surfaces_where_data_begin"] = otf.surfacesWhereDataBegin;
     all["lengths_halved"] = otf.lengthsHalved;
     const CurveRule used = quieterRule(config.curve, otf.speckleLeft.value_or(1.0));

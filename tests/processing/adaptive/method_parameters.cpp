@@ -54,8 +54,8 @@ TEST(MethodParameters, EveryMemberOfEveryRuleHasARow) {
     [[maybe_unused]] const auto& [lowReach, highReach, slopeHalfStep, priorCells] = surface;
     [[maybe_unused]] const auto& [rankBins] = weights;
     [[maybe_unused]] const auto& [strength] = ProductRule{};
-    [[maybe_unused]] const auto& [begin, clearSpreads, end, opacity, trustedShare] = RampRule{};
-    constexpr std::size_t members = 3 + 3 + 12 + 12 + 4 + 1 + 1 + 5;
+    [[maybe_unused]] const auto& [begin, clearSpreads, end, opacity, aim, trustedShare] = RampRule{};
+    constexpr std::size_t members = 3 + 3 + 12 + 12 + 4 + 1 + 1 + 6;
     constexpr std::size_t choicesOfRules = 2;        // detection and curve
     constexpr std::size_t ofTheInitialFunction = 1;  // its scale
     EXPECT_EQ(methodParameters().size(), members + choicesOfRules + ofTheInitialFunction);

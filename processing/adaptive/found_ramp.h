@@ -1,0 +1,47 @@
+// The ramp that shows every surface that the tube cores found at its place: the aim *every wall*.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "processing/progress.h"
+#include "processing/tube_core/slabs/tube_samples.h"
+#include "processing/tube_core/tube_core.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// A ramp over normalised intensity: clear up to `begin`, of `opacity` per unit from `end` on, linear between.
+struct FoundRamp {
+    double begin = 0.0, end = 1.0;  ///< begin < end; end may lie above 1
+    double opacity = 1.0;           ///< (0,1]
+    friend bool operator==(const FoundRamp&, const FoundRamp&) = default;
+};
+[[nodiscard]] double opacityAt(const FoundRamp& ramp, double intensity);
+
+/// What a ray along a tube core's axis meets, from the tube core's first sample to missedUnits behind its surface.
+struct AxisProfile {
+    std::vector<float> intensities;  ///< normalised, one unit apart; NaN without data
+    double surface = 0.0;            ///< of the surface, samples behind the first; may lie between two samples
+};
+/// The profiles of all tube cores with a weight, in their order, trilinear in the shown voxels. `samples` are those
+/// that the tube cores were read with.
+[[nodiscard]] std::vector<AxisProfile> axisProfiles(const Volume& shown, std::span<const TubeSamples> samples,
+                                                    std::span<const TubeCore> tubes, int cellSize);
+
+/// How right a ramp shows the surfaces of profiles, [0,1]: the mean over the profiles of 1 if half of the light is held
+/// back (shownSample() in processing/comparison/shown_depth.h) at most 2 units from the surface. That falls to 0 at 3
+/// units before and at missedUnits behind the surface: early counts more than late. 0 without a profile.
+[[nodiscard]] double shownRight(std::span<const AxisProfile> profiles, const FoundRamp& ramp);
+inline constexpr double missedUnits = 6.0;
+
+/// The ramp for the surfaces of profiles. Tried are ramps that begin at shares from 0 to 0.77 of the way from I_L to
+/// I_H, half of that way wide, with opacities 1, 1/2, 1/4 and 1/8. The result is their mean (of begin, and of the
+/// logarithm of opacity), weighted by exp(shownRight / 0.08). So it moves smoothly with the view
+/// (docs/experiments.md, "The aim"). I_L and I_H are means over `tubes`, weighted by d. Empty if no tube core has a
+/// weight. The bits are the same for any number of threads.
+[[nodiscard]] std::optional<FoundRamp> rampForEverySurface(std::span<const AxisProfile> profiles,
+                                                           std::span<const TubeCore> tubes);
+
+}  // namespace echolucent
