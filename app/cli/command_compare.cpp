@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 
 #include "app/cli/command.h"
@@ -30,6 +31,27 @@ std::string paneCells(const Document& document, std::size_t place) {
                        tubes, phaseOf(document, place));
 }
 
+/// The cells of a pane's measures; empty cells if there are none.
+std::string measureCells(const std::optional<PaneMeasures>& measured) {
+    if (!measured) return ",,,,,";
+    const ClassificationMeasures& measures = measured->measures;
+    const auto percent = [&](ShownSurface shown) { return 100.0 * measures.depth.share(shown).value_or(0.0); };
+    const auto contrast = measures.contrast.contrastToNoise();
+    return fmt::format("{},{},{},{},{},{}", percent(ShownSurface::right), percent(ShownSurface::early),
+                       percent(ShownSurface::late), percent(ShownSurface::never),
+                       contrast ? fmt::format("{}", *contrast) : "", measures.light.meanShare);
+}
+
+/// Says with which surfaces the panes were measured.
+const char* surfacesSentence(const std::vector<std::optional<PaneMeasures>>& measured) {
+    for (const auto& one : measured)
+        if (one)
+            return one->from == SurfacesFrom::truth
+                       ? "Measured with the true surfaces of the simulated scan."
+                       : "Measured with the surfaces that tube cores find in this view: nobody knows the true ones.";
+    return "Nothing was measured: no surface is known in this view.";
+}
+
 Result<void> compare(const CompareOptions& options) {
     const auto read =
         readDocumentStudy(options.document, VolumeOptions{}, {options.csv}, 1,
@@ -46,13 +68,16 @@ Result<void> compare(const CompareOptions& options) {
                         fmt::format("shows phase {}, but the volume has {} phase(s)", phaseOf(document, pane),
                                     read->study.phases.size()));
     const auto measured = *measuresOfPanes(document, {.scans = read->study.phases});
-    std::string table = "pane,kind,otf,without_tubes,phase,cnr_s,light_near_surfaces\n";
+    std::string table =
+        "pane,kind,otf,without_tubes,phase,right_percent,early_percent,late_percent,never_percent,cnr_s,"
+        "light_near_surfaces\n";
     for (std::size_t place = 0; place < panes; ++place) {
-        const auto contrast = measured[place] ? measured[place]->contrast.contrastToNoise() : std::nullopt;
-        table += paneCells(document, place) + "," + (contrast ? fmt::format("{}", *contrast) : "") + "," +
-                 (measured[place] ? fmt::format("{}", measured[place]->light.meanShare) : "") + "\n";
+        table += paneCells(document, place) + "," + measureCells(measured[place]) + "\n";
     }
-    return writeFileAtomically(options.csv, table);
+    if (auto written = writeFileAtomically(options.csv, table); !written) return written;
+    // The table itself may go to standard output.
+    std::fprintf(stderr, "%s\n", surfacesSentence(measured));
+    return {};
 }
 
 }  // namespace

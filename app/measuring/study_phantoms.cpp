@@ -67,10 +67,10 @@ OpacityCurve parabolaCurve() { return PowerCurve{2, 1.0}; }
 
 OpacityCurve linearCurve() { return LinearCurve{20.0 / 255.0, 0.5, 1.0}; }
 
-std::vector<OpacityCurve> contrastCurvesOf(const Volume& volume, const Viewpoint& view, const QuietVoxels& shown) {
-    std::vector<OpacityCurve> curves{parabolaCurve(), linearCurve()};
+std::vector<Classification> contrastCurvesOf(const Volume& volume, const Viewpoint& view, const QuietVoxels& shown) {
+    std::vector<Classification> curves{parabolaCurve(), linearCurve()};
     for (const MethodReading reading : allReadings)
-        curves.emplace_back(adaptOpacity(volume, view, configOf(reading), {}, shown)->curve);
+        curves.emplace_back(OpacityCurve(adaptOpacity(volume, view, configOf(reading), {}, shown)->curve));
     return curves;
 }
 
@@ -78,18 +78,6 @@ std::vector<std::string> contrastCurveNames() {
     std::vector<std::string> names{"x²", "eq. 1"};
     for (const MethodReading reading : allReadings) names.emplace_back(nameOf(reading));
     return names;
-}
-
-std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view,
-                                               SpeckleReduction reduction) {
-    const bool off = reduction == SpeckleReduction::off;
-    const Volume quiet = *quietVolume(phantom.volume, reduction);
-    const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, view);
-    std::vector<std::optional<double>> values;
-    for (const SurfaceContrast& contrast : surfaceContrasts(
-             quiet, rays, view, contrastCurvesOf(phantom.volume, view, {off ? nullptr : &quiet, reduction})))
-        values.push_back(contrast.contrastToNoise());
-    return values;
 }
 
 std::optional<double> meanOf(const std::vector<std::optional<double>>& values) {

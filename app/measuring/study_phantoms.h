@@ -11,7 +11,8 @@
 #include "app/measuring/measures/phantom_conditions.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/adaptive/quiet_reading.h"
-#include "processing/comparison/surface_contrast.h"
+#include "processing/classification.h"
+#include "processing/comparison/surface_rays.h"
 #include "processing/phantom/phantom.h"
 #include "processing/result.h"
 
@@ -55,14 +56,10 @@ inline constexpr std::array<MethodReading, 3> allReadings{MethodReading::asPubli
                                                           MethodReading::standard};
 /// The curves whose contrast is measured: parabolaCurve(), linearCurve(), and the adaptive curves of allReadings, made
 /// for the shown voxels.
-[[nodiscard]] std::vector<OpacityCurve> contrastCurvesOf(const Volume& volume, const Viewpoint& view,
-                                                         const QuietVoxels& shown = {});
+[[nodiscard]] std::vector<Classification> contrastCurvesOf(const Volume& volume, const Viewpoint& view,
+                                                           const QuietVoxels& shown = {});
 /// The names of the curves of contrastCurvesOf(), in their order.
 [[nodiscard]] std::vector<std::string> contrastCurveNames();
-
-/// CNR_S of each curve of contrastCurvesOf(), on voxels made quiet by `reduction`.
-[[nodiscard]] std::vector<std::optional<double>> contrastsOf(const StudyPhantom& phantom, const Viewpoint& view,
-                                                             SpeckleReduction reduction = SpeckleReduction::off);
 
 /// The mean of the known values; no value if none is known.
 [[nodiscard]] std::optional<double> meanOf(const std::vector<std::optional<double>>& values);

@@ -12,6 +12,7 @@
 #include "processing/designers/choice/designer.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "tests/cli/program.h"
+#include "tests/cli/tables.h"
 
 namespace echolucent {
 namespace {
@@ -126,7 +127,22 @@ TEST(LongDesignersCommand, TheStudyHasARowForEachDesignerConditionAndSeed) {
         runProgram("study designers --size 40 --seeds 1,2 --repeats 1 --picture-size 24 -o \"" + folder / "d" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     const std::string csv = contentsOf(folder / "d/designers.csv");
-    EXPECT_TRUE(csv.starts_with("designer,condition,seed,contrast,ms\n"));
+    EXPECT_TRUE(csv.starts_with("designer,condition,seed,right_objects_percent,early_objects_percent,"));
+    EXPECT_NE(csv.find(",never_tube_cores_percent,contrast,ms\n"), std::string::npos);
+    int known = 0;
+    for (const NamedRow& row : namedRowsOf(csv))
+        for (const std::string kind : {"objects", "walls", "all", "tube_cores"}) {
+            double sum = 0.0;
+            for (const std::string shown : {"right_", "early_", "late_", "never_"}) {
+                const std::string& cell = row.at(shown + kind + "_percent");
+                sum += cell.empty() ? 0.0 : std::stod(cell);
+            }
+            if (sum == 0.0) continue;
+            EXPECT_NEAR(sum, 100.0, 1e-9) << "right, early, late and never are all rays";
+            ++known;
+        }
+    EXPECT_GT(known, 400);
+    EXPECT_NE(outcome.output.find("Rank correlation (Spearman)"), std::string::npos);
     // x^2 and all designers on six conditions and two seeds, and on two scans that are shown.
     const auto compared = static_cast<std::ptrdiff_t>(1 + allDesigners.size());
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + compared * 6 * 2 + compared * 2);

@@ -61,14 +61,28 @@ TEST(CompareDocument, MeasuresEachPaneAsProcessingDoes) {
     const Outcome outcome = runProgram("compare \"" + folder / "compared.json" + "\"");
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     const auto measured = measuresOfPanes(document, {.scans = readStudy(shapesFile())->phases});
-    std::string expected = "pane,kind,otf,without_tubes,phase,cnr_s,light_near_surfaces\n";
+    std::string expected =
+        "pane,kind,otf,without_tubes,phase,right_percent,early_percent,late_percent,never_percent,cnr_s,"
+        "light_near_surfaces\n";
     const std::array cells{"1,curve,adaptive,,0", "2,curve,parabolic,,0",
                            "3,designer,adaptive,96 97 98 111 112 113 126 127 128,0", "4,designer,levoy,,0"};
-    for (std::size_t place = 0; place < 4; ++place)
-        expected += fmt::format("{},{},{}\n", cells[place], *(*measured)[place]->contrast.contrastToNoise(),
-                                (*measured)[place]->light.meanShare);
+    for (std::size_t place = 0; place < 4; ++place) {
+        const ClassificationMeasures& measures = (*measured)[place]->measures;
+        const ShownDepth& depth = measures.depth;
+        expected += cells[place];
+        for (const int count : {depth.right, depth.early, depth.late, depth.never})
+            expected += fmt::format(",{}", 100.0 * (static_cast<double>(count) / depth.rays()));
+        expected += fmt::format(",{},{}\n", *measures.contrast.contrastToNoise(), measures.light.meanShare);
+    }
     EXPECT_EQ(outcome.output, expected);
-    EXPECT_NE((*measured)[0]->contrast.contrastToNoise(), (*measured)[2]->contrast.contrastToNoise());
+    EXPECT_NE((*measured)[0]->measures.contrast.contrastToNoise(), (*measured)[2]->measures.contrast.contrastToNoise());
+    EXPECT_EQ((*measured)[0]->from, SurfacesFrom::tubeCores);
+    EXPECT_NE(outcome.errors.find("surfaces that tube cores find"), std::string::npos) << outcome.errors;
+    Document simulated = withPaneCount({}, 2);
+    simulated.study = SimulatedScan{.scene = PhantomScene::shapes, .size = {40, 40, 40}, .seed = 2};
+    ASSERT_TRUE(writeDocument(folder / "simulated.json", simulated));
+    const Outcome known = runProgram("compare \"" + folder / "simulated.json" + "\"");
+    EXPECT_NE(known.errors.find("true surfaces of the simulated scan"), std::string::npos) << known.errors;
     document.panes.resize(1);
     ASSERT_TRUE(writeDocument(folder / "alone.json", document));
     const Outcome alone = runProgram("compare \"" + folder / "alone.json" + "\"");

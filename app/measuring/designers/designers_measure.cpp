@@ -3,7 +3,6 @@
 #include "app/measuring/designers/study_designers.h"
 #include "app/measuring/run_time.h"
 #include "app/measuring/study_phantoms.h"
-#include "processing/adaptive/adaptive_otf.h"
 #include "processing/designers/choice/designer.h"
 #include "processing/median.h"
 #include "processing/ray_caster/plain/plain_caster.h"
@@ -63,22 +62,21 @@ DesignTimed timedDesign(const ComparedDesigner& designer, const DesignerInput& i
     return timed;
 }
 
-std::vector<ContrastRow> measureContrasts(const PhantomConfig& base, const ContrastSetting& setting) {
-    std::vector<ContrastRow> rows;
+std::vector<DesignerRow> measureDesigners(const PhantomConfig& base, const DesignersSetting& setting) {
+    std::vector<DesignerRow> rows;
     for (const NamedPhantom& condition : contrastConditions(base)) {
         const StudyPhantom phantom(condition.config);
         const Volume quiet = *quietVolume(phantom.volume, setting.reduction);
-        const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, setting.view);
         std::vector<Classification> classifications;
         const std::size_t first = rows.size();
         for (const ComparedDesigner& designer : comparedDesigners()) {
             const DesignTimed made = timedDesign(
                 designer, {phantom.volume, quiet, setting.reduction, setting.view, setting.method}, setting.repeats);
             classifications.push_back(made.design.classification);
-            rows.push_back({designer.name, condition.name, base.seed, std::nullopt, made.milliseconds});
+            rows.push_back({designer.name, condition.name, base.seed, {}, made.milliseconds});
         }
-        const auto contrasts = surfaceContrasts(quiet, rays, setting.view, classifications);
-        for (std::size_t i = 0; i < contrasts.size(); ++i) rows[first + i].contrast = contrasts[i].contrastToNoise();
+        const auto surfaces = shownSurfacesOf(phantom.volume, quiet, setting.view, &phantom.truth, classifications);
+        for (std::size_t i = 0; i < surfaces.size(); ++i) rows[first + i].surfaces = surfaces[i];
     }
     return rows;
 }
@@ -98,10 +96,9 @@ std::vector<DesignerPicture> showDesigners(const DesignerCase& one, int repeats)
         const PictureError error = errorOf(classification, one);
         pictures.push_back({designer.name, std::move(made), std::move(picture), castMilliseconds, error, {}});
     }
-    const auto otf = adaptOpacity(*one.raw, one.view, one.method, {}, {one.shown.get(), one.reduction});
-    const auto measures = measuresOf(*one.shown, *otf, classifications);
-    for (std::size_t i = 0; i < pictures.size(); ++i)
-        if ((*measures)[i].contrast.rays > 0) pictures[i].measures = (*measures)[i];
+    const auto surfaces =
+        shownSurfacesOf(*one.raw, *one.shown, one.view, one.truth ? &*one.truth : nullptr, classifications);
+    for (std::size_t i = 0; i < pictures.size(); ++i) pictures[i].surfaces = surfaces[i];
     return pictures;
 }
 

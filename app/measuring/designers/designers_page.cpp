@@ -19,18 +19,18 @@ std::string labelOfName(const std::string& name) {
 /// CNR_S by designer and condition, as mean over the seeds. The last columns are the mean over the conditions, and ms.
 TextTable contrastTable(const DesignersStudy& study) {
     TextTable table{{"designer"}, {}};
-    const auto conditions = namesIn(study.contrasts, [](const ContrastRow& row) { return row.condition; });
+    const auto conditions = namesIn(study.rows, [](const DesignerRow& row) { return row.condition; });
     table.columns.insert(table.columns.end(), conditions.begin(), conditions.end());
     table.columns.insert(table.columns.end(), {"mean", "ms"});
-    for (const std::string& designer : namesIn(study.contrasts, [](const ContrastRow& row) { return row.designer; })) {
+    for (const std::string& designer : namesIn(study.rows, [](const DesignerRow& row) { return row.designer; })) {
         std::vector<std::string> cells{labelOfName(designer)};
         std::vector<std::optional<double>> means;
         std::vector<double> times;
         for (const std::string& condition : conditions) {
             std::vector<std::optional<double>> seeds;
-            for (const ContrastRow& row : study.contrasts)
+            for (const DesignerRow& row : study.rows)
                 if (row.designer == designer && row.condition == condition) {
-                    seeds.push_back(row.contrast);
+                    seeds.push_back(row.surfaces.truth->contrast);
                     times.push_back(row.milliseconds);
                 }
             means.push_back(meanOf(seeds));
@@ -43,19 +43,33 @@ TextTable contrastTable(const DesignersStudy& study) {
     return table;
 }
 
+/// The designers' surfaces on the scans whose truth is known, under the designers' labels.
+std::vector<NamedSurfaces> surfacesOf(const DesignersStudy& study) {
+    std::vector<NamedSurfaces> all;
+    for (const DesignerRow& row : study.rows) all.push_back({labelOfName(row.designer), row.condition, row.surfaces});
+    return all;
+}
+std::vector<NamedSurfaces> surfacesOf(const DesignersStudy::Shown& one) {
+    std::vector<NamedSurfaces> all;
+    for (const DesignerPicture& each : one.pictures)
+        all.push_back({labelOfName(each.designer), one.name, each.surfaces});
+    return all;
+}
+
 TextTable shownTable(const DesignersStudy::Shown& one) {
     TextTable table{{"designer", "dimensions", "ms", "picture, ms", "picture, times x²", "RMSE", "largest",
                      "CNR_S by tube cores", "light near surfaces"},
                     {}};
     for (const DesignerPicture& each : one.pictures) {
+        const ClassificationMeasures& found = each.surfaces.tubeCores;
         const bool two = each.made.design.classification.isTwoDimensional();
         table.rows.push_back({labelOfName(each.designer), two ? "2" : "1",
                               fmt::format("{:.1f}", each.made.milliseconds),
                               fmt::format("{:.1f}", each.castMilliseconds),
                               fmt::format("{:.2f}", each.castMilliseconds / one.pictures.front().castMilliseconds),
                               fmt::format("{:.3f}", each.error.rmse), fmt::format("{:.1f}", each.error.largest),
-                              each.measures ? shown(each.measures->contrast.contrastToNoise()) : "-",
-                              each.measures ? fmt::format("{:.0f} %", 100.0 * each.measures->light.meanShare) : "-"});
+                              shown(found.contrast.contrastToNoise()),
+                              found.depth.rays() > 0 ? fmt::format("{:.0f} %", 100.0 * found.light.meanShare) : "-"});
     }
     return table;
 }
@@ -74,6 +88,7 @@ Plot curvesPlot(const DesignersStudy::Shown& one) {
 void addShown(HtmlPage& page, const DesignersStudy::Shown& one) {
     page.heading(one.name);
     for (const DesignerPicture& each : one.pictures) page.picture(each.picture, labelOfName(each.designer));
+    addTable(page, shownSurfaceTable(surfacesOf(one)));
     addTable(page, shownTable(one));
     page.plot(curvesPlot(one));
     for (const DesignerPicture& each : one.pictures) {
@@ -87,39 +102,73 @@ void addShown(HtmlPage& page, const DesignersStudy::Shown& one) {
 }  // namespace
 
 std::string designersCsv(const DesignersStudy& study) {
-    CsvTable csv({"designer", "condition", "seed", "contrast", "ms"});
-    for (const ContrastRow& row : study.contrasts)
-        csv.row({row.designer, row.condition, row.seed, row.contrast, row.milliseconds});
+    std::vector<std::string> columns{"designer", "condition", "seed"};
+    for (std::string& column : shownSurfaceColumns()) columns.push_back(std::move(column));
+    columns.insert(columns.end(), {"contrast", "ms"});
+    CsvTable csv(columns);
+    const auto add = [&](std::vector<CsvCell> cells, const ShownSurfaces& surfaces,
+                         const std::optional<double>& contrast, double milliseconds) {
+        for (CsvCell& cell : shownSurfaceCells(surfaces)) cells.push_back(std::move(cell));
+        cells.emplace_back(contrast);
+        cells.emplace_back(milliseconds);
+        csv.row(cells);
+    };
+    for (const DesignerRow& row : study.rows)
+        add({row.designer, row.condition, row.seed}, row.surfaces, row.surfaces.truth->contrast, row.milliseconds);
     for (const DesignersStudy::Shown& one : study.shown)
         for (const DesignerPicture& each : one.pictures)
-            csv.row({each.designer, one.name, std::optional<double>(),
-                     each.measures ? each.measures->contrast.contrastToNoise() : std::nullopt, each.made.milliseconds});
+            add({each.designer, one.name, std::optional<double>()}, each.surfaces,
+                each.surfaces.tubeCores.contrast.contrastToNoise(), each.made.milliseconds);
     return csv.text();
 }
 
 std::string designersPage(const DesignersStudy& study) {
     HtmlPage page("OTF designers side by side");
-    if (!study.contrasts.empty()) {
+    if (!study.rows.empty()) {
+        const auto surfaces = surfacesOf(study);
         page.paragraph(fmt::format(
-            "CNR_S says how well a picture sets the true surface off from haze before it and leakage behind it "
-            "(docs/experiments.md). The table holds means over the seeds {} of the simulated shapes, speckle reduction "
-            "{}; ms are wall time of the designer, the median of {} runs each, on whatever machine made this page.",
-            study.seeds, nameOf(study.reduction), study.repeats));
+            "The shown depth of a ray is where half of the light is held back (docs/comparison.md). Against the ray's "
+            "first surface behind fluid it is right (within 2 units), early, late, or never there. Objects are bright, "
+            "walls are darker tissue; all are both. Tables hold means over the seeds {} of the simulated shapes, "
+            "speckle reduction {}. Template knows the truth of a scan of the same kind.",
+            study.seeds, nameOf(study.reduction)));
+        addTable(page, shownSurfaceTable(surfaces));
+        page.paragraph(
+            "The same, what is right of all surfaces by the truth, and of the surfaces that tube cores find, which "
+            "stand "
+            "in for the truth on real scans.");
+        addTable(page, rightTable(surfaces, SurfaceKind::all));
+        addTable(page, rightTable(surfaces, SurfaceKind::tubeCores));
+        if (const std::string sentence = rankSentence(surfaces); !sentence.empty()) page.paragraph(sentence);
+        page.paragraph(fmt::format(
+            "CNR_S says how equally bright the surfaces of objects are, and how much brighter than the light from "
+            "elsewhere (docs/comparison.md). It favours curves that show few surfaces evenly and says nothing of where "
+            "the picture stands. ms are wall time of the designer, the median of {} runs each, on whatever machine "
+            "made "
+            "this page.",
+            study.repeats));
         addTable(page, contrastTable(study));
     }
     page.paragraph(
         "Pictures are lit by light that reaches. Their time is the median of pictures that are cast anew, also as "
         "multiples of x²'s; RMSE and the largest error, in levels of 255, are those of a small picture by the ray "
-        "caster from the plain route in double. CNR_S by tube cores and the light near surfaces take the surfaces that "
-        "the tube cores found for true, which favours the adaptive OTF: it is made of these very surfaces.");
+        "caster from the plain route in double. CNR_S and the light near surfaces are those of the surfaces that tube "
+        "cores find, which favours the adaptive OTF: it is made of such surfaces.");
     for (const DesignersStudy::Shown& one : study.shown) addShown(page, one);
     return page.text();
 }
 
 std::string designersSummary(const DesignersStudy& study) {
     std::string text;
-    if (!study.contrasts.empty()) text += plainText(contrastTable(study));
-    for (const DesignersStudy::Shown& one : study.shown) text += "\n" + one.name + "\n" + plainText(shownTable(one));
+    if (!study.rows.empty()) {
+        const auto surfaces = surfacesOf(study);
+        text += plainText(shownSurfaceTable(surfaces)) + "\n" + plainText(rightTable(surfaces, SurfaceKind::all)) +
+                "\n" + plainText(rightTable(surfaces, SurfaceKind::tubeCores)) + "\n" + rankSentence(surfaces) +
+                "\n\nCNR_S of objects by the truth\n" + plainText(contrastTable(study));
+    }
+    for (const DesignersStudy::Shown& one : study.shown)
+        text +=
+            "\n" + one.name + "\n" + plainText(shownSurfaceTable(surfacesOf(one))) + "\n" + plainText(shownTable(one));
     return text;
 }
 

@@ -26,8 +26,8 @@ std::string nameOfFile(const std::string& path) {
 class DesignersStudyCommand final : public StudyCommand {
 public:
     DesignersStudyCommand()
-        : StudyCommand(
-              {"designers", "All OTF designers side by side: pictures, contrast, time", "designers -o designers"}) {}
+        : StudyCommand({"designers", "All OTF designers side by side: pictures, shown depth, contrast, time",
+                        "designers -o designers"}) {}
 
 private:
     void addOptions(CLI::App& command) override {
@@ -78,6 +78,7 @@ private:
             scan.seed = bases.front().seed;
             all.push_back(caseOf("simulated " + std::string(nameOf(scene)),
                                  std::make_shared<const Volume>(*makePhantom(scan)), *from));
+            all.back().truth.emplace(scan);
         }
         return all;
     }
@@ -88,9 +89,9 @@ private:
         DesignersStudy study{.seeds = phantoms.seeds, .reduction = m_look.reduction, .repeats = m_repeats};
         if (volume.path.empty())
             for (const PhantomConfig& base : bases)
-                for (ContrastRow& row :
-                     measureContrasts(base, {shown->front().view, config, m_look.reduction, m_repeats}))
-                    study.contrasts.push_back(std::move(row));
+                for (DesignerRow& row :
+                     measureDesigners(base, {shown->front().view, config, m_look.reduction, m_repeats}))
+                    study.rows.push_back(std::move(row));
         for (const DesignerCase& one : *shown) study.shown.push_back({one.name, showDesigners(one, m_repeats)});
         return StudyFindings{{{"designers.csv", designersCsv(study)}, {"designers.html", designersPage(study)}},
                              designersSummary(study)};

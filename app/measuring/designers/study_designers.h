@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/measuring/measures/picture_difference.h"
-#include "processing/comparison/classification_measures.h"
+#include "app/measuring/shown_surfaces.h"
 #include "processing/designers/choice/designer_config.h"
 #include "processing/designers/design.h"
 #include "processing/phantom/phantom_config.h"
@@ -33,21 +33,21 @@ struct DesignTimed {
 [[nodiscard]] DesignTimed timedDesign(const ComparedDesigner& designer, const DesignerInput& input, int repeats);
 
 /// One designer on one simulated scan with known truth.
-struct ContrastRow {
+struct DesignerRow {
     std::string designer, condition;
     std::uint64_t seed = 0;
-    std::optional<double> contrast;  ///< CNR_S
-    double milliseconds = 0.0;       ///< median wall time of the designer
+    ShownSurfaces surfaces{};
+    double milliseconds = 0.0;  ///< median wall time of the designer
 };
 /// How scans are measured: the view of the tube cores, the method, and the reduction of the shown voxels.
-struct ContrastSetting {
+struct DesignersSetting {
     Viewpoint view;
     AdaptiveOtfConfig method;
     SpeckleReduction reduction = SpeckleReduction::off;
     int repeats = 1;
 };
 /// All designers on the six conditions of a scan.
-[[nodiscard]] std::vector<ContrastRow> measureContrasts(const PhantomConfig& base, const ContrastSetting& setting);
+[[nodiscard]] std::vector<DesignerRow> measureDesigners(const PhantomConfig& base, const DesignersSetting& setting);
 
 /// A volume to show with each designer's OTF.
 struct DesignerCase {
@@ -57,15 +57,16 @@ struct DesignerCase {
     Viewpoint view{};
     AdaptiveOtfConfig method{};
     RayCastSettings settings{};
+    std::optional<PhantomTruth> truth{};  ///< no value if nobody knows it
 };
 /// The picture and the results of one designer on a case.
 struct DesignerPicture {
     std::string designer;
     DesignTimed made;
     Picture picture;
-    double castMilliseconds = 0.0;                   ///< median of a picture that is cast anew, with light
-    PictureError error;                              ///< of the kernel's small lit picture, from the plain route's one
-    std::optional<ClassificationMeasures> measures;  ///< by the tube cores' surfaces; no value if there are none
+    double castMilliseconds = 0.0;  ///< median of a picture that is cast anew, with light
+    PictureError error;             ///< of the kernel's small lit picture, from the plain route's one
+    ShownSurfaces surfaces{};
 };
 [[nodiscard]] std::vector<DesignerPicture> showDesigners(const DesignerCase& one, int repeats);
 
@@ -73,7 +74,7 @@ struct DesignersStudy {
     std::string seeds;
     SpeckleReduction reduction = SpeckleReduction::off;
     int repeats = 0;
-    std::vector<ContrastRow> contrasts{};
+    std::vector<DesignerRow> rows{};
     struct Shown {
         std::string name;
         std::vector<DesignerPicture> pictures;
@@ -82,7 +83,7 @@ struct DesignersStudy {
 };
 [[nodiscard]] std::string designersCsv(const DesignersStudy& study);
 [[nodiscard]] std::string designersPage(const DesignersStudy& study);
-/// The tables of contrasts and of pictures, for a terminal.
+/// The tables of surfaces, contrasts and pictures, for a terminal.
 [[nodiscard]] std::string designersSummary(const DesignersStudy& study);
 
 }  // namespace echolucent::cli

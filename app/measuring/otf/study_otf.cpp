@@ -43,13 +43,13 @@ void addContrast(const StudyPhantom& phantom, const std::string& condition, std:
     bool isOne = false;
     for (const NamedPhantom& one : contrastConditions(phantom.config)) isOne = isOne || one.name == condition;
     if (!isOne) return;
-    std::vector<OpacityCurve> curves{parabolaCurve(), linearCurve()};
-    for (const ReadingResult& reading : readings) curves.emplace_back(reading.curve);
-    const auto rays = objectRays(phantom.volume.geometry(), phantom.truth, Viewpoint{});
-    const auto contrasts = surfaceContrasts(phantom.volume, rays, Viewpoint{}, curves);
-    study.fixed.push_back(
-        {condition, phantom.config.seed, contrasts[0].contrastToNoise(), contrasts[1].contrastToNoise()});
-    for (std::size_t i = 0; i < readings.size(); ++i) readings[i].contrast = contrasts[i + 2].contrastToNoise();
+    std::vector<Classification> curves{parabolaCurve(), linearCurve()};
+    for (const ReadingResult& reading : readings) curves.emplace_back(OpacityCurve(reading.curve));
+    const auto rays = trueSurfaces(phantom.volume.geometry(), phantom.truth, Viewpoint{}, InterfaceInto::object);
+    const auto measures = *measuresOf(phantom.volume, Viewpoint{}, rays, curves);
+    study.fixed.push_back({condition, phantom.config.seed, measures[0].contrast.contrastToNoise(),
+                           measures[1].contrast.contrastToNoise()});
+    for (std::size_t i = 0; i < readings.size(); ++i) readings[i].contrast = measures[i + 2].contrast.contrastToNoise();
 }
 
 void measurePhantom(const GroupedPhantom& grouped, int repeats, OtfStudy& study) {

@@ -11,7 +11,7 @@
 #include "app/measuring/study_phantoms.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
-#include "processing/comparison/surface_light.h"
+#include "processing/comparison/classification_measures.h"
 
 namespace echolucent::cli {
 
@@ -75,9 +75,9 @@ struct ReadingResult {
     std::optional<double> contrast;  ///< CNR_S in the six contrastConditions() along the beam; else no value
     double sumOfWeights = 0.0;       ///< sum of d
     int tubesWithWeight = 0;
-    SurfaceLight light;          ///< light with the reading's own curve
-    SurfaceLight parabolaLight;  ///< light with x^2 along the same tube cores
-    SurfaceLight linearLight;    ///< light with eq. 1, L_L = 20/255, a = 0.5
+    NearLight light;          ///< light with the reading's own curve, along its own tube cores with a surface
+    NearLight parabolaLight;  ///< light with x^2 along the same tube cores
+    NearLight linearLight;    ///< light with eq. 1, L_L = 20/255, a = 0.5
     std::string message;
     SampledCurve curve;
 };

@@ -123,9 +123,12 @@ ReadingResult measureReading(const OtfCase& one, MethodReading reading) {
     result.tubesWithWeight = otf.tubesWithWeight;
     result.message = otf.message;
     result.curve = otf.curve;
-    result.light = surfaceLight(*one.volume, otf, otf.curve);
-    result.parabolaLight = surfaceLight(*one.volume, otf, parabolaCurve());
-    result.linearLight = surfaceLight(*one.volume, otf, linearCurve());
+    const std::vector<Classification> curves{otf.curve, parabolaCurve(), linearCurve()};
+    const auto rays = tubeCoreRays(one.volume->geometry(), otf);
+    const auto measures = *measuresOf(*one.volume, one.view, rays, curves);
+    result.light = measures[0].light;
+    result.parabolaLight = measures[1].light;
+    result.linearLight = measures[2].light;
     if (one.truth != nullptr) result.detection = detectionQuality(otf, *one.truth, one.volume->geometry());
     return result;
 }

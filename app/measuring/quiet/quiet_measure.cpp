@@ -7,6 +7,7 @@
 
 #include "app/measuring/run_time.h"
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/comparison/classification_measures.h"
 #include "processing/median.h"
 #include "processing/phantom/speckle.h"
 #include "processing/speckle_reduction/gaussian_filter.h"
@@ -160,7 +161,8 @@ std::optional<double> quietContrastOf(const StudyPhantom& phantom, const std::ve
     const Volume quiet = filter.run(phantom.volume);
     const bool off = filter.named == SpeckleReduction::off;
     const auto otf = adaptOpacity(phantom.volume, view, {}, {}, {off ? nullptr : &quiet, filter.named});
-    return surfaceContrasts(quiet, rays, view, std::vector<OpacityCurve>{otf->curve}).front().contrastToNoise();
+    const std::vector<Classification> curve{otf->curve};
+    return measuresOf(quiet, view, rays, curve)->front().contrast.contrastToNoise();
 }
 
 }  // namespace echolucent::cli

@@ -37,8 +37,8 @@ void measureContrasts(const std::vector<PhantomConfig>& bases, PhantomScene scen
             base.scene = scene;
             const StudyPhantom phantom(contrastConditions(base)[c].config);
             const auto rays =
-                objectRays(phantom.volume.geometry(), phantom.truth, {},
-                           scene == PhantomScene::shapes ? InterfaceInto::object : InterfaceInto::objectOrTissue);
+                trueSurfaces(phantom.volume.geometry(), phantom.truth, {},
+                             scene == PhantomScene::shapes ? InterfaceInto::object : InterfaceInto::objectOrTissue);
             for (std::size_t f = 0; f < results.size(); ++f)
                 seeds[f].push_back(quietContrastOf(phantom, rays, results[f].filter));
         }
