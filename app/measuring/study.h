@@ -102,5 +102,6 @@ private:
 [[nodiscard]] std::shared_ptr<StudyCommand> cutStudy();
 [[nodiscard]] std::shared_ptr<StudyCommand> sidesStudy();
 [[nodiscard]] std::shared_ptr<StudyCommand> designersStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> aimStudy();
 
 }  // namespace echolucent::cli

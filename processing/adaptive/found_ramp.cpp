@@ -13,9 +13,9 @@ namespace echolucent {
 namespace {
 
 constexpr std::size_t ramps = 8, opacities = 4;
-constexpr double beginStep = 0.11, widthShare = 0.5;  // shares of the way from I_L to I_H
-constexpr std::array<float, opacities> triedOpacities{1.0f, 0.5f, 0.25f, 0.125f};
-constexpr double evenness = 0.08;  ///< of the weights of the mean: the difference of shownRight() that counts e times
+constexpr double beginStep = 0.07, widthShare = 0.5;  // shares of the way from I_L to I_H
+constexpr std::array<float, opacities> triedOpacities{1.0f, 0.7f, 0.5f, 0.35f};
+constexpr double evenness = 0.6;  ///< of the weights of the mean: the difference of shownRight() that counts e times
 constexpr float rightWithin = 2.0f, lostBefore = 3.0f;  // units from the surface
 constexpr float lostBehind = static_cast<float>(missedUnits);
 
@@ -145,17 +145,18 @@ double shownRight(std::span<const AxisProfile> profiles, const FoundRamp& ramp) 
 }
 
 std::optional<FoundRamp> rampForEverySurface(std::span<const AxisProfile> profiles, std::span<const TubeCore> tubes) {
-    double low = 0.0, high = 0.0, weight = 0.0;
+    double low = 0.0, high = 0.0;
+    int count = 0;
     for (const TubeCore& tube : tubes) {
         if (!(tube.d > 0.0)) continue;
-        low += tube.d * *tube.lowIntensity;
-        high += tube.d * *tube.highIntensity;
-        weight += tube.d;
+        low += *tube.lowIntensity;
+        high += *tube.highIntensity;
+        ++count;
     }
-    if (!(weight > 0.0) || profiles.empty()) return std::nullopt;
-    low /= weight;
+    if (count == 0 || profiles.empty()) return std::nullopt;
+    low /= count;
     // A rise that rounding could have made gives a ramp all the same, not a division by 0.
-    const double rise = std::max(high / weight - low, 1e-6);
+    const double rise = std::max(high / count - low, 1e-6);
     const double width = widthShare * rise;
     std::array<double, ramps> begin;
     TriedRamps tried;

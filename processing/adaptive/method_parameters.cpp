@@ -143,7 +143,7 @@ std::vector<Row> detectionByVariance() {
         number<detection, &VarianceRule::significance>(
             {"significance", "Significance", "A local maximum counts from this share of the largest value in its range",
              "share", "docs/experiments.md, What the paper leaves open"},
-            {0, 1}, {.steps = bySteps(0.05)}),
+            {0, 1}),
         number<detection, &VarianceRule::floorQuantile>(
             {"floor_quantile", "Floor quantile",
              "This quantile of a tube's interface function is taken off before tracking; 0: nothing is", "share",
@@ -313,7 +313,7 @@ std::vector<Row> curveByRamp() {
         number<curve, &RampRule::aim>(
             {"aim", "Aim", "0: bright surfaces alone; 1: every wall that the tube cores found, at its place", "share",
              "docs/experiments.md, The aim"},
-            {0, 1}, {.steps = bySteps(0.05)}),
+            {0, 1}),
         number<curve, &RampRule::trustedShare>(
             {"trusted_share", "Trusted share",
              "Share of the tube cores that must have a weight for the initial function to "

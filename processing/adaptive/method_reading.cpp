@@ -54,6 +54,9 @@ std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config) {
         AdaptiveOtfConfig known = configOf(reading);
         known.grid = config.grid;
         known.initial = config.initial;
+        const auto* aimed = std::get_if<RampRule>(&config.curve);
+        if (auto* ramp = std::get_if<RampRule>(&known.curve); ramp != nullptr && aimed != nullptr)
+            ramp->aim = aimed->aim;
         if (known == config) return reading;
     }
     return std::nullopt;

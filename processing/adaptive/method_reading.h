@@ -19,8 +19,8 @@ enum class MethodReading {
 [[nodiscard]] std::optional<MethodReading> methodReadingFromName(std::string_view name);
 /// The config of a reading; `standard` is AdaptiveOtfConfig{}.
 [[nodiscard]] AdaptiveOtfConfig configOf(MethodReading reading);
-/// The reading that a config is; empty if it is none. Tube grid and initial function belong to no reading and may
-/// differ.
+/// The reading that a config is; empty if it is none. Tube grid, initial function and aim belong to no reading and
+/// may differ.
 [[nodiscard]] std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config);
 
 }  // namespace echolucent

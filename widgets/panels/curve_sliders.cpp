@@ -1,9 +1,13 @@
 #include "widgets/panels/curve_sliders.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
+#include <variant>
 
+#include "processing/adaptive/method_parameters.h"
 #include "processing/document/curve_adjustment.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/value_slider.h"
@@ -11,10 +15,59 @@
 
 namespace echolucent {
 
+namespace {
+
+/// Why nobody can set the aim; empty if a person can.
+QString whyNoAim(const Document& shown) {
+    const bool adaptive = std::ranges::any_of(shown.panes, [](const Pane& pane) {
+        return pane.designer ? std::holds_alternative<AdaptiveConfig>(*pane.designer)
+                             : pane.curve == CurveKind::adaptive;
+    });
+    if (!adaptive) return CurveSliders::tr("The adaptive curve alone has an aim: no pane shows it");
+    if (!std::holds_alternative<RampRule>(shown.method.config.curve))
+        return CurveSliders::tr("A product of basis functions has no aim: the form ramp has one");
+    return {};
+}
+
+}  // namespace
+
+void CurveSliders::addAim(DocumentModel& document, QGridLayout& grid) {
+    const Parameter<AdaptiveOtfConfig>& row = *parameterNamed(methodParameters(), "aim");
+    const QString label = tr("Surfaces");
+    m_aim = new ValueSlider("view.aim", tr("Surfaces: bright … every wall"), 1.0, 1, nullptr, ValueSlider::Zeros::none);
+    m_aim->setRange(100.0 * row.range.least, 100.0 * row.range.largest);
+    m_aim->setSuffix(tr(" %"));
+    m_aim->setStandard(100.0 * RampRule{}.aim);
+    m_aim->setToolTip(
+        tr("Which surfaces the adaptive curve shows where they stand. 0 %: bright surfaces, darker walls "
+           "are let go. 100 %: every wall that was found, and a little haze before bright surfaces"));
+    auto* ends = new QWidget;
+    auto* ofEnds = new QHBoxLayout(ends);
+    ofEnds->setContentsMargins(0, 0, 0, 0);
+    for (const QString& end : {tr("bright"), tr("every wall")}) {
+        auto* word = new QLabel(end);
+        word->setEnabled(false);
+        ofEnds->addWidget(word);
+    }
+    ofEnds->insertStretch(1);
+    grid.addWidget(labelFor(m_aim, label), 0, 0);
+    grid.addWidget(m_aim, 0, 1);
+    grid.addWidget(ends, 1, 1);
+    connect(m_aim, &ValueSlider::valueChanged, this, [&document, &row](double percent) {
+        document.change(tr("surfaces"), [&](Document& next) { row.set(next.method.config, percent / 100.0); });
+    });
+    document.bind(&DocumentModel::changed, m_aim, [this, &row](const Document& shown) {
+        const QString whyNot = whyNoAim(shown);
+        enableOrSayWhy(*m_aim, whyNot.isEmpty(), whyNot);
+        if (const auto aim = row.get(shown.method.config)) m_aim->setValue(100.0 * numberOf(*aim).value());
+    });
+}
+
 CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent) : QWidget(parent) {
     setObjectName("curveSliders");
     setAccessibleName(tr("Curve"));
     auto* grid = new QGridLayout(this);
+    addAim(document, *grid);
     for (const Parameter<CurveAdjustment>& row : adjustmentParameters()) {
         const QString label = textOf(row.label);
         auto* slider = new ValueSlider(QStringLiteral("view.") + textOf(row.name), label, 1.0, 1, nullptr,
@@ -23,7 +76,7 @@ CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent) : QWidget(p
         slider->setRange(100.0 * range.least, 100.0 * range.largest);
         slider->setSuffix(tr(" %"));
         slider->setToolTip(tr("%1. At 0 % this slider changes nothing").arg(textOf(row.meaning)));
-        const int line = grid->count() / 2;
+        const int line = grid->rowCount();
         grid->addWidget(labelFor(slider, label), line, 0);
         grid->addWidget(slider, line, 1);
         connect(slider, &ValueSlider::valueChanged, this, [&document, &row](double percent) {
@@ -41,11 +94,11 @@ CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent) : QWidget(p
         showThreshold();
     });
     auto* reset = named(new QPushButton(tr("Reset curve")), "view.resetCurve", tr("Reset curve"),
-                        tr("The curve says which brightness is seen through and which is solid. Resets both sliders "
-                           "and all edits of the curve (C)"));
+                        tr("The curve says which brightness is seen through and which is solid. Resets threshold, "
+                           "transparency and all edits of the curve (C)"));
     connect(reset, &QPushButton::clicked, this, &CurveSliders::resetRequested);
     grid->setColumnMinimumWidth(0, 92);  // in line with the panel below
-    grid->addWidget(reset, grid->count() / 2, 1, Qt::AlignRight);
+    grid->addWidget(reset, grid->rowCount(), 1, Qt::AlignRight);
     grid->setContentsMargins(9, 9, 9, 0);
 }
 

@@ -1,4 +1,4 @@
-// Threshold and transparency: two sliders that move the curve that is rendered.
+// The aim of the adaptive curve, and threshold and transparency, which move the curve that is rendered.
 #pragma once
 
 #include <QWidget>
@@ -6,12 +6,15 @@
 #include "processing/volume/value_scale.h"
 #include "widgets/document/document_model.h"
 
+class QGridLayout;
+
 namespace echolucent {
 
 class ValueSlider;
 
-/// Shows and edits the document's CurveAdjustment, in percent. Objects: view.threshold (+ .value), view.transparency (+
-/// .value), view.resetCurve.
+/// Shows and edits RampRule::aim of the document's method and the document's CurveAdjustment, in percent. The aim can
+/// be set if a pane is rendered with the adaptive curve, and the method's form is the ramp. Objects: view.aim (+
+/// .value, .reset), view.threshold (+ .value), view.transparency (+ .value), view.resetCurve.
 class CurveSliders : public QWidget {
     Q_OBJECT
 
@@ -27,8 +30,10 @@ signals:
     void resetRequested();
 
 private:
+    void addAim(DocumentModel& document, QGridLayout& grid);
     void showThreshold();
 
+    ValueSlider* m_aim = nullptr;
     ValueSlider* m_threshold = nullptr;
     double m_shownThreshold = 0.0;  ///< CurveAdjustment::threshold of the document
     ValueWindow m_values;
