@@ -9,15 +9,15 @@
 
 #include "app/compare/compared_views.h"
 #include "app/motion/motion_player.h"
-#include "processing/comparison/classification_measures.h"
+#include "processing/pane_picture/pane_measures.h"
 #include "widgets/threads/newest_wins_thread.h"
 
 namespace echolucent {
 
-/// Fills the table of the comparison. measuresOf() gives CNR_S and share of light, as on the command line. They are
-/// measured once the OTFs are there, nothing plays and nothing is dragged. The flicker is measured on request. It is 0
-/// if a pane keeps one OTF for every view. A pane has no measures if it shows other voxels than those of the tube
-/// cores, as another phase does: all panes are compared on one volume.
+/// Fills the table of the comparison. Each pane is measured as measuresOfPanes() does: on the voxels of its own phase,
+/// in the view that is shown, with surfaces that depend on scan and view alone. The panes are measured once the OTFs
+/// are there, nothing plays and nothing is dragged, and then their OTFs are timed. The flicker is measured on request.
+/// It is 0 if a pane keeps one OTF for every view.
 class CompareMeasures : public QObject {
     Q_OBJECT
 
@@ -36,6 +36,9 @@ public:
     [[nodiscard]] bool busy() const { return m_thread.busy() || m_flickerThread.busy(); }
     [[nodiscard]] const std::vector<CompareRow>& rows() const { return m_rows; }
     void measureFlicker();
+    /// An OTF's time is the median of this many runs. If one takes retimedBelow ms or more, it counts alone.
+    static constexpr int timedRuns = 3;
+    static constexpr double retimedBelow = 50.0;
     /// Ends both threads' work. Cancelled measures begin again once the document asks for something else.
     void cancel();
     /// Lets cancelled measures of panes begin again with the next follow(). The flicker does not begin again.
@@ -57,27 +60,41 @@ signals:
     void failed(const QString& sentence);
 
 private:
-    /// A request for measures of all panes that can be measured.
+    /// A pane that is measured. The place in the request is the pane's.
+    struct AskedPane {
+        std::shared_ptr<const Volume> raw, shown;  ///< of the pane's phase
+        Classification classification{};
+        std::optional<OtfRequest> otf{};  ///< what is timed; none: a curve that needs no OTF
+        friend bool operator==(const AskedPane&, const AskedPane&) = default;
+    };
+    /// A request for measures of all panes.
     struct Asked {
-        std::shared_ptr<const Volume> raw, shown;
-        SpeckleReduction reduction = SpeckleReduction::off;
-        std::shared_ptr<const AdaptiveOtf> otf;
-        std::vector<Classification> classifications{};
-        std::vector<std::size_t> places{};
+        SurfaceSource source{};
+        std::vector<AskedPane> panes{};
         friend bool operator==(const Asked&, const Asked&) = default;
+    };
+    /// A pane's answer.
+    struct Measured {
+        std::optional<PaneMeasures> measures{};  ///< none if no surface is known
+        std::optional<double> milliseconds{};    ///< of the OTF; none if none is computed
+    };
+    /// The time of an OTF, measured before.
+    struct TimedOtf {
+        OtfRequest otf;
+        double milliseconds = 0.0;
     };
     /// The choices of a pane that its flicker depends on.
     struct FlickeringPane {
         std::size_t place = 0;
         DesignerConfig config;
+        std::shared_ptr<const Volume> raw, shown;
+        SpeckleReduction reduction = SpeckleReduction::off;
         AdaptiveOtfConfig method;
         OtfSmoothing smoothing = OtfSmoothing::none;
         bool steady = false;  ///< one OTF for all frames
         friend bool operator==(const FlickeringPane&, const FlickeringPane&) = default;
     };
     struct FlickerAsked {
-        std::shared_ptr<const Volume> raw, shown;
-        SpeckleReduction reduction = SpeckleReduction::off;
         Viewpoint start{};
         MotionAxis axis = MotionAxis::screenVertical;
         CurveAdjustment adjustment{};
@@ -87,6 +104,11 @@ private:
     [[nodiscard]] std::optional<FlickerAsked> flickerWanted(const std::optional<Asked>& asked) const;
     [[nodiscard]] static std::optional<double> flickerOf(const FlickerAsked& asked, const FlickeringPane& pane,
                                                          const Progress& progress);
+    /// Empty only if the work was cancelled.
+    [[nodiscard]] static std::optional<std::vector<Measured>> measured(const Asked& asked,
+                                                                       const std::vector<TimedOtf>& timed,
+                                                                       const Progress& progress);
+    [[nodiscard]] std::vector<TimedOtf> timedBefore(const Asked& asked) const;
     void fail();
     void forgetStudy();
     [[nodiscard]] std::optional<Asked> wanted() const;
@@ -99,7 +121,7 @@ private:
     ComparedViews& m_views;
     const MotionPlayer& m_player;
     std::optional<Asked> m_asked, m_measured;  ///< the newest request; the request of m_measures
-    std::vector<ClassificationMeasures> m_measures;
+    std::vector<Measured> m_measures;          ///< by place
     std::optional<FlickerAsked> m_flickerOf;   ///< the request of m_flickers
     std::map<std::size_t, double> m_flickers;  ///< by place
     std::vector<CompareRow> m_rows;

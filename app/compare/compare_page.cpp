@@ -56,12 +56,14 @@ std::string comparePageText(const ComparePage& page) {
         for (const QString& cell : cellsOf(pane.row)) rows.back().push_back(cell.toStdString());
     }
     html.table(columns, rows, "What is measured of each pane");
+    std::vector<CompareRow> measured;
+    for (const ComparePage::Pane& pane : page.panes) measured.push_back(pane.row);
+    if (const QString sentence = surfacesSentence(measured); !sentence.isEmpty())
+        html.paragraph(sentence.toStdString());
+    for (const QString& tip : compareTips())
+        if (!tip.isEmpty()) html.paragraph(tip.toStdString());
     html.paragraph(
-        "CNR_S says how well surfaces stand off from the rest of the light, near the mean share of a ray's "
-        "light that comes from within 3 units of a surface. Both take the surfaces that the tube cores found "
-        "for true. That favours the adaptive OTF, which is made of these very surfaces.");
-    html.paragraph(
-        "Flicker is that of pictures while the view turns from -10 to +10 degrees and each frame has the OTF that "
+        "For the flicker the view turns from -10 to +10 degrees and each frame has the OTF that "
         "its pane would show: one for all, its own, or a smoothed one. Where no pane names one of these, an OTF that "
         "follows the tube cores is made for each frame, and smoothed where the motion smooths it. Times are wall time "
         "on the machine that made this page.");

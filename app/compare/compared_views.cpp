@@ -194,7 +194,6 @@ void ComparedViews::showFaces() {
     for (std::size_t place = 0; place < document.panes.size(); ++place) {
         PaneFace face = faceOf(place, document);
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
-        row.pictureMilliseconds.reset();  // the table shows it; under a picture it would flicker
         face.numbers = numbersOf(row);
         const ShownPane& pane = paneAt(place);
         const bool busy = !pane.newest && !pane.refused;
@@ -206,9 +205,7 @@ void ComparedViews::showFaces() {
     m_parts.grid.pair().setBusy(pairBusy);
 }
 
-void ComparedViews::addTimes(std::size_t place, CompareRow& row) const {
-    if (const auto otf = m_parts.otfs.of(place); otf && m_parts.otfs.isNewest(place))
-        row.designMilliseconds = otf->milliseconds;
+void ComparedViews::addTime(std::size_t place, CompareRow& row) const {
     if (!m_frame || !m_frame->converged()) return;
     const std::vector<PaneRequest>& panes = m_frame->request.panes;
     const auto found = std::ranges::find(panes, place, &PaneRequest::pane);

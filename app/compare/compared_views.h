@@ -51,9 +51,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const CastPicture>& frame() const { return m_frame; }
     /// The images of the frame's panes, as shown.
     [[nodiscard]] const std::vector<QImage>& images() const { return m_images; }
-    /// Adds the milliseconds of a pane's designer if its OTF is the newest, and those of its picture if that is
-    /// converged and not made of kept samples.
-    void addTimes(std::size_t place, CompareRow& row) const;
+    /// Adds the milliseconds of a pane's picture if it is converged and not made of kept samples.
+    void addTime(std::size_t place, CompareRow& row) const;
     /// The measures of the panes, by place; shown under the panes.
     void setRows(const std::vector<CompareRow>& rows);
 

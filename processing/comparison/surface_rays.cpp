@@ -67,7 +67,7 @@ std::optional<double> surfaceDepth(const PhantomTruth& truth, const Vec3& pointM
 }  // namespace
 
 std::vector<SurfaceRay> trueSurfaces(const VolumeGeometry& geometry, const PhantomTruth& truth, const Viewpoint& view,
-                                     InterfaceInto into, double raySpacing) {
+                                     InterfaceInto into, double raySpacing, const Progress& progress) {
     if (!(std::isfinite(raySpacing) && raySpacing > 0.0))
         throw std::invalid_argument("trueSurfaces: the ray spacing must be above 0");
     const ViewFrame frame = frameOf(view);
@@ -76,7 +76,7 @@ std::vector<SurfaceRay> trueSurfaces(const VolumeGeometry& geometry, const Phant
     const double unit = geometry.unit();
     std::vector<std::vector<SurfaceRay>> ofRow(static_cast<std::size_t>(lattice.rows));
     parallelFor(0, lattice.rows, [&](int row) {
-        for (int column = 0; column < lattice.columns; ++column) {
+        for (int column = 0; column < lattice.columns && !progress.cancelled(); ++column) {
             const Vec3 point = frame.right * (lattice.firstRight + column * lattice.spacingMm) +
                                frame.down * (lattice.firstDown + row * lattice.spacingMm);
             const auto stretch = shown.of(point);

@@ -23,18 +23,20 @@ struct SurfaceRay {
 /// which is tissue; only its bones are object.
 enum class InterfaceInto { object, tissue, objectOrTissue };
 /// The rays of a simulated scan whose first interface leads from fluid into `into`. They are parallel, `raySpacing`
-/// units (above 0) apart across the view, row by row.
+/// units (above 0) apart across the view, row by row. Rays are missing once progress.cancel is raised: whoever raises
+/// it drops the result.
 [[nodiscard]] std::vector<SurfaceRay> trueSurfaces(const VolumeGeometry& geometry, const PhantomTruth& truth,
-                                                   const Viewpoint& view, InterfaceInto into, double raySpacing = 1.0);
+                                                   const Viewpoint& view, InterfaceInto into, double raySpacing = 1.0,
+                                                   const Progress& progress = {});
 
 /// The rays along the axes of the tube cores with a surface and a weight, in the order of the tube cores. The surface
 /// found stands in for the true one. `geometry` is that of the volume that the tube cores read.
 [[nodiscard]] std::vector<SurfaceRay> tubeCoreRays(const VolumeGeometry& geometry, const AdaptiveOtf& otf);
 
 /// The surfaces that stand in for the truth of a scan that nobody knows: tubeCoreRays() of the reading of version 0.1,
-/// MethodReading::standard, with measuredGrid. They depend on scan and view alone, so every OTF is measured with the
-/// same ones, whatever the method is set to. `raw` holds the voxels as they were read. The result is empty only if
-/// progress.cancel was raised.
+/// MethodReading::standard, with measuredTubesAcross tube cores each way. They depend on scan and view alone, so every
+/// OTF is measured with the same ones, whatever the method is set to. `raw` holds the voxels as they were read. The
+/// result is empty only if progress.cancel was raised.
 [[nodiscard]] std::optional<std::vector<SurfaceRay>> foundSurfaces(const Volume& raw, const Viewpoint& view,
                                                                    const Progress& progress = {});
 /// Tube cores side by side, cell beside cell, in a volume of the paper's size.

@@ -5,18 +5,25 @@
 
 namespace echolucent {
 
-std::optional<MeasuredSurfaces> measuredSurfacesOf(const Document& document, const Volume& raw,
-                                                   const Progress& progress) {
-    const Viewpoint view = viewpointOf(document);
+SurfaceSource surfaceSourceOf(const Document& document) {
+    SurfaceSource source{viewpointOf(document), {}};
     const auto* simulated = std::get_if<SimulatedScan>(&document.study);
-    if (simulated != nullptr && document.scene.strokes.empty()) {
-        PhantomConfig config = defaultPhantom(simulated->scene);
-        config.size = simulated->size;
-        config.seed = simulated->seed;
-        return MeasuredSurfaces{SurfacesFrom::truth, trueSurfaces(raw.geometry(), PhantomTruth(config), view,
-                                                                  InterfaceInto::objectOrTissue, measuredRaySpacing)};
+    if (simulated != nullptr && document.scene.strokes.empty()) source.known = *simulated;
+    return source;
+}
+
+std::optional<MeasuredSurfaces> measuredSurfacesOf(const SurfaceSource& source, const Volume& raw,
+                                                   const Progress& progress) {
+    if (source.known) {
+        PhantomConfig config = defaultPhantom(source.known->scene);
+        config.size = source.known->size;
+        config.seed = source.known->seed;
+        MeasuredSurfaces known{SurfacesFrom::truth,
+                               trueSurfaces(raw.geometry(), PhantomTruth(config), source.view,
+                                            InterfaceInto::objectOrTissue, measuredRaySpacing, progress)};
+        return progress.cancelled() ? std::nullopt : std::optional(std::move(known));
     }
-    auto found = foundSurfaces(raw, view, progress);
+    auto found = foundSurfaces(raw, source.view, progress);
     if (!found) return std::nullopt;
     return MeasuredSurfaces{SurfacesFrom::tubeCores, std::move(*found)};
 }
@@ -39,7 +46,7 @@ std::optional<std::vector<std::optional<PaneMeasures>>> measuresOfPanes(const Do
         }
         const auto voxels = caster.phaseVoxels(document, phase, silent);
         if (!voxels) return std::nullopt;
-        const auto surfaces = measuredSurfacesOf(document, *voxels->raw, silent);
+        const auto surfaces = measuredSurfacesOf(surfaceSourceOf(document), *voxels->raw, silent);
         if (!surfaces) return std::nullopt;
         const auto measures =
             measuresOf(*voxels->shown, viewpointOf(document), surfaces->rays, classifications, silent);

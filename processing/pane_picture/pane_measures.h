@@ -20,11 +20,18 @@ struct MeasuredSurfaces {
 };
 /// Units between the rays of true surfaces with which panes are measured.
 inline constexpr double measuredRaySpacing = 2.0;
-/// The surfaces with which a document's panes are measured in a phase, seen along viewpointOf(). They are the true ones
-/// of interfaces into tissue or object, if the study is a simulated scan and the scalpel has cut nothing; else those
-/// that tube cores find in `raw`, the phase as it was read, cut by the strokes. The result is empty only if
-/// progress.cancel was raised.
-[[nodiscard]] std::optional<MeasuredSurfaces> measuredSurfacesOf(const Document& document, const Volume& raw,
+/// All that the surfaces of a document's panes depend on, but for the voxels.
+struct SurfaceSource {
+    Viewpoint view{};                      ///< viewpointOf()
+    std::optional<SimulatedScan> known{};  ///< the scan whose truth is taken: the study, if it is simulated and the
+                                           ///< scalpel has cut nothing
+    friend bool operator==(const SurfaceSource&, const SurfaceSource&) = default;
+};
+[[nodiscard]] SurfaceSource surfaceSourceOf(const Document& document);
+/// The surfaces with which panes are measured in a phase: the true ones of interfaces into tissue or object, if the
+/// truth is taken; else those that tube cores find in `raw`, the phase as it was read, cut by the strokes. The result
+/// is empty only if progress.cancel was raised.
+[[nodiscard]] std::optional<MeasuredSurfaces> measuredSurfacesOf(const SurfaceSource& source, const Volume& raw,
                                                                  const Progress& progress = {});
 
 /// The measures of each pane, in their order: of the voxels of the pane's own phase, along viewpointOf(), with

@@ -1,10 +1,15 @@
 // The widgets of the comparison by themselves: difference, panes, grid, table.
+#include <QHeaderView>
+#include <QLabel>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <QTest>
 
 #include "tests/qt_program/test_classes.h"
 #include "widgets/compare/compare_grid.h"
+#include "widgets/compare/compare_panel.h"
 #include "widgets/compare/compare_rows.h"
 #include "widgets/compare/difference_image.h"
 
@@ -107,13 +112,69 @@ private slots:
     }
 
     void theTableSaysWhatIsKnown() {
-        const std::vector<CompareRow> rows{{.name = "x², \"mine\"", .contrast = -1.234, .nearSurfaces = 0.456},
-                                           {.name = "Levoy", .designMilliseconds = 12.34, .pictureMilliseconds = 56.7}};
-        QCOMPARE(cellsOf(rows[0]), (QStringList{"x², \"mine\"", "−1.23", "46", "–", "–", "–"}));
-        QCOMPARE(numbersOf(rows[1]), QString("OTF 12.3 ms · picture 57 ms"));
-        QCOMPARE(compareCsv(rows), QString("pane,cnr_s,light_near_surfaces,flicker,otf_ms,picture_ms\n"
-                                           "\"x², \"\"mine\"\"\",-1.234,0.456,,,\n\"Levoy\",,,,12.34,56.7\n"));
-        QCOMPARE(compareText(rows).count('\n'), 3);
+        const std::vector<CompareRow> rows{
+            {.name = "x², \"mine\"",
+             .surfaces = SurfacesFrom::truth,
+             .depth = ShownDepth{.right = 5, .early = 2, .late = 1, .never = 0},
+             .contrast = -1.234,
+             .nearSurfaces = 0.456},
+            {.name = "Levoy", .flicker = 0.5, .designMilliseconds = 127.4, .pictureMilliseconds = 56.7}};
+        QCOMPARE(cellsOf(rows[0]), (QStringList{"x², \"mine\"", "63", "25", "13", "0", "−1.23", "46", "–", "–", "–"}));
+        QCOMPARE(cellsOf(rows[1]), (QStringList{"Levoy", "–", "–", "–", "–", "–", "–", "127.50", "130", "57"}));
+        QCOMPARE(numbersOf(rows[0]), QString("right 63 % · early 25 % · CNR_S −1.23"));
+        QCOMPARE(numbersOf(rows[1]), QString("flicker 127.50 levels"));
+        QCOMPARE(compareCsv(rows), QString("pane,surfaces,right_percent,early_percent,late_percent,never_percent,cnr_s,"
+                                           "light_near_surfaces,flicker_levels,otf_ms,picture_ms\n"
+                                           "\"x², \"\"mine\"\"\",truth,62.5,25,12.5,0,-1.234,0.456,,,\n"
+                                           "\"Levoy\",,,,,,,,127.5,127.4,56.7\n"));
+        const QString text = compareText(rows);
+        QVERIFY(text.endsWith("Surfaces are the true ones of the simulated scan.\n"));
+        QCOMPARE(text.count('\n'), 4);
+        QVERIFY(surfacesSentence({rows[1]}).isEmpty());
+        QCOMPARE(compareTips().size(), compareColumns().size());
+    }
+
+    void aTimeHasTheDigitsThatItIsWorth() {
+        const auto timeOf = [](double milliseconds) {
+            const QStringList cells = cellsOf({.name = "", .designMilliseconds = milliseconds});
+            return cells[compareColumns().indexOf("OTF ms")];
+        };
+        QCOMPARE(timeOf(0.04), QString("0.0"));
+        QCOMPARE(timeOf(1.649), QString("1.6"));
+        QCOMPARE(timeOf(12.34), QString("12"));
+        QCOMPARE(timeOf(99.4), QString("99"));
+        QCOMPARE(timeOf(1234.5), QString("1200"));
+    }
+
+    void theTableOfANarrowPanelHidesNothing() {
+        ComparePanel panel;
+        panel.setPanes({{}, {.curve = CurveKind::linear}});
+        panel.setRows({{.name = "one",
+                        .surfaces = SurfacesFrom::tubeCores,
+                        .depth = ShownDepth{.right = 1},
+                        .contrast = -12.34,
+                        .nearSurfaces = 1.0,
+                        .flicker = 0.1,
+                        .designMilliseconds = 1200,
+                        .pictureMilliseconds = 1200},
+                       {.name = "two"}});
+        panel.resize(329, 900);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        const auto* table = panel.findChild<QTableWidget*>("compare.table");
+        for (int column = 0; column < table->columnCount(); ++column) {
+            const QString heading = table->horizontalHeaderItem(column)->text();
+            QVERIFY2(table->columnWidth(column) >= table->horizontalHeader()->sectionSizeHint(column),
+                     qPrintable(heading));
+            const QString cell = table->item(0, column)->text();
+            QVERIFY2(table->columnWidth(column) > table->fontMetrics().horizontalAdvance(cell), qPrintable(heading));
+            QVERIFY2(!table->horizontalHeaderItem(column)->toolTip().isEmpty(), qPrintable(heading));
+        }
+        // What does not fit is reached by scrolling sideways; rows are never cut.
+        QVERIFY(table->columnViewportPosition(3) + table->columnWidth(3) <= table->viewport()->width());
+        QVERIFY(table->horizontalScrollBar()->maximum() > 0);
+        QCOMPARE(table->verticalScrollBar()->maximum(), 0);
+        QVERIFY(panel.findChild<QLabel*>("compare.note")->text().contains("tube cores find in this view"));
     }
 };
 

@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QToolButton>
@@ -202,19 +203,23 @@ QGroupBox* ComparePanel::createTable() {
     auto* group = new QGroupBox(tr("Measured"));
     auto* column = new QVBoxLayout(group);
     column->setContentsMargins(6, 6, 6, 6);
-    m_table = named(new QTableWidget(0, 5), "compare.table", tr("Table of the comparison"),
-                    tr("CNR_S: how well surfaces stand off; near: share of light near them"));
-    m_table->setHorizontalHeaderLabels(compareColumns().mid(1));
+    const QStringList columns = compareColumns().mid(1), tips = compareTips().mid(1);
+    m_table = named(new QTableWidget(0, static_cast<int>(columns.size())), "compare.table",
+                    tr("Table of the comparison"), tr("Rows are panes. Each heading says what its column asks."));
+    for (int i = 0; i < columns.size(); ++i) {
+        // The unit stands in a line of its own: the column of docks is narrow.
+        auto* heading = new QTableWidgetItem(QString(columns[i]).replace(QLatin1Char(' '), QLatin1Char('\n')));
+        heading->setToolTip(tips[i]);
+        m_table->setHorizontalHeaderItem(i, heading);
+    }
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setMinimumSectionSize(20);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto* note = secondaryLabel(
-        tr("Rows are panes. CNR_S and near take the surfaces that the tube cores found for true, which favours the "
-           "adaptive OTF."));
-    note->setObjectName("compare.note");
-    note->setWordWrap(true);
+    m_note = secondaryLabel({});
+    m_note->setObjectName("compare.note");
+    m_note->setWordWrap(true);
     m_flicker = named(new QPushButton(tr("Measure flicker")), "compare.measureFlicker", tr("Measure flicker"),
                       tr("Turns the view from −10° to +10°, each frame with the OTF that its pane would show"));
     auto* text = named(new QPushButton(tr("Copy as text")), "compare.copyText", tr("Copy the table as text"));
@@ -230,9 +235,11 @@ QGroupBox* ComparePanel::createTable() {
     buttons->addWidget(page, 0, 1);
     buttons->addWidget(text, 1, 0);
     buttons->addWidget(csv, 1, 1);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     fitTable();
+    sayWhichSurfaces();
     column->addWidget(m_table);
-    column->addWidget(note);
+    column->addWidget(m_note);
     column->addLayout(buttons);
     return group;
 }
@@ -369,11 +376,17 @@ void ComparePanel::setRows(const std::vector<CompareRow>& rows) {
         }
     }
     fitTable();
+    sayWhichSurfaces();
 }
 
-/// Makes the table as high as its rows, so that it need not scroll.
+void ComparePanel::sayWhichSurfaces() {
+    m_note->setText((tr("Rows are panes. ") + surfacesSentence(m_rows)).trimmed());
+}
+
+/// Makes the table as high as its rows, so that it scrolls sideways only.
 void ComparePanel::fitTable() {
-    int high = m_table->horizontalHeader()->sizeHint().height() + 2;
+    int high =
+        m_table->horizontalHeader()->sizeHint().height() + m_table->horizontalScrollBar()->sizeHint().height() + 2;
     for (int row = 0; row < m_table->rowCount(); ++row) high += m_table->rowHeight(row);
     m_table->setFixedHeight(high);
 }

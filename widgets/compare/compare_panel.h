@@ -71,6 +71,7 @@ private:
     void copy(const QString& text) const;
     void showAll();
     void fitTable();
+    void sayWhichSurfaces();
 
     std::vector<Pane> m_panes;
     QStringList m_names;
@@ -86,6 +87,7 @@ private:
     QComboBox* m_second = nullptr;
     QDoubleSpinBox* m_amplification = nullptr;
     QTableWidget* m_table = nullptr;
+    QLabel* m_note = nullptr;
     QPushButton* m_flicker = nullptr;
     QGroupBox* m_layoutGroup = nullptr;
     QGroupBox* m_tableGroup = nullptr;

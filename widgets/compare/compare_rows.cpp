@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <cmath>
 
 namespace echolucent {
 
@@ -20,28 +21,88 @@ QString exact(const std::optional<double>& value) {
     return value ? QString::number(*value, 'g', QLocale::FloatingPointShortest) : QString();
 }
 
+std::optional<double> times(const std::optional<double>& value, double factor) {
+    return value ? std::optional(factor * *value) : std::nullopt;
+}
+
+constexpr double whiteLevels = 255.0;
+
+std::optional<double> percentOf(const CompareRow& row, ShownSurface shown) {
+    return row.depth ? times(row.depth->share(shown), 100.0) : std::nullopt;
+}
+
+/// Two digits, for that is what the time of a short run is worth; none behind the point from 10 ms on.
+QString shownTime(const std::optional<double>& milliseconds) {
+    if (!milliseconds || *milliseconds < 10.0) return shown(milliseconds, 1);
+    double tens = 1.0;
+    while (*milliseconds / tens >= 100.0) tens *= 10.0;
+    return QString::number(std::round(*milliseconds / tens) * tens, 'f', 0);
+}
+
 }  // namespace
 
 QStringList compareColumns() {
-    return {tr("Pane"), tr("CNR_S"), tr("Near %"), tr("Flicker"), tr("OTF ms"), tr("Pict. ms")};
+    return {tr("Pane"),  tr("Right %"), tr("Early %"),        tr("Late %"), tr("Never %"),
+            tr("CNR_S"), tr("Near %"),  tr("Flicker levels"), tr("OTF ms"), tr("Picture ms")};
+}
+
+QStringList compareTips() {
+    return {
+        {},
+        tr("Right: the share of rays on which the picture stands at the surface. Half of the light is held back within "
+           "2 units of it. This favours OTFs that are clear before surfaces and opaque from them on."),
+        tr("Early: the share of rays on which half of the light is held back more than 2 units before the surface. "
+           "Haze "
+           "or a wall hides it. This favours clear OTFs."),
+        tr("Late: the share of rays on which half of the light is held back more than 2 units behind the surface. It "
+           "is "
+           "washed through. This favours opaque OTFs."),
+        tr("Never: the share of rays through which half of the light passes. They show nothing. This favours opaque "
+           "OTFs."),
+        tr("CNR_S: whether surfaces are equally bright on all rays, and brighter than the light from elsewhere. This "
+           "favours OTFs that show few surfaces evenly. It says nothing of where the picture stands."),
+        tr("Near: the mean share of a ray's light that comes from within 3 units of the surface. This favours thin, "
+           "hard "
+           "surfaces, however dark."),
+        tr("Flicker of the picture, not of the curve, while the view turns from −10° to +10°: RMS in levels of 255. "
+           "This "
+           "favours OTFs that stay the same in every view. They have 0."),
+        tr("OTF: wall time of the designer on this machine, the median of three runs, or a single run from 50 ms on. A "
+           "curve needs none. This favours designers that read little of the scan."),
+        tr("Picture: wall time of the picture that is shown, once. This favours opaque OTFs, whose rays end early.")};
+}
+
+QString surfacesSentence(const std::vector<CompareRow>& rows) {
+    for (const CompareRow& row : rows)
+        if (row.surfaces)
+            return *row.surfaces == SurfacesFrom::truth ? tr("Surfaces are the true ones of the simulated scan.")
+                                                        : tr("Nobody knows the true surfaces. Those that tube cores "
+                                                             "find in this view stand in for them, "
+                                                             "which favours the adaptive OTF.");
+    return {};
 }
 
 QStringList cellsOf(const CompareRow& row) {
     return {row.name,
+            shown(percentOf(row, ShownSurface::right), 0),
+            shown(percentOf(row, ShownSurface::early), 0),
+            shown(percentOf(row, ShownSurface::late), 0),
+            shown(percentOf(row, ShownSurface::never), 0),
             shown(row.contrast, 2),
             shown(row.nearSurfaces, 0, 100.0),
-            shown(row.flicker, 4),
-            shown(row.designMilliseconds, 1),
+            shown(row.flicker, 2, whiteLevels),
+            shownTime(row.designMilliseconds),
             shown(row.pictureMilliseconds, 0)};
 }
 
 QString numbersOf(const CompareRow& row) {
     QStringList words;
+    if (row.depth) {
+        words << tr("right %1 %").arg(shown(percentOf(row, ShownSurface::right), 0));
+        words << tr("early %1 %").arg(shown(percentOf(row, ShownSurface::early), 0));
+    }
     if (row.contrast) words << tr("CNR_S %1").arg(shown(row.contrast, 2));
-    if (row.nearSurfaces) words << tr("%1 % near surfaces").arg(shown(row.nearSurfaces, 0, 100.0));
-    if (row.flicker) words << tr("flicker %1").arg(shown(row.flicker, 4));
-    if (row.designMilliseconds) words << tr("OTF %1 ms").arg(shown(row.designMilliseconds, 1));
-    if (row.pictureMilliseconds) words << tr("picture %1 ms").arg(shown(row.pictureMilliseconds, 0));
+    if (row.flicker) words << tr("flicker %1 levels").arg(shown(row.flicker, 2, whiteLevels));
     return words.join(QStringLiteral(" · "));
 }
 
@@ -58,19 +119,27 @@ QString compareText(const std::vector<CompareRow>& rows) {
         }
         text += joined + QLatin1Char('\n');
     }
-    return text;
+    const QString sentence = surfacesSentence(rows);
+    return sentence.isEmpty() ? text : text + sentence + QLatin1Char('\n');
 }
 
 QString compareCsv(const std::vector<CompareRow>& rows) {
-    QString text = QStringLiteral("pane,cnr_s,light_near_surfaces,flicker,otf_ms,picture_ms\n");
+    QString text = QStringLiteral(
+        "pane,surfaces,right_percent,early_percent,late_percent,never_percent,cnr_s,light_near_surfaces,flicker_levels,"
+        "otf_ms,picture_ms\n");
     for (const CompareRow& row : rows) {
         QString name = row.name;
         name.replace(QLatin1Char('"'), QStringLiteral("\"\""));
-        text += QStringLiteral("\"%1\",").arg(name) +
-                QStringList{exact(row.contrast), exact(row.nearSurfaces), exact(row.flicker),
-                            exact(row.designMilliseconds), exact(row.pictureMilliseconds)}
-                    .join(QLatin1Char(',')) +
-                QLatin1Char('\n');
+        QStringList cells{QStringLiteral("\"%1\"").arg(name)};
+        cells << (!row.surfaces                          ? QString()
+                  : *row.surfaces == SurfacesFrom::truth ? QStringLiteral("truth")
+                                                         : QStringLiteral("tube cores"));
+        for (const ShownSurface one :
+             {ShownSurface::right, ShownSurface::early, ShownSurface::late, ShownSurface::never})
+            cells << exact(percentOf(row, one));
+        cells << exact(row.contrast) << exact(row.nearSurfaces) << exact(times(row.flicker, whiteLevels))
+              << exact(row.designMilliseconds) << exact(row.pictureMilliseconds);
+        text += cells.join(QLatin1Char(',')) + QLatin1Char('\n');
     }
     return text;
 }

@@ -6,28 +6,40 @@
 #include <optional>
 #include <vector>
 
+#include "processing/comparison/shown_depth.h"
+#include "processing/pane_picture/pane_measures.h"
+
 namespace echolucent {
 
 /// The measures of a pane. An unknown one has no value.
 struct CompareRow {
     QString name;
-    std::optional<double> contrast{};             ///< CNR_S by the tube cores' surfaces
-    std::optional<double> nearSurfaces{};         ///< mean share of a ray's light near these surfaces, [0,1]
-    std::optional<double> flicker{};              ///< RMS of pictures in [0,1]
-    std::optional<double> designMilliseconds{};   ///< of the designer; a curve needs none
+    /// The surfaces with which depth, contrast and nearSurfaces are measured.
+    std::optional<SurfacesFrom> surfaces{};
+    std::optional<ShownDepth> depth{};            ///< of at least one ray
+    std::optional<double> contrast{};             ///< CNR_S
+    std::optional<double> nearSurfaces{};         ///< mean share of a ray's light near the surface, [0,1]
+    std::optional<double> flicker{};              ///< of the picture in a motion, RMS in [0,1]
+    std::optional<double> designMilliseconds{};   ///< of the designer, median; a curve needs none
     std::optional<double> pictureMilliseconds{};  ///< of the picture that is shown
     friend bool operator==(const CompareRow&, const CompareRow&) = default;
 };
 
 /// The headings, the name first.
 [[nodiscard]] QStringList compareColumns();
+/// What each of compareColumns() asks, and whom it favours, a sentence or two each; empty for the name.
+[[nodiscard]] QStringList compareTips();
+/// Which surfaces the rows are measured with, a sentence. Empty if none is measured.
+[[nodiscard]] QString surfacesSentence(const std::vector<CompareRow>& rows);
 /// The cells of a row under the headings of compareColumns(). An unknown value is "–".
 [[nodiscard]] QStringList cellsOf(const CompareRow& row);
-/// "CNR_S 2.31 · 45 % near surfaces · picture 12 ms": the line under a picture. Unknown values are left out.
+/// "right 62 % · early 31 % · CNR_S 2.31": the line under a picture, of what a person looks for first. Unknown values
+/// are left out.
 [[nodiscard]] QString numbersOf(const CompareRow& row);
 /// Columns aligned by spaces.
 [[nodiscard]] QString compareText(const std::vector<CompareRow>& rows);
-/// Comma-separated, with all digits. Names stand in quotation marks, unknown values are empty.
+/// Comma-separated, with all digits; percentages and levels as in the cells. Names stand in quotation marks, unknown
+/// values are empty.
 [[nodiscard]] QString compareCsv(const std::vector<CompareRow>& rows);
 
 }  // namespace echolucent

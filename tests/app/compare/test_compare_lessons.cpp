@@ -1,6 +1,7 @@
 // What a lesson shows in the comparison: the OTFs of a motion side by side, figures of the paper, the page that is
 // kept.
 #include <QAction>
+#include <QLabel>
 #include <QSlider>
 #include <thread>
 
@@ -65,6 +66,11 @@ private slots:
         const auto nine = window().compareRoom().views().frame();
         QCOMPARE(nine->panes.size(), std::size_t{2});
         QVERIFY(nine->request.panes[0].classification != nine->request.panes[1].classification);
+        // The truth of the simulated scan is known, also in the turned view.
+        QVERIFY(panel().rows()[1].surfaces == SurfacesFrom::truth);
+        QVERIFY(panel().rows()[1].depth->rays() > 1000);
+        QVERIFY(panel().rows()[0].depth->rays() == panel().rows()[1].depth->rays());
+        QVERIFY(child<QLabel>("compare.note")->text().contains("true ones of the simulated scan"));
         child<QAction>("compare.figure1")->trigger();
         waitUntilRest();
         const auto one = window().compareRoom().views().frame();

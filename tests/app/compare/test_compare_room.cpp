@@ -2,13 +2,14 @@
 #include <QAction>
 #include <QClipboard>
 #include <QDockWidget>
+#include <QLabel>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QWheelEvent>
 
 #include "app/sessions/session_keeping.h"
 #include "io/document/session_file.h"
-#include "processing/comparison/classification_measures.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/pane_picture/pane_measures.h"
 #include "tests/app/compare/compare_fixture.h"
 #include "tests/qt_program/test_classes.h"
@@ -151,25 +152,39 @@ private slots:
 
     void theTableEqualsTheMeasures() {
         QTRY_VERIFY_WITH_TIMEOUT(panel().rows().size() == 4 && panel().rows()[3].contrast, 30000);
-        const auto frame = window().compareRoom().views().frame();
-        std::vector<Classification> classifications;
-        for (const PaneRequest& pane : frame->request.panes) classifications.push_back(pane.classification);
-        const auto measures = measuresOf(*window().otfs().of(PaneOtfs::adaptiveOfScene)->asked.shown,
-                                         *window().otfs().adaptive(), classifications);
-        for (std::size_t i = 0; i < 4; ++i) {
-            QVERIFY(panel().rows()[i].contrast == (*measures)[i].contrast.contrastToNoise());
-            QVERIFY(panel().rows()[i].nearSurfaces == (*measures)[i].light.meanShare);
-        }
-        // The command line measures the document (`echolucent-cli compare`).
-        const auto measured = measuresOfPanes(document(), {.scans = window().openStudy().study()->phases});
-        for (std::size_t i = 0; i < 4; ++i)
-            QVERIFY(panel().rows()[i].contrast == (*measured)[i]->contrast.contrastToNoise());
+        expectRowsAreMeasured();
         QCOMPARE(child<QTableWidget>("compare.table")->item(2, 0)->text(), cellsOf(panel().rows()[2])[1]);
         click("compare.copyCsv");
         QCOMPARE(QApplication::clipboard()->text(), compareCsv(panel().rows()));
         click("compare.copyText");
         QCOMPARE(QApplication::clipboard()->text(), compareText(panel().rows()));
+        QVERIFY(grid().pane(0).face().numbers.startsWith("right "));
         QVERIFY(grid().pane(0).face().numbers.contains("CNR_S"));
+        QVERIFY(panel().rows()[0].surfaces == SurfacesFrom::tubeCores);
+        QVERIFY(child<QLabel>("compare.note")->text().contains("tube cores find"));
+        QVERIFY(panel().rows()[0].designMilliseconds && panel().rows()[3].designMilliseconds);
+        QVERIFY(!panel().rows()[1].designMilliseconds);  // a curve is not designed
+    }
+
+    void theNumbersFollowTheViewAndNoReadingOfTheMethod() {
+        QTRY_VERIFY_WITH_TIMEOUT(panel().rows().size() == 4 && panel().rows()[3].contrast, 30000);
+        const auto before = panel().rows();
+        Document next = document();
+        next.method.config = configOf(MethodReading::asPublished);
+        window().document().edit(next, "reading");
+        waitUntilRest();
+        QTRY_VERIFY_WITH_TIMEOUT(panel().rows()[0].contrast && panel().rows()[0].contrast != before[0].contrast, 30000);
+        for (const std::size_t fixed : {1u, 2u}) {
+            QVERIFY(panel().rows()[fixed].depth == before[fixed].depth);
+            QVERIFY(panel().rows()[fixed].contrast == before[fixed].contrast);
+            QVERIFY(panel().rows()[fixed].nearSurfaces == before[fixed].nearSurfaces);
+        }
+        next.scene.motionAngle = 35;
+        window().document().edit(next, "angle");
+        QVERIFY(viewpointOf(document()) != otfViewpointOf(document(), firstPane));
+        waitUntilRest();
+        QTRY_VERIFY_WITH_TIMEOUT(panel().rows()[1].depth && panel().rows()[1].depth != before[1].depth, 30000);
+        expectRowsAreMeasured();
     }
 
     void flickerIsMeasuredOnRequest() {
@@ -324,6 +339,8 @@ private slots:
         const auto frame = window().compareRoom().views().frame();
         QVERIFY(frame->request.panes[1].volume != frame->request.panes[0].volume);
         QVERIFY(frame->request.panes[2].volume == frame->request.panes[0].volume);
+        QTRY_VERIFY_WITH_TIMEOUT(panel().rows().size() == 4 && panel().rows()[1].depth, 30000);
+        expectRowsAreMeasured();
         window().document().steps().undo();
         QCOMPARE(phaseOf(document(), 2), 0);
         window().document().steps().redo();
@@ -336,6 +353,20 @@ private slots:
         QVERIFY(grid().isVisible());
         QTest::keyClick(&window(), Qt::Key_Escape);
         QTRY_VERIFY(child<QDockWidget>("dock.compare")->isVisible());
+    }
+
+private:
+    /// The table says what the command line measures of the document (`echolucent-cli compare`).
+    void expectRowsAreMeasured() {
+        const auto measured = measuresOfPanes(document(), {.scans = window().openStudy().study()->phases});
+        for (std::size_t i = 0; i < 4; ++i) {
+            const CompareRow& row = panel().rows()[i];
+            QVERIFY((*measured)[i].has_value());
+            QVERIFY(row.surfaces == (*measured)[i]->from);
+            QVERIFY(row.depth == (*measured)[i]->measures.depth);
+            QVERIFY(row.contrast == (*measured)[i]->measures.contrast.contrastToNoise());
+            QVERIFY(row.nearSurfaces == (*measured)[i]->measures.light.meanShare);
+        }
     }
 };
 

@@ -92,7 +92,7 @@ TEST(PaneMeasures, OfASimulatedScanTakeTheTruthUnlessTheScalpelCut) {
     const auto raw = volumeOf(scan);
     Document document = documentOf({CurveKind::parabolic, CurveKind::linear});
     document.study = scan;
-    const auto known = *measuredSurfacesOf(document, *raw);
+    const auto known = *measuredSurfacesOf(surfaceSourceOf(document), *raw);
     EXPECT_EQ(known.from, SurfacesFrom::truth);
     PhantomConfig config = defaultPhantom(scan.scene);
     config.size = scan.size;
@@ -104,7 +104,7 @@ TEST(PaneMeasures, OfASimulatedScanTakeTheTruthUnlessTheScalpelCut) {
         EXPECT_EQ(one.measures.depth.rays(), static_cast<int>(known.rays.size()));
     }
     document.scene.strokes.push_back({.tool = ScalpelTool::eraser, .places = {{0.0, 0.0}}, .radius = 0.05});
-    const auto cut = *measuredSurfacesOf(document, *raw);
+    const auto cut = *measuredSurfacesOf(surfaceSourceOf(document), *raw);
     EXPECT_EQ(cut.from, SurfacesFrom::tubeCores);
     EXPECT_EQ(cut.rays, *foundSurfaces(*raw, viewpointOf(document)));
 }
