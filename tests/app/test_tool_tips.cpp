@@ -3,6 +3,7 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QMenu>
@@ -99,6 +100,23 @@ private slots:
             const QRect view(table.viewport()->mapToGlobal(QPoint(0, 0)), table.viewport()->size());
             QVERIFY(!tip.intersects(view));
         }
+    }
+
+    void theTipOfAHeadingIsNarrowAndLiesBelowIt() {
+        QTableWidget table(1, 2);
+        auto* heading = new QTableWidgetItem("Right");
+        heading->setToolTip(QString("the share of rays ").repeated(12));
+        table.setHorizontalHeaderItem(1, heading);
+        table.setGeometry(300, 200, 320, 160);
+        table.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&table));
+        const QHeaderView& header = *table.horizontalHeader();
+        const int middle = header.height() / 2;
+        QVERIFY(placeOfTip(*header.viewport(), QPoint(header.sectionViewportPosition(0) + 5, middle)).isNull());
+        const QRect tip = placeOfTip(*header.viewport(), QPoint(header.sectionViewportPosition(1) + 5, middle));
+        QVERIFY(!tip.isNull());
+        QVERIFY(tip.width() < widestToolTip + 40);
+        QVERIFY(!tip.intersects(QRect(header.mapToGlobal(QPoint(0, 0)), header.size())));
     }
 
     void anEntryOfAMenuHasATipOnlyIfItSaysMore() {

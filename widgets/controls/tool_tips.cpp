@@ -4,6 +4,7 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
+#include <QHeaderView>
 #include <QHelpEvent>
 #include <QMenu>
 #include <QScreen>
@@ -69,6 +70,13 @@ Explained explained(QWidget& widget, const QHelpEvent& event) {
         if (action == nullptr || !menu->toolTipsVisible()) return {};
         const QRect entry = menu->actionGeometry(action);
         return {tipOf(*action), onScreen({0, entry.top(), menu->width(), entry.height()}), true};
+    }
+    const auto* header = qobject_cast<const QHeaderView*>(widget.parentWidget());
+    if (header != nullptr && header->viewport() == &widget && header->orientation() == Qt::Horizontal) {
+        const int section = header->logicalIndexAt(event.pos());
+        if (section < 0) return {};
+        return {header->model()->headerData(section, Qt::Horizontal, Qt::ToolTipRole).toString(),
+                onScreen({header->sectionViewportPosition(section), 0, header->sectionSize(section), widget.height()})};
     }
     const auto* view = qobject_cast<const QAbstractItemView*>(widget.parentWidget());
     if (view != nullptr && view->viewport() == &widget) {

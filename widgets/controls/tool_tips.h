@@ -18,10 +18,10 @@ inline constexpr int highestWithTipBeside = 160;
 /// text, or what QToolTip shows as such.
 [[nodiscard]] QString linesOfToolTip(const QString& text, const QFont& font);
 
-/// Shows the application's tool tips in such lines, on the pointer's screen: below a control, or above it if there is
-/// no room; beside a menu, and beside a list or table for one of its items. A tip does not cover the control that it
-/// explains, unless the control is higher than highestWithTipBeside: then it lies below the pointer. An item whose tip
-/// only repeats what it shows whole has none.
+/// Shows the application's tool tips in such lines, on the pointer's screen: below a control or
+/// a heading of columns, or above it if there is no room; beside a menu, and beside a list or table for one of its
+/// items. A tip does not cover the control that it explains, unless the control is higher than highestWithTipBeside:
+/// then it lies below the pointer. An item whose tip only repeats what it shows whole has none.
 class ToolTips : public QObject {
     Q_OBJECT
 
