@@ -143,7 +143,7 @@ std::vector<Row> detectionByVariance() {
         number<detection, &VarianceRule::significance>(
             {"significance", "Significance", "A local maximum counts from this share of the largest value in its range",
              "share", "docs/experiments.md, What the paper leaves open"},
-            {0, 1}),
+            {0, 1}, {.steps = bySteps(0.05)}),
         number<detection, &VarianceRule::floorQuantile>(
             {"floor_quantile", "Floor quantile",
              "This quantile of a tube's interface function is taken off before tracking; 0: nothing is", "share",
