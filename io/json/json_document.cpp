@@ -69,6 +69,8 @@ MethodChoice methodIn(JsonFields& fields) {
     method.initial = fields.choice("initial", &initialKindFromName);
     method.initialScale = fields.number("initial_scale", 0, largestScale());
     JsonFields parameters = fields.object("parameters");
+    // Files from before the aim hold none, and mean the curve of bright surfaces.
+    if (!parameters.has("aim")) std::get<RampRule>(method.config.curve).aim = 0.0;
     parameters.parameters(methodParameters(), method.config);
     if (parameters.has(withoutTubesKey)) {
         const auto without = parameters.wholes(withoutTubesKey, 0, std::numeric_limits<int>::max());

@@ -13,7 +13,9 @@ namespace echolucent {
 namespace {
 
 constexpr std::size_t ramps = 8, opacities = 4;
-constexpr double beginStep = 0.07, widthShare = 0.5;  // shares of the way from I_L to I_H
+// Shares of the way from I_L to I_H.
+constexpr double usualBegin = 0.25, beginStep = 0.07, widthShare = 0.5;
+constexpr double clearSpreads = 2.0;  ///< the middle of the tried begins is not nearer to I_L, in spreads of the fluid
 constexpr std::array<float, opacities> triedOpacities{1.0f, 0.7f, 0.5f, 0.35f};
 constexpr double evenness = 0.6;  ///< of the weights of the mean: the difference of shownRight() that counts e times
 constexpr float rightWithin = 2.0f, lostBefore = 3.0f;  // units from the surface
@@ -145,12 +147,13 @@ double shownRight(std::span<const AxisProfile> profiles, const FoundRamp& ramp) 
 }
 
 std::optional<FoundRamp> rampForEverySurface(std::span<const AxisProfile> profiles, std::span<const TubeCore> tubes) {
-    double low = 0.0, high = 0.0;
+    double low = 0.0, high = 0.0, spread = 0.0;
     int count = 0;
     for (const TubeCore& tube : tubes) {
         if (!(tube.d > 0.0)) continue;
         low += *tube.lowIntensity;
         high += *tube.highIntensity;
+        spread += tube.fluidSpread.value_or(0.0);
         ++count;
     }
     if (count == 0 || profiles.empty()) return std::nullopt;
@@ -158,10 +161,11 @@ std::optional<FoundRamp> rampForEverySurface(std::span<const AxisProfile> profil
     // A rise that rounding could have made gives a ramp all the same, not a division by 0.
     const double rise = std::max(high / count - low, 1e-6);
     const double width = widthShare * rise;
+    const double middle = low + std::max(usualBegin * rise, clearSpreads * spread / count);
     std::array<double, ramps> begin;
     TriedRamps tried;
     for (std::size_t r = 0; r < ramps; ++r) {
-        begin[r] = low + static_cast<double>(r) * beginStep * rise;
+        begin[r] = middle + (static_cast<double>(r) - (ramps - 1) / 2.0) * beginStep * rise;
         tried.begin[r] = static_cast<float>(begin[r]);
     }
     tried.perIntensity = static_cast<float>(1.0 / width);

@@ -36,10 +36,11 @@ struct AxisProfile {
 [[nodiscard]] double shownRight(std::span<const AxisProfile> profiles, const FoundRamp& ramp);
 inline constexpr double missedUnits = 6.0;
 
-/// The ramp for the surfaces of profiles. Tried are ramps that begin at shares from 0 to 0.49 of the way from I_L to
-/// I_H, half of that way wide, with opacities 1, 0.7, 0.5 and 0.35. The result is their mean (of begin, and of the
-/// logarithm of opacity), weighted by exp(shownRight / 0.6). So it moves smoothly with the view: the best one alone
-/// would jump (docs/experiments.md, "The aim"). I_L and I_H are means over the tube cores with a weight, each counted
+/// The ramp for the surfaces of profiles. Tried are 32 ramps, half of the way from I_L to I_H wide, with opacities 1,
+/// 0.7, 0.5 and 0.35. They begin up to 0.245 of that way before and behind the middle: 0.25 of the way, or two spreads
+/// of the fluid if that is farther from I_L. The result is their mean (of begin, and of the logarithm of opacity),
+/// weighted by exp(shownRight / 0.6). So it moves smoothly with the view: the best one alone would jump
+/// (docs/experiments.md, "The aim"). I_L, I_H and the spread are means over the tube cores with a weight, each counted
 /// once, because each surface is to be shown. Empty if no tube core has a weight. The bits are the same for any number
 /// of threads.
 [[nodiscard]] std::optional<FoundRamp> rampForEverySurface(std::span<const AxisProfile> profiles,

@@ -5,7 +5,7 @@
 namespace echolucent {
 
 namespace {
-constexpr ChoiceNames<3> methodReadingNames{"published", "settled", "default"};
+constexpr ChoiceNames<4> methodReadingNames{"published", "settled", "0.1", "default"};
 }  // namespace
 
 std::string_view nameOf(MethodReading reading) { return nameIn(methodReadingNames, reading); }
@@ -17,6 +17,10 @@ std::optional<MethodReading> methodReadingFromName(std::string_view name) {
 AdaptiveOtfConfig configOf(MethodReading reading) {
     AdaptiveOtfConfig config;
     if (reading == MethodReading::standard) return config;
+    if (reading == MethodReading::firstVersion) {
+        std::get<RampRule>(config.curve).aim = 0.0;
+        return config;
+    }
     // These two readings spell out every open point and all numerics, so that they stay the same if defaults change.
     VarianceRule variance{.coarsestScale = 7,
                           .finestScale = 3,
@@ -50,13 +54,14 @@ AdaptiveOtfConfig configOf(MethodReading reading) {
 }
 
 std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config) {
-    for (const MethodReading reading : {MethodReading::asPublished, MethodReading::settled, MethodReading::standard}) {
+    for (const MethodReading reading :
+         {MethodReading::asPublished, MethodReading::settled, MethodReading::firstVersion, MethodReading::standard}) {
         AdaptiveOtfConfig known = configOf(reading);
         known.grid = config.grid;
         known.initial = config.initial;
         const auto* aimed = std::get_if<RampRule>(&config.curve);
-        if (auto* ramp = std::get_if<RampRule>(&known.curve); ramp != nullptr && aimed != nullptr)
-            ramp->aim = aimed->aim;
+        if (reading == MethodReading::standard && aimed != nullptr && aimed->aim > 0.0)
+            std::get<RampRule>(known.curve).aim = aimed->aim;
         if (known == config) return reading;
     }
     return std::nullopt;

@@ -103,7 +103,7 @@ std::vector<SurfaceRay> tubeCoreRays(const VolumeGeometry& geometry, const Adapt
 
 std::optional<std::vector<SurfaceRay>> foundSurfaces(const Volume& raw, const Viewpoint& view,
                                                      const Progress& progress) {
-    AdaptiveOtfConfig config = configOf(MethodReading::standard);
+    AdaptiveOtfConfig config = configOf(MethodReading::firstVersion);
     config.grid = {.columns = measuredTubesAcross, .rows = measuredTubesAcross};
     const auto otf = adaptOpacity(raw, view, config, progress);
     if (!otf) return std::nullopt;

@@ -34,9 +34,9 @@ enum class InterfaceInto { object, tissue, objectOrTissue };
 [[nodiscard]] std::vector<SurfaceRay> tubeCoreRays(const VolumeGeometry& geometry, const AdaptiveOtf& otf);
 
 /// The surfaces that stand in for the truth of a scan that nobody knows: tubeCoreRays() of the reading of version 0.1,
-/// MethodReading::standard, with measuredTubesAcross tube cores each way. They depend on scan and view alone, so every
-/// OTF is measured with the same ones, whatever the method is set to. `raw` holds the voxels as they were read. The
-/// result is empty only if progress.cancel was raised.
+/// MethodReading::firstVersion, with measuredTubesAcross tube cores each way. They depend on scan and view alone, so
+/// every OTF is measured with the same ones, whatever the method is set to. `raw` holds the voxels as they were read.
+/// The result is empty only if progress.cancel was raised.
 [[nodiscard]] std::optional<std::vector<SurfaceRay>> foundSurfaces(const Volume& raw, const Viewpoint& view,
                                                                    const Progress& progress = {});
 /// Tube cores side by side, cell beside cell, in a volume of the paper's size.

@@ -35,14 +35,14 @@ std::string rampSentence(const AdaptiveOtf& otf, const RampRule& ramp) {
     const double atSurface = rampAt(1.0, unit, ramp);
     text +=
         atSurface < 1.0 ? ": at its own surface it has risen to " + wholePercentInWords(atSurface) + " at most." : ".";
+    if (ramp.opacity < 1.0) text += " Full is an opacity of " + hundredthsInWords(ramp.opacity) + " per unit.";
     if (otf.everySurface)
         text += " An aim of " + hundredthsInWords(ramp.aim) + " mixes " + wholePercentInWords(1.0 - ramp.aim) +
                 " of this mean with " + wholePercentInWords(ramp.aim) +
                 " of the ramp that shows every surface found at its place: clear up to " +
                 hundredthsInWords(otf.everySurface->begin) + ", with an opacity of " +
-                hundredthsInWords(otf.everySurface->opacity) + " per unit from " +
+                hundredthsInWords(ramp.opacity * otf.everySurface->opacity) + " per unit from " +
                 hundredthsInWords(otf.everySurface->end) + " on.";
-    if (ramp.opacity < 1.0) text += " Full is an opacity of " + hundredthsInWords(ramp.opacity) + " per unit.";
     if (otf.trust < 1.0)
         text += " As few tube cores found a surface, " + wholePercentInWords(1.0 - otf.trust) +
                 " of the curve is the initial function.";
@@ -109,6 +109,8 @@ std::string readingSentence(const AdaptiveOtf& otf) {
             return text;
         }
         case MethodReading::settled: return "The open points of the published method are settled by experiment.";
+        case MethodReading::firstVersion:
+            return "The method runs with the default parameters of version 0.1 of this program.";
         case MethodReading::standard: return "The method runs with this program's default parameters.";
     }
     return {};

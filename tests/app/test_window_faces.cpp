@@ -13,6 +13,7 @@
 #include <set>
 
 #include "app/compare/compare_room.h"
+#include "app/otf/pane_otfs.h"
 #include "app/sessions/study_rows.h"
 #include "app/window/window_faces.h"
 #include "tests/app/window_fixture.h"
@@ -148,6 +149,41 @@ private slots:
             "Volumes with missing slices were left out (x): volume 2 of 3 lacks 1 of 9 slices.");
         for (const char* name : {"(0054,0030) Phase Information", "phase.mha", "/home/phase/a.mha", "my-phase"})
             QCOMPARE(withVolumesForPhases(name), QString(name));
+    }
+
+    void theAimSaysWhichSurfacesTheAdaptiveCurveShows() {
+        open(m_file);
+        const auto* number = child<QDoubleSpinBox>("view.aim.value");
+        auto* slider = child<QSlider>("view.aim");
+        const auto aim = [&] { return std::get<RampRule>(window().document().document().method.config.curve).aim; };
+        QCOMPARE(number->text(), "50 %");
+        waitUntilIdle();
+        const auto before = window().otfs().adaptive();
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Right);
+        QCOMPARE(number->text(), "51 %");
+        QCOMPARE(aim(), 0.51);
+        QCOMPARE(window().document().steps().undoText(), "surfaces");
+        QTest::keyClick(slider, Qt::Key_End);
+        QCOMPARE(aim(), 1.0);
+        waitUntilIdle();
+        QVERIFY(window().otfs().adaptive()->curve != before->curve);
+        QVERIFY(window().otfs().adaptive()->everySurface == before->everySurface);
+        while (aim() != 0.5) window().document().steps().undo();
+        QCOMPARE(number->text(), "50 %");
+        waitUntilIdle();
+        QVERIFY(window().otfs().adaptive()->curve == before->curve);
+
+        const auto whyNot = [&] { return slider->parentWidget()->toolTip(); };
+        window().document().change("curve", [](Document& next) { next.panes.front().curve = CurveKind::manual; });
+        QVERIFY(!slider->isEnabled());
+        QVERIFY2(whyNot().contains("Only the computed curve"), qPrintable(whyNot()));
+        window().document().change("pane", [](Document& next) { next.panes.push_back({}); });
+        QVERIFY2(slider->isEnabled(), "another pane shows the adaptive curve");
+        window().document().change("form", [](Document& next) { next.method.config.curve = ProductRule{}; });
+        QVERIFY(!slider->isEnabled());
+        QVERIFY2(whyNot().contains("A product of basis functions"), qPrintable(whyNot()));
+        waitUntilIdle();
     }
 
     void thresholdIsShownInPercentOfTheGreys() {

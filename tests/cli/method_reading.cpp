@@ -111,7 +111,7 @@ TEST(OtfReading, RoutesAgreeAndBordersDoNot) {
 
 TEST(OtfReading, WhatIsNoChoiceIsSaid) {
     for (const auto& [options, says] :
-         {std::pair<std::string, std::string>{"--reading literal", "published, settled or default"},
+         {std::pair<std::string, std::string>{"--reading literal", "published, settled, 0.1 or default"},
           {"--reading settled --border mirrored", "mirror or circular"},
           {"--reading settled --smoothing-route fft", "direct or fourier"},
           {"--rank-bins -1", "--rank-bins must be 0 to 1048576"},

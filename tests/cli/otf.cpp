@@ -207,7 +207,11 @@ TEST(OtfJson, CurveFollowsFromTheQuietTubesToo) {
         EXPECT_GT(aimed["parameters"]["every_surface"]["end"], aimed["parameters"]["every_surface"]["begin"]);
         expectCurveIsThatOfItsRamps(aimed);
     }
-    EXPECT_FALSE(otfOf(shapesFile())["parameters"].contains("every_surface")) << "bright surfaces ask for none";
+    const json bright = otfOf(shapesFile(), "--reading 0.1"), ends = otfOf(shapesFile(), "--aim 0");
+    EXPECT_FALSE(bright["parameters"].contains("every_surface")) << "bright surfaces ask for none";
+    EXPECT_EQ(bright["otf"], ends["otf"]);
+    EXPECT_EQ(ends["parameters"]["reading"], "0.1");
+    EXPECT_EQ(otfOf(shapesFile(), "--aim 0.2")["parameters"]["reading"], "default");
     // Few tube cores, so that the initial function has a say.
     const json few = otfOf(shapesFile(), "--reduction medium --initial linear --trusted-share 0.9");
     EXPECT_LT(few["parameters"]["trust"].get<double>(), 1.0);
@@ -223,6 +227,21 @@ void expectRealCurvesAreThoseOfTheirRamps(const std::string& names) {
 }
 TEST(OtfOfRealData, CurveFollowsFromTheQuietTubes) { expectRealCurvesAreThoseOfTheirRamps("iso0.3mm"); }
 TEST(LongOtfOfRealData, CurvesFollowFromTheQuietTubes) { expectRealCurvesAreThoseOfTheirRamps(""); }
+
+/// The program of docs/cli-otf.md, run by Python on reports of several aims, prints how far it is from the report.
+TEST(OtfJson, TheProgramOfTheDocsRebuildsTheCurve) {
+    const std::string page = contentsOf(ECHOLUCENT_SOURCE_DIR "/docs/cli-otf.md"), begins = "```python\n";
+    const auto from = page.find(begins) + begins.size();
+    const Folder folder;
+    write(folder / "rebuild.py", page.substr(from, page.find("```", from) - from));
+    for (const std::string options : {"--reading 0.1", "--reduction medium", "--aim 1 --reduction strong"}) {
+        write(folder / "otf.json", otfOf(shapesFile(), options).dump());
+        const std::string run =
+            "python3 \"" + folder / "rebuild.py" + "\" \"" + folder / "otf.json" + "\" >\"" + folder / "error" + "\"";
+        ASSERT_EQ(std::system(run.c_str()), 0) << options;
+        EXPECT_LE(std::stod(contentsOf(folder / "error")), 1e-12) << options;
+    }
+}
 
 TEST(OtfJson, WeightsFollowFromTheTubesByEquations8To11) {
     expectWeightsFollowFromTubes(otfOf(shapesFile(), "--interface-function variance"));

@@ -148,7 +148,7 @@ private slots:
 
     void theTableOfANarrowPanelHidesNothing() {
         ComparePanel panel;
-        panel.setPanes({{}, {.curve = CurveKind::linear}});
+        panel.setPanes({{}, {.curve = CurveKind::linear}}, {"one", "two"});
         panel.setRows({{.name = "one",
                         .surfaces = SurfacesFrom::tubeCores,
                         .depth = ShownDepth{.right = 1},

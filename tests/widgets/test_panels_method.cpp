@@ -242,6 +242,7 @@ private slots:
         QCOMPARE(reading->currentText(), "Changed");
         QSignalSpy spy(&panel, &MethodPanel::configChanged);
         const QList<std::pair<QString, MethodReading>> readings{{"Default", MethodReading::standard},
+                                                                {"Version 0.1", MethodReading::firstVersion},
                                                                 {"Settled", MethodReading::settled},
                                                                 {"As published", MethodReading::asPublished}};
         for (const auto& [text, value] : readings) {

@@ -1,7 +1,6 @@
 #include "widgets/panels/curve_sliders.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
@@ -23,9 +22,11 @@ QString whyNoAim(const Document& shown) {
         return pane.designer ? std::holds_alternative<AdaptiveConfig>(*pane.designer)
                              : pane.curve == CurveKind::adaptive;
     });
-    if (!adaptive) return CurveSliders::tr("The adaptive curve alone has an aim: no pane shows it");
+    if (!adaptive)
+        return CurveSliders::tr("Only the computed curve can be told which surfaces to show, and no pane shows it");
     if (!std::holds_alternative<RampRule>(shown.method.config.curve))
-        return CurveSliders::tr("A product of basis functions has no aim: the form ramp has one");
+        return CurveSliders::tr(
+            "A product of basis functions cannot be told which surfaces to show: the form ramp can");
     return {};
 }
 
@@ -39,20 +40,11 @@ void CurveSliders::addAim(DocumentModel& document, QGridLayout& grid) {
     m_aim->setSuffix(tr(" %"));
     m_aim->setStandard(100.0 * RampRule{}.aim);
     m_aim->setToolTip(
-        tr("Which surfaces the adaptive curve shows where they stand. 0 %: bright surfaces, darker walls "
-           "are let go. 100 %: every wall that was found, and a little haze before bright surfaces"));
-    auto* ends = new QWidget;
-    auto* ofEnds = new QHBoxLayout(ends);
-    ofEnds->setContentsMargins(0, 0, 0, 0);
-    for (const QString& end : {tr("bright"), tr("every wall")}) {
-        auto* word = new QLabel(end);
-        word->setEnabled(false);
-        ofEnds->addWidget(word);
-    }
-    ofEnds->insertStretch(1);
+        tr("Which surfaces the computed curve shows where they stand. 0 %: bright ones; darker walls are let go. "
+           "100 %: every wall that was found, with a little haze before bright surfaces"));
     grid.addWidget(labelFor(m_aim, label), 0, 0);
     grid.addWidget(m_aim, 0, 1);
-    grid.addWidget(ends, 1, 1);
+    grid.addWidget(secondaryLabel(tr("0 %: bright · 100 %: every wall")), 1, 1);
     connect(m_aim, &ValueSlider::valueChanged, this, [&document, &row](double percent) {
         document.change(tr("surfaces"), [&](Document& next) { row.set(next.method.config, percent / 100.0); });
     });

@@ -96,10 +96,11 @@ void MethodPanel::createReading() {
                       tr("How the method is understood, all parameters at once. As published: the paper's words taken "
                          "literally, but for eq. 5, which is mended, and for voxels of less speckle, of which the "
                          "curve is made if speckle is reduced. Settled: its open points settled by experiment. "
-                         "Default: what this program takes"));
+                         "Version 0.1: what the program took before it had an aim. Default: what it takes now"));
     wheelNeedsFocus(m_reading);
     m_reading->addItem(tr("As published"), static_cast<int>(MethodReading::asPublished));
     m_reading->addItem(tr("Settled"), static_cast<int>(MethodReading::settled));
+    m_reading->addItem(tr("Version 0.1"), static_cast<int>(MethodReading::firstVersion));
     m_reading->addItem(tr("Default"), static_cast<int>(MethodReading::standard));
     m_reading->addItem(tr("Changed"), changedReading);
     qobject_cast<QStandardItemModel*>(m_reading->model())->item(m_reading->count() - 1)->setEnabled(false);

@@ -24,7 +24,7 @@ void MethodOptions::addTo(CLI::App& command) {
     command
         .add_option(
             "--reading", reading,
-            "Reading of the paper, which sets all that follows but what is given: published, settled or default")
+            "Reading of the paper, which sets all that follows but what is given: published, settled, 0.1 or default")
         ->type_name("NAME")
         ->capture_default_str();
     m_initialOption =
@@ -79,7 +79,7 @@ Result<TubeGrid> gridWithout(const std::vector<std::int64_t>& tubes, TubeGrid gr
 
 Result<AdaptiveOtfConfig> MethodOptions::get() const {
     const auto base = methodReadingFromName(reading);
-    if (!base) return wrongUsage("--reading", "is \"" + reading + "\"", "Use published, settled or default.");
+    if (!base) return wrongUsage("--reading", "is \"" + reading + "\"", "Use published, settled, 0.1 or default.");
     AdaptiveOtfConfig chosen = configOf(*base);
     if (auto overridden = m_given.override(methodParameters(), chosen); !overridden)
         return tl::unexpected<Failure>(overridden.error());

@@ -23,7 +23,7 @@ struct RampRule {
                                  ///< voxels above I_L
     double end = 1.6;            ///< the ramp is full from this share of the way from I_L to I_H on; above `begin`
     double opacity = 1.0;        ///< opacity per unit length if all tube cores say surface
-    double aim = 0.0;            ///< [0,1]: 0 shows bright surfaces, by the mean of the ramps; 1 shows every wall, by
+    double aim = 0.5;            ///< [0,1]: 0 shows bright surfaces, by the mean of the ramps; 1 shows every wall, by
                                  ///< the ramp that holds half of the light back at each surface (FoundRamp); between
                                  ///< them both curves are mixed
     double trustedShare = 0.05;  ///< if at least this share of the tube cores has a weight, the initial function has no

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/study/named_study.h"
+#include "processing/adaptive/method_reading.h"
 #include "tests/io/document/unusual_document.h"
 #include "tests/io/written_files/temporary_folder.h"
 
@@ -82,6 +83,17 @@ TEST(DocumentFile, SaysWhichTubeCoresAreNeverPlacedOnlyWhereThereAreAny) {
     const auto read = documentFromJson(object.dump());
     ASSERT_TRUE(read) << read.error().sentence();
     EXPECT_TRUE(read->method.config.grid.withoutTubes.empty());
+}
+
+TEST(DocumentFile, FromBeforeTheAimOpensWithTheCurveOfBrightSurfaces) {
+    auto object = nlohmann::ordered_json::parse(jsonOf(Document{}));
+    const nlohmann::ordered_json::json_pointer place("/method/parameters/aim");
+    EXPECT_EQ(object.at(place), 0.5);
+    object.at(place.parent_pointer()).erase("aim");
+    const auto read = documentFromJson(object.dump());
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(readingOf(configOf(read->method, read->curves)), MethodReading::firstVersion);
+    EXPECT_EQ(std::get<RampRule>(read->method.config.curve).aim, 0.0);
 }
 
 TEST(DocumentFile, SaysWhichAxisOfTheFilesGridWasTurnedRoundOnlyWhereOneWas) {

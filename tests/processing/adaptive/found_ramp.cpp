@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/comparison/classification_measures.h"
 #include "processing/phantom/phantom.h"
 #include "processing/sampling/sampler.h"
@@ -103,12 +104,17 @@ TEST(RampForEverySurface, IsTheMeanOfAllRampsTriedByHowRightTheyShow) {
         profile.intensities[static_cast<std::size_t>(i) / 2] = noData;
         profiles.push_back(profile);
     }
-    const std::vector<TubeCore> tubes{tubeOf(0.1, 0.4, 0.01), tubeOf(0.16, 0.6, 0.02), tubeOf(0.9, 0.95, 0.0)};
+    std::vector<TubeCore> tubes{tubeOf(0.1, 0.4, 0.01), tubeOf(0.16, 0.6, 0.02), tubeOf(0.9, 0.95, 0.0)};
+    tubes[0].fluidSpread = 0.03;
+    tubes[1].fluidSpread = 0.07;
     const double low = (0.1 + 0.16) / 2, rise = (0.4 + 0.6) / 2 - low;
+    // Two spreads, (0.03 + 0.07) / 2 in the mean, reach farther than a quarter of the way.
+    const double middle = low + 2 * 0.05;
+    ASSERT_GT(middle, low + 0.25 * rise);
     double sum = 0.0, begin = 0.0, logOpacity = 0.0;
     for (int b = 0; b < 8; ++b)
         for (const double opacity : {1.0, 0.7, 0.5, 0.35}) {
-            const double from = low + 0.07 * b * rise;
+            const double from = middle + 0.07 * (b - 3.5) * rise;
             const double weight = std::exp(shownRight(profiles, {from, from + 0.5 * rise, opacity}) / 0.6);
             sum += weight;
             begin += weight * from;
@@ -118,6 +124,8 @@ TEST(RampForEverySurface, IsTheMeanOfAllRampsTriedByHowRightTheyShow) {
     EXPECT_NEAR(ramp.begin, begin / sum, 1e-5);
     EXPECT_NEAR(ramp.end - ramp.begin, 0.5 * rise, 1e-12);
     EXPECT_NEAR(ramp.opacity, std::exp(logOpacity / sum), 1e-5);
+    for (TubeCore& tube : tubes) tube.fluidSpread.reset();  // detection by variance measures none
+    EXPECT_LT(rampForEverySurface(profiles, tubes).value().begin, ramp.begin);
     EXPECT_FALSE(rampForEverySurface({}, tubes));
     EXPECT_FALSE(rampForEverySurface(profiles, std::vector<TubeCore>{tubeOf(0.9, 0.95, 0.0)}));
 }
@@ -162,8 +170,9 @@ const Scan& scan() {
 }
 
 TEST(Aim, AtItsEndsIsTheMeanOfTheRampsAndTheRampFound) {
-    EXPECT_EQ(scan().aimed(0.0).curve,
-              adaptOpacity(*scan().raw, {}, {}, {}, {&*scan().quiet, SpeckleReduction::medium})->curve);
+    EXPECT_EQ(scan().aimed(0.0).curve, adaptOpacity(*scan().raw, {}, configOf(MethodReading::firstVersion), {},
+                                                    {&*scan().quiet, SpeckleReduction::medium})
+                                           ->curve);
     EXPECT_FALSE(scan().aimed(0.0).everySurface);
     const AdaptiveOtf walls = scan().aimed(1.0);
     ASSERT_TRUE(walls.everySurface);

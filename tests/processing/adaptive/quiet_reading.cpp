@@ -39,8 +39,9 @@ TEST(QuietReading, WithAllSpeckleLeftTheRuleIsTheRule) {
 }
 
 TEST(QuietReading, SurfacesAreThoseOfTheVolumeAndTheCurveIsNot) {
-    const AdaptiveOtf raw = *adaptOpacity(shapes(), {}, {});
-    const AdaptiveOtf quiet = *adaptOpacity(shapes(), {}, {}, {}, {&quietShapes(), SpeckleReduction::medium});
+    const AdaptiveOtfConfig meanRamps = configOf(MethodReading::firstVersion);
+    const AdaptiveOtf raw = *adaptOpacity(shapes(), {}, meanRamps);
+    const AdaptiveOtf quiet = *adaptOpacity(shapes(), {}, meanRamps, {}, {&quietShapes(), SpeckleReduction::medium});
     EXPECT_EQ(raw.reduction, SpeckleReduction::off);
     EXPECT_EQ(raw.speckleLeft, 1.0);
     EXPECT_EQ(quiet.reduction, SpeckleReduction::medium);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/phantom/phantom.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "tests/processing/grids.h"
@@ -63,7 +64,8 @@ TEST(TemplateReference, TheStoredFetusIsWhatThePhantomGives) {
     for (std::size_t bin = 0; bin < 256; ++bin) apart += std::abs(stored.histogram[bin] - now.histogram[bin]);
     EXPECT_LT(apart, 1e-3);
     EXPECT_NEAR(std::accumulate(stored.histogram.begin(), stored.histogram.end(), 0.0), 1.0, 1e-12);
-    const AdaptiveOtf adaptive = *adaptOpacity(raw, {}, {}, {}, {&quiet, defaultSpeckleReduction});
+    const AdaptiveOtf adaptive =
+        *adaptOpacity(raw, {}, configOf(MethodReading::firstVersion), {}, {&quiet, defaultSpeckleReduction});
     for (int i = 0; i < 256; ++i) {
         const double intensity = i / 255.0;
         EXPECT_NEAR(opacityAt(stored.curve, intensity), opacityAt(adaptive.curve, intensity), 0.02) << i;
