@@ -1,11 +1,9 @@
 #include "processing/comparison/classification_measures.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "processing/comparison/line_samples.h"
+#include "processing/comparison/surface_samples.h"
 #include "processing/parallel.h"
-#include "processing/viewpoint/shown_stretch.h"
 
 namespace echolucent {
 
@@ -25,50 +23,20 @@ struct RayMeasures {
     ShownSurface shown = ShownSurface::never;
 };
 
-/// The samples of a ray, one unit apart, and how far the first one lies behind the surface.
-class SampledRay {
-public:
-    /// `nearPlane` is nearPlaneDepthMm() of the view that looks along `forward`.
-    SampledRay(const RaySampler& sampler, const SurfaceRay& ray, const Vec3& forward, double nearPlane,
-               const ShownStretches& shown) {
-        const VolumeGeometry& geometry = sampler.volume().geometry();
-        const double unit = geometry.unit();
-        const auto stretch = shown.of(ray.pointMm);
-        if (!stretch) return;
-        constexpr double rounding = 1e-9;  // units
-        const double pointDepth = forward.dot(ray.pointMm);
-        // Samples lie in the middle of steps counted from the near plane.
-        const double first =
-            std::max(0.0, std::ceil((pointDepth + stretch->begin - nearPlane) / unit - 0.5 - rounding));
-        const double last = std::floor((pointDepth + stretch->end - nearPlane) / unit - 0.5 + rounding);
-        if (last < first) return;
-        const double firstDepth = nearPlane + (first + 0.5) * unit;
-        const Vec3 firstMm = ray.pointMm + forward * (firstDepth - pointDepth);
-        m_samples = sampler.along(geometry.voxelFromGridMm(firstMm), geometry.voxelFromGridMm(forward * unit),
-                                  static_cast<std::size_t>(last - first) + 1);
-        m_firstBehind = (firstDepth - ray.surfaceDepthMm) / unit;
-    }
-
-    [[nodiscard]] RayMeasures measuresWith(const OpacityTable& table) const {
-        RayMeasures measures;
-        double near = 0.0;
-        compositeAlong(m_samples, table, leastTransmittance, [&](std::size_t i, double contribution) {
-            const double behind = m_firstBehind + static_cast<double>(i);
-            const bool ofSurface = behind >= -contrastUnitsBefore && behind <= contrastUnitsBehind;
-            (ofSurface ? measures.surface : measures.rest) += contribution * levels;
-            measures.intensity += contribution;
-            if (std::abs(behind) <= unitsNear) near += contribution;
-        });
-        measures.share = measures.intensity > 0.0 ? near / measures.intensity : 0.0;
-        const auto sample = shownSample(m_samples, table);
-        measures.shown = shownSurfaceAt(sample ? std::optional(m_firstBehind + *sample) : std::nullopt);
-        return measures;
-    }
-
-private:
-    double m_firstBehind = 0.0;  ///< units
-    RaySamples m_samples;
-};
+RayMeasures measuresAlong(const SurfaceSamples& ray, const OpacityTable& table) {
+    RayMeasures measures;
+    double near = 0.0;
+    compositeAlong(ray.samples, table, leastTransmittance, [&](std::size_t i, double contribution) {
+        const double behind = ray.firstBehind + static_cast<double>(i);
+        const bool ofSurface = behind >= -contrastUnitsBefore && behind <= contrastUnitsBehind;
+        (ofSurface ? measures.surface : measures.rest) += contribution * levels;
+        measures.intensity += contribution;
+        if (std::abs(behind) <= unitsNear) near += contribution;
+    });
+    measures.share = measures.intensity > 0.0 ? near / measures.intensity : 0.0;
+    measures.shown = shownSurfaceOf(ray, table);
+    return measures;
+}
 
 /// The measures of every stride-th ray from `first` on.
 ClassificationMeasures summed(const std::vector<RayMeasures>& rays, std::size_t first, std::size_t stride) {
@@ -81,6 +49,7 @@ ClassificationMeasures summed(const std::vector<RayMeasures>& rays, std::size_t 
         all.light.meanShare += rays[i].share;
         all.light.meanIntensity += rays[i].intensity;
         all.depth.count(rays[i].shown);
+        all.shown.push_back(rays[i].shown);
     }
     if (contrast.rays == 0) return all;
     contrast.meanSurface /= contrast.rays;
@@ -111,15 +80,12 @@ std::optional<std::vector<ClassificationMeasures>> measuresOf(const Volume& show
     const std::vector<OpacityTable> tables = tablesOf(classifications);
     std::vector<RayMeasures> measures(rays.size() * tables.size());
     if (!measures.empty()) {
-        const RaySampler sampler(shown, anyTwoDimensional(tables));
-        const Vec3 forward = frameOf(view).forward;
-        const double nearPlane = nearPlaneDepthMm(view, shown.geometry());
-        const ShownStretches stretches(view, shown.geometry());
+        const SurfaceSampler sampler(shown, view, anyTwoDimensional(tables));
         parallelFor(LoopRange<std::size_t>(0, rays.size(), 64), [&](const auto& some) {
             for (std::size_t r = some.begin(); r < some.end() && !progress.cancelled(); ++r) {
-                const SampledRay ray(sampler, rays[r], forward, nearPlane, stretches);
+                const SurfaceSamples ray = sampler.along(rays[r]);
                 for (std::size_t c = 0; c < tables.size(); ++c)
-                    measures[r * tables.size() + c] = ray.measuresWith(tables[c]);
+                    measures[r * tables.size() + c] = measuresAlong(ray, tables[c]);
             }
         });
     }

@@ -40,6 +40,7 @@ struct ClassificationMeasures {
     ShownDepth depth;
     SurfaceContrast contrast;
     NearLight light;
+    std::vector<ShownSurface> shown{};  ///< of each ray, in their order; `depth` counts them
 };
 /// One a classification, in order. `shown` holds the picture's voxels, from which samples and gradient magnitudes come.
 /// Samples lie one unit apart along the rays of the view, where the view shows something. They are trilinear and not

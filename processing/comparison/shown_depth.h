@@ -1,6 +1,8 @@
 // Where a picture stands: at the surface, before it, behind it, or nowhere.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 
 #include "processing/comparison/line_samples.h"
@@ -14,12 +16,14 @@ namespace echolucent {
 [[nodiscard]] std::optional<double> shownSample(const RaySamples& ray, const OpacityTable& table);
 
 /// What a picture does with a surface that is known.
-enum class ShownSurface {
+enum class ShownSurface : std::uint8_t {
     right,  ///< the shown depth lies at most rightUnits from the surface
     early,  ///< before that: haze, or a wall, hides the surface
     late,   ///< behind that: the surface is washed through
     never,  ///< half of the light comes through the whole ray
 };
+inline constexpr std::array allShownSurfaces{ShownSurface::right, ShownSurface::early, ShownSurface::late,
+                                             ShownSurface::never};
 /// How far from the surface a shown depth is still right, units. The eye does not see less, and the surfaces of tube
 /// cores are not surer.
 inline constexpr double rightUnits = 2.0;

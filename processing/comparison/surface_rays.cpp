@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/halved_lengths.h"
@@ -103,11 +104,16 @@ std::vector<SurfaceRay> tubeCoreRays(const VolumeGeometry& geometry, const Adapt
 
 std::optional<std::vector<SurfaceRay>> foundSurfaces(const Volume& raw, const Viewpoint& view,
                                                      const Progress& progress) {
+    auto found = spacedSurfaces(raw, view, progress);
+    return found ? std::optional(std::move(found->rays)) : std::nullopt;
+}
+
+std::optional<SpacedSurfaces> spacedSurfaces(const Volume& raw, const Viewpoint& view, const Progress& progress) {
     AdaptiveOtfConfig config = configOf(MethodReading::firstVersion);
     config.grid = {.columns = measuredTubesAcross, .rows = measuredTubesAcross};
     const auto otf = adaptOpacity(raw, view, config, progress);
     if (!otf) return std::nullopt;
-    return tubeCoreRays(raw.geometry(), *otf);
+    return SpacedSurfaces{tubeCoreRays(raw.geometry(), *otf), otf->tubeSpacingUnits};
 }
 
 }  // namespace echolucent

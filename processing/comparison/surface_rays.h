@@ -1,6 +1,7 @@
 // Rays whose surface is known: from the truth of a simulated scan, or from tube cores.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,13 @@ enum class InterfaceInto { object, tissue, objectOrTissue };
 /// The result is empty only if progress.cancel was raised.
 [[nodiscard]] std::optional<std::vector<SurfaceRay>> foundSurfaces(const Volume& raw, const Viewpoint& view,
                                                                    const Progress& progress = {});
+/// foundSurfaces(), and how far apart the tube cores stand that were looked for.
+struct SpacedSurfaces {
+    std::vector<SurfaceRay> rays{};
+    std::array<double, 2> apartUnits{1, 1};  ///< along the view's right and down axes, above 0
+};
+[[nodiscard]] std::optional<SpacedSurfaces> spacedSurfaces(const Volume& raw, const Viewpoint& view,
+                                                           const Progress& progress = {});
 /// Tube cores side by side, cell beside cell, in a volume of the paper's size.
 inline constexpr int measuredTubesAcross = 40;
 

@@ -20,12 +20,13 @@ std::optional<MeasuredSurfaces> measuredSurfacesOf(const SurfaceSource& source, 
         config.seed = source.known->seed;
         MeasuredSurfaces known{SurfacesFrom::truth,
                                trueSurfaces(raw.geometry(), PhantomTruth(config), source.view,
-                                            InterfaceInto::objectOrTissue, measuredRaySpacing, progress)};
+                                            InterfaceInto::objectOrTissue, measuredRaySpacing, progress),
+                               {measuredRaySpacing, measuredRaySpacing}};
         return progress.cancelled() ? std::nullopt : std::optional(std::move(known));
     }
-    auto found = foundSurfaces(raw, source.view, progress);
+    auto found = spacedSurfaces(raw, source.view, progress);
     if (!found) return std::nullopt;
-    return MeasuredSurfaces{SurfacesFrom::tubeCores, std::move(*found)};
+    return MeasuredSurfaces{SurfacesFrom::tubeCores, std::move(found->rays), found->apartUnits};
 }
 
 std::optional<std::vector<std::optional<PaneMeasures>>> measuresOfPanes(const Document& document, StudyPhases phases,

@@ -1,6 +1,7 @@
 // What is measured of the panes of a document.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,7 @@ enum class SurfacesFrom {
 struct MeasuredSurfaces {
     SurfacesFrom from = SurfacesFrom::tubeCores;
     std::vector<SurfaceRay> rays{};
+    std::array<double, 2> apartUnits{1, 1};  ///< between rays, along the view's right and down axes, above 0
 };
 /// Units between the rays of true surfaces with which panes are measured.
 inline constexpr double measuredRaySpacing = 2.0;

@@ -121,6 +121,18 @@ TEST(ClassificationMeasures, PraiseTheCurveThatKeepsFluidClear) {
     EXPECT_EQ(*both[1].depth.share(ShownSurface::early), 1.0) << "0.95^14 is below one half, and fluid is 50 deep";
 }
 
+TEST(ClassificationMeasures, SayOfEachRayWhatTheySayOfAll) {
+    const Classification haze = constantOpacity(0.1);  // shown at 5.6
+    std::vector<SurfaceRay> rays;
+    for (const double surface : {20.0, 5.0, 1.0, 4.0}) rays.push_back(oneRay(surface).front());
+    rays.push_back({.pointMm = {90, 0, 0}, .surfaceDepthMm = 5});  // beside the volume
+    const ClassificationMeasures measures = measured(twoLayers(51, 204), {}, rays, haze);
+    const std::vector<ShownSurface> expected{ShownSurface::early, ShownSurface::right, ShownSurface::late,
+                                             ShownSurface::right, ShownSurface::never};
+    EXPECT_EQ(measures.shown, expected);
+    EXPECT_EQ(measures.depth, (ShownDepth{.right = 2, .early = 1, .late = 1, .never = 1}));
+}
+
 TEST(ClassificationMeasures, OfNoRayAreEmpty) {
     const std::vector<Classification> three(3, PowerCurve{});
     const auto measures = *measuresOf(twoLayers(51, 204), {}, {}, three);
@@ -175,6 +187,7 @@ TEST(ClassificationMeasures, HaveTheSameBitsForAnyNumberOfThreadsAndEndWhereCanc
             EXPECT_EQ(one[i].contrast.varianceRest, many[i].contrast.varianceRest);
             EXPECT_EQ(one[i].light.meanShare, many[i].light.meanShare);
             EXPECT_EQ(one[i].depth, many[i].depth);
+            EXPECT_EQ(one[i].shown, many[i].shown);
         }
     }
     const std::atomic<bool> raised = true;
@@ -194,6 +207,7 @@ TEST(ClassificationMeasures, OfManyAtOnceEqualEachAlone) {
         EXPECT_EQ(together[i].contrast.contrastToNoise(), alone.contrast.contrastToNoise());
         EXPECT_EQ(together[i].light.meanShare, alone.light.meanShare);
         EXPECT_EQ(together[i].depth, alone.depth);
+        EXPECT_EQ(together[i].shown, alone.shown);
     }
 }
 

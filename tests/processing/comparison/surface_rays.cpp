@@ -164,6 +164,17 @@ TEST(SurfaceRays, ThatAreFoundLieOnThePlaneAndAreMany) {
     };
     EXPECT_EQ(with(1), *rays);
     EXPECT_EQ(with(5), *rays);
+    // They stand in the rows and columns of the tube cores.
+    const auto spaced = *spacedSurfaces(volume, view);
+    EXPECT_EQ(spaced.rays, *rays);
+    const ViewFrame frame = frameOf(view);
+    for (const SurfaceRay& ray : *rays) {
+        const Vec3 from = ray.pointMm - rays->front().pointMm;
+        const double column = frame.right.dot(from) / (spaced.apartUnits[0] * volume.geometry().unit());
+        const double row = frame.down.dot(from) / (spaced.apartUnits[1] * volume.geometry().unit());
+        EXPECT_NEAR(column, std::round(column), 1e-9);
+        EXPECT_NEAR(row, std::round(row), 1e-9);
+    }
     const std::atomic<bool> raised = true;
     EXPECT_FALSE(foundSurfaces(volume, view, {{}, &raised}));
 }
