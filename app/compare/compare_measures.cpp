@@ -46,6 +46,8 @@ CompareMeasures::CompareMeasures(const Parts& parts, const Work& work, QObject* 
     connect(&m_views, &ComparedViews::followed, this, &CompareMeasures::follow);
     connect(&m_openStudy, &OpenStudy::studyOpened, this, &CompareMeasures::forgetStudy);
     connect(&m_player, &MotionPlayer::playingChanged, this, &CompareMeasures::follow);
+    // A drag has ended: nothing else tells, if the last preview was the result.
+    connect(&m_model.steps(), &DocumentSteps::changed, this, &CompareMeasures::follow);
     connect(&m_flickerThread, &NewestWinsThread::busyChanged, this, &CompareMeasures::measuringFlicker);
 }
 
@@ -100,8 +102,17 @@ std::optional<std::vector<CompareMeasures::Measured>> CompareMeasures::measured(
         if (!surfaces) return std::nullopt;
         const auto measures = measuresOf(*one.shown, asked.source.view, surfaces->rays, classifications, silent);
         if (!measures) return std::nullopt;
-        for (std::size_t i = 0; i < places.size() && !surfaces->rays.empty(); ++i)
+        if (surfaces->rays.empty()) continue;
+        const double unit = one.raw->geometry().unit();
+        const auto rectangles = std::make_shared<const SurfaceRectangles>(
+            SurfaceRectangles{surfaces->rays,
+                              frameOf(asked.source.view),
+                              {surfaces->apartUnits[0] * unit, surfaces->apartUnits[1] * unit}});
+        for (std::size_t i = 0; i < places.size(); ++i) {
             all[places[i]].measures = {surfaces->from, (*measures)[i]};
+            all[places[i]].colours =
+                std::make_shared<const ColouredRays>(ColouredRays{rectangles, (*measures)[i].shown});
+        }
     }
     for (std::size_t place = 0; place < asked.panes.size(); ++place) {
         const auto& otf = asked.panes[place].otf;
@@ -162,10 +173,18 @@ void CompareMeasures::showRows(const std::optional<Asked>& asked) {
         if (flickers && m_flickers.contains(place)) row.flicker = m_flickers.at(place);
         rows.push_back(row);
     }
+    showColours(known);
     if (rows == m_rows) return;
     m_rows = rows;
     m_views.setRows(m_rows);
     emit rowsChanged(m_rows);
+}
+
+void CompareMeasures::showColours(bool known) {
+    std::vector<std::shared_ptr<const ColouredRays>> colours;
+    if (known && m_model.document().comparison.colours && !m_model.previewing() && !m_player.isPlaying())
+        for (const Measured& measured : m_measures) colours.push_back(measured.colours);
+    m_views.setColours(colours);
 }
 
 std::optional<CompareMeasures::FlickerAsked> CompareMeasures::flickerWanted(const std::optional<Asked>& asked) const {

@@ -17,7 +17,8 @@ namespace echolucent {
 /// Fills the table of the comparison. Each pane is measured as measuresOfPanes() does: on the voxels of its own phase,
 /// in the view that is shown, with surfaces that depend on scan and view alone. The panes are measured once the OTFs
 /// are there, nothing plays and nothing is dragged, and then their OTFs are timed. The flicker is measured on request.
-/// It is 0 if a pane keeps one OTF for every view.
+/// It is 0 if a pane keeps one OTF for every view. If the document says so, the panes are coloured by what is measured,
+/// and plain as long as it is not.
 class CompareMeasures : public QObject {
     Q_OBJECT
 
@@ -76,7 +77,8 @@ private:
     /// A pane's answer.
     struct Measured {
         std::optional<PaneMeasures> measures{};  ///< none if no surface is known
-        std::optional<double> milliseconds{};    ///< of the OTF; none if none is computed
+        std::shared_ptr<const ColouredRays> colours{};
+        std::optional<double> milliseconds{};  ///< of the OTF; none if none is computed
     };
     /// The time of an OTF, measured before.
     struct TimedOtf {
@@ -113,6 +115,7 @@ private:
     void forgetStudy();
     [[nodiscard]] std::optional<Asked> wanted() const;
     void showRows(const std::optional<Asked>& asked);
+    void showColours(bool known);
     void showMeasured() { showRows(wanted()); }
 
     DocumentModel& m_model;

@@ -4,6 +4,7 @@
 
 #include "app/pages/html_page.h"
 #include "widgets/casting/picture_image.h"
+#include "widgets/surface_colours.h"
 
 namespace echolucent {
 
@@ -43,6 +44,7 @@ std::string comparePageText(const ComparePage& page) {
     html.paragraph(
         "All pictures have one camera, cut, box and light; they differ in their OTF alone, or in their volume "
         "if it is named.");
+    if (page.coloured) html.paragraph(surfaceColoursSentence().toStdString());
     for (std::size_t place = 0; place < page.panes.size(); ++place) {
         const QImage& image = page.panes[place].image;
         if (!image.isNull()) html.picture(image.width(), image.height(), rgbBytesOf(image), nameAt(page, place));

@@ -14,6 +14,7 @@ namespace echolucent {
 struct ComparePage {
     QString study;  ///< the study's name as StudyNames shows it
     QString made, version;
+    bool coloured = false;  ///< whether pictures are coloured by their shown depths
     struct Pane {
         std::size_t place = 0;  ///< the pane's place in the comparison, from 0
         CompareRow row;

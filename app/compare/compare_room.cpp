@@ -58,6 +58,8 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
         setWaitingPage({});
     });
     connect(&m_views, &ComparedViews::frameShown, this, [this] { m_parts.messages.takeBack(picturesTopic); });
+    // A drag that ends where it began changes nothing, but its panes are measured again.
+    connect(&m_parts.grid, &CompareGrid::dragEnded, &m_measures, &CompareMeasures::follow);
     connect(&m_measures, &CompareMeasures::failed, this, [this](const QString& sentence) {
         m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::withStudy(measuresTopic));
     });
@@ -235,12 +237,13 @@ void CompareRoom::writeWaitingPage() {
                                                                   : m_parts.names.nameOf(m_parts.openStudy.path()),
                      .made = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' '),
                      .version = QApplication::applicationVersion(),
+                     .coloured = m_views.coloured(),
                      .panes = {}};
     const std::vector<CompareRow>& rows = m_measures.rows();
     for (std::size_t i = 0; i < frame->panes.size(); ++i) {
         const PaneRequest& shown = frame->request.panes[i];
         if (shown.pane >= document.panes.size() || shown.pane >= rows.size()) continue;
-        ComparePage::Pane pane{shown.pane, rows[shown.pane], m_views.images()[i],
+        ComparePage::Pane pane{shown.pane, rows[shown.pane], m_views.imageToSave(i),
                                m_views.paneAt(shown.pane).classification};
         if (const auto otf = m_parts.otfs.of(shown.pane)) pane.explanation = otf->design.explanation;
         page.panes.push_back(std::move(pane));

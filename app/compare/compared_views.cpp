@@ -7,6 +7,7 @@
 #include "app/compare/paper_figures.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "widgets/casting/picture_image.h"
+#include "widgets/compare/coloured_surfaces.h"
 #include "widgets/compare/difference_image.h"
 #include "widgets/otf_editor/curve_style.h"
 
@@ -101,6 +102,8 @@ void ComparedViews::clear() {
     m_rows.clear();
     m_pair.reset();
     m_images.clear();
+    m_shownImages.clear();
+    m_colours.clear();
     if (std::exchange(m_frame, nullptr) == nullptr) return;
     for (std::size_t place = 0; place < mostPanes; ++place) {
         m_parts.grid.pane(place).setImage({});
@@ -146,21 +149,69 @@ void ComparedViews::take(const std::shared_ptr<const CastPicture>& frame) {
         images.push_back(stayed ? m_images[i] : imageOf(*frame->panes[i].screen));
     }
     m_images = std::move(images);
+    colourImages();
     showFrame();
     emit frameShown();
 }
 
+const ColouredRays* ComparedViews::coloursAt(std::size_t place) const {
+    const bool plain = m_parts.model.document().comparison.layout == ComparisonLayout::difference;
+    return plain || place >= m_colours.size() ? nullptr : m_colours[place].get();
+}
+
+SurfaceLegend ComparedViews::legendAt(std::size_t place) const {
+    const ColouredRays* colours = coloursAt(place);
+    if (colours == nullptr) return {};
+    ShownDepth depth;
+    for (const ShownSurface shown : colours->shown) depth.count(shown);
+    return surfaceLegend(depth);
+}
+
+bool ComparedViews::coloured() const {
+    return m_frame && std::ranges::any_of(m_frame->request.panes,
+                                          [this](const PaneRequest& pane) { return coloursAt(pane.pane) != nullptr; });
+}
+
+QImage ComparedViews::imageToSave(std::size_t index) const {
+    const SurfaceLegend legend = legendAt(m_frame->request.panes.at(index).pane);
+    return legend.empty() ? m_shownImages.at(index) : withSurfaceLegend(m_shownImages.at(index), legend);
+}
+
+void ComparedViews::setColours(const std::vector<std::shared_ptr<const ColouredRays>>& colours) {
+    if (std::exchange(m_colours, colours) == colours || !m_frame) return;
+    m_pair.reset();
+    colourImages();
+    showFrame();
+    showFaces();
+}
+
+/// The colours lie where the frame's own camera sees the surfaces, also while a newer frame is on its way.
+void ComparedViews::colourImages() {
+    m_shownImages = m_images;
+    std::shared_ptr<const SurfaceRectangles> seen;
+    std::vector<std::int32_t> rays;
+    for (std::size_t i = 0; i < m_images.size(); ++i) {
+        const ColouredRays* colours = coloursAt(m_frame->request.panes[i].pane);
+        if (colours == nullptr) continue;
+        const QSize size = m_images[i].size();
+        // Panes of one phase have the same rays, and all images of a frame one size.
+        if (std::exchange(seen, colours->rectangles) != colours->rectangles)
+            rays = raysInPicture(m_frame->request.settings.camera, size.width(), size.height(), *seen);
+        m_shownImages[i] = colouredSurfaces(m_images[i], rays, colours->shown);
+    }
+}
+
 void ComparedViews::showFrame() {
     if (m_parts.model.document().comparison.layout != ComparisonLayout::sideBySide) return showPair();
-    for (std::size_t i = 0; i < m_images.size(); ++i)
-        m_parts.grid.pane(m_frame->request.panes[i].pane).setImage(m_images[i]);
+    for (std::size_t i = 0; i < m_shownImages.size(); ++i)
+        m_parts.grid.pane(m_frame->request.panes[i].pane).setImage(m_shownImages[i]);
 }
 
 void ComparedViews::showPair() {
     const Comparison& comparison = m_parts.model.document().comparison;
-    if (comparison.layout == ComparisonLayout::sideBySide || m_images.size() != 2) return;
-    const QImage& first = m_images[0];
-    const QImage& second = m_images[1];
+    if (comparison.layout == ComparisonLayout::sideBySide || m_shownImages.size() != 2) return;
+    const QImage& first = m_shownImages[0];
+    const QImage& second = m_shownImages[1];
     ComparePane& pair = m_parts.grid.pair();
     const auto nameAt = [&](int place) {
         const auto at = static_cast<std::size_t>(place);
@@ -183,7 +234,8 @@ void ComparedViews::showPair() {
         pair.setImage(first);
         pair.setWipe(second, comparison.wipe);
         pair.setFace({.name = tr("left: %1 · right: %2").arg(one, other),
-                      .numbers = tr("Drag the line, or move it with ← and →")});
+                      .numbers = tr("Drag the line, or move it with ← and →"),
+                      .legend = coloured() ? surfaceLegend({}) : SurfaceLegend{}});
     }
 }
 
@@ -195,6 +247,7 @@ void ComparedViews::showFaces() {
         PaneFace face = faceOf(place, document);
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
         face.numbers = numbersOf(row);
+        if (face.legend = legendAt(place); !face.legend.empty()) face.numbers = wordsOf(face.legend);
         const ShownPane& pane = paneAt(place);
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/otf/shown_panes.h"
+#include "processing/comparison/surface_picture.h"
 #include "processing/document/panes.h"
 #include "widgets/casting/progressive_caster.h"
 #include "widgets/compare/compare_grid.h"
@@ -17,6 +18,12 @@
 namespace echolucent {
 
 class Works;
+
+/// What a pane is coloured by.
+struct ColouredRays {
+    std::shared_ptr<const SurfaceRectangles> rectangles;
+    std::vector<ShownSurface> shown;  ///< of each ray
+};
 
 /// Casts the visible panes with exactly the camera of the first pane. Puts pictures, names and numbers into the grid.
 /// The document alone says what is compared.
@@ -49,12 +56,19 @@ public:
     [[nodiscard]] const ShownPane& paneAt(std::size_t place) const { return m_parts.panes.at(place); }
     /// The newest frame; null before the first.
     [[nodiscard]] const std::shared_ptr<const CastPicture>& frame() const { return m_frame; }
-    /// The images of the frame's panes, as shown.
-    [[nodiscard]] const std::vector<QImage>& images() const { return m_images; }
+    /// The images of the frame's panes, as shown: coloured if they are.
+    [[nodiscard]] const std::vector<QImage>& images() const { return m_shownImages; }
+    /// The image of one of the frame's panes for a file: with its legend, if it is coloured.
+    [[nodiscard]] QImage imageToSave(std::size_t index) const;
+    /// Whether a pane of the frame is coloured.
+    [[nodiscard]] bool coloured() const;
     /// Adds the milliseconds of a pane's picture if it is converged and not made of kept samples.
     void addTime(std::size_t place, CompareRow& row) const;
     /// The measures of the panes, by place; shown under the panes.
     void setRows(const std::vector<CompareRow>& rows);
+    /// Colours the panes, by place; a pane without rays, or without a place in the list, is plain. Differences are
+    /// plain. The colours hold for any camera along the view whose rays they are.
+    void setColours(const std::vector<std::shared_ptr<const ColouredRays>>& colours);
 
 public slots:
     /// Shows what the document says. Runs by itself when the document, an OTF or the arrangement of the panes changes.
@@ -71,6 +85,9 @@ private:
     /// Whether the frame has the panes of the newest request.
     [[nodiscard]] bool frameHasPanesAsked() const;
     void take(const std::shared_ptr<const CastPicture>& frame);
+    [[nodiscard]] const ColouredRays* coloursAt(std::size_t place) const;
+    [[nodiscard]] SurfaceLegend legendAt(std::size_t place) const;
+    void colourImages();
     void showFrame();
     void showFaces();
     void showPair();
@@ -83,7 +100,9 @@ private:
     const Study* m_study = nullptr;  ///< of m_frame or of the newest request; compared by address only
     PictureRequest m_asked;          ///< the newest request; without panes if nothing is asked for
     std::shared_ptr<const CastPicture> m_frame;
-    std::vector<QImage> m_images;  ///< of m_frame's panes
+    std::vector<QImage> m_images;                                ///< of m_frame's panes
+    std::vector<QImage> m_shownImages;                           ///< the same, coloured if they are
+    std::vector<std::shared_ptr<const ColouredRays>> m_colours;  ///< by place
     std::vector<CompareRow> m_rows;
     /// The sources of the picture of a pair.
     struct ShownPair {

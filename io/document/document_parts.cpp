@@ -176,6 +176,7 @@ Comparison comparisonIn(JsonFields& fields) {
     comparison.second = static_cast<int>(fields.whole("second", 0, static_cast<std::int64_t>(mostPanes) - 1));
     comparison.wipe = fields.number("wipe", 0, 1);
     comparison.amplification = fields.number("amplification", leastAmplification, largestAmplification);
+    if (fields.has("colours")) comparison.colours = fields.flag("colours");
     return comparison;
 }
 

@@ -160,11 +160,13 @@ ordered_json measurementsJson(const std::vector<Measurement>& measurements) {
 }
 
 ordered_json comparisonJson(const Comparison& comparison) {
-    return {{"layout", nameOf(comparison.layout)},
-            {"first", comparison.first},
-            {"second", comparison.second},
-            {"wipe", comparison.wipe},
-            {"amplification", comparison.amplification}};
+    ordered_json object{{"layout", nameOf(comparison.layout)},
+                        {"first", comparison.first},
+                        {"second", comparison.second},
+                        {"wipe", comparison.wipe},
+                        {"amplification", comparison.amplification}};
+    if (comparison.colours) object["colours"] = true;
+    return object;
 }
 
 ordered_json documentJson(const Document& document) {

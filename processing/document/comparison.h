@@ -27,6 +27,7 @@ struct Comparison {
     int first = 0, second = 1;   ///< the two panes of a difference or a wipe, as places among the panes; they differ
     double wipe = 0.5;           ///< [0, 1]: place of the wipe's line, as a share of the width
     double amplification = 4.0;  ///< [1, 32]: of differences in their picture
+    bool colours = false;  ///< whether panes are coloured by their shown depths (ShownSurface), but in a difference
     friend bool operator==(const Comparison&, const Comparison&) = default;
 };
 

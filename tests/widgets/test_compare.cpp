@@ -6,12 +6,20 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
+#include "processing/comparison/surface_picture.h"
 #include "tests/qt_program/test_classes.h"
+#include "tests/widgets/contrast.h"
+#include "widgets/compare/coloured_surfaces.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/compare_rows.h"
 #include "widgets/compare/difference_image.h"
+#include "widgets/compare/surface_legend.h"
+#include "widgets/surface_colours.h"
 
 using namespace echolucent;
 
@@ -21,6 +29,49 @@ QImage plain(const QColor& colour, const QSize& size = {30, 20}) {
     QImage image(size, QImage::Format_RGB888);
     image.fill(colour);
     return image;
+}
+
+using Primaries = std::array<double, 3>;
+
+/// Linear red, green and blue.
+Primaries linear(const QColor& colour) {
+    const auto one = [](double value) {
+        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return {one(colour.redF()), one(colour.greenF()), one(colour.blueF())};
+}
+
+/// CIE L*a*b* of the white point D65.
+Primaries labOf(const Primaries& rgb) {
+    const auto f = [](double value) { return value > 0.008856 ? std::cbrt(value) : 7.787 * value + 16.0 / 116; };
+    const double x = f((0.4124 * rgb[0] + 0.3576 * rgb[1] + 0.1805 * rgb[2]) / 0.9505),
+                 y = f(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]),
+                 z = f((0.0193 * rgb[0] + 0.1192 * rgb[1] + 0.9505 * rgb[2]) / 1.089);
+    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+/// The linear colours that an eye without one kind of cone sees as an eye with all sees them (Machado, Oliveira and
+/// Fernandes 2009, severity 1): without red, green, blue cones.
+constexpr std::array<std::array<Primaries, 3>, 3> missingCones{
+    {{{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}},
+     {{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}},
+     {{{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}}}};
+
+double apartWithout(const std::array<Primaries, 3>& cone, const QColor& one, const QColor& other) {
+    const auto seen = [&cone](const QColor& colour) {
+        const Primaries rgb = linear(colour);
+        Primaries made{};
+        for (std::size_t i = 0; i < 3; ++i)
+            made[i] = std::max(0.0, cone[i][0] * rgb[0] + cone[i][1] * rgb[1] + cone[i][2] * rgb[2]);
+        return labOf(made);
+    };
+    const Primaries a = seen(one), b = seen(other);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Whether the pattern of a shown depth has a line at a pixel.
+bool isDarker(ShownSurface shown, int column, int row) {
+    return QColor(surfaceShade(shown, 255, column, row)).value() < surfaceColour(shown).value();
 }
 
 }  // namespace
@@ -40,6 +91,73 @@ private slots:
         QVERIFY(differenceOf(plain(Qt::white), plain(Qt::black), 32).image.pixelColor(0, 0) == QColor(255, 255, 255));
         QVERIFY(differenceOf(one, plain(Qt::black, {3, 3}), 4).image.isNull());
         QVERIFY(differenceOf({}, {}, 4).image.isNull());
+    }
+
+    void surfacesAreColouredOverTheGreyPicture() {
+        QImage picture = plain({200, 120, 80}, {4, 2});
+        picture.setPixelColor(3, 0, Qt::black);
+        const std::vector<std::int32_t> rays{noRay, 0, 0, 1, 2, 3, 3, noRay};
+        const std::vector<ShownSurface> shown(allShownSurfaces.begin(), allShownSurfaces.end());
+        const QImage coloured = colouredSurfaces(picture, rays, shown);
+        const int grey = qGray(picture.pixel(0, 0));
+        QCOMPARE(coloured.pixel(0, 0), qRgb(grey, grey, grey));
+        QCOMPARE(coloured.pixel(1, 0), surfaceShade(ShownSurface::right, grey, 1, 0));
+        QCOMPARE(coloured.pixel(2, 0), surfaceShade(ShownSurface::right, grey, 2, 0));
+        QCOMPARE(coloured.pixel(3, 0), surfaceShade(ShownSurface::early, 0, 3, 0));
+        QCOMPARE(coloured.pixel(0, 1), surfaceShade(ShownSurface::late, grey, 0, 1));
+        QCOMPARE(coloured.pixel(2, 1), surfaceShade(ShownSurface::never, grey, 2, 1));
+        QCOMPARE(coloured.pixel(3, 1), qRgb(grey, grey, grey));
+        QVERIFY_THROWS_EXCEPTION(std::invalid_argument, (void)colouredSurfaces(plain(Qt::red), rays, shown));
+        // The patterns go on without a seam over a wide picture.
+        const QImage wide = plain(Qt::white, {64, 40});
+        const std::vector<std::int32_t> all(64 * 40, 1);
+        const QImage early = colouredSurfaces(wide, all, shown);
+        for (int row = 0; row < 40; ++row)
+            for (int column = 0; column < 64; ++column)
+                QCOMPARE(early.pixel(column, row), surfaceShade(ShownSurface::early, 255, column, row));
+    }
+
+    void theFourColoursAndPatternsDiffer() {
+        for (const ShownSurface one : allShownSurfaces) {
+            QVERIFY(contrast(surfaceColour(one), Qt::black) >= 3.0);
+            for (const ShownSurface other : allShownSurfaces) {
+                if (one == other) continue;
+                int alike = 0;  // pixels where both patterns have a line, or both have none
+                for (int row = 0; row < 12; ++row)
+                    for (int column = 0; column < 12; ++column)
+                        alike += isDarker(one, column, row) == isDarker(other, column, row) ? 1 : 0;
+                QVERIFY(alike < 130);
+                constexpr double plainlyApart = 20.0;  // of L*a*b*; 2.3 is just seen
+                for (const auto& cone : missingCones)
+                    QVERIFY(apartWithout(cone, surfaceColour(one), surfaceColour(other)) > plainlyApart);
+            }
+        }
+        QCOMPARE(wordOf(ShownSurface::never), QString("never"));
+    }
+
+    void theLegendSaysAllFourInOneLine() {
+        const SurfaceLegend legend = surfaceLegend(ShownDepth{.right = 5, .early = 3, .late = 0, .never = 0});
+        QCOMPARE(wordsOf(legend), QString("right 63 % · early 38 % · late 0 % · never 0 %"));
+        QCOMPARE(wordsOf(surfaceLegend({})), QString("right · early · late · never"));
+        const QImage picture = plain(Qt::white, {400, 50});
+        const QImage saved = withSurfaceLegend(picture, legend);
+        QCOMPARE(saved.copy(picture.rect()), picture.convertToFormat(saved.format()));
+        QVERIFY(saved.height() > picture.height() + 8);
+        for (const ShownSurface shown : allShownSurfaces) {
+            int found = 0;
+            for (int row = 50; row < saved.height(); ++row)
+                for (int column = 0; column < saved.width(); ++column)
+                    found += saved.pixelColor(column, row) == surfaceColour(shown) ? 1 : 0;
+            QVERIFY2(found > 10, qPrintable(wordOf(shown)));
+        }
+        // A pane shows it in the place of its numbers.
+        ComparePane pane(QStringLiteral("pane"));
+        pane.resize(460, 300);
+        pane.setFace({.name = "one", .numbers = wordsOf(legend)});
+        const QImage without = pane.grab().toImage();
+        pane.setFace({.name = "one", .numbers = wordsOf(legend), .legend = legend});
+        QVERIFY(pane.grab().toImage() != without);
+        QCOMPARE(pane.accessibleDescription(), wordsOf(legend));
     }
 
     void panesHaveOneSizeAndAllTheRoom_data() {

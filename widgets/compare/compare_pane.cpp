@@ -133,6 +133,7 @@ void ComparePane::paintCaption(QPainter& painter) const {
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(m_face.name, Qt::ElideRight, line.width()));
     const QRect below(padding + margin, line.y() + high, width() - 2 * (padding + margin), high);
+    if (!m_face.legend.empty()) return paintSurfaceLegend(painter, below, m_face.legend, coloursOverPictures().text);
     painter.setPen(coloursOverPictures().secondary);
     painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(m_face.numbers, Qt::ElideRight, below.width()));

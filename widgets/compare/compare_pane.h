@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "widgets/camera_gestures.h"
+#include "widgets/compare/surface_legend.h"
 
 namespace echolucent {
 
@@ -15,6 +16,7 @@ namespace echolucent {
 struct PaneFace {
     QString name;
     QString numbers{};
+    SurfaceLegend legend{};         ///< of a picture that is coloured; it stands in the place of the numbers
     std::optional<QColor> frame{};  ///< colour of the curve, if it has one of its own
     Qt::PenStyle frameStyle = Qt::SolidLine;
     friend bool operator==(const PaneFace&, const PaneFace&) = default;

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -19,6 +20,7 @@
 
 #include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/surface_colours.h"
 
 namespace echolucent {
 
@@ -188,6 +190,9 @@ QGroupBox* ComparePanel::createLayout() {
     connect(m_second, &QComboBox::activated, this, [this] { chooseComparison(tr("pair of panes")); });
     connect(m_amplification, &QDoubleSpinBox::valueChanged, this,
             [this] { chooseComparison(tr("amplification of the difference")); });
+    m_colours = named(new QCheckBox(tr("Colour by shown depth")), "compare.colours", tr("Colour by shown depth"),
+                      surfaceColoursSentence());
+    connect(m_colours, &QCheckBox::toggled, this, [this] { chooseComparison(tr("colours of the comparison")); });
     grid->addWidget(labelFor(m_layout, tr("Layout")), 0, 0);
     grid->addWidget(m_layout, 0, 1);
     grid->addWidget(labelFor(m_first, tr("First")), 1, 0);
@@ -196,6 +201,7 @@ QGroupBox* ComparePanel::createLayout() {
     grid->addWidget(m_second, 2, 1);
     grid->addWidget(labelFor(m_amplification, tr("Difference")), 3, 0);
     grid->addWidget(m_amplification, 3, 1);
+    grid->addWidget(m_colours, 4, 0, 1, 2);
     return group;
 }
 
@@ -289,6 +295,7 @@ void ComparePanel::chooseComparison(const QString& what) {
             next.first = m_comparison.second;
     }
     next.amplification = m_amplification->value();
+    next.colours = m_colours->isChecked();
     emit comparisonChosen(next, what);
 }
 
@@ -321,7 +328,8 @@ void ComparePanel::setMeasuringFlicker(bool measuring) {
 void ComparePanel::showAll() {
     const QSignalBlocker countBlocker(m_count);
     m_count->setValue(static_cast<int>(std::max(m_panes.size(), fewestPanes)));
-    const QSignalBlocker firstBlocker(m_first), secondBlocker(m_second), amplificationBlocker(m_amplification);
+    const QSignalBlocker firstBlocker(m_first), secondBlocker(m_second), amplificationBlocker(m_amplification),
+        coloursBlocker(m_colours);
     m_first->clear();
     m_second->clear();
     for (std::size_t i = 0; i < m_controls.size(); ++i) {
@@ -353,6 +361,9 @@ void ComparePanel::showAll() {
     m_first->setCurrentIndex(m_comparison.first);
     m_second->setCurrentIndex(m_comparison.second);
     m_amplification->setValue(m_comparison.amplification);
+    m_colours->setChecked(m_comparison.colours);
+    enableOrSayWhy(*m_colours, m_comparison.layout != ComparisonLayout::difference,
+                   tr("A difference has colours of its own."));
     const bool pair = m_comparison.layout != ComparisonLayout::sideBySide;
     for (QComboBox* one : {m_first, m_second})
         enableOrSayWhy(*one, pair, tr("The layout shows all panes side by side."));

@@ -10,6 +10,7 @@
 #include "widgets/compare/compare_rows.h"
 
 class QAction;
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QGroupBox;
@@ -26,8 +27,9 @@ namespace echolucent {
 [[nodiscard]] QString nameOfPane(const Pane& choice);
 
 /// Objects: compare (this), compare.switch, compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4,
-/// compare.motion2 … 4, compare.layout, compare.first, compare.second, compare.amplification, compare.table,
-/// compare.measureFlicker, compare.copyText, compare.copyCsv, compare.savePage, compare.note. No setter emits a signal.
+/// compare.motion2 … 4, compare.layout, compare.first, compare.second, compare.amplification, compare.colours,
+/// compare.table, compare.measureFlicker, compare.copyText, compare.copyCsv, compare.savePage, compare.note. No setter
+/// emits a signal.
 class ComparePanel : public QWidget {
     Q_OBJECT
 
@@ -49,7 +51,7 @@ public:
 signals:
     void countChosen(int count);
     void paneChosen(int place, const echolucent::Pane& choice);
-    /// Layout, pair or amplification.
+    /// Layout, pair, amplification or colours.
     void comparisonChosen(const echolucent::Comparison& comparison, const QString& what);
     void flickerRequested();
     void pageRequested();
@@ -86,6 +88,7 @@ private:
     QComboBox* m_first = nullptr;
     QComboBox* m_second = nullptr;
     QDoubleSpinBox* m_amplification = nullptr;
+    QCheckBox* m_colours = nullptr;
     QTableWidget* m_table = nullptr;
     QLabel* m_note = nullptr;
     QPushButton* m_flicker = nullptr;

@@ -168,6 +168,7 @@ void changeComparison(Document& document, const StudyBounds&, RandomChoice& choi
     }
     comparison.wipe = choice.between(0, 1);
     comparison.amplification = choice.between(leastAmplification, largestAmplification);
+    comparison.colours = choice.chance(0.5);
 }
 
 void changeDesigner(Document& document, const StudyBounds&, RandomChoice& choice) {

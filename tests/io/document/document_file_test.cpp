@@ -126,6 +126,15 @@ TEST(DocumentFile, AxesOfOlderProgramsKeepTheirViewsAndPlanesThatTurnNothingSayN
     EXPECT_FALSE(documentFromJson(changed(jsonOf(document), "/scene/planes/turns_view", 1)));
 }
 
+TEST(DocumentFile, OnlyComparisonsWithColoursSaySo) {
+    EXPECT_FALSE(nlohmann::ordered_json::parse(jsonOf(Document{}))["comparison"].contains("colours"));
+    EXPECT_FALSE(documentFromJson(jsonOf(unusualDocument())).value().comparison.colours);
+    Document document = unusualDocument();
+    document.comparison.colours = true;
+    EXPECT_TRUE(documentFromJson(jsonOf(document)).value() == document);
+    EXPECT_FALSE(documentFromJson(changed(jsonOf(document), "/comparison/colours", 1)));
+}
+
 TEST(DocumentFile, GoesToAFileAndBack) {
     const TemporaryFolder folder;
     const std::string path = folder.file("session.json");
