@@ -33,6 +33,7 @@ constexpr auto sidesTakenKey = "picture/sidesTaken";
 constexpr auto sidesShownKey = "picture/sidesShown";
 constexpr auto presetsOpenKey = "picture/presetsOpen";
 constexpr auto histogramKey = "otfEditor/histogramLogarithmic";
+constexpr auto earlyLightKey = "otfEditor/earlyLight";
 constexpr auto activeCurveKey = "otfEditor/activeCurve";
 // These hold JSON as documents have it (io/document/value_text.h).
 constexpr auto lookKey = "picture/look";
@@ -183,6 +184,8 @@ void Settings::setRenderer(RendererChoice renderer) { m_store.setValue(rendererK
 
 bool Settings::histogramLogarithmic() const { return boolOr(m_store.value(histogramKey), true); }
 void Settings::setHistogramLogarithmic(bool logarithmic) { m_store.setValue(histogramKey, logarithmic); }
+bool Settings::earlyLightShown() const { return boolOr(m_store.value(earlyLightKey), false); }
+void Settings::setEarlyLightShown(bool shown) { m_store.setValue(earlyLightKey, shown); }
 Theme Settings::theme() const { return choiceOr(m_store.value(themeKey), &themeFromName, Theme::dark); }
 void Settings::setTheme(Theme theme) { m_store.setValue(themeKey, textOf(nameOf(theme))); }
 Face Settings::face() const { return choiceOr(m_store.value(faceKey), &faceFromName, Face::review); }

@@ -70,6 +70,8 @@ public:
     void setRenderer(RendererChoice renderer);
     [[nodiscard]] bool histogramLogarithmic() const;  ///< [true]
     void setHistogramLogarithmic(bool logarithmic);
+    [[nodiscard]] bool earlyLightShown() const;  ///< [false]
+    void setEarlyLightShown(bool shown);
     [[nodiscard]] Theme theme() const;  ///< [dark]
     void setTheme(Theme theme);
     [[nodiscard]] Face face() const;  ///< [review]

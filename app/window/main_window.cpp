@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -13,6 +14,7 @@
 
 #include "app/compare/compare_room.h"
 #include "app/motion/movie_files.h"
+#include "app/otf/editor_early_light.h"
 #include "app/otf/editor_otfs.h"
 #include "app/otf/near_cut_finder.h"
 #include "app/picture/coming_study.h"
@@ -99,6 +101,7 @@ MainWindow::~MainWindow() {
     m_motionPlayer.disconnect(this);
     m_compare->disconnect(this);
     m_widgets.picture->disconnect(this);
+    m_earlyLight.reset();  // it asks the editor
     // The editor edits the document, which is destroyed before the window's children.
     delete m_widgets.editor;
 }
@@ -109,6 +112,11 @@ void MainWindow::createUnits() {
     m_view = std::make_unique<DocumentView>(m_document, m_openStudy, *m_panes, *m_widgets.picture);
     m_editorOtfs = std::make_unique<EditorOtfs>(
         EditorOtfs::Parts{m_document, *m_otfs, *m_panes, *m_widgets.editor, *m_widgets.designers, *m_widgets.messages});
+    m_earlyLight = std::make_unique<EditorEarlyLight>(
+        EditorEarlyLight::Parts{m_document, m_openStudy, m_works, *m_panes, *m_widgets.editor, *m_widgets.messages});
+    // A dock below another tab counts as visible, but nobody sees it.
+    connect(&dockOf(*m_widgets.editor), &QDockWidget::visibilityChanged, m_earlyLight.get(),
+            &EditorEarlyLight::setSeen);
     m_widgets.method->showDocument(m_document);
     m_pictureControls = std::make_unique<PictureControls>(
         PictureControls::Parts{m_document, m_openStudy, *m_widgets.picture, *m_widgets.controls, *m_widgets.editor,
@@ -323,6 +331,7 @@ void MainWindow::restoreSettings() {
     m_document.begin(document);
     if (auto* logarithmic = m_widgets.editor->findChild<QAbstractButton*>("otfEditor.histogramLog"))
         logarithmic->setChecked(m_settings.histogramLogarithmic());
+    m_widgets.editor->setShowsEarlyLight(m_settings.earlyLightShown());
     findChild<QAction*>("view.sides")->setChecked(m_settings.sidesShown());
     followStrip();
     if (const QByteArray geometry = m_settings.windowGeometry(); !geometry.isEmpty()) restoreGeometry(geometry);
@@ -339,6 +348,7 @@ void MainWindow::keepSettings() {
     m_settings.setMethod(m_document.document().method);
     m_settings.setActiveCurve(m_document.document().panes.at(firstPane).curve);
     m_settings.setHistogramLogarithmic(m_widgets.editor->canvas().histogramScale() == HistogramScale::logarithmic);
+    m_settings.setEarlyLightShown(m_widgets.editor->showsEarlyLight());
     m_compare->setShown(false);  // the next start begins without the comparison
     m_sideControls->remember();
     m_settings.setSidesShown(findChild<QAction*>("view.sides")->isChecked());

@@ -24,6 +24,7 @@ namespace echolucent {
 class ComingStudy;
 class CompareRoom;
 class CurveAndPictureFiles;
+class EditorEarlyLight;
 class EditorOtfs;
 class FullScreen;
 class HistoryControls;
@@ -147,6 +148,7 @@ private:
     std::unique_ptr<ShownPanes> m_panes;
     std::unique_ptr<DocumentView> m_view;
     std::unique_ptr<EditorOtfs> m_editorOtfs;
+    std::unique_ptr<EditorEarlyLight> m_earlyLight;
     std::unique_ptr<PictureControls> m_pictureControls;
     std::unique_ptr<StudySides> m_sides;
     std::unique_ptr<SideControls> m_sideControls;

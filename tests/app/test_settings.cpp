@@ -32,7 +32,7 @@ private slots:
         QVERIFY(settings.lastFolder().isEmpty());
         QVERIFY(settings.windowGeometry().isEmpty());
         QVERIFY(settings.windowState().isEmpty());
-        QVERIFY(settings.histogramLogarithmic() && settings.motion().pingPong);
+        QVERIFY(settings.histogramLogarithmic() && !settings.earlyLightShown() && settings.motion().pingPong);
         QCOMPARE(settings.look(), lookAtStart());
         QCOMPARE(settings.look().lighting, Lighting::depth);
         QCOMPARE(settings.renderer(), RendererChoice::automatic);
@@ -72,6 +72,7 @@ private slots:
             settings.setRenderer(RendererChoice::graphicsCard);
             settings.setTheme(Theme::light);
             settings.setHistogramLogarithmic(false);
+            settings.setEarlyLightShown(true);
             settings.setMotion(motion);
             settings.setActiveCurve(CurveKind::quartic);
             settings.setMethod(method);
@@ -84,6 +85,7 @@ private slots:
         QCOMPARE(settings.windowGeometry(), bytes);
         QCOMPARE(settings.windowState(), bytes + bytes);
         QVERIFY(!settings.histogramLogarithmic());
+        QVERIFY(settings.earlyLightShown());
         QCOMPARE(settings.lastSaveFolder(), "/else/where");
         QVERIFY(settings.motion() == motion);
         QCOMPARE(settings.activeCurve(), CurveKind::quartic);

@@ -16,6 +16,7 @@
 #include "widgets/otf_editor/plot_colours.h"
 #include "widgets/picture_labels/measurement_drawing.h"
 #include "widgets/planes/plane_colours.h"
+#include "widgets/surface_colours.h"
 #include "widgets/theme_colours.h"
 
 using namespace echolucent;
@@ -111,6 +112,7 @@ private slots:
                 QVERIFY2(ratio >= forLines, said(theme, "row " + QString::number(place), ratio).constData());
             }
             const PlotColours plot = plotColours(theme);
+            QVERIFY(contrast(earlyLightColour(theme), plot.background) >= forLines);
             for (const QColor& text : {plot.text, plot.secondary}) {
                 QVERIFY(contrast(text, plot.background) >= forTexts);
                 QVERIFY(contrast(text, plot.histogram) >= forTexts);

@@ -6,8 +6,10 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/controls/value_text.h"
+#include "widgets/otf_editor/early_light_bars.h"
 
 namespace echolucent {
 
@@ -23,9 +25,7 @@ constexpr double wheelNotch = 120.0;  // one notch: 15 degrees in Qt's unit, an 
 CurveCanvas::CurveCanvas(OtfEditorModel& model, QWidget* parent) : QWidget(parent), m_model(model) {
     setObjectName("otfEditor.canvas");
     setAccessibleName(tr("Opacity curves"));
-    setAccessibleDescription(
-        tr("Opacity over intensity. Tab goes from node to node, arrow keys move the selected one, "
-           "Delete removes it."));
+    setEarlyLight({});
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -43,6 +43,14 @@ void CurveCanvas::setHistogramScale(HistogramScale scale) {
     m_histogramScale = scale;
     m_histogramHeights = histogramHeights(m_histogram, m_histogramScale);
     update();
+}
+
+void CurveCanvas::setEarlyLight(const std::optional<EarlyLight>& light) {
+    const QString words = light ? QStringLiteral(" ") + wordsOf(*light) + QLatin1Char('.') : QString();
+    setAccessibleDescription(tr("Opacity over intensity. Tab goes from node to node, arrow keys move the selected one, "
+                                "Delete removes it.") +
+                             words);
+    if (std::exchange(m_earlyLight, light) != light) update();
 }
 
 void CurveCanvas::setValueWindow(const ValueWindow& window) {

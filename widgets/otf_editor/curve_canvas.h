@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "processing/comparison/early_light.h"
 #include "processing/intensity/histogram.h"
 #include "processing/volume/value_scale.h"
 #include "widgets/otf_editor/histogram_backdrop.h"
@@ -30,6 +31,9 @@ public:
     void setHistogram(const IntensityHistogram& histogram);
     void setHistogramScale(HistogramScale scale);
     [[nodiscard]] HistogramScale histogramScale() const { return m_histogramScale; }
+    /// Shows at which intensities light is held back early; no value shows none.
+    void setEarlyLight(const std::optional<EarlyLight>& light);
+    [[nodiscard]] const std::optional<EarlyLight>& earlyLight() const { return m_earlyLight; }
     /// The file's values at intensities 0 and 1, for the second row of numbers. If they are 0 and 1, there is no such
     /// row.
     void setValueWindow(const ValueWindow& window);
@@ -96,6 +100,7 @@ private:
     void paintAxes(QPainter& painter, const PlotColours& colors) const;
     void paintIntensityAxis(QPainter& painter, const PlotColours& colors) const;
     void paintOpacityAxis(QPainter& painter, const PlotColours& colors) const;
+    void paintLightHeldBack(QPainter& painter, const PlotColours& colors) const;
     void paintCurves(QPainter& painter, const PlotColours& colors) const;
     void paintCurve(QPainter& painter, CurveKind kind, const PlotColours& colors) const;
     void paintDesign(QPainter& painter, const PlotColours& colors) const;
@@ -108,6 +113,7 @@ private:
     IntensityHistogram m_histogram;
     std::array<double, 256> m_histogramHeights{};
     HistogramScale m_histogramScale = HistogramScale::logarithmic;
+    std::optional<EarlyLight> m_earlyLight;
     ValueWindow m_values{0.0, 255.0};
     PlotAxes m_axes;
     std::optional<double> m_cursorIntensity;

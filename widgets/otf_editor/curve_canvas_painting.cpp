@@ -6,6 +6,8 @@
 #include "widgets/controls/value_text.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/early_light_bars.h"
+#include "widgets/surface_colours.h"
 
 namespace echolucent {
 
@@ -34,9 +36,11 @@ void CurveCanvas::paintEvent(QPaintEvent*) {
     painter.save();
     painter.setClipRect(m_axes.rect);
     paintHistogram(painter, m_axes, m_histogramHeights, paints.histogram, paints.histogramOutline);
+    if (m_earlyLight) paintEarlyLight(painter, m_axes, *m_earlyLight, earlyLightColour(themeOf(palette())));
     painter.restore();
     paintAxes(painter, paints);
     paintCurves(painter, paints);
+    paintLightHeldBack(painter, paints);
     paintGuides(painter, paints);
     paintNodes(painter, paints);
     if (hasFocus()) {
@@ -101,6 +105,15 @@ void CurveCanvas::paintOpacityAxis(QPainter& painter, const PlotColours& colors)
     painter.setPen(colors.secondary);
     painter.drawText(QRectF(-plot.height() / 2, 0, plot.height(), rowHeight), Qt::AlignCenter, tr("opacity"));
     painter.restore();
+}
+
+void CurveCanvas::paintLightHeldBack(QPainter& painter, const PlotColours& colors) const {
+    if (!m_earlyLight) return;
+    const QString words = wordsOf(*m_earlyLight);
+    const QRectF place = painter.boundingRect(m_axes.rect.adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop, words);
+    painter.fillRect(place.adjusted(-3, -1, 3, 1), colors.background);  // curves pass below the words
+    painter.setPen(colors.text);
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignTop, words);
 }
 
 QPolygonF CurveCanvas::curvePolygon(CurveKind kind) const {

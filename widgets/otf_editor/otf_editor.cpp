@@ -154,6 +154,12 @@ QLayout* OtfEditor::makeToolRow() {
         m_canvas->setHistogramScale(on ? HistogramScale::logarithmic : HistogramScale::linear);
     });
     row->addWidget(logarithmic);
+    m_earlyLight = named(
+        new QCheckBox(tr("Early light")), "otfEditor.earlyLight", tr("Show the light that is held back early"),
+        tr("Bars show at which intensities light is held back more than 2 units before the surface: haze, or a wall. "
+           "They add up to the mean share of a ray's light. A bar as high as the plot is 10 % of it."));
+    connect(m_earlyLight, &QCheckBox::toggled, this, &OtfEditor::earlyLightSwitched);
+    row->addWidget(m_earlyLight);
     return row;
 }
 
@@ -266,6 +272,10 @@ QString OtfEditor::renderedName() const {
 }
 
 void OtfEditor::setHistogram(const IntensityHistogram& histogram) { m_canvas->setHistogram(histogram); }
+
+bool OtfEditor::showsEarlyLight() const { return m_earlyLight->isChecked(); }
+void OtfEditor::setShowsEarlyLight(bool shows) { m_earlyLight->setChecked(shows); }
+void OtfEditor::setEarlyLight(const std::optional<EarlyLight>& light) { m_canvas->setEarlyLight(light); }
 
 void OtfEditor::setValueWindow(const ValueWindow& window) {
     m_values = window;

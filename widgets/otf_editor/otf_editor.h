@@ -6,11 +6,13 @@
 #include <array>
 #include <optional>
 
+#include "processing/comparison/early_light.h"
 #include "processing/intensity/histogram.h"
 #include "processing/volume/value_scale.h"
 #include "widgets/otf_editor/otf_editor_model.h"
 #include "widgets/paced_words.h"
 
+class QCheckBox;
 class QLabel;
 class QMenu;
 class QStackedWidget;
@@ -44,6 +46,11 @@ public:
     /// While a motion plays, the table of the adaptive curve's numbers changes only as often as PacedWords says.
     void setPlaying(bool playing);
     void setHistogram(const IntensityHistogram& histogram);
+    /// Whether a person wants to see at which intensities light is held back early. Off at first.
+    [[nodiscard]] bool showsEarlyLight() const;
+    void setShowsEarlyLight(bool shows);
+    /// Shows it in the plot; no value shows none.
+    void setEarlyLight(const std::optional<EarlyLight>& light);
     /// The file's values at intensities 0 and 1, which stand beside intensities. If they are 0 and 1, they do not.
     void setValueWindow(const ValueWindow& window);
     /// Marks the intensity under the cursor in the 3D view. No value removes the mark.
@@ -73,6 +80,8 @@ public:
 signals:
     /// As OtfEditorModel::activeCurveChanged.
     void activeCurveChanged(const echolucent::OpacityCurve& curve);
+    /// showsEarlyLight() has changed.
+    void earlyLightSwitched();
     void openCurveRequested();
     /// The person wants to save the curve that is shown.
     void saveCurveRequested();
@@ -102,6 +111,7 @@ private:
     OtfEditorModel m_model;
     CurveCanvas* m_canvas = nullptr;
     NodeTable* m_nodeTable = nullptr;
+    QCheckBox* m_earlyLight = nullptr;
     QStackedWidget* m_pages = nullptr;
     QLabel* m_readout = nullptr;
     QLabel* m_adaptiveNote = nullptr;

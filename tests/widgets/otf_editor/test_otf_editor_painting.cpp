@@ -32,6 +32,7 @@ private slots:
     void hiddenCurveIsNotPainted();
     void activeCurveIsHeavier();
     void histogramIsPaintedBehind();
+    void earlyLightIsPaintedAtItsIntensities();
     void cursorIntensityIsMarked();
     void valuesOfAnyWindowAreNumbersThatMeanSomething();
 
@@ -146,6 +147,31 @@ void TestOtfEditorPainting::histogramIsPaintedBehind() {
     QCOMPARE(linear.pixelColor(above), logarithmic.pixelColor(above));
     const QPoint peak = pixelOf({200.5 / 256.0, 0.5});
     QVERIFY(linear.pixelColor(peak) != linear.pixelColor(above));
+}
+
+void TestOtfEditorPainting::earlyLightIsPaintedAtItsIntensities() {
+    for (const CurveKind kind : allCurveKinds) m_model->setVisible(kind, false);
+    const QImage without = picture();
+    EarlyLight light;
+    light.rays = light.early = 10;
+    light.held[20] = 0.04;  // from 0.3125 on, four tenths of the plot high
+    light.held[40] = 0.6;   // cut at the top
+    m_canvas->setEarlyLight(light);
+    const QImage with = picture();
+    const auto painted = [&](const CurveNode& value) {
+        return with.pixelColor(pixelOf(value)) != without.pixelColor(pixelOf(value));
+    };
+    QVERIFY(painted({20.5 / 64, 0.1}) && painted({20.5 / 64, 0.35}));
+    QVERIFY(!painted({20.5 / 64, 0.45}));
+    QVERIFY(!painted({19.4 / 64, 0.1}) && !painted({21.6 / 64, 0.1}));
+    QVERIFY(painted({40.5 / 64, 0.5}) && painted({40.5 / 64, 0.8}));
+    QVERIFY(m_canvas->accessibleDescription().contains("64 %"));
+    // The opacity axis may be zoomed: bars have a measure of their own.
+    m_canvas->setOpacityRange({0.0, 0.5});
+    QVERIFY(picture().pixelColor(pixelOf({20.5 / 64, 0.05})) != without.pixelColor(pixelOf({20.5 / 64, 0.05})));
+    m_canvas->resetZoom();
+    m_canvas->setEarlyLight({});
+    QVERIFY(picture() == without);
 }
 
 void TestOtfEditorPainting::cursorIntensityIsMarked() {
