@@ -6,7 +6,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr double half = 0.5;
+constexpr double halfOfTheLight = 0.5;
 
 template <typename Depth>
 auto& countOf(Depth& depth, ShownSurface shown) {
@@ -28,8 +28,8 @@ std::optional<double> shownSample(const RaySamples& ray, const OpacityTable& tab
         if (std::isnan(intensity)) continue;
         const double before = transmittance;
         transmittance *= 1.0 - table.at(intensity, ray.gradients.empty() ? 0.0 : ray.gradients[i]);
-        if (transmittance <= 1.0 - half)
-            return static_cast<double>(i) - 1.0 + (before - (1.0 - half)) / (before - transmittance);
+        if (transmittance <= 1.0 - halfOfTheLight)
+            return static_cast<double>(i) - 1.0 + (before - (1.0 - halfOfTheLight)) / (before - transmittance);
     }
     return std::nullopt;
 }
