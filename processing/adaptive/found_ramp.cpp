@@ -58,7 +58,8 @@ Shown rightnessOf(const AxisProfile& profile, const TriedRamps& tried) {
                 const float held = came * (1.0f - triedOpacities[o] * risen[r]);
                 const float comes = held > least ? held : least;
                 const float at = before + (came - half) / (came - comes);
-                depth[o][r] = (came > half) & (comes <= half) ? at : depth[o][r];
+                const bool crosses = (came > half) & (comes <= half);
+                depth[o][r] = crosses ? at : depth[o][r];
                 comesThrough[o][r] = comes;
             }
         }
