@@ -78,7 +78,14 @@ void ComparedViews::follow() {
     m_study = m_parts.openStudy.study();
     if (!m_waits) m_caster.request(m_asked);
     showFaces();
-    if (frameHasPanesAsked()) showPair();
+    if (frameHasPanesAsked()) {
+        // A layout may show the same frame with colours, or without.
+        if (std::exchange(m_colouredFor, comparison.layout) != comparison.layout) {
+            m_pair.reset();
+            colourImages();
+        }
+        showPair();
+    }
     emit followed();
 }
 

@@ -100,9 +100,10 @@ private:
     const Study* m_study = nullptr;  ///< of m_frame or of the newest request; compared by address only
     PictureRequest m_asked;          ///< the newest request; without panes if nothing is asked for
     std::shared_ptr<const CastPicture> m_frame;
-    std::vector<QImage> m_images;                                ///< of m_frame's panes
-    std::vector<QImage> m_shownImages;                           ///< the same, coloured if they are
-    std::vector<std::shared_ptr<const ColouredRays>> m_colours;  ///< by place
+    std::vector<QImage> m_images;                                   ///< of m_frame's panes
+    ComparisonLayout m_colouredFor = ComparisonLayout::sideBySide;  ///< of m_shownImages
+    std::vector<QImage> m_shownImages;                              ///< the same, coloured if they are
+    std::vector<std::shared_ptr<const ColouredRays>> m_colours;     ///< by place
     std::vector<CompareRow> m_rows;
     /// The sources of the picture of a pair.
     struct ShownPair {

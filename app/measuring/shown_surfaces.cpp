@@ -94,7 +94,7 @@ std::optional<double> percentOf(const ShownSurfaces& one, SurfaceKind kind, Show
 std::vector<std::string> shownSurfaceColumns() {
     std::vector<std::string> columns;
     for (const SurfaceKind kind : allSurfaceKinds)
-        for (const ShownSurface shown : allShownSurface)
+        for (const ShownSurface shown : allShownSurfaces)
             columns.push_back(nameOf(shown) + "_" + nameOf(kind) + "_percent");
     return columns;
 }
@@ -102,7 +102,7 @@ std::vector<std::string> shownSurfaceColumns() {
 std::vector<CsvCell> shownSurfaceCells(const ShownSurfaces& one) {
     std::vector<CsvCell> cells;
     for (const SurfaceKind kind : allSurfaceKinds)
-        for (const ShownSurface shown : allShownSurface) cells.emplace_back(percentOf(one, kind, shown));
+        for (const ShownSurface shown : allShownSurfaces) cells.emplace_back(percentOf(one, kind, shown));
     return cells;
 }
 
@@ -110,7 +110,7 @@ TextTable shownSurfaceTable(const std::vector<NamedSurfaces>& rows) {
     TextTable table{{"shown depth, %"}, {}};
     std::vector<std::pair<SurfaceKind, ShownSurface>> columns;
     for (const SurfaceKind kind : allSurfaceKinds)
-        for (const ShownSurface shown : allShownSurface) {
+        for (const ShownSurface shown : allShownSurfaces) {
             bool known = false;
             for (const NamedSurfaces& row : rows) known = known || percentOf(row.surfaces, kind, shown);
             if (!known) continue;

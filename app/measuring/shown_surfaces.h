@@ -9,6 +9,7 @@
 
 #include "app/measuring/study_output.h"
 #include "processing/comparison/classification_measures.h"
+#include "processing/comparison/shown_depth.h"
 #include "processing/phantom/phantom.h"
 
 namespace echolucent::cli {
@@ -37,14 +38,12 @@ inline constexpr std::array allSurfaceKinds{SurfaceKind::objects, SurfaceKind::w
                                             SurfaceKind::tubeCores};
 /// "objects", "walls", "all", "tube_cores".
 [[nodiscard]] std::string nameOf(SurfaceKind kind);
-inline constexpr std::array allShownSurface{ShownSurface::right, ShownSurface::early, ShownSurface::late,
-                                            ShownSurface::never};
 /// "right", "early", "late", "never".
 [[nodiscard]] std::string nameOf(ShownSurface shown);
 /// The share of the surfaces of a kind, percent; no value if there is no such surface, or no truth.
 [[nodiscard]] std::optional<double> percentOf(const ShownSurfaces& one, SurfaceKind kind, ShownSurface shown);
 
-/// The names of the columns of a CSV: right_objects_percent and so on, by kind, each in the order of allShownSurface.
+/// The names of the columns of a CSV: right_objects_percent and so on, by kind, each in the order of allShownSurfaces.
 [[nodiscard]] std::vector<std::string> shownSurfaceColumns();
 /// The cells under these.
 [[nodiscard]] std::vector<CsvCell> shownSurfaceCells(const ShownSurfaces& one);

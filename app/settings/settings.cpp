@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "io/document/value_text.h"
 #include "processing/adaptive/method_parameters.h"
+#include "processing/adaptive/method_reading.h"
 #include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
@@ -272,10 +274,15 @@ void Settings::setActiveCurve(CurveKind kind) { m_store.setValue(activeCurveKey,
 MethodChoice Settings::method() const {
     if (m_store.contains(methodKey)) return methodFromText(m_store.value(methodKey).toString().toStdString());
     MethodChoice method;
+    // Keys of 0.1 mean the curve of that version.
+    const bool of01 = std::ranges::any_of(methodParameters(),
+                                          [&](const auto& row) { return m_store.contains(keyOf01("method", row)); });
+    if (of01) method.config = configOf(MethodReading::firstVersion);
+    const AdaptiveOtfConfig standard = method.config;
     takeKeysOf01(m_store, "method", initialFunctionParameters(), method);
     takeKeysOf01(m_store, "method", methodParameters(), method.config);
     method.config.initial = AdaptiveOtfConfig{}.initial;
-    if (!problemOf(method.config).empty()) method.config = AdaptiveOtfConfig{};
+    if (!problemOf(method.config).empty()) method.config = standard;
     return method;
 }
 void Settings::setMethod(const MethodChoice& method) {

@@ -5,6 +5,7 @@
 #include "io/document/document_parts.h"
 #include "io/json/json_document.h"
 #include "processing/adaptive/method_parameters.h"
+#include "processing/adaptive/method_reading.h"
 
 namespace echolucent {
 
@@ -39,6 +40,18 @@ std::optional<MotionChoice> motionOf(const json& object) {
 
 }  // namespace
 
+namespace {
+
+/// The config that the rows of a method's text change. Texts from before the aim hold none, and mean the curve of
+/// bright surfaces.
+AdaptiveOtfConfig configWithoutParameters(const json& method) {
+    const auto parameters = method.find("parameters");
+    const bool before = parameters != method.end() && parameters->is_object() && !parameters->contains("aim");
+    return configOf(before ? MethodReading::firstVersion : MethodReading::standard);
+}
+
+}  // namespace
+
 std::string textOf(const Look& look) { return lookJson(look).dump(); }
 std::string textOf(const MethodChoice& method) { return methodJson(method).dump(); }
 std::string textOf(const MotionChoice& motion) { return motionJson(motion).dump(); }
@@ -53,10 +66,12 @@ MethodChoice methodFromText(std::string_view text) {
     const json object = objectIn(text);
     MethodChoice method;
     takeRows(object, initialFunctionParameters(), method);
+    const AdaptiveOtfConfig standard = configWithoutParameters(object);
+    method.config = standard;
     if (const auto parameters = object.find("parameters"); parameters != object.end() && parameters->is_object())
         takeRows(*parameters, methodParameters(), method.config);
     method.config.initial = AdaptiveOtfConfig{}.initial;
-    if (!problemOf(method.config).empty()) method.config = AdaptiveOtfConfig{};
+    if (!problemOf(method.config).empty()) method.config = standard;
     return method;
 }
 

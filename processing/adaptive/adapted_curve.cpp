@@ -12,12 +12,12 @@ namespace echolucent {
 namespace {
 
 AdaptedCurve byRule(const ProductRule& /*rule*/, const OpacityCurve& initial, std::span<const TubeCore> tubes,
-                    int count, const std::optional<FoundRamp>& /*everySurface*/) {
+                    int count, const std::optional<FoundRamp>& /*everyWall*/) {
     return {adaptedLogOpacity(initial, tubes, count), {}, 1.0};
 }
 
 AdaptedCurve byRule(const RampRule& rule, const OpacityCurve& initial, std::span<const TubeCore> tubes, int count,
-                    const std::optional<FoundRamp>& everySurface) {
+                    const std::optional<FoundRamp>& everyWall) {
     AdaptedCurve adapted{meanRamp(tubes, rule, count), {}, 0.0};
     std::vector<double>& curve = adapted.logOpacity;
     const double needed = rule.trustedShare * tubesMeetingVolume(tubes);
@@ -25,7 +25,7 @@ AdaptedCurve byRule(const RampRule& rule, const OpacityCurve& initial, std::span
     curve.resize(static_cast<std::size_t>(count), 0.0);
     for (std::size_t i = 0; i < curve.size(); ++i) {
         const double x = static_cast<double>(i) / (count - 1);
-        if (everySurface) curve[i] = (1.0 - rule.aim) * curve[i] + rule.aim * opacityAt(*everySurface, x);
+        if (everyWall) curve[i] = (1.0 - rule.aim) * curve[i] + rule.aim * opacityAt(*everyWall, x);
         if (adapted.trust == 0.0)
             curve[i] = logOpacityAt(initial, x);
         else
@@ -37,15 +37,15 @@ AdaptedCurve byRule(const RampRule& rule, const OpacityCurve& initial, std::span
 
 }  // namespace
 
-bool asksForEverySurface(const CurveRule& rule) {
+bool asksForEveryWall(const CurveRule& rule) {
     const auto* ramp = std::get_if<RampRule>(&rule);
     return ramp != nullptr && ramp->aim > 0.0;
 }
 
 AdaptedCurve adaptedCurve(const CurveRule& rule, const OpacityCurve& initial, std::span<const TubeCore> tubes,
-                          int count, const std::optional<FoundRamp>& everySurface) {
+                          int count, const std::optional<FoundRamp>& everyWall) {
     AdaptedCurve adapted =
-        std::visit([&](const auto& one) { return byRule(one, initial, tubes, count, everySurface); }, rule);
+        std::visit([&](const auto& one) { return byRule(one, initial, tubes, count, everyWall); }, rule);
     adapted.curve = curveFromLogOpacity(adapted.logOpacity);
     // Without a weight, take the initial function itself: the way over its logarithm would round it.
     if (tubesWithWeight(tubes) == 0) adapted.curve.opacities = sampledOpacities(initial, count);

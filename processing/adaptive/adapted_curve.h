@@ -20,13 +20,13 @@ struct AdaptedCurve {
 };
 
 /// The curve at `count` (>= 2) intensities. If no tube core has a weight, the curve is the initial function, clamped to
-/// [0,1]. With RampRule and some trust, the initial function is clamped before it is mixed in. `everySurface` is the
-/// ramp of rampForEverySurface(), which RampRule::aim mixes in; empty if the rule asks for none
-/// (asksForEverySurface()).
+/// [0,1]. With RampRule and some trust, the initial function is clamped before it is mixed in. `everyWall` is the
+/// ramp of rampForEveryWall(), which RampRule::aim mixes in; empty if the rule asks for none
+/// (asksForEveryWall()).
 [[nodiscard]] AdaptedCurve adaptedCurve(const CurveRule& rule, const OpacityCurve& initial,
                                         std::span<const TubeCore> tubes, int count,
-                                        const std::optional<FoundRamp>& everySurface = {});
-/// Whether the rule mixes in the ramp of rampForEverySurface().
-[[nodiscard]] bool asksForEverySurface(const CurveRule& rule);
+                                        const std::optional<FoundRamp>& everyWall = {});
+/// Whether the rule mixes in the ramp of rampForEveryWall().
+[[nodiscard]] bool asksForEveryWall(const CurveRule& rule);
 
 }  // namespace echolucent

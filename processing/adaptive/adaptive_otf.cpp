@@ -51,11 +51,11 @@ TubeCore tubeCoreOf(const TubeAxis& axis, const TubeSamples& samples, const Cell
 
 /// The curve that the rule makes of tube cores in the voxels `shown`.
 AdaptedCurve curveOf(const CurveRule& rule, const Volume& shown, std::span<const TubeSamples> samples,
-                     std::span<const TubeCore> tubes, AdaptiveOtf& otf) {
+                     std::span<const TubeCore> tubes, AdaptiveOtf& otf, const Progress& progress) {
     const AdaptiveOtfConfig& config = otf.config;
-    if (asksForEverySurface(rule))
-        otf.everySurface = rampForEverySurface(axisProfiles(shown, samples, tubes, config.cells.size), tubes);
-    return adaptedCurve(rule, config.initial, tubes, AdaptiveOtf::sampleCount, otf.everySurface);
+    if (asksForEveryWall(rule))
+        otf.everyWall = rampForEveryWall(axisProfiles(shown, samples, tubes, config.cells, progress), tubes);
+    return adaptedCurve(rule, config.initial, tubes, AdaptiveOtf::sampleCount, otf.everyWall);
 }
 
 /// The curve for the shown voxels; empty if the work was cancelled.
@@ -63,7 +63,7 @@ std::optional<AdaptedCurve> curveFor(const Volume& volume, const QuietVoxels& sh
                                      std::span<const TubeSamples> samples, AdaptiveOtf& otf, const Progress& progress) {
     const AdaptiveOtfConfig& config = otf.config;
     if (otf.reduction == SpeckleReduction::off || otf.tubesWithWeight == 0)
-        return curveOf(config.curve, volume, samples, otf.tubes, otf);
+        return curveOf(config.curve, volume, samples, otf.tubes, otf, progress);
     // The surfaces were found with the mask of `volume`, and the shown voxels may have another one. So read them with
     // the mask of `volume`.
     const auto& mask = volume.dataMask();
@@ -73,7 +73,7 @@ std::optional<AdaptedCurve> curveFor(const Volume& volume, const QuietVoxels& sh
     otf.speckleLeft = quiet->speckleLeft;
     for (const TubeCore& tube : quiet->tubes)
         otf.quiet.push_back({tube.lowIntensity, tube.highIntensity, tube.fluidSpread});
-    return curveOf(quiet->curve, masked, samples, quiet->tubes, otf);
+    return curveOf(quiet->curve, masked, samples, quiet->tubes, otf, progress);
 }
 
 /// Why the curve is the initial function, as a sentence; empty if it is not.
@@ -193,7 +193,7 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     begun->logOpacity = std::move(otf->logOpacity);
     begun->curve = std::move(otf->curve);
     begun->trust = otf->trust;
-    begun->everySurface = otf->everySurface;
+    begun->everyWall = otf->everyWall;
     begun->fluidIntensity = otf->fluidIntensity;
     begun->message =
         "No surface stands behind fluid: where the data begin is taken for the surface, and the initial function is "

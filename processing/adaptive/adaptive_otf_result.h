@@ -59,9 +59,9 @@ struct AdaptiveOtf {
     std::vector<QuietInterface> quiet{};
     /// With RampRule::aim above 0: the ramp that shows every surface found, in the voxels for which the curve is meant.
     /// Empty if no tube core has a weight, or if surfacesWhereDataBegin.
-    std::optional<FoundRamp> everySurface{};
+    std::optional<FoundRamp> everyWall{};
     double trust = 1.0;  ///< [0,1]; with RampRule the curve is trust * RampRule::opacity * ((1 - aim) * mean ramp + aim
-                         ///< * everySurface) + (1 - trust) * initial function; 1 with ProductRule
+                         ///< * everyWall) + (1 - trust) * initial function; 1 with ProductRule
     /// sampleCount values: ln of the curve before the clamp to 1. With ProductRule: ln initial(x) + sum over the tubes
     /// of ln(1+d) g(x).
     std::vector<double> logOpacity;

@@ -95,12 +95,12 @@ double opacityAt(const FoundRamp& ramp, double intensity) {
 }
 
 std::vector<AxisProfile> axisProfiles(const Volume& shown, std::span<const TubeSamples> samples,
-                                      std::span<const TubeCore> tubes, int cellSize) {
+                                      std::span<const TubeCore> tubes, const CellRule& rule, const Progress& progress) {
     std::vector<AxisProfile> profiles;
     std::vector<TubeSamples> axes;
     for (std::size_t t = 0; t < tubes.size(); ++t) {
         if (!(tubes[t].d > 0.0)) continue;
-        profiles.push_back({{}, tubes[t].surfaceCell + (cellSize - 1) / 2.0});
+        profiles.push_back({{}, tubes[t].surfaceCell + (rule.size - 1) / 2.0});
         // A tube core one sample wide. Its samples may lie between voxels, if the cells are even.
         axes.push_back(samples[t]);
         axes.back().cellSize = 1;
@@ -108,9 +108,10 @@ std::vector<AxisProfile> axisProfiles(const Volume& shown, std::span<const TubeS
         const int wanted = static_cast<int>(std::ceil(profiles.back().surface + missedUnits)) + 1;
         axes.back().slabs = std::min(axes.back().slabs, wanted);
     }
-    const bool fast = canMeanSlabs(shown);
+    const bool fast = rule.precision == Precision::single32 && canMeanSlabs(shown);
     constexpr std::size_t atOnce = 8;
     parallelFor(LoopRange<std::size_t>(0, axes.size(), atOnce), [&](const auto& some) {
+        if (progress.cancelled()) return;
         const auto of = std::span(axes).subspan(some.begin(), some.end() - some.begin());
         if (fast) {
             std::vector<SlabMeans> means(of.size());
@@ -147,7 +148,7 @@ double shownRight(std::span<const AxisProfile> profiles, const FoundRamp& ramp) 
     return sum / static_cast<double>(profiles.size());
 }
 
-std::optional<FoundRamp> rampForEverySurface(std::span<const AxisProfile> profiles, std::span<const TubeCore> tubes) {
+std::optional<FoundRamp> rampForEveryWall(std::span<const AxisProfile> profiles, std::span<const TubeCore> tubes) {
     double low = 0.0, high = 0.0, spread = 0.0;
     int count = 0;
     for (const TubeCore& tube : tubes) {

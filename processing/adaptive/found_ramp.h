@@ -26,9 +26,10 @@ struct AxisProfile {
     double surface = 0.0;            ///< of the surface, samples behind the first; may lie between two samples
 };
 /// The profiles of all tube cores with a weight, in their order, trilinear in the shown voxels. `samples` are those
-/// that the tube cores were read with.
+/// that the tube cores were read with. If the work is cancelled, some profiles stay empty.
 [[nodiscard]] std::vector<AxisProfile> axisProfiles(const Volume& shown, std::span<const TubeSamples> samples,
-                                                    std::span<const TubeCore> tubes, int cellSize);
+                                                    std::span<const TubeCore> tubes, const CellRule& rule,
+                                                    const Progress& progress = {});
 
 /// How right a ramp shows the surfaces of profiles, [0,1]: the mean over the profiles of 1 if half of the light is held
 /// back (shownSample() in processing/comparison/shown_depth.h) at most 2 units from the surface. That falls to 0 at 3
@@ -43,7 +44,7 @@ inline constexpr double missedUnits = 6.0;
 /// (docs/experiments.md, "The aim"). I_L, I_H and the spread are means over the tube cores with a weight, each counted
 /// once, because each surface is to be shown. Empty if no tube core has a weight. The bits are the same for any number
 /// of threads.
-[[nodiscard]] std::optional<FoundRamp> rampForEverySurface(std::span<const AxisProfile> profiles,
-                                                           std::span<const TubeCore> tubes);
+[[nodiscard]] std::optional<FoundRamp> rampForEveryWall(std::span<const AxisProfile> profiles,
+                                                        std::span<const TubeCore> tubes);
 
 }  // namespace echolucent

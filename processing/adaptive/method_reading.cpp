@@ -59,9 +59,6 @@ std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config) {
         AdaptiveOtfConfig known = configOf(reading);
         known.grid = config.grid;
         known.initial = config.initial;
-        const auto* aimed = std::get_if<RampRule>(&config.curve);
-        if (reading == MethodReading::standard && aimed != nullptr && aimed->aim > 0.0)
-            std::get<RampRule>(known.curve).aim = aimed->aim;
         if (known == config) return reading;
     }
     return std::nullopt;

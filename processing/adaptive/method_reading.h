@@ -21,7 +21,7 @@ enum class MethodReading {
 /// The config of a reading; `standard` is AdaptiveOtfConfig{}.
 [[nodiscard]] AdaptiveOtfConfig configOf(MethodReading reading);
 /// The reading that a config is; empty if it is none. Tube grid and initial function belong to no reading and may
-/// differ. An aim above 0 belongs to none either: `standard` with any such aim is `standard`.
+/// differ.
 [[nodiscard]] std::optional<MethodReading> readingOf(const AdaptiveOtfConfig& config);
 
 }  // namespace echolucent

@@ -113,6 +113,8 @@ std::optional<SpacedSurfaces> spacedSurfaces(const Volume& raw, const Viewpoint&
     config.grid = {.columns = measuredTubesAcross, .rows = measuredTubesAcross};
     const auto otf = adaptOpacity(raw, view, config, progress);
     if (!otf) return std::nullopt;
+    // Where the data begin is no surface that anybody wants to see.
+    if (otf->surfacesWhereDataBegin) return SpacedSurfaces{};
     return SpacedSurfaces{tubeCoreRays(raw.geometry(), *otf), otf->tubeSpacingUnits};
 }
 

@@ -36,10 +36,10 @@ std::vector<DesignFact> adaptiveFacts(const AdaptiveOtf& otf) {
     } else {
         add("trust", "Share of the curve that is the tube cores'", otf.trust, "share");
         add("aim", "Aim: bright surfaces (0) to every wall (1)", std::get<RampRule>(otf.config.curve).aim, "share");
-        if (otf.everySurface) {
-            add("every_wall_begin", "Ramp for every wall: clear up to", otf.everySurface->begin);
-            add("every_wall_end", "Ramp for every wall: full from", otf.everySurface->end);
-            add("every_wall_opacity", "Ramp for every wall: opacity per unit", otf.everySurface->opacity);
+        if (otf.everyWall) {
+            add("every_wall_begin", "Ramp for every wall: clear up to", otf.everyWall->begin);
+            add("every_wall_end", "Ramp for every wall: full from", otf.everyWall->end);
+            add("every_wall_opacity", "Ramp for every wall: opacity per unit", otf.everyWall->opacity);
         }
     }
     if (otf.reduction != SpeckleReduction::off && otf.speckleLeft)

@@ -36,13 +36,13 @@ std::string rampSentence(const AdaptiveOtf& otf, const RampRule& ramp) {
     text +=
         atSurface < 1.0 ? ": at its own surface it has risen to " + wholePercentInWords(atSurface) + " at most." : ".";
     if (ramp.opacity < 1.0) text += " Full is an opacity of " + hundredthsInWords(ramp.opacity) + " per unit.";
-    if (otf.everySurface)
+    if (otf.everyWall)
         text += " An aim of " + hundredthsInWords(ramp.aim) + " mixes " + wholePercentInWords(1.0 - ramp.aim) +
                 " of this mean with " + wholePercentInWords(ramp.aim) +
                 " of the ramp that shows every surface found at its place: clear up to " +
-                hundredthsInWords(otf.everySurface->begin) + ", with an opacity of " +
-                hundredthsInWords(ramp.opacity * otf.everySurface->opacity) + " per unit from " +
-                hundredthsInWords(otf.everySurface->end) + " on.";
+                hundredthsInWords(otf.everyWall->begin) + ", with an opacity of " +
+                hundredthsInWords(ramp.opacity * otf.everyWall->opacity) + " per unit from " +
+                hundredthsInWords(otf.everyWall->end) + " on.";
     if (otf.trust < 1.0)
         text += " As few tube cores found a surface, " + wholePercentInWords(1.0 - otf.trust) +
                 " of the curve is the initial function.";

@@ -196,7 +196,26 @@ private slots:
         method.initialScale = 0.5;
         method.config.grid.columns = 11;
         method.config.detection = VarianceRule{.significance = 0.3};
+        std::get<RampRule>(method.config.curve).aim = 0.0;  // written before there was an aim
         QVERIFY(settings.method() == method);
+    }
+
+    void aMethodFromBeforeTheAimKeepsItsCurve() {
+        MethodChoice method;
+        std::get<RampRule>(method.config.curve) = {.opacity = 0.5, .aim = 0.0};
+        {
+            QFile file(store());
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("[method]\nform=ramp\nrampOpacity=0.5\n");
+        }
+        QVERIFY(Settings(store()).method() == method);
+        QSettings written(store(), QSettings::IniFormat);
+        written.clear();
+        written.setValue("method/choice", R"({"parameters": {"form": "ramp", "ramp_opacity": 0.5}})");
+        written.sync();
+        QVERIFY(Settings(store()).method() == method);
+        QVERIFY(QFile::remove(store()));
+        QVERIFY(Settings(store()).method() == MethodChoice{});
     }
 
     void recentFilesAreNewestFirstWithoutDoubles() {

@@ -168,7 +168,7 @@ private slots:
         QCOMPARE(aim(), 1.0);
         waitUntilIdle();
         QVERIFY(window().otfs().adaptive()->curve != before->curve);
-        QVERIFY(window().otfs().adaptive()->everySurface == before->everySurface);
+        QVERIFY(window().otfs().adaptive()->everyWall == before->everyWall);
         while (aim() != 0.5) window().document().steps().undo();
         QCOMPARE(number->text(), "50 %");
         waitUntilIdle();

@@ -88,7 +88,7 @@ Json methodParametersJson(const AdaptiveOtf& otf, const OtfContext& context) {
     all["least_contrast"] = maybe(otf.leastContrast);
     all["fluid_intensity"] = maybe(otf.fluidIntensity);
     all["trust"] = otf.trust;
-    if (asksForEverySurface(config.curve)) all["every_surface"] = foundRampJson(otf.everySurface);
+    if (asksForEveryWall(config.curve)) all["every_wall"] = foundRampJson(otf.everyWall);
     all["surfaces_where_data_begin"] = otf.surfacesWhereDataBegin;
     all["lengths_halved"] = otf.lengthsHalved;
     const CurveRule used = quieterRule(config.curve, otf.speckleLeft.value_or(1.0));

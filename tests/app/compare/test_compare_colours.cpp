@@ -142,11 +142,20 @@ private slots:
     }
 
     void aWipeIsColouredAndADifferenceIsNot() {
+        choose(child<QComboBox>("compare.layout"), static_cast<int>(ComparisonLayout::difference));
+        waitForFrame();
+        const QImage difference = grid().pair().image();
+        const QString numbers = grid().pair().face().numbers;
+        choose(child<QComboBox>("compare.layout"), static_cast<int>(ComparisonLayout::wipe));
+        waitForFrame();
         click("compare.colours");
         QTRY_VERIFY(views().coloured());
+        const QImage wiped = grid().pair().image();
         choose(child<QComboBox>("compare.layout"), static_cast<int>(ComparisonLayout::difference));
         waitForFrame();
         QVERIFY(!views().coloured());
+        QVERIFY2(grid().pair().image() == difference, "a difference is that of plain pictures");
+        QCOMPARE(grid().pair().face().numbers, numbers);
         QVERIFY(!child<QCheckBox>("compare.colours")->isEnabled());
         QVERIFY(grid().pair().face().legend.empty());
         choose(child<QComboBox>("compare.layout"), static_cast<int>(ComparisonLayout::wipe));
@@ -154,6 +163,7 @@ private slots:
         QVERIFY(views().coloured());
         QVERIFY(child<QCheckBox>("compare.colours")->isEnabled());
         QVERIFY(grid().pair().image() == images()[0]);
+        QVERIFY2(grid().pair().image() == wiped, "and a wipe is coloured again");
         QCOMPARE(grid().pair().face().legend, surfaceLegend({}));
     }
 

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "processing/adaptive/method_reading.h"
+
 namespace echolucent {
 namespace {
 
@@ -38,8 +40,11 @@ TEST(ValueText, WhatMakesNoSenseGivesTheDefault) {
         EXPECT_EQ(motionFromText(text), MotionChoice{}) << text;
     }
     for (const char* text : {R"({"parameters": 7})", R"({"initial": 2, "initial_scale": -1})",
-                             R"({"parameters": {"significance": 0.3, "cell_size": "5"}})"})
+                             R"({"parameters": {"significance": 0.3, "cell_size": "5", "aim": 2}})"})
         EXPECT_EQ(methodFromText(text), MethodChoice{}) << text;
+    // Parameters from before the aim mean the curve of that version.
+    EXPECT_EQ(methodFromText(R"({"parameters": {"significance": 0.3, "cell_size": "5"}})").config,
+              configOf(MethodReading::firstVersion));
 }
 
 TEST(ValueText, ARowThatMakesNoSenseLeavesItsNeighboursAlone) {
@@ -54,7 +59,7 @@ TEST(ValueText, ARowThatMakesNoSenseLeavesItsNeighboursAlone) {
     method.config.detection = VarianceRule{.coarsestScale = 6};
     const char* choice =
         R"({"initial": "linear", "initial_scale": -1, "parameters": {"cell_size": 99, "tube_columns": 11,
-        "interface_function": "variance", "coarsest_scale": 6, "false_alarm": 3, "form": "cubic"}})";
+        "interface_function": "variance", "coarsest_scale": 6, "false_alarm": 3, "form": "cubic", "aim": 0.5}})";
     EXPECT_EQ(methodFromText(choice), method);
 
     std::string motion = textOf(MotionChoice{.axis = MotionAxis::x, .pingPong = false, .speed = 2.0});
@@ -66,7 +71,7 @@ TEST(ValueText, OfRowsThatCannotBeTogetherTheConfigIsTheDefault) {
     MethodChoice method;
     method.initial = InitialKind::quartic;
     EXPECT_EQ(methodFromText(R"({"initial": "quartic", "parameters": {"interface_function": "variance",
-        "coarsest_scale": 3, "finest_scale": 5, "tube_columns": 11}})"),
+        "coarsest_scale": 3, "finest_scale": 5, "tube_columns": 11, "aim": 0.5}})"),
               method);
 }
 

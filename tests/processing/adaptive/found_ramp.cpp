@@ -62,7 +62,7 @@ TEST(ShownRight, AgreesWithTheMeasureOfComparedPictures) {
     const AdaptiveOtf otf = *adaptOpacity(volume, {}, all);
     const auto samples =
         samplesOf(tubeAxes(volume.geometry(), {}, all.grid, all.cells.size), volume.geometry(), {}, all.cells.size);
-    const auto profiles = axisProfiles(volume, samples, otf.tubes, all.cells.size);
+    const auto profiles = axisProfiles(volume, samples, otf.tubes, all.cells);
     ASSERT_GT(profiles.size(), 50u);
     for (const FoundRamp& ramp : {FoundRamp{0.15, 0.3, 0.6}, FoundRamp{0.05, 0.5, 0.3}, FoundRamp{0.3, 0.4, 1.0}}) {
         const OpacityCurve curve = ManualCurve{{{ramp.begin, 0.0}, {ramp.end, ramp.opacity}, {1.0, ramp.opacity}}};
@@ -96,7 +96,7 @@ TubeCore tubeOf(double low, double high, double d) {
     return tube;
 }
 
-TEST(RampForEverySurface, IsTheMeanOfAllRampsTriedByHowRightTheyShow) {
+TEST(RampForEveryWall, IsTheMeanOfAllRampsTriedByHowRightTheyShow) {
     std::vector<AxisProfile> profiles;
     for (int i = 0; i < 40; ++i) {
         AxisProfile profile =
@@ -120,17 +120,17 @@ TEST(RampForEverySurface, IsTheMeanOfAllRampsTriedByHowRightTheyShow) {
             begin += weight * from;
             logOpacity += weight * std::log(opacity);
         }
-    const FoundRamp ramp = rampForEverySurface(profiles, tubes).value();
+    const FoundRamp ramp = rampForEveryWall(profiles, tubes).value();
     EXPECT_NEAR(ramp.begin, begin / sum, 1e-5);
     EXPECT_NEAR(ramp.end - ramp.begin, 0.5 * rise, 1e-12);
     EXPECT_NEAR(ramp.opacity, std::exp(logOpacity / sum), 1e-5);
     for (TubeCore& tube : tubes) tube.fluidSpread.reset();  // detection by variance measures none
-    EXPECT_LT(rampForEverySurface(profiles, tubes).value().begin, ramp.begin);
-    EXPECT_FALSE(rampForEverySurface({}, tubes));
-    EXPECT_FALSE(rampForEverySurface(profiles, std::vector<TubeCore>{tubeOf(0.9, 0.95, 0.0)}));
+    EXPECT_LT(rampForEveryWall(profiles, tubes).value().begin, ramp.begin);
+    EXPECT_FALSE(rampForEveryWall({}, tubes));
+    EXPECT_FALSE(rampForEveryWall(profiles, std::vector<TubeCore>{tubeOf(0.9, 0.95, 0.0)}));
 }
 
-TEST(RampForEverySurface, OfExtremeProfilesIsARamp) {
+TEST(RampForEveryWall, OfExtremeProfilesIsARamp) {
     const std::vector<AxisProfile> extremes{wallAt(8, 0.0f, 1.0f, 15),
                                             wallAt(0, 1.0f, 1.0f, 1),
                                             {{}, 3.0},
@@ -140,7 +140,7 @@ TEST(RampForEverySurface, OfExtremeProfilesIsARamp) {
          {std::pair{0.0, 1.0}, {0.5, std::nextafter(0.5, 1.0)}, {0.0, 1e-300}, {0.999, 1.0}}) {
         const std::vector<TubeCore> tubes{tubeOf(low, high, 1e-300)};
         for (const AxisProfile& one : extremes) {
-            const FoundRamp ramp = rampForEverySurface(std::span(&one, 1), tubes).value();
+            const FoundRamp ramp = rampForEveryWall(std::span(&one, 1), tubes).value();
             EXPECT_TRUE(std::isfinite(ramp.begin));
             EXPECT_GT(ramp.end, ramp.begin);
             EXPECT_GE(ramp.opacity, 0.35 * (1 - 1e-6));
@@ -173,12 +173,12 @@ TEST(Aim, AtItsEndsIsTheMeanOfTheRampsAndTheRampFound) {
     EXPECT_EQ(scan().aimed(0.0).curve, adaptOpacity(*scan().raw, {}, configOf(MethodReading::firstVersion), {},
                                                     {&*scan().quiet, SpeckleReduction::medium})
                                            ->curve);
-    EXPECT_FALSE(scan().aimed(0.0).everySurface);
+    EXPECT_FALSE(scan().aimed(0.0).everyWall);
     const AdaptiveOtf walls = scan().aimed(1.0);
-    ASSERT_TRUE(walls.everySurface);
+    ASSERT_TRUE(walls.everyWall);
     ASSERT_EQ(walls.trust, 1.0);
     for (std::size_t i = 0; i < AdaptiveOtf::sampleCount; ++i)
-        EXPECT_NEAR(walls.curve.opacities[i], opacityAt(*walls.everySurface, AdaptiveOtf::intensityOf(i)), 1e-12);
+        EXPECT_NEAR(walls.curve.opacities[i], opacityAt(*walls.everyWall, AdaptiveOtf::intensityOf(i)), 1e-12);
 }
 
 TEST(Aim, MovesNoSampleByMoreThanItMovesItself) {
@@ -221,21 +221,23 @@ TEST(Aim, HasTheSameBitsForAnyNumberOfThreads) {
         for (const std::size_t threads : {1u, 2u, 7u}) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
             const AdaptiveOtf again = scan().aimed(0.6, view);
-            EXPECT_EQ(again.everySurface, otf.everySurface);
+            EXPECT_EQ(again.everyWall, otf.everyWall);
             EXPECT_EQ(again.curve, otf.curve);
         }
     }
 }
 
 TEST(AxisProfiles, AreTheSamplesOnTheAxesWhicheverRouteReadsThem) {
-    for (const int cellSize : {4, 5}) {
+    for (const auto& [cellSize, precision] :
+         {std::pair{4, Precision::single32}, {5, Precision::single32}, {5, Precision::double64}}) {
         AdaptiveOtfConfig config;
         config.cells.size = cellSize;
+        config.cells.precision = precision;
         for (const Viewpoint& view : {Viewpoint{}, Viewpoint{.azimuthDegrees = 20, .elevationDegrees = -12}}) {
             const AdaptiveOtf otf = *adaptOpacity(*scan().raw, view, config);
             const VolumeGeometry& geometry = scan().raw->geometry();
             const auto samples = samplesOf(tubeAxes(geometry, view, config.grid, cellSize), geometry, view, cellSize);
-            const auto profiles = axisProfiles(*scan().quiet, samples, otf.tubes, cellSize);
+            const auto profiles = axisProfiles(*scan().quiet, samples, otf.tubes, config.cells);
             const VolumeSampler sampler(*scan().quiet);
             std::size_t place = 0;
             for (std::size_t t = 0; t < otf.tubes.size(); ++t) {

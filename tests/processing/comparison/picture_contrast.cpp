@@ -36,15 +36,15 @@ TEST(LongPictureContrast, OfTheDefaultReadingIsHighAndNeverBelowFixedCurves) {
     base.seed = 3;
     const auto conditions = sixConditions(base);
     ASSERT_EQ(conditions.size(), 6u);
-    constexpr std::size_t curveCount = 5;
+    constexpr std::size_t curveCount = 6;
     std::array<double, curveCount> sums{};
-    std::printf("%-22s %8s %8s %9s %8s %8s\n", "CNR_S", "x^2", "eq. 1", "published", "settled", "default");
+    std::printf("%-22s %8s %8s %9s %8s %8s %8s\n", "CNR_S", "x^2", "eq. 1", "published", "settled", "0.1", "default");
     for (const NamedPhantom& condition : conditions) {
         const Volume volume = *makePhantom(condition.config);
         const Viewpoint view;
         std::vector<Classification> curves{PowerCurve{2, 1.0}, LinearCurve{20.0 / 255.0, 0.5, 1.0}};
         for (const MethodReading reading :
-             {MethodReading::asPublished, MethodReading::settled, MethodReading::standard})
+             {MethodReading::asPublished, MethodReading::settled, MethodReading::firstVersion, MethodReading::standard})
             curves.emplace_back(OpacityCurve(adaptOpacity(volume, view, configOf(reading))->curve));
         const auto rays = trueSurfaces(volume.geometry(), PhantomTruth(condition.config), view, InterfaceInto::object);
         const auto measures = *measuresOf(volume, view, rays, curves);
@@ -54,15 +54,19 @@ TEST(LongPictureContrast, OfTheDefaultReadingIsHighAndNeverBelowFixedCurves) {
             values[c] = *measures[c].contrast.contrastToNoise();
             sums[c] += values[c];
         }
-        std::printf("%-22s %8.2f %8.2f %9.2f %8.2f %8.2f\n", condition.name.c_str(), values[0], values[1], values[2],
-                    values[3], values[4]);
-        EXPECT_GE(values[4], values[0]) << condition.name;
-        EXPECT_GE(values[4], values[1]) << condition.name;
+        std::printf("%-22s %8.2f %8.2f %9.2f %8.2f %8.2f %8.2f\n", condition.name.c_str(), values[0], values[1],
+                    values[2], values[3], values[4], values[5]);
+        for (const std::size_t ramps : {4u, 5u}) {
+            EXPECT_GE(values[ramps], values[0]) << condition.name;
+            EXPECT_GE(values[ramps], values[1]) << condition.name;
+        }
     }
     const double count = static_cast<double>(conditions.size());
-    std::printf("%-22s %8.2f %8.2f %9.2f %8.2f %8.2f\n", "mean", sums[0] / count, sums[1] / count, sums[2] / count,
-                sums[3] / count, sums[4] / count);
+    std::printf("%-22s %8.2f %8.2f %9.2f %8.2f %8.2f %8.2f\n", "mean", sums[0] / count, sums[1] / count,
+                sums[2] / count, sums[3] / count, sums[4] / count, sums[5] / count);
+    // The aim shows more walls, and so haze before bright surfaces: of objects alone it has the smaller CNR_S.
     EXPECT_GE(sums[4] / count, 4.6);
+    EXPECT_GE(sums[5] / count, 4.0);
 }
 
 /// CNR_S with the true surfaces of objects, with all true surfaces, and with those that the tube cores found; and the

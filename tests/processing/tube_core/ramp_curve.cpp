@@ -131,8 +131,7 @@ std::vector<long double> curveFromTubes(const AdaptiveOtf& otf) {
             weight += tube.d;
         }
         const long double initial = opacityAt(config.initial, static_cast<double>(x));
-        const long double aim = rule.aim,
-                          wall = otf.everySurface ? opacityAt(*otf.everySurface, static_cast<double>(x)) : 0;
+        const long double aim = rule.aim, wall = otf.everyWall ? opacityAt(*otf.everyWall, static_cast<double>(x)) : 0;
         curve.push_back(trust * rule.opacity * ((1 - aim) * (sum / weight) + aim * wall) + (1 - trust) * initial);
     }
     return curve;
