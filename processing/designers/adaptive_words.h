@@ -18,7 +18,7 @@ namespace echolucent {
 [[nodiscard]] std::string curveSentence(const AdaptiveOtf& otf);
 /// In which voxels surfaces and intensities were read. Empty if the curve is meant for the voxels as they were read.
 [[nodiscard]] std::string voxelsSentence(const AdaptiveOtf& otf);
-/// Which reading of the paper the run was, and where that goes beyond the paper.
+/// The reading of the paper that the run followed. Says what in it is not the paper's.
 [[nodiscard]] std::string readingSentence(const AdaptiveOtf& otf);
 
 }  // namespace echolucent

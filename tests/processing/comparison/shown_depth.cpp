@@ -22,7 +22,7 @@ TEST(ShownDepth, OfOneOpacityIsWhereTheSeriesReachesOneHalf) {
     const RaySamples ray{std::vector<double>(400, 0.5), {}};
     for (const double opacity : {0.01, 0.07, 0.2, 0.6}) {
         const auto shown = shownSample(ray, tableOf(constantOpacity(opacity)));
-        // Half is held back after this many samples, the last of which counts in part, along a line.
+        // So many samples hold half of the light back. The last one counts in part, along a line.
         const double exact = std::log(0.5) / std::log(1.0 - opacity), whole = std::ceil(exact) - 1.0;
         const double left = std::pow(1.0 - opacity, whole);
         ASSERT_TRUE(shown);
