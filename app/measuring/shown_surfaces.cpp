@@ -30,22 +30,6 @@ std::vector<std::string> namesOf(const std::vector<NamedSurfaces>& rows) {
     return namesIn(rows, [](const NamedSurfaces& row) { return row.name; });
 }
 
-/// The mean over the scans of a name, of one condition or of all (the mean of the conditions' means).
-std::optional<double> meanPercent(const std::vector<NamedSurfaces>& rows, const std::string& name,
-                                  const std::string& condition, SurfaceKind kind, ShownSurface shown) {
-    std::vector<std::optional<double>> values;
-    for (const NamedSurfaces& row : rows)
-        if (row.name == name && row.condition == condition) values.push_back(percentOf(row.surfaces, kind, shown));
-    return meanOf(values);
-}
-std::optional<double> meanPercent(const std::vector<NamedSurfaces>& rows, const std::string& name, SurfaceKind kind,
-                                  ShownSurface shown) {
-    std::vector<std::optional<double>> means;
-    for (const std::string& condition : namesIn(rows, [](const NamedSurfaces& row) { return row.condition; }))
-        means.push_back(meanPercent(rows, name, condition, kind, shown));
-    return meanOf(means);
-}
-
 }  // namespace
 
 ShownDepth ShownSurfaces::ByTruth::all() const {
@@ -91,6 +75,25 @@ std::optional<double> percentOf(const ShownSurfaces& one, SurfaceKind kind, Show
     return percent(kind == SurfaceKind::objects ? one.truth->objects : one.truth->walls);
 }
 
+std::vector<std::string> conditionsOf(const std::vector<NamedSurfaces>& rows) {
+    return namesIn(rows, [](const NamedSurfaces& row) { return row.condition; });
+}
+
+std::optional<double> meanPercent(const std::vector<NamedSurfaces>& rows, const std::string& name,
+                                  const std::string& condition, SurfaceKind kind, ShownSurface shown) {
+    std::vector<std::optional<double>> values;
+    for (const NamedSurfaces& row : rows)
+        if (row.name == name && row.condition == condition) values.push_back(percentOf(row.surfaces, kind, shown));
+    return meanOf(values);
+}
+std::optional<double> meanPercent(const std::vector<NamedSurfaces>& rows, const std::string& name, SurfaceKind kind,
+                                  ShownSurface shown) {
+    std::vector<std::optional<double>> means;
+    for (const std::string& condition : conditionsOf(rows))
+        means.push_back(meanPercent(rows, name, condition, kind, shown));
+    return meanOf(means);
+}
+
 std::vector<std::string> shownSurfaceColumns() {
     std::vector<std::string> columns;
     for (const SurfaceKind kind : allSurfaceKinds)
@@ -127,7 +130,7 @@ TextTable shownSurfaceTable(const std::vector<NamedSurfaces>& rows) {
 
 TextTable rightTable(const std::vector<NamedSurfaces>& rows, SurfaceKind kind) {
     TextTable table{{kind == SurfaceKind::tubeCores ? "right by tube cores, %" : "right by the truth, %"}, {}};
-    const auto conditions = namesIn(rows, [](const NamedSurfaces& row) { return row.condition; });
+    const auto conditions = conditionsOf(rows);
     table.columns.insert(table.columns.end(), conditions.begin(), conditions.end());
     table.columns.emplace_back("mean");
     for (const std::string& name : namesOf(rows)) {

@@ -53,6 +53,13 @@ struct NamedSurfaces {
     std::string name, condition;
     ShownSurfaces surfaces;
 };
+/// The mean over the scans of a name in one condition, percent; without a condition, the mean of the conditions' means.
+/// No value if no scan has one.
+[[nodiscard]] std::optional<double> meanPercent(const std::vector<NamedSurfaces>& rows, const std::string& name,
+                                                const std::string& condition, SurfaceKind kind, ShownSurface shown);
+[[nodiscard]] std::optional<double> meanPercent(const std::vector<NamedSurfaces>& rows, const std::string& name,
+                                                SurfaceKind kind, ShownSurface shown);
+[[nodiscard]] std::vector<std::string> conditionsOf(const std::vector<NamedSurfaces>& rows);
 /// One row a name, in the order in which they first occur: the means over its scans, percent, of all kinds that are
 /// known.
 [[nodiscard]] TextTable shownSurfaceTable(const std::vector<NamedSurfaces>& rows);

@@ -2,13 +2,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "app/measuring/designers/study_designers.h"
 #include "io/study/study.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/designers/choice/designer.h"
 #include "processing/speckle_reduction/speckle_reduction.h"
 #include "tests/cli/program.h"
@@ -143,8 +146,8 @@ TEST(LongDesignersCommand, TheStudyHasARowForEachDesignerConditionAndSeed) {
         }
     EXPECT_GT(known, 400);
     EXPECT_NE(outcome.output.find("Rank correlation (Spearman)"), std::string::npos);
-    // x^2 and all designers on six conditions and two seeds, and on two scans that are shown.
-    const auto compared = static_cast<std::ptrdiff_t>(1 + allDesigners.size());
+    // x^2, all designers and both ends of the aim on six conditions and two seeds, and on two scans that are shown.
+    const auto compared = static_cast<std::ptrdiff_t>(3 + allDesigners.size());
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + compared * 6 * 2 + compared * 2);
     const std::string page = contentsOf(folder / "d/designers.html");
     EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
@@ -165,7 +168,66 @@ TEST(DesignersCommand, StudyRowsOfAVolumeBearItsNameWithoutFolders) {
     std::getline(lines, line);
     std::size_t rows = 0;
     for (; std::getline(lines, line); ++rows) EXPECT_NE(line.find(",my chest.mha,,"), std::string::npos) << line;
-    EXPECT_EQ(rows, 1 + allDesigners.size());
+    EXPECT_EQ(rows, 3 + allDesigners.size());
+}
+
+/// A scan of 100 rays into objects and 300 into walls.
+cli::NamedSurfaces shownOf(const std::string& name, const std::string& condition, int objects, int walls) {
+    cli::NamedSurfaces row{name, condition, {}};
+    row.surfaces.truth = {
+        ShownDepth{.right = objects, .early = 100 - objects}, ShownDepth{.right = walls, .late = 300 - walls}, {}};
+    return row;
+}
+
+TEST(DesignersStudy, SaysWhereAnotherOtfIsBetterAndWhereItFails) {
+    const std::vector<cli::NamedSurfaces> rows{
+        shownOf("adaptive", "base", 90, 200),     shownOf("adaptive", "dim", 90, 200),
+        shownOf("aim 1", "base", 80, 270),        shownOf("aim 1", "dim", 80, 270),
+        shownOf("otsu", "base", 60, 280),         shownOf("otsu", "dim", 62, 260),
+        shownOf("fetal-preset", "base", 91, 201), shownOf("fetal-preset", "dim", 90, 199),
+        shownOf("percentile", "base", 92, 40),    shownOf("percentile", "dim", 10, 0)};
+    const auto sentences = cli::besideAdaptive(rows);
+    ASSERT_EQ(sentences.size(), 3U) << "the adaptive OTFs are not set beside themselves";
+    EXPECT_TRUE(sentences[0].starts_with(
+        "Otsu ramp shows more surfaces right than the adaptive OTF: 82.8 against 72.5 % (objects 61.0 against "
+        "90.0 %, walls 90.0 against 66.7 %). With an aim of 1 the adaptive OTF shows 87.5 %."))
+        << sentences[0];
+    EXPECT_TRUE(sentences[0].ends_with("Its worst scans are dim: 80.5 %.")) << sentences[0];
+    EXPECT_NE(sentences[1].find("shows as many surfaces right as the adaptive OTF"), std::string::npos) << sentences[1];
+    EXPECT_NE(sentences[2].find("shows fewer surfaces right"), std::string::npos) << sentences[2];
+    EXPECT_EQ(sentences[2].find("With an aim of 1"), std::string::npos) << sentences[2];
+    EXPECT_TRUE(sentences[2].ends_with("Its worst scans are dim: 2.5 %.")) << sentences[2];
+    EXPECT_TRUE(cli::besideAdaptive({rows[4]}).empty()) << "without the adaptive OTF there is nothing to compare with";
+}
+
+TEST(DesignersStudy, ComparesEveryDesignerAndSaysWhy) {
+    const auto compared = cli::comparedDesigners(AdaptiveOtfConfig{}, cli::endsOfAim);
+    std::vector<cli::NamedSurfaces> rows;
+    for (const cli::ComparedDesigner& designer : compared) rows.push_back(shownOf(designer.name, "base", 50, 150));
+    EXPECT_EQ(cli::besideAdaptive(rows).size(), allDesigners.size()) << "all but the adaptive one, and x^2";
+    const auto published = configOf(MethodReading::asPublished);
+    EXPECT_EQ(cli::comparedDesigners(published, cli::endsOfAim).size(), 1 + allDesigners.size())
+        << "as published there is no aim";
+}
+
+TEST(LongAimStudy, HoldsAllAimsAllDesignersAndTheBestRampsOfEachCondition) {
+    const Folder folder;
+    const Outcome outcome = runProgram(
+        "study aim --size 40 --seeds 3 --scenes shapes --views beam --reductions medium -o \"" + folder / "a" + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    std::map<std::string, std::map<std::string, NamedRow>> byCondition;
+    for (const NamedRow& row : namedRowsOf(contentsOf(folder / "a/aim.csv")))
+        byCondition[row.at("condition")][row.at("otf")] = row;
+    EXPECT_EQ(byCondition.size(), 10U);
+    for (const auto& [condition, rows] : byCondition) {
+        EXPECT_EQ(rows.size(), 8 + allDesigners.size()) << condition;
+        EXPECT_EQ(rows.at("adaptive").at("right_all_percent"), rows.at("aim 0.5").at("right_all_percent"));
+        for (const auto& [otf, row] : rows)
+            EXPECT_LE(std::stod(row.at("right_all_percent")),
+                      std::stod(rows.at("best ramp, all").at("right_all_percent")) + 12.0)
+                << condition << ", " << otf << ": the bound is found on fewer rays, and by ramps alone";
+    }
+    EXPECT_NE(outcome.output.find("of the best ramp, objects; at least"), std::string::npos);
 }
 
 }  // namespace

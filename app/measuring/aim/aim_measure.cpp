@@ -3,7 +3,6 @@
 #include "app/measuring/aim/study_aim.h"
 #include "app/measuring/designers/study_designers.h"
 #include "app/measuring/study_phantoms.h"
-#include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/found_ramp.h"
 
 namespace echolucent::cli {
@@ -79,12 +78,7 @@ std::vector<AimRow> measureAims(const PhantomConfig& base, const AimCase& one) {
             names.push_back(name);
             classifications.push_back(classification);
         };
-        for (const double aim : measuredAims) {
-            AdaptiveOtfConfig method;
-            std::get<RampRule>(method.curve).aim = aim;
-            add(nameOfAim(aim), adaptOpacity(phantom.volume, view, method, {}, {&quiet, one.reduction})->curve);
-        }
-        for (const ComparedDesigner& designer : comparedDesigners())
+        for (const ComparedDesigner& designer : comparedDesigners(input.method, measuredAims))
             add(designer.name, timedDesign(designer, input, 1).design.classification);
         const BestRamps best = bestRamps(quiet, view, phantom.truth);
         add(boundOfObjects, best.forObjects);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/measuring/designers/study_designers.h"
 #include "app/measuring/study.h"
 #include "processing/choice_names.h"
 #include "processing/phantom/phantom.h"
@@ -19,24 +20,14 @@ namespace {
 
 using Percent = std::optional<double>;
 
-/// What is right of one OTF in one condition, percent, mean over the seeds.
-Percent rightIn(const std::vector<NamedSurfaces>& rows, const std::string& name, const std::string& condition,
-                SurfaceKind kind) {
-    std::vector<Percent> seeds;
-    for (const NamedSurfaces& row : rows)
-        if (row.name == name && row.condition == condition)
-            seeds.push_back(percentOf(row.surfaces, kind, ShownSurface::right));
-    return meanOf(seeds);
-}
-
 /// "aim 0, objects: 98.1 of 99.4 %, 0.987 of the best ramp's; at least 0.954, in hard_ramp8."
 std::string againstBound(const std::vector<NamedSurfaces>& rows, double aim, SurfaceKind kind, const char* bound) {
     std::vector<Percent> own, best;
     double least = std::numeric_limits<double>::infinity();
     std::string leastIn;
-    for (const std::string& condition : namesIn(rows, [](const NamedSurfaces& row) { return row.condition; })) {
-        const Percent is = rightIn(rows, nameOfAim(aim), condition, kind),
-                      could = rightIn(rows, bound, condition, kind);
+    for (const std::string& condition : conditionsOf(rows)) {
+        const Percent is = meanPercent(rows, nameOfAim(aim), condition, kind, ShownSurface::right),
+                      could = meanPercent(rows, bound, condition, kind, ShownSurface::right);
         if (!is || !could || !(*could > 0.0)) continue;
         own.push_back(is);
         best.push_back(could);
@@ -106,8 +97,6 @@ std::string nameOf(const AimCase& one) {
     return fmt::format("{}, {}, reduction {}", nameOf(one.scene), one.oblique ? "oblique" : "along the beam",
                        nameOf(one.reduction));
 }
-
-std::string nameOfAim(double aim) { return fmt::format("aim {:g}", aim); }
 
 std::string aimSummary(const std::vector<AimRow>& rows) {
     std::string text;

@@ -24,8 +24,6 @@ struct AimCase {
 
 /// The positions of the aim that are measured.
 inline constexpr double measuredAims[] = {0.0, 0.25, 0.5, 0.75, 1.0};
-/// "aim 0.25".
-[[nodiscard]] std::string nameOfAim(double aim);
 /// The names of the ramps that are best for the objects, and for all surfaces, found with the truth.
 inline constexpr const char* boundOfObjects = "best ramp, objects";
 inline constexpr const char* boundOfAll = "best ramp, all";

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <utility>
+#include <variant>
 
 #include "app/measuring/designers/study_designers.h"
 #include "app/measuring/run_time.h"
@@ -14,7 +17,10 @@ namespace {
 
 Design designOnce(const ComparedDesigner& designer, const DesignerInput& input) {
     if (!designer.config) return Design{parabolaCurve()};
-    return *design(*designer.config, input);
+    if (!designer.aim) return *design(*designer.config, input);
+    DesignerInput aimed = input;
+    std::get<RampRule>(aimed.method.curve).aim = *designer.aim;
+    return *design(*designer.config, aimed);
 }
 
 /// The error of the kernel's small picture from the plain route's with equal settings.
@@ -45,10 +51,15 @@ double castTime(RayCaster& caster, const Classification& classification, const D
 
 }  // namespace
 
-std::vector<ComparedDesigner> comparedDesigners() {
+std::string nameOfAim(double aim) { return fmt::format("aim {:g}", aim); }
+
+std::vector<ComparedDesigner> comparedDesigners(const AdaptiveOtfConfig& method, std::span<const double> aims) {
     std::vector<ComparedDesigner> all{{"x2", std::nullopt}};
-    for (const Designer designer : allDesigners)
+    for (const Designer designer : allDesigners) {
         all.push_back({std::string(echolucent::nameOf(designer)), defaultConfigOf(designer)});
+        if (designer != designerOf(AdaptiveConfig{}) || !std::holds_alternative<RampRule>(method.curve)) continue;
+        for (const double aim : aims) all.push_back({nameOfAim(aim), all.back().config, aim});
+    }
     return all;
 }
 
@@ -69,7 +80,7 @@ std::vector<DesignerRow> measureDesigners(const PhantomConfig& base, const Desig
         const Volume quiet = *quietVolume(phantom.volume, setting.reduction);
         std::vector<Classification> classifications;
         const std::size_t first = rows.size();
-        for (const ComparedDesigner& designer : comparedDesigners()) {
+        for (const ComparedDesigner& designer : comparedDesigners(setting.method, endsOfAim)) {
             const DesignTimed made = timedDesign(
                 designer, {phantom.volume, quiet, setting.reduction, setting.view, setting.method}, setting.repeats);
             classifications.push_back(made.design.classification);
@@ -86,7 +97,7 @@ std::vector<DesignerPicture> showDesigners(const DesignerCase& one, int repeats)
     std::vector<Classification> classifications;
     const RayCaster packed(one.shown);
     const DesignerInput input{*one.raw, *one.shown, one.reduction, one.view, one.method};
-    for (const ComparedDesigner& designer : comparedDesigners()) {
+    for (const ComparedDesigner& designer : comparedDesigners(one.method, endsOfAim)) {
         DesignTimed made = timedDesign(designer, input, repeats);
         const Classification& classification = made.design.classification;
         RayCaster caster = packed.sharing();

@@ -11,11 +11,6 @@ namespace echolucent::cli {
 
 namespace {
 
-std::string labelOfName(const std::string& name) {
-    const auto designer = designerFromName(name);
-    return designer ? std::string(labelOf(*designer)) : "x²";
-}
-
 /// CNR_S by designer and condition, as mean over the seeds. The last columns are the mean over the conditions, and ms.
 TextTable contrastTable(const DesignersStudy& study) {
     TextTable table{{"designer"}, {}};
@@ -23,7 +18,7 @@ TextTable contrastTable(const DesignersStudy& study) {
     table.columns.insert(table.columns.end(), conditions.begin(), conditions.end());
     table.columns.insert(table.columns.end(), {"mean", "ms"});
     for (const std::string& designer : namesIn(study.rows, [](const DesignerRow& row) { return row.designer; })) {
-        std::vector<std::string> cells{labelOfName(designer)};
+        std::vector<std::string> cells{labelOfCompared(designer)};
         std::vector<std::optional<double>> means;
         std::vector<double> times;
         for (const std::string& condition : conditions) {
@@ -43,17 +38,21 @@ TextTable contrastTable(const DesignersStudy& study) {
     return table;
 }
 
-/// The designers' surfaces on the scans whose truth is known, under the designers' labels.
+/// What the OTFs show on the scans of the table of contrasts, under the names of ComparedDesigner.
 std::vector<NamedSurfaces> surfacesOf(const DesignersStudy& study) {
     std::vector<NamedSurfaces> all;
-    for (const DesignerRow& row : study.rows) all.push_back({labelOfName(row.designer), row.condition, row.surfaces});
+    for (const DesignerRow& row : study.rows) all.push_back({row.designer, row.condition, row.surfaces});
     return all;
 }
 std::vector<NamedSurfaces> surfacesOf(const DesignersStudy::Shown& one) {
     std::vector<NamedSurfaces> all;
-    for (const DesignerPicture& each : one.pictures)
-        all.push_back({labelOfName(each.designer), one.name, each.surfaces});
+    for (const DesignerPicture& each : one.pictures) all.push_back({each.designer, one.name, each.surfaces});
     return all;
+}
+
+std::vector<NamedSurfaces> labelled(std::vector<NamedSurfaces> rows) {
+    for (NamedSurfaces& row : rows) row.name = labelOfCompared(row.name);
+    return rows;
 }
 
 TextTable shownTable(const DesignersStudy::Shown& one) {
@@ -63,7 +62,7 @@ TextTable shownTable(const DesignersStudy::Shown& one) {
     for (const DesignerPicture& each : one.pictures) {
         const ClassificationMeasures& found = each.surfaces.tubeCores;
         const bool two = each.made.design.classification.isTwoDimensional();
-        table.rows.push_back({labelOfName(each.designer), two ? "2" : "1",
+        table.rows.push_back({labelOfCompared(each.designer), two ? "2" : "1",
                               fmt::format("{:.1f}", each.made.milliseconds),
                               fmt::format("{:.1f}", each.castMilliseconds),
                               fmt::format("{:.2f}", each.castMilliseconds / one.pictures.front().castMilliseconds),
@@ -87,12 +86,13 @@ Plot curvesPlot(const DesignersStudy::Shown& one) {
 
 void addShown(HtmlPage& page, const DesignersStudy::Shown& one) {
     page.heading(one.name);
-    for (const DesignerPicture& each : one.pictures) page.picture(each.picture, labelOfName(each.designer));
-    addTable(page, shownSurfaceTable(surfacesOf(one)));
+    for (const DesignerPicture& each : one.pictures) page.picture(each.picture, labelOfCompared(each.designer));
+    addTable(page, shownSurfaceTable(labelled(surfacesOf(one))));
+    for (const std::string& sentence : besideAdaptive(surfacesOf(one))) page.paragraph(sentence);
     addTable(page, shownTable(one));
     page.plot(curvesPlot(one));
     for (const DesignerPicture& each : one.pictures) {
-        std::string text = labelOfName(each.designer) + ":";
+        std::string text = labelOfCompared(each.designer) + ":";
         for (const std::string& sentence : each.made.design.explanation) text += " " + sentence;
         if (!each.made.design.message.empty()) text += " " + each.made.design.message;
         if (text.back() != ':') page.paragraph(text);
@@ -125,14 +125,16 @@ std::string designersCsv(const DesignersStudy& study) {
 std::string designersPage(const DesignersStudy& study) {
     HtmlPage page("OTF designers side by side");
     if (!study.rows.empty()) {
-        const auto surfaces = surfacesOf(study);
+        const auto surfaces = labelled(surfacesOf(study));
         page.paragraph(fmt::format(
             "The shown depth of a ray is where half of the light is held back (docs/comparison.md). Against the ray's "
             "first surface behind fluid it is right (within 2 units), early, late, or never there. Objects are bright, "
             "walls are darker tissue; all are both. Tables hold means over the seeds {} of the simulated shapes, "
-            "speckle reduction {}. Template knows the truth of a scan of the same kind.",
+            "speckle reduction {}. The adaptive OTF is shown as it is chosen, and with an aim of 0 (bright surfaces) "
+            "and of 1 (every wall).",
             study.seeds, nameOf(study.reduction)));
         addTable(page, shownSurfaceTable(surfaces));
+        for (const std::string& sentence : besideAdaptive(surfacesOf(study))) page.paragraph(sentence);
         page.paragraph(
             "The same, what is right of all surfaces by the truth, and of the surfaces that tube cores find, which "
             "stand "
@@ -161,14 +163,16 @@ std::string designersPage(const DesignersStudy& study) {
 std::string designersSummary(const DesignersStudy& study) {
     std::string text;
     if (!study.rows.empty()) {
-        const auto surfaces = surfacesOf(study);
-        text += plainText(shownSurfaceTable(surfaces)) + "\n" + plainText(rightTable(surfaces, SurfaceKind::all)) +
-                "\n" + plainText(rightTable(surfaces, SurfaceKind::tubeCores)) + "\n" + rankSentence(surfaces) +
+        const auto surfaces = labelled(surfacesOf(study));
+        text += plainText(shownSurfaceTable(surfaces)) + "\n";
+        for (const std::string& sentence : besideAdaptive(surfacesOf(study))) text += sentence + "\n";
+        text += "\n" + plainText(rightTable(surfaces, SurfaceKind::all)) + "\n" +
+                plainText(rightTable(surfaces, SurfaceKind::tubeCores)) + "\n" + rankSentence(surfaces) +
                 "\n\nCNR_S of objects by the truth\n" + plainText(contrastTable(study));
     }
     for (const DesignersStudy::Shown& one : study.shown)
-        text +=
-            "\n" + one.name + "\n" + plainText(shownSurfaceTable(surfacesOf(one))) + "\n" + plainText(shownTable(one));
+        text += "\n" + one.name + "\n" + plainText(shownSurfaceTable(labelled(surfacesOf(one)))) + "\n" +
+                plainText(shownTable(one));
     return text;
 }
 

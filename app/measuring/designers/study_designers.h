@@ -1,9 +1,11 @@
 // The parts of `study designers`: the measures of each OTF designer, and the page.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,11 +21,18 @@ namespace echolucent::cli {
 
 /// A compared designer with its config, or the parabola x^2, which no designer makes.
 struct ComparedDesigner {
-    std::string name;                      ///< of the designer, or "x2"
+    std::string name;                      ///< of the designer, "x2", or nameOfAim()
     std::optional<DesignerConfig> config;  ///< no value for "x2"
+    std::optional<double> aim{};           ///< of the adaptive method, in place of its own; [0,1]
 };
-/// x^2 first, then all designers with their defaults, in the order of allDesigners.
-[[nodiscard]] std::vector<ComparedDesigner> comparedDesigners();
+/// "aim 0.25": the adaptive method with this aim.
+[[nodiscard]] std::string nameOfAim(double aim);
+/// x^2 first, then all designers with their defaults, in the order of allDesigners. Each of `aims` follows the adaptive
+/// one, if `method` has an aim.
+[[nodiscard]] std::vector<ComparedDesigner> comparedDesigners(const AdaptiveOtfConfig& method,
+                                                              std::span<const double> aims);
+/// The aims that `study designers` measures beside the method's own: both ends.
+inline constexpr std::array endsOfAim{0.0, 1.0};
 
 /// A designer's result on one set of voxels, and its time.
 struct DesignTimed {
@@ -81,6 +90,12 @@ struct DesignersStudy {
     };
     std::vector<Shown> shown{};
 };
+/// For each OTF but the adaptive ones: what it shows of the surfaces beside the adaptive OTF, why, and on which scans
+/// it fails. Of a truth if it is known, else of the tube cores' surfaces. Names in `rows` are those of
+/// ComparedDesigner.
+[[nodiscard]] std::vector<std::string> besideAdaptive(const std::vector<NamedSurfaces>& rows);
+[[nodiscard]] std::string labelOfCompared(const std::string& name);
+
 [[nodiscard]] std::string designersCsv(const DesignersStudy& study);
 [[nodiscard]] std::string designersPage(const DesignersStudy& study);
 /// The tables of surfaces, contrasts and pictures, for a terminal.
