@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 #include "app/cli/command.h"
 #include "app/cli/options/document_study.h"
@@ -43,12 +44,9 @@ std::string measureCells(const std::optional<PaneMeasures>& measured) {
 }
 
 /// Says with which surfaces the panes were measured.
-const char* surfacesSentence(const std::vector<std::optional<PaneMeasures>>& measured) {
+std::string sentenceOf(const std::vector<std::optional<PaneMeasures>>& measured) {
     for (const auto& one : measured)
-        if (one)
-            return one->from == SurfacesFrom::truth
-                       ? "Measured with the true surfaces of the simulated scan."
-                       : "Measured with the surfaces that tube cores find in this view: nobody knows the true ones.";
+        if (one) return std::string(surfacesSentence(one->from));
     return "Nothing was measured: no surface is known in this view.";
 }
 
@@ -76,7 +74,7 @@ Result<void> compare(const CompareOptions& options) {
     }
     if (auto written = writeFileAtomically(options.csv, table); !written) return written;
     // The table itself may go to standard output.
-    std::fprintf(stderr, "%s\n", surfacesSentence(measured));
+    std::fprintf(stderr, "%s\n", sentenceOf(measured).c_str());
     return {};
 }
 

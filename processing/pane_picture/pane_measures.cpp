@@ -5,6 +5,15 @@
 
 namespace echolucent {
 
+std::string_view surfacesSentence(SurfacesFrom from) {
+    switch (from) {
+        case SurfacesFrom::truth: return "Surfaces are the true ones of the simulated scan.";
+        case SurfacesFrom::tubeCores: break;
+    }
+    return "Nobody knows the true surfaces. Those that tube cores find in this view stand in for them, which favours "
+           "the adaptive OTF.";
+}
+
 SurfaceSource surfaceSourceOf(const Document& document) {
     SurfaceSource source{viewpointOf(document), {}};
     const auto* simulated = std::get_if<SimulatedScan>(&document.study);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "processing/comparison/classification_measures.h"
@@ -15,6 +16,8 @@ enum class SurfacesFrom {
     truth,      ///< of a simulated scan (trueSurfaces())
     tubeCores,  ///< foundSurfaces()
 };
+/// Says with which surfaces something was measured: a sentence or two.
+[[nodiscard]] std::string_view surfacesSentence(SurfacesFrom from);
 struct MeasuredSurfaces {
     SurfacesFrom from = SurfacesFrom::tubeCores;
     std::vector<SurfaceRay> rays{};

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/controls/panel_controls.h"
+
 namespace echolucent {
 
 namespace {
@@ -74,11 +76,7 @@ QStringList compareTips() {
 
 QString surfacesSentence(const std::vector<CompareRow>& rows) {
     for (const CompareRow& row : rows)
-        if (row.surfaces)
-            return *row.surfaces == SurfacesFrom::truth ? tr("Surfaces are the true ones of the simulated scan.")
-                                                        : tr("Nobody knows the true surfaces. Those that tube cores "
-                                                             "find in this view stand in for them, "
-                                                             "which favours the adaptive OTF.");
+        if (row.surfaces) return textOf(surfacesSentence(*row.surfaces));
     return {};
 }
 

@@ -29,7 +29,7 @@ struct CompareRow {
 [[nodiscard]] QStringList compareColumns();
 /// What each of compareColumns() asks, and whom it favours, a sentence or two each; empty for the name.
 [[nodiscard]] QStringList compareTips();
-/// Which surfaces the rows are measured with, a sentence. Empty if none is measured.
+/// The core's surfacesSentence() of the rows. Empty if none is measured.
 [[nodiscard]] QString surfacesSentence(const std::vector<CompareRow>& rows);
 /// The cells of a row under the headings of compareColumns(). An unknown value is "–".
 [[nodiscard]] QStringList cellsOf(const CompareRow& row);
