@@ -1,7 +1,9 @@
 #include "app/compare/paper_figures.h"
 
 #include <QCoreApplication>
+#include <array>
 #include <utility>
+#include <vector>
 
 #include "processing/document/panes.h"
 #include "widgets/compare/compare_panel.h"
@@ -18,29 +20,43 @@ Document sideBySide(Document document, const std::vector<Pane>& panes) {
     return document;
 }
 
+ManualCurve figure1Manual() { return {{{0.0, 0.0}, {1.0, 1.0}}}; }
+
+std::vector<Pane> figure1Panes() {
+    return {{.curve = CurveKind::manual}, {.curve = CurveKind::linear}, {.curve = CurveKind::adaptive}};
+}
+
+/// Whether the panes are those of figure 1 and nothing bends their curves.
+bool isFigure1(const Document& document) {
+    const CurveSet& curves = document.curves;
+    return document.panes == figure1Panes() && curves.manual == figure1Manual() && curves.linear == LinearCurve{} &&
+           curves.adjustment == CurveAdjustment{};
+}
+
+/// The paper's name for the curve of a pane of figure1Panes().
+QString figure1Caption(std::size_t place) {
+    constexpr std::array captions{QT_TRANSLATE_NOOP("compare", "(a) Linear OTF"),
+                                  QT_TRANSLATE_NOOP("compare", "(b) Manually designed piecewise linear OTF"),
+                                  QT_TRANSLATE_NOOP("compare", "(c) Adaptively designed OTF")};
+    return QCoreApplication::translate("compare", captions.at(place));
+}
+
 }  // namespace
 
 Document figure1(Document document) {
-    document.curves.manual = ManualCurve{{{0.0, 0.0}, {1.0, 1.0}}};
+    document.curves.manual = figure1Manual();
     document.curves.linear = LinearCurve{};  // the paper's
-    return sideBySide(std::move(document),
-                      {{.curve = CurveKind::manual}, {.curve = CurveKind::linear}, {.curve = CurveKind::adaptive}});
-}
-
-QStringList captionsOfPanes(const Document& document) {
-    // What setting the figure up again does not change is the figure.
-    const Document figure = figure1(document);
-    if (document.panes == figure.panes && document.curves == figure.curves)
-        return {QCoreApplication::translate("compare", "(a) Linear OTF"),
-                QCoreApplication::translate("compare", "(b) Manually designed piecewise linear OTF"),
-                QCoreApplication::translate("compare", "(c) Adaptively designed OTF")};
-    QStringList names;
-    for (const Pane& pane : document.panes) names << nameOfPane(pane);
-    return names;
+    return sideBySide(std::move(document), figure1Panes());
 }
 
 QString captionOfPane(const Document& document, std::size_t place) {
-    return captionsOfPanes(document).at(static_cast<qsizetype>(place));
+    return isFigure1(document) ? figure1Caption(place) : nameOfPane(document.panes.at(place));
+}
+
+QStringList captionsOfPanes(const Document& document) {
+    QStringList captions;
+    for (std::size_t place = 0; place < document.panes.size(); ++place) captions << captionOfPane(document, place);
+    return captions;
 }
 
 Document figure9(Document document) {
