@@ -42,6 +42,11 @@ bool asksForEveryWall(const CurveRule& rule) {
     return ramp != nullptr && ramp->aim > 0.0;
 }
 
+CurveRule withoutEveryWall(CurveRule rule) {
+    if (auto* ramp = std::get_if<RampRule>(&rule)) ramp->aim = 0.0;
+    return rule;
+}
+
 AdaptedCurve adaptedCurve(const CurveRule& rule, const OpacityCurve& initial, std::span<const TubeCore> tubes,
                           int count, const std::optional<FoundRamp>& everyWall) {
     AdaptedCurve adapted =

@@ -183,9 +183,12 @@ std::optional<AdaptiveOtf> adaptOpacity(const Volume& volume, const Viewpoint& v
     auto mask = dataMaskWithoutGuess(volume);
     if (mask == volume.dataMask()) return otf;
 
-    auto begun = adaptToData(volume.withDataMask(std::move(mask)), view, config, silent, {});
+    AdaptiveOtfConfig surfacesOnly = config;
+    surfacesOnly.curve = withoutEveryWall(config.curve);
+    auto begun = adaptToData(volume.withDataMask(std::move(mask)), view, surfacesOnly, silent, {});
     if (!begun) return std::nullopt;
     if (begun->tubesWithWeight == 0) return otf;
+    begun->config = config;
     begun->surfacesWhereDataBegin = true;
     begun->reduction = otf->reduction;
     begun->speckleLeft = otf->speckleLeft;

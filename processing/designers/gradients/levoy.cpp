@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "processing/adaptive/adapted_curve.h"
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/designers/designer_contract.h"
 #include "processing/designers/otsu.h"
@@ -90,8 +91,10 @@ Levels otsuLevels(const Volume& shown) {
 
 /// Empty if the work was cancelled.
 std::optional<Levels> tubeCoreLevels(const DesignerInput& input, const Progress& progress) {
-    const auto otf =
-        adaptOpacity(input.raw, input.view, input.method, progress, QuietVoxels{&input.shown, input.reduction});
+    // Only the surfaces are read, so no curve is made for the shown voxels.
+    AdaptiveOtfConfig method = input.method;
+    method.curve = withoutEveryWall(method.curve);
+    const auto otf = adaptOpacity(input.raw, input.view, method, progress);
     if (!otf) return std::nullopt;
     const MeanInterface mean = meanInterfaceOf(*otf);
     // No fluid lies before surfaces at which the data begin.
