@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "processing/parallel.h"
+#include "processing/sampling/sample_at_half.h"
 #include "processing/tube_core/slabs/tube_slabs.h"
 
 namespace echolucent {
@@ -34,7 +35,7 @@ struct TriedRamps {
 };
 using Shown = std::array<std::array<float, ramps>, opacities>;
 
-/// How right each ramp shows the profile's surface.
+/// How right each ramp shows the profile's surface: as shownRight(), for all ramps at once.
 Shown rightnessOf(const AxisProfile& profile, const TriedRamps& tried) {
     constexpr float half = 0.5f, least = 1e-30f;  // numbers below `least` would be slow
     Shown comesThrough, depth;
@@ -133,18 +134,10 @@ std::vector<AxisProfile> axisProfiles(const Volume& shown, std::span<const TubeS
 double shownRight(std::span<const AxisProfile> profiles, const FoundRamp& ramp) {
     if (profiles.empty()) return 0.0;
     double sum = 0.0;
-    for (const AxisProfile& profile : profiles) {
-        double comesThrough = 1.0;
-        for (std::size_t i = 0; i < profile.intensities.size() && comesThrough > 0.5; ++i) {
-            const double before = comesThrough;
-            const double intensity = profile.intensities[i];
-            if (std::isnan(intensity)) continue;
-            comesThrough *= 1.0 - opacityAt(ramp, intensity);
-            if (comesThrough <= 0.5)
-                sum += rightness(static_cast<float>(static_cast<double>(i) - 1.0 +
-                                                    (before - 0.5) / (before - comesThrough) - profile.surface));
-        }
-    }
+    for (const AxisProfile& profile : profiles)
+        if (const auto shown = sampleAtHalf(profile.intensities,
+                                            [&](std::size_t, double intensity) { return opacityAt(ramp, intensity); }))
+            sum += rightness(static_cast<float>(*shown - profile.surface));
     return sum / static_cast<double>(profiles.size());
 }
 

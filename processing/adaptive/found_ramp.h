@@ -32,8 +32,8 @@ struct AxisProfile {
                                                     const Progress& progress = {});
 
 /// How right a ramp shows the surfaces of profiles, [0,1]: the mean over the profiles of 1 if half of the light is held
-/// back (shownSample() in processing/comparison/shown_depth.h) at most 2 units from the surface. That falls to 0 at 3
-/// units before and at missedUnits behind the surface: early counts more than late. 0 without a profile.
+/// back (sampleAtHalf()) at most 2 units from the surface. That falls to 0 at 3 units before and at missedUnits behind
+/// the surface: early counts more than late. 0 without a profile.
 [[nodiscard]] double shownRight(std::span<const AxisProfile> profiles, const FoundRamp& ramp);
 inline constexpr double missedUnits = 6.0;
 
@@ -41,9 +41,9 @@ inline constexpr double missedUnits = 6.0;
 /// 0.7, 0.5 and 0.35. They begin up to 0.245 of that way before and behind the middle: 0.25 of the way, or two spreads
 /// of the fluid if that is farther from I_L. The result is their mean (of begin, and of the logarithm of opacity),
 /// weighted by exp(shownRight / 0.6). So it moves smoothly with the view: the best one alone would jump
-/// (docs/experiments.md, "The aim"). I_L, I_H and the spread are means over the tube cores with a weight, each counted
-/// once, because each surface is to be shown. Empty if no tube core has a weight. The bits are the same for any number
-/// of threads.
+/// (docs/experiments.md, "The aim"). I_L, I_H and the spread are plain means over the tube cores with a weight: a large
+/// weight counts no more than a small one, because the ramp is to show every surface. Empty if no tube core has a
+/// weight. The bits are the same for any number of threads.
 [[nodiscard]] std::optional<FoundRamp> rampForEveryWall(std::span<const AxisProfile> profiles,
                                                         std::span<const TubeCore> tubes);
 

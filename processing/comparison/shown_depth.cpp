@@ -1,12 +1,12 @@
 #include "processing/comparison/shown_depth.h"
 
-#include <cmath>
+#include <cstddef>
+
+#include "processing/sampling/sample_at_half.h"
 
 namespace echolucent {
 
 namespace {
-
-constexpr double halfOfTheLight = 0.5;
 
 template <typename Depth>
 auto& countOf(Depth& depth, ShownSurface shown) {
@@ -22,16 +22,9 @@ auto& countOf(Depth& depth, ShownSurface shown) {
 }  // namespace
 
 std::optional<double> shownSample(const RaySamples& ray, const OpacityTable& table) {
-    double transmittance = 1.0;
-    for (std::size_t i = 0; i < ray.intensities.size(); ++i) {
-        const double intensity = ray.intensities[i];
-        if (std::isnan(intensity)) continue;
-        const double before = transmittance;
-        transmittance *= 1.0 - table.at(intensity, ray.gradients.empty() ? 0.0 : ray.gradients[i]);
-        if (transmittance <= 1.0 - halfOfTheLight)
-            return static_cast<double>(i) - 1.0 + (before - (1.0 - halfOfTheLight)) / (before - transmittance);
-    }
-    return std::nullopt;
+    return sampleAtHalf(ray.intensities, [&](std::size_t i, double intensity) {
+        return table.at(intensity, ray.gradients.empty() ? 0.0 : ray.gradients[i]);
+    });
 }
 
 ShownSurface shownSurfaceAt(std::optional<double> unitsBehindSurface) {

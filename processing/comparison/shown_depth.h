@@ -9,10 +9,8 @@
 
 namespace echolucent {
 
-/// A ray's shown depth is the depth at which half of the light is held back: the accumulated opacity 1 - prod(1 -
-/// alpha_i) of Petersch 2005, eq. 3, reaches one half. Between two samples it is taken to rise along a line; before the
-/// first sample it is 0, one sample earlier. Samples without data hold nothing back. The result counts samples behind
-/// the first sample, from -1 on; it is empty if half of the light comes through the whole ray.
+/// A ray's shown depth: the depth at which half of the light is held back (sampleAtHalf()). The result counts samples
+/// behind the first sample, from -1 on; it is empty if half of the light comes through the whole ray.
 [[nodiscard]] std::optional<double> shownSample(const RaySamples& ray, const OpacityTable& table);
 
 /// What a picture does with a surface that is known.
