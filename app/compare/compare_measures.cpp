@@ -40,6 +40,7 @@ CompareMeasures::CompareMeasures(const Parts& parts, const Work& work, QObject* 
       m_otfs(parts.otfs),
       m_views(parts.views),
       m_player(parts.player),
+      m_surfaces(parts.surfaces),
       m_thread(parts.works, "comparison measures", work),
       m_flickerThread(parts.works, "comparison flicker", work) {
     connect(&m_views, &ComparedViews::frameShown, this, &CompareMeasures::follow);
@@ -82,6 +83,7 @@ std::vector<CompareMeasures::TimedOtf> CompareMeasures::timedBefore(const Asked&
 
 std::optional<std::vector<CompareMeasures::Measured>> CompareMeasures::measured(const Asked& asked,
                                                                                 const std::vector<TimedOtf>& timed,
+                                                                                KeptSurfaces& kept,
                                                                                 const Progress& progress) {
     std::vector<Measured> all(asked.panes.size());
     const Progress silent{{}, progress.cancel};
@@ -98,7 +100,7 @@ std::optional<std::vector<CompareMeasures::Measured>> CompareMeasures::measured(
                 places.push_back(place);
                 classifications.push_back(asked.panes[place].classification);
             }
-        const auto surfaces = measuredSurfacesOf(asked.source, *one.raw, silent);
+        const auto surfaces = kept.of(asked.source, one.raw, silent);
         if (!surfaces) return std::nullopt;
         const auto measures = measuresOf(*one.shown, asked.source.view, surfaces->rays, classifications, silent);
         if (!measures) return std::nullopt;
@@ -136,7 +138,7 @@ void CompareMeasures::follow() {
             [this, asked = *asked, timed = timedBefore(*asked)](const Progress& progress) -> NewestWinsThread::Deliver {
                 std::optional<std::vector<Measured>> measures;
                 try {
-                    measures = measured(asked, timed, progress);
+                    measures = measured(asked, timed, m_surfaces, progress);
                 } catch (const std::bad_alloc&) {
                     return [this] { fail(); };
                 }

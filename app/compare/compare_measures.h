@@ -9,6 +9,7 @@
 
 #include "app/compare/compared_views.h"
 #include "app/motion/motion_player.h"
+#include "app/otf/kept_surfaces.h"
 #include "processing/pane_picture/pane_measures.h"
 #include "widgets/threads/newest_wins_thread.h"
 
@@ -30,6 +31,7 @@ public:
         PaneOtfs& otfs;
         ComparedViews& views;
         const MotionPlayer& player;
+        KeptSurfaces& surfaces;
     };
     /// What the parameters refer to must outlive this object. `work` describes the work of both threads.
     CompareMeasures(const Parts& parts, const Work& work, QObject* parent = nullptr);
@@ -109,7 +111,7 @@ private:
     /// Empty only if the work was cancelled.
     [[nodiscard]] static std::optional<std::vector<Measured>> measured(const Asked& asked,
                                                                        const std::vector<TimedOtf>& timed,
-                                                                       const Progress& progress);
+                                                                       KeptSurfaces& kept, const Progress& progress);
     [[nodiscard]] std::vector<TimedOtf> timedBefore(const Asked& asked) const;
     void fail();
     void forgetStudy();
@@ -123,6 +125,7 @@ private:
     PaneOtfs& m_otfs;
     ComparedViews& m_views;
     const MotionPlayer& m_player;
+    KeptSurfaces& m_surfaces;
     std::optional<Asked> m_asked, m_measured;  ///< the newest request; the request of m_measures
     std::vector<Measured> m_measures;          ///< by place
     std::optional<FlickerAsked> m_flickerOf;   ///< the request of m_flickers

@@ -33,7 +33,8 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
       m_parts(parts),
       m_views({parts.model, parts.openStudy, parts.works, parts.otfs, parts.panes, parts.grid}),
       m_hand(parts.model, parts.openStudy, parts.grid),
-      m_measures({parts.model, parts.openStudy, parts.works, parts.otfs, m_views, parts.player}, work()),
+      m_measures({parts.model, parts.openStudy, parts.works, parts.otfs, m_views, parts.player, parts.surfaces},
+                 work()),
       m_pageWaits(parts.works, work()),
       m_writing(parts.works, "comparison page", work()) {
     connectPanel();

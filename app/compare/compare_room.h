@@ -37,6 +37,7 @@ public:
         QStackedWidget& rooms;  ///< the review room, then the comparison
         PaneOtfs& otfs;
         ShownPanes& panes;
+        KeptSurfaces& surfaces;
         CompareGrid& grid;
         ComparePanel& panel;
         MessageBar& messages;

@@ -1,7 +1,6 @@
 #include "app/otf/editor_early_light.h"
 
 #include <new>
-#include <utility>
 
 #include "widgets/controls/message_bar.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -50,22 +49,13 @@ void EditorEarlyLight::follow() {
 
 void EditorEarlyLight::measure(const Asked& asked) {
     m_asked = asked;
-    std::shared_ptr<const MeasuredSurfaces> surfaces;
-    if (m_measured && m_measured->asked.source == asked.source && m_measured->asked.raw == asked.raw)
-        surfaces = m_measured->surfaces;
-    m_thread.submit([this, asked, surfaces](const Progress& progress) -> NewestWinsThread::Deliver {
-        auto measured = std::make_shared<Measured>(Measured{asked, surfaces, {}});
+    m_thread.submit([this, asked](const Progress& progress) -> NewestWinsThread::Deliver {
+        std::optional<EarlyLight> light;
         try {
             const Progress silent{{}, progress.cancel};
-            if (!surfaces) {
-                auto found = measuredSurfacesOf(asked.source, *asked.raw, silent);
-                if (!found) return {};
-                measured->surfaces = std::make_shared<const MeasuredSurfaces>(std::move(*found));
-            }
-            const auto light =
-                earlyLightOf(*asked.shown, asked.source.view, measured->surfaces->rays, asked.classification, silent);
-            if (!light) return {};
-            measured->light = *light;
+            const auto surfaces = m_parts.surfaces.of(asked.source, asked.raw, silent);
+            if (!surfaces) return {};
+            light = earlyLightOf(*asked.shown, asked.source.view, surfaces->rays, asked.classification, silent);
         } catch (const std::bad_alloc&) {
             return [this] {
                 m_parts.messages.showMessage(MessageKind::error,
@@ -73,7 +63,8 @@ void EditorEarlyLight::measure(const Asked& asked) {
                                              MessageEnd::withStudy(earlyLightTopic));
             };
         }
-        return [this, measured] {
+        if (!light) return {};
+        return [this, measured = Measured{asked, *light}] {
             m_measured = measured;
             m_parts.messages.takeBack(earlyLightTopic);
             follow();

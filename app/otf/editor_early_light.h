@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/otf/kept_surfaces.h"
 #include "app/otf/shown_panes.h"
 #include "processing/comparison/early_light.h"
 #include "processing/pane_picture/pane_measures.h"
@@ -29,6 +30,7 @@ public:
         const ShownPanes& panes;
         OtfEditor& editor;
         MessageBar& messages;
+        KeptSurfaces& surfaces;
     };
     /// What the parameters refer to must outlive this object.
     explicit EditorEarlyLight(const Parts& parts, QObject* parent = nullptr);
@@ -43,10 +45,8 @@ private:
         Classification classification{};
         friend bool operator==(const Asked&, const Asked&) = default;
     };
-    /// What was measured last. Edits of the curve keep the surfaces.
     struct Measured {
         Asked asked;
-        std::shared_ptr<const MeasuredSurfaces> surfaces;
         EarlyLight light;
     };
     [[nodiscard]] std::optional<Asked> wanted() const;
@@ -56,9 +56,9 @@ private:
 
     Parts m_parts;
     bool m_seen = false;
-    std::optional<Asked> m_asked;  ///< the newest request
-    std::shared_ptr<const Measured> m_measured;
-    NewestWinsThread m_thread;  ///< last, so that it has ended before anything above is destroyed
+    std::optional<Asked> m_asked;        ///< the newest request
+    std::optional<Measured> m_measured;  ///< what was measured last
+    NewestWinsThread m_thread;           ///< last, so that it has ended before anything above is destroyed
 };
 
 }  // namespace echolucent

@@ -112,8 +112,8 @@ void MainWindow::createUnits() {
     m_view = std::make_unique<DocumentView>(m_document, m_openStudy, *m_panes, *m_widgets.picture);
     m_editorOtfs = std::make_unique<EditorOtfs>(
         EditorOtfs::Parts{m_document, *m_otfs, *m_panes, *m_widgets.editor, *m_widgets.designers, *m_widgets.messages});
-    m_earlyLight = std::make_unique<EditorEarlyLight>(
-        EditorEarlyLight::Parts{m_document, m_openStudy, m_works, *m_panes, *m_widgets.editor, *m_widgets.messages});
+    m_earlyLight = std::make_unique<EditorEarlyLight>(EditorEarlyLight::Parts{
+        m_document, m_openStudy, m_works, *m_panes, *m_widgets.editor, *m_widgets.messages, m_surfaces});
     // A dock below another tab counts as visible, but nobody sees it.
     connect(&dockOf(*m_widgets.editor), &QDockWidget::visibilityChanged, m_earlyLight.get(),
             &EditorEarlyLight::setSeen);
@@ -157,8 +157,8 @@ void MainWindow::createUnits() {
         *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_compare = std::make_unique<CompareRoom>(
         CompareRoom::Parts{*this, m_document, m_openStudy, m_works, m_motionPlayer, *m_widgets.rooms, *m_otfs, *m_panes,
-                           *m_widgets.compared, *m_widgets.compare, *m_widgets.messages, m_settings, m_names,
-                           [this](const QString& what) { return m_files->proposedName(what); }});
+                           m_surfaces, *m_widgets.compared, *m_widgets.compare, *m_widgets.messages, m_settings,
+                           m_names, [this](const QString& what) { return m_files->proposedName(what); }});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
         *this, m_document, m_openStudy, m_works, *m_otfs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
         *m_widgets.editor, m_settings, *m_widgets.messages, m_names,

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/motion/motion_frames.h"
+#include "app/otf/kept_surfaces.h"
 #include "app/picture/document_view.h"
 #include "app/picture/picture_caption.h"
 #include "app/sessions/shown_study.h"
@@ -83,6 +84,8 @@ public:
     /// The OTFs of the motion so far.
     [[nodiscard]] const OtfCourse& otfCourse() const { return m_course; }
 
+    [[nodiscard]] const KeptSurfaces& surfaces() const { return m_surfaces; }
+
     /// Review and Teach.
     [[nodiscard]] WindowFaces& faces() { return *m_faces; }
 
@@ -139,6 +142,7 @@ private:
     OpenStudy m_openStudy{m_works};
     MotionPlayer m_motionPlayer;
     OtfCourse m_course;
+    KeptSurfaces m_surfaces;
 
     WindowLayout m_widgets;
     FullScreen* m_fullScreen = nullptr;

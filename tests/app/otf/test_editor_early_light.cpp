@@ -3,11 +3,13 @@
 #include <QDockWidget>
 #include <numeric>
 
+#include "app/compare/compare_room.h"
 #include "app/otf/pane_otfs.h"
 #include "processing/pane_picture/pane_measures.h"
 #include "tests/app/window_fixture.h"
 #include "tests/processing/tube_core/plane_volume.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/compare/compare_panel.h"
 #include "widgets/otf_editor/curve_canvas.h"
 
 using namespace echolucent;
@@ -49,6 +51,7 @@ private slots:
         // Fluid has a tenth of the tissue's echo.
         QVERIFY(std::accumulate(light()->held.begin(), light()->held.begin() + 16, 0.0) > 0.99 * light()->sum());
         QVERIFY(window().otfEditor().canvas().accessibleDescription().contains("Held back early"));
+        const int found = window().surfaces().timesFound();
         render(hazed(0.0));
         QVERIFY(!light());  // of another curve
         QTRY_VERIFY_WITH_TIMEOUT(light(), 30000);
@@ -56,6 +59,30 @@ private slots:
         QVERIFY(light()->rays > 100);
         QCOMPARE(light()->early, 0);
         QCOMPARE(light()->sum(), 0.0);
+        QVERIFY2(window().surfaces().timesFound() == found, "an edit of the curve finds no surfaces anew");
+    }
+
+    void theComparisonMeasuresWithTheSameSurfaces() {
+        window().document().change("panes", [](Document& next) {
+            next.panes = {{.curve = CurveKind::manual}, {.curve = CurveKind::linear}};
+        });
+        window().compareRoom().setShown(true);
+        child<QDockWidget>("dock.otfEditor")->raise();  // the panel Compare came to the front
+        click("otfEditor.earlyLight");
+        const auto measured = [this] {
+            const auto& rows = child<ComparePanel>("compare")->rows();
+            return light() && window().idle() && rows.size() == 2 && rows[0].depth && rows[1].depth;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(measured(), 30000);
+        const int found = window().surfaces().timesFound();
+        render(hazed(0.1));
+        QTRY_VERIFY_WITH_TIMEOUT(measured(), 30000);
+        QCOMPARE(child<ComparePanel>("compare")->rows()[0].depth->early, light()->early);
+        QVERIFY(light()->early > 100);
+        QCOMPARE(window().surfaces().timesFound(), found);
+        lookFrom(window(), Viewpoint{.azimuthDegrees = 30});
+        QTRY_VERIFY_WITH_TIMEOUT(measured(), 30000);
+        QVERIFY2(window().surfaces().timesFound() == found + 1, "both measure the new view with surfaces found once");
     }
 
     void itFollowsTheViewAndADragShowsNone() {
@@ -91,12 +118,10 @@ private slots:
         QVERIFY(!light());
         click("otfEditor.earlyLight");
         QVERIFY(light() && *light() == before);  // it was kept
-        waitUntilIdle();
         window().otfEditor().setManualSaved();
-        window().close();
-        close();
-        showAgain();
-        QVERIFY(child<QCheckBox>("otfEditor.earlyLight")->isChecked());
+        window().close();  // so this function is the last
+        const MainWindow next(settingsFile());
+        QVERIFY(next.findChild<QCheckBox*>("otfEditor.earlyLight")->isChecked());
     }
 
 private:

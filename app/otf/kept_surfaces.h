@@ -1,0 +1,42 @@
+// Keeps the surfaces with which panes are measured, so that all who measure find them once.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "processing/pane_picture/pane_measures.h"
+#include "processing/progress.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// Finds surfaces by what they depend on: where they come from, and the voxels. No edit of a curve changes that. Any
+/// thread may ask. It keeps no voxels alive: surfaces are never found again once their voxels are gone.
+class KeptSurfaces {
+public:
+    /// measuredSurfacesOf(source, *raw), kept from before if they are there. A thread waits while another one finds
+    /// surfaces, so that both get the same ones. Null only if progress.cancel was raised; then nothing is kept.
+    [[nodiscard]] std::shared_ptr<const MeasuredSurfaces> of(const SurfaceSource& source,
+                                                             const std::shared_ptr<const Volume>& raw,
+                                                             const Progress& progress = {});
+    /// How many times surfaces were found so far, and not kept from before.
+    [[nodiscard]] int timesFound() const { return m_timesFound; }
+
+    /// The newest ones are kept: each pane may show a phase of its own.
+    static constexpr std::size_t mostKept = mostPanes;
+
+private:
+    struct Kept {
+        SurfaceSource source;
+        std::weak_ptr<const Volume> raw;
+        std::shared_ptr<const MeasuredSurfaces> surfaces;
+    };
+
+    std::mutex m_mutex;        ///< held while surfaces are found
+    std::vector<Kept> m_kept;  ///< the newest last
+    std::atomic<int> m_timesFound = 0;
+};
+
+}  // namespace echolucent
