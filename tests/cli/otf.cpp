@@ -6,7 +6,6 @@
 
 #include "otf_of.h"
 #include "program.h"
-#include "tables.h"
 
 namespace echolucent {
 namespace {
@@ -229,21 +228,6 @@ void expectRealCurvesAreThoseOfTheirRamps(const std::string& names) {
 TEST(OtfOfRealData, CurveFollowsFromTheQuietTubes) { expectRealCurvesAreThoseOfTheirRamps("iso0.3mm"); }
 TEST(LongOtfOfRealData, CurvesFollowFromTheQuietTubes) { expectRealCurvesAreThoseOfTheirRamps(""); }
 
-/// The program of docs/cli-otf.md, run by Python on reports of several aims, prints how far it is from the report.
-TEST(OtfJson, TheProgramOfTheDocsRebuildsTheCurve) {
-    const std::string page = contentsOf(ECHOLUCENT_SOURCE_DIR "/docs/cli-otf.md"), begins = "```python\n";
-    const auto from = page.find(begins) + begins.size();
-    const Folder folder;
-    write(folder / "rebuild.py", page.substr(from, page.find("```", from) - from));
-    for (const std::string options : {"--reading 0.1", "--reduction medium", "--aim 1 --reduction strong"}) {
-        write(folder / "otf.json", otfOf(shapesFile(), options).dump());
-        const std::string run =
-            "python3 \"" + folder / "rebuild.py" + "\" \"" + folder / "otf.json" + "\" >\"" + folder / "error" + "\"";
-        ASSERT_EQ(std::system(run.c_str()), 0) << options;
-        EXPECT_LE(std::stod(contentsOf(folder / "error")), 1e-12) << options;
-    }
-}
-
 TEST(OtfJson, WeightsFollowFromTheTubesByEquations8To11) {
     expectWeightsFollowFromTubes(otfOf(shapesFile(), "--interface-function variance"));
     expectWeightsFollowFromTubes(
@@ -338,37 +322,6 @@ TEST(OtfJson, SaysSoWhereThereIsNoSurface) {
             EXPECT_NEAR(otf["otf"]["opacity"][i].get<double>(), static_cast<double>(i * i) / 65025, 1e-15);
         EXPECT_EQ(outcome.output.find("nan"), std::string::npos);
     }
-}
-
-TEST(OtfTables, HoldTheSameNumbersAsTheJson) {
-    const Folder folder;
-    const Outcome outcome =
-        runProgram("otf \"" + shapesFile() + "\" --form product --json \"" + folder / "o.json" + "\" --csv \"" +
-                   folder / "o.csv" + "\" --tubes-csv \"" + folder / "t.csv" + "\"");
-    ASSERT_EQ(outcome.status, 0) << outcome.errors;
-    EXPECT_EQ(outcome.output, "");
-    const json otf = json::parse(contentsOf(folder / "o.json"));
-    const auto curve = rowsOf(contentsOf(folder / "o.csv"));
-    ASSERT_EQ(curve.size(), 257u);
-    EXPECT_EQ(curve[0], (std::vector<std::string>{"intensity", "opacity", "log_opacity", "initial_opacity"}));
-    EXPECT_EQ(curve[1][2], "") << "ln 0";
-    for (std::size_t i = 1; i < 256; ++i) {
-        EXPECT_EQ(std::stod(curve[i + 1][0]), otf["otf"]["intensity"][i].get<double>());
-        EXPECT_EQ(std::stod(curve[i + 1][1]), otf["otf"]["opacity"][i].get<double>());
-        EXPECT_EQ(std::stod(curve[i + 1][2]), otf["otf"]["log_opacity"][i].get<double>());
-    }
-    const auto tubes = rowsOf(contentsOf(folder / "t.csv"));
-    ASSERT_EQ(tubes.size(), 226u);
-    for (const auto& row : tubes) EXPECT_EQ(row.size(), tubes[0].size());
-    EXPECT_EQ(tubes[0].back(), "d");
-    for (std::size_t t = 0; t < 225; ++t) EXPECT_EQ(std::stod(tubes[t + 1].back()), otf["tubes"][t]["d"].get<double>());
-}
-
-TEST(OtfSummary, IsPrintedWhereNoFileIsAskedFor) {
-    const Outcome outcome = runProgram("otf \"" + shapesFile() + "\"");
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.output.find("of 225 tube cores meet the volume"), std::string::npos);
-    EXPECT_NE(outcome.output.find("110x100x120 uint8"), std::string::npos);
 }
 
 TEST(OtfOfRealData, FindsSurfacesBehindTheChestsNearCut) {
