@@ -1,4 +1,4 @@
-// The window at 1280 x 720: one column of tabs, nothing clipped, messages over the picture, the full screen.
+// The window at 1280 x 720: one column of tabs, nothing clipped, messages over the picture.
 #include <QAbstractScrollArea>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
@@ -6,16 +6,13 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
-#include <QMenuBar>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
-#include <QStatusBar>
 #include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
-#include <QWindow>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -228,73 +225,6 @@ private slots:
         QTest::mouseClick(child<QAbstractButton>("message.close"), Qt::LeftButton);
         QVERIFY(!bar->isVisible());
         QCOMPARE(window().volumeView().geometry(), picture);
-    }
-
-    void theFullScreenShowsThePictureAloneAndBringsAllBack() {
-        child<QDockWidget>("dock.study")->raise();
-        window().resizeDocks({child<QDockWidget>("dock.study")}, {380}, Qt::Horizontal);
-        QTRY_COMPARE(child<QDockWidget>("dock.study")->width(), 380);
-        child<QDockWidget>("dock.method")->close();
-        const QSize before = window().size();
-        const auto seen = [this] {
-            QStringList names;
-            for (const char* name : {"toolBar", "dock.view", "dock.otfEditor", "dock.method", "dock.study",
-                                     "dock.motionMap", "dock.explain", "motion", "study.facts", "adaptive.strength"})
-                if (child<QWidget>(name)->isVisible()) names << name;
-            if (window().menuBar()->isVisible()) names << "menu";
-            if (window().statusBar()->isVisible()) names << "status";
-            return names;
-        };
-        const QStringList seenBefore = seen();
-        QVERIFY(seenBefore.contains("study.facts") && !seenBefore.contains("dock.method"));
-        for (const Qt::Key leave : {Qt::Key_F, Qt::Key_Escape}) {
-            QTest::keyClick(&window(), Qt::Key_F);
-            QVERIFY(window().isFullScreen());
-            QCOMPARE(seen(), QStringList());
-            QTRY_COMPARE(window().volumeView().size(), window().size());
-            QTest::keyClick(&window(), leave);
-            QVERIFY(!window().isFullScreen());
-            window().resize(before);  // a virtual display has no window manager that would do it
-            QTRY_COMPARE(seen(), seenBefore);
-            QTRY_COMPARE(child<QDockWidget>("dock.study")->width(), 380);
-        }
-        waitUntilIdle();
-    }
-
-    void keysWorkOnTheFullScreenAndClosingThereLosesNoPanel() {
-        QTest::keyClick(&window(), Qt::Key_F);
-        QTest::keyClick(&window(), Qt::Key_3);
-        QCOMPARE(window().document().document().panes.at(firstPane).curve, CurveKind::linear);
-        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(window().document().document().panes.at(firstPane).curve, CurveKind::adaptive);
-        window().close();
-        MainWindow next(settingsFile());
-        next.show();
-        QVERIFY(!next.isFullScreen());
-        QVERIFY(next.findChild<QDockWidget*>("dock.view")->isVisible());
-        QVERIFY(next.menuBar()->isVisible());
-    }
-
-    void escapeEndsADragBeforeTheFullScreen() {
-        QTest::keyClick(&window(), Qt::Key_F);
-        const Pose before = window().document().document().scene.pose;
-        auto* inner = pictureWindow();
-        const QPoint from(inner->width() / 2, inner->height() / 2);
-        QTest::mousePress(inner, Qt::LeftButton, {}, from);
-        QTest::mouseMove(inner, from + QPoint(60, 0));
-        QTRY_VERIFY(window().document().document().scene.pose != before);
-        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
-        QCOMPARE(window().document().document().scene.pose, before);
-        QVERIFY(window().isFullScreen());
-        QTest::mouseRelease(inner, Qt::LeftButton, {}, from);
-        int lassos = 1;
-        window().escapeOrder().add(EscapeStep::lasso, [&lassos] { return lassos-- > 0; });
-        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
-        QCOMPARE(lassos, 0);
-        QVERIFY(window().isFullScreen());
-        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
-        QVERIFY(!window().isFullScreen());
-        waitUntilIdle();
     }
 
     void f1OpensOnePanelThatFollowsThePicture() {

@@ -1,0 +1,102 @@
+// The full screen shows the picture alone, and Escape ends what is under way before it.
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QWindow>
+
+#include "tests/app/window_fixture.h"
+#include "tests/qt_program/test_classes.h"
+
+using namespace echolucent;
+
+class TestMainWindowFullScreen : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        lookAtNoPicture();
+        seeSides();
+        teach();
+        m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
+    void init() {
+        show();
+        window().resize(1280, 720);
+        open(m_file);
+    }
+    void cleanup() { close(); }
+
+    void theFullScreenShowsThePictureAloneAndBringsAllBack() {
+        child<QDockWidget>("dock.study")->raise();
+        window().resizeDocks({child<QDockWidget>("dock.study")}, {380}, Qt::Horizontal);
+        QTRY_COMPARE(child<QDockWidget>("dock.study")->width(), 380);
+        child<QDockWidget>("dock.method")->close();
+        const QSize before = window().size();
+        const auto seen = [this] {
+            QStringList names;
+            for (const char* name : {"toolBar", "dock.view", "dock.otfEditor", "dock.method", "dock.study",
+                                     "dock.motionMap", "dock.explain", "motion", "study.facts", "adaptive.strength"})
+                if (child<QWidget>(name)->isVisible()) names << name;
+            if (window().menuBar()->isVisible()) names << "menu";
+            if (window().statusBar()->isVisible()) names << "status";
+            return names;
+        };
+        const QStringList seenBefore = seen();
+        QVERIFY(seenBefore.contains("study.facts") && !seenBefore.contains("dock.method"));
+        for (const Qt::Key leave : {Qt::Key_F, Qt::Key_Escape}) {
+            QTest::keyClick(&window(), Qt::Key_F);
+            QVERIFY(window().isFullScreen());
+            QCOMPARE(seen(), QStringList());
+            QTRY_COMPARE(window().volumeView().size(), window().size());
+            QTest::keyClick(&window(), leave);
+            QVERIFY(!window().isFullScreen());
+            window().resize(before);  // a virtual display has no window manager that would do it
+            QTRY_COMPARE(seen(), seenBefore);
+            QTRY_COMPARE(child<QDockWidget>("dock.study")->width(), 380);
+        }
+        waitUntilIdle();
+    }
+
+    void keysWorkOnTheFullScreenAndClosingThereLosesNoPanel() {
+        QTest::keyClick(&window(), Qt::Key_F);
+        QTest::keyClick(&window(), Qt::Key_3);
+        QCOMPARE(window().document().document().panes.at(firstPane).curve, CurveKind::linear);
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window().document().document().panes.at(firstPane).curve, CurveKind::adaptive);
+        window().close();
+        MainWindow next(settingsFile());
+        next.show();
+        QVERIFY(!next.isFullScreen());
+        QVERIFY(next.findChild<QDockWidget*>("dock.view")->isVisible());
+        QVERIFY(next.menuBar()->isVisible());
+    }
+
+    void escapeEndsADragBeforeTheFullScreen() {
+        QTest::keyClick(&window(), Qt::Key_F);
+        const Pose before = window().document().document().scene.pose;
+        auto* inner = pictureWindow();
+        const QPoint from(inner->width() / 2, inner->height() / 2);
+        QTest::mousePress(inner, Qt::LeftButton, {}, from);
+        QTest::mouseMove(inner, from + QPoint(60, 0));
+        QTRY_VERIFY(window().document().document().scene.pose != before);
+        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
+        QCOMPARE(window().document().document().scene.pose, before);
+        QVERIFY(window().isFullScreen());
+        QTest::mouseRelease(inner, Qt::LeftButton, {}, from);
+        int lassos = 1;
+        window().escapeOrder().add(EscapeStep::lasso, [&lassos] { return lassos-- > 0; });
+        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
+        QCOMPARE(lassos, 0);
+        QVERIFY(window().isFullScreen());
+        QTest::keyClick(&window().volumeView(), Qt::Key_Escape);
+        QVERIFY(!window().isFullScreen());
+        waitUntilIdle();
+    }
+
+private:
+    QString m_file;
+};
+
+ECHOLUCENT_TEST_CLASS(TestMainWindowFullScreen)
+
+#include "test_main_window_full_screen.moc"
