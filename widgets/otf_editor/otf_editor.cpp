@@ -11,13 +11,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/value_text.h"
 #include "widgets/key_table.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/curve_legend.h"
 #include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/editor_tool_row.h"
 #include "widgets/otf_editor/node_reduction.h"
 #include "widgets/otf_editor/node_table.h"
 #include "widgets/otf_editor/parameter_panel.h"
@@ -27,16 +27,6 @@ namespace echolucent {
 namespace {
 
 constexpr int shownNodeRows = 4;  // of the node table, without scrolling
-
-QToolButton* buttonFor(QAction* action, const QString& objectName, Qt::ToolButtonStyle style) {
-    auto* button = new QToolButton;
-    button->setDefaultAction(action);
-    button->setObjectName(objectName);
-    button->setAccessibleName(action->text().remove('&'));
-    button->setToolButtonStyle(style);
-    button->setFocusPolicy(Qt::StrongFocus);
-    return button;
-}
 
 /// The lowest of 256 intensities at which the curve reaches an opacity; no value if it never does.
 std::optional<double> intensityReaching(const OpacityCurve& curve, double opacity) {
@@ -132,34 +122,12 @@ void OtfEditor::makePresets() {
 }
 
 QLayout* OtfEditor::makeToolRow() {
-    auto* row = new FlowLayout(4);
-    row->addWidget(buttonFor(m_undo, "otfEditor.undo", Qt::ToolButtonIconOnly));
-    row->addWidget(buttonFor(m_redo, "otfEditor.redo", Qt::ToolButtonIconOnly));
-    row->addWidget(buttonFor(m_reset, "otfEditor.reset", Qt::ToolButtonTextOnly));
-    auto* presets = new QToolButton;
-    presets->setObjectName("otfEditor.presets");
-    presets->setText(m_presets->title());
-    presets->setAccessibleName(tr("Curves that the manual curve begins with"));
-    presets->setToolTip(tr("Begins the manual curve with one of these"));
-    presets->setMenu(m_presets);
-    presets->setPopupMode(QToolButton::InstantPopup);
-    presets->setFocusPolicy(Qt::StrongFocus);
-    row->addWidget(presets);
-    row->addStretch();
-    auto* logarithmic = new QCheckBox(tr("Log histogram"));
-    logarithmic->setObjectName("otfEditor.histogramLog");
-    logarithmic->setToolTip(tr("Logarithmic heights show rare intensities too"));
-    logarithmic->setChecked(true);
-    connect(logarithmic, &QCheckBox::toggled, this, [this](bool on) {
-        m_canvas->setHistogramScale(on ? HistogramScale::logarithmic : HistogramScale::linear);
+    auto* row = new EditorToolRow({m_undo, m_redo, m_reset, m_presets});
+    connect(row, &EditorToolRow::histogramLogarithmic, this, [this](bool logarithmic) {
+        m_canvas->setHistogramScale(logarithmic ? HistogramScale::logarithmic : HistogramScale::linear);
     });
-    row->addWidget(logarithmic);
-    m_earlyLight = named(
-        new QCheckBox(tr("Early light")), "otfEditor.earlyLight", tr("Show the light that is held back early"),
-        tr("Bars show at which intensities light is held back more than 2 units before the surface: haze, or a wall. "
-           "They add up to the mean share of a ray's light. A bar as high as the plot is 10 % of it."));
+    m_earlyLight = &row->earlyLight();
     connect(m_earlyLight, &QCheckBox::toggled, this, &OtfEditor::earlyLightSwitched);
-    row->addWidget(m_earlyLight);
     return row;
 }
 
