@@ -1,19 +1,13 @@
 #include "widgets/compare/compare_panel.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QCheckBox>
-#include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QGroupBox>
-#include <QHeaderView>
 #include <QLabel>
-#include <QPushButton>
-#include <QScrollBar>
 #include <QSignalBlocker>
-#include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <variant>
@@ -111,7 +105,9 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
     m_switch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     column->addWidget(createPanes());
     column->addWidget(m_layoutGroup = createLayout());
-    column->addWidget(m_tableGroup = createTable());
+    column->addWidget(m_table = new CompareTable);
+    connect(m_table, &CompareTable::flickerRequested, this, &ComparePanel::flickerRequested);
+    connect(m_table, &CompareTable::pageRequested, this, &ComparePanel::pageRequested);
     column->addStretch(1);
     showAll();
 }
@@ -205,53 +201,6 @@ QGroupBox* ComparePanel::createLayout() {
     return group;
 }
 
-QGroupBox* ComparePanel::createTable() {
-    auto* group = new QGroupBox(tr("Measured"));
-    auto* column = new QVBoxLayout(group);
-    column->setContentsMargins(6, 6, 6, 6);
-    const QStringList columns = compareColumns().mid(1), tips = compareTips().mid(1);
-    m_table = named(new QTableWidget(0, static_cast<int>(columns.size())), "compare.table",
-                    tr("Table of the comparison"), tr("Rows are panes. Each heading says what its column asks."));
-    for (int i = 0; i < columns.size(); ++i) {
-        // The unit stands in a line of its own: the column of docks is narrow.
-        auto* heading = new QTableWidgetItem(QString(columns[i]).replace(QLatin1Char(' '), QLatin1Char('\n')));
-        heading->setToolTip(tips[i]);
-        m_table->setHorizontalHeaderItem(i, heading);
-    }
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setMinimumSectionSize(20);
-    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_note = secondaryLabel({});
-    m_note->setObjectName("compare.note");
-    m_note->setWordWrap(true);
-    m_flicker = named(new QPushButton(tr("Measure flicker")), "compare.measureFlicker", tr("Measure flicker"),
-                      tr("Turns the view from −10° to +10°, each frame with the OTF that its pane would show"));
-    auto* text = named(new QPushButton(tr("Copy as text")), "compare.copyText", tr("Copy the table as text"));
-    auto* csv = named(new QPushButton(tr("Copy as CSV")), "compare.copyCsv", tr("Copy the table as CSV"));
-    auto* page = named(new QPushButton(tr("Save page…")), "compare.savePage", tr("Save the comparison as a page"),
-                       tr("One HTML file that opens without a network"));
-    connect(m_flicker, &QPushButton::clicked, this, &ComparePanel::flickerRequested);
-    connect(text, &QPushButton::clicked, this, [this] { copy(compareText(m_rows)); });
-    connect(csv, &QPushButton::clicked, this, [this] { copy(compareCsv(m_rows)); });
-    connect(page, &QPushButton::clicked, this, &ComparePanel::pageRequested);
-    auto* buttons = new QGridLayout;
-    buttons->addWidget(m_flicker, 0, 0);
-    buttons->addWidget(page, 0, 1);
-    buttons->addWidget(text, 1, 0);
-    buttons->addWidget(csv, 1, 1);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    fitTable();
-    sayWhichSurfaces();
-    column->addWidget(m_table);
-    column->addWidget(m_note);
-    column->addLayout(buttons);
-    return group;
-}
-
-void ComparePanel::copy(const QString& text) const { QApplication::clipboard()->setText(text); }
-
 void ComparePanel::choose(std::size_t place) {
     const PaneControls& pane = m_controls.at(place);
     const int index = pane.otf->currentIndex();
@@ -321,8 +270,7 @@ void ComparePanel::setLimits(int phases, int tubes) {
 
 void ComparePanel::setMeasuringFlicker(bool measuring) {
     m_measuring = measuring;
-    enableOrSayWhy(*m_flicker, !measuring && !m_panes.empty(),
-                   measuring ? tr("It is being measured.") : tr("Nothing is compared."));
+    m_table->setMeasuringFlicker(measuring, !m_panes.empty());
 }
 
 void ComparePanel::showAll() {
@@ -369,37 +317,9 @@ void ComparePanel::showAll() {
         enableOrSayWhy(*one, pair, tr("The layout shows all panes side by side."));
     enableOrSayWhy(*m_amplification, m_comparison.layout == ComparisonLayout::difference,
                    tr("The layout shows no difference."));
-    for (QGroupBox* group : {m_layoutGroup, m_tableGroup}) group->setVisible(!m_panes.empty());
+    m_layoutGroup->setVisible(!m_panes.empty());
+    m_table->setVisible(!m_panes.empty());
     setMeasuringFlicker(m_measuring);
-}
-
-void ComparePanel::setRows(const std::vector<CompareRow>& rows) {
-    if (rows == m_rows && m_table->rowCount() == static_cast<int>(rows.size())) return;
-    m_rows = rows;
-    m_table->setRowCount(static_cast<int>(rows.size()));
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const QStringList cells = cellsOf(rows[static_cast<std::size_t>(row)]);
-        for (int column = 0; column + 1 < cells.size(); ++column) {
-            auto* item = new QTableWidgetItem(cells[column + 1]);
-            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            item->setToolTip(cells[0]);
-            m_table->setItem(row, column, item);
-        }
-    }
-    fitTable();
-    sayWhichSurfaces();
-}
-
-void ComparePanel::sayWhichSurfaces() {
-    m_note->setText((tr("Rows are panes. ") + surfacesSentence(m_rows)).trimmed());
-}
-
-/// Makes the table as high as its rows, so that it scrolls sideways only.
-void ComparePanel::fitTable() {
-    int high =
-        m_table->horizontalHeader()->sizeHint().height() + m_table->horizontalScrollBar()->sizeHint().height() + 2;
-    for (int row = 0; row < m_table->rowCount(); ++row) high += m_table->rowHeight(row);
-    m_table->setFixedHeight(high);
 }
 
 }  // namespace echolucent

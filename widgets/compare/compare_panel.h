@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "processing/document/panes.h"
-#include "widgets/compare/compare_rows.h"
+#include "widgets/compare/compare_table.h"
 
 class QAction;
 class QCheckBox;
@@ -15,9 +15,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QGroupBox;
 class QLabel;
-class QPushButton;
 class QSpinBox;
-class QTableWidget;
 class QToolButton;
 
 namespace echolucent {
@@ -27,9 +25,8 @@ namespace echolucent {
 [[nodiscard]] QString nameOfPane(const Pane& choice);
 
 /// Objects: compare (this), compare.switch, compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4,
-/// compare.motion2 … 4, compare.layout, compare.first, compare.second, compare.amplification, compare.colours,
-/// compare.table, compare.measureFlicker, compare.copyText, compare.copyCsv, compare.savePage, compare.note. No setter
-/// emits a signal.
+/// compare.motion2 … 4, compare.layout, compare.first, compare.second, compare.amplification, compare.colours, and
+/// those of CompareTable. No setter emits a signal.
 class ComparePanel : public QWidget {
     Q_OBJECT
 
@@ -43,8 +40,8 @@ public:
     void setComparison(const Comparison& comparison);
     /// Limits of the study and the method, for the choices that depend on them.
     void setLimits(int phases, int tubes);
-    void setRows(const std::vector<CompareRow>& rows);
-    [[nodiscard]] const std::vector<CompareRow>& rows() const { return m_rows; }
+    void setRows(const std::vector<CompareRow>& rows) { m_table->setRows(rows); }
+    [[nodiscard]] const std::vector<CompareRow>& rows() const { return m_table->rows(); }
     /// Whether the flicker is being measured.
     void setMeasuringFlicker(bool measuring);
 
@@ -66,19 +63,14 @@ private:
     };
     QGroupBox* createPanes();
     QGroupBox* createLayout();
-    QGroupBox* createTable();
     void choose(std::size_t place);
     void choosePhase(std::size_t place);
     void chooseComparison(const QString& what);
-    void copy(const QString& text) const;
     void showAll();
-    void fitTable();
-    void sayWhichSurfaces();
 
     std::vector<Pane> m_panes;
     QStringList m_names;
     Comparison m_comparison;
-    std::vector<CompareRow> m_rows;
     int m_phases = 1, m_tubes = 1;
     bool m_measuring = false;
     QToolButton* m_switch = nullptr;
@@ -89,11 +81,8 @@ private:
     QComboBox* m_second = nullptr;
     QDoubleSpinBox* m_amplification = nullptr;
     QCheckBox* m_colours = nullptr;
-    QTableWidget* m_table = nullptr;
-    QLabel* m_note = nullptr;
-    QPushButton* m_flicker = nullptr;
     QGroupBox* m_layoutGroup = nullptr;
-    QGroupBox* m_tableGroup = nullptr;
+    CompareTable* m_table = nullptr;
 };
 
 }  // namespace echolucent

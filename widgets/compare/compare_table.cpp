@@ -1,0 +1,101 @@
+#include "widgets/compare/compare_table.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "widgets/controls/panel_controls.h"
+
+namespace echolucent {
+
+CompareTable::CompareTable(QWidget* parent) : QGroupBox(tr("Measured"), parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->addWidget(m_table = makeTable());
+    column->addWidget(m_note = secondaryLabel({}));
+    m_note->setObjectName("compare.note");
+    m_note->setWordWrap(true);
+    column->addLayout(makeButtons());
+    fitTable();
+    sayWhichSurfaces();
+}
+
+QTableWidget* CompareTable::makeTable() {
+    const QStringList columns = compareColumns().mid(1), tips = compareTips().mid(1);
+    auto* table = named(new QTableWidget(0, static_cast<int>(columns.size())), "compare.table",
+                        tr("Table of the comparison"), tr("Rows are panes. Each heading says what its column asks."));
+    for (int i = 0; i < columns.size(); ++i) {
+        // The unit stands in a line of its own: the column of docks is narrow.
+        auto* heading = new QTableWidgetItem(QString(columns[i]).replace(QLatin1Char(' '), QLatin1Char('\n')));
+        heading->setToolTip(tips[i]);
+        table->setHorizontalHeaderItem(i, heading);
+    }
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->horizontalHeader()->setMinimumSectionSize(20);
+    table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return table;
+}
+
+QLayout* CompareTable::makeButtons() {
+    m_flicker = named(new QPushButton(tr("Measure flicker")), "compare.measureFlicker", tr("Measure flicker"),
+                      tr("Turns the view from −10° to +10°, each frame with the OTF that its pane would show"));
+    auto* text = named(new QPushButton(tr("Copy as text")), "compare.copyText", tr("Copy the table as text"));
+    auto* csv = named(new QPushButton(tr("Copy as CSV")), "compare.copyCsv", tr("Copy the table as CSV"));
+    auto* page = named(new QPushButton(tr("Save page…")), "compare.savePage", tr("Save the comparison as a page"),
+                       tr("One HTML file that opens without a network"));
+    connect(m_flicker, &QPushButton::clicked, this, &CompareTable::flickerRequested);
+    connect(text, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(compareText(m_rows)); });
+    connect(csv, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(compareCsv(m_rows)); });
+    connect(page, &QPushButton::clicked, this, &CompareTable::pageRequested);
+    auto* buttons = new QGridLayout;
+    buttons->addWidget(m_flicker, 0, 0);
+    buttons->addWidget(page, 0, 1);
+    buttons->addWidget(text, 1, 0);
+    buttons->addWidget(csv, 1, 1);
+    return buttons;
+}
+
+void CompareTable::setMeasuringFlicker(bool measuring, bool anyPane) {
+    enableOrSayWhy(*m_flicker, !measuring && anyPane,
+                   measuring ? tr("It is being measured.") : tr("Nothing is compared."));
+}
+
+void CompareTable::setRows(const std::vector<CompareRow>& rows) {
+    if (rows == m_rows && m_table->rowCount() == static_cast<int>(rows.size())) return;
+    m_rows = rows;
+    m_table->setRowCount(static_cast<int>(rows.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const QStringList cells = cellsOf(rows[static_cast<std::size_t>(row)]);
+        for (int column = 0; column + 1 < cells.size(); ++column) {
+            auto* item = new QTableWidgetItem(cells[column + 1]);
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            item->setToolTip(cells[0]);
+            m_table->setItem(row, column, item);
+        }
+    }
+    fitTable();
+    sayWhichSurfaces();
+}
+
+void CompareTable::sayWhichSurfaces() {
+    m_note->setText((tr("Rows are panes. ") + surfacesSentence(m_rows)).trimmed());
+}
+
+/// Makes the table as high as its rows, so that it scrolls sideways only.
+void CompareTable::fitTable() {
+    int high =
+        m_table->horizontalHeader()->sizeHint().height() + m_table->horizontalScrollBar()->sizeHint().height() + 2;
+    for (int row = 0; row < m_table->rowCount(); ++row) high += m_table->rowHeight(row);
+    m_table->setFixedHeight(high);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,44 @@
+// The table of a comparison's measures, with what says and copies it.
+#pragma once
+
+#include <QGroupBox>
+#include <vector>
+
+#include "widgets/compare/compare_rows.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace echolucent {
+
+/// Objects: compare.table, compare.measureFlicker, compare.copyText, compare.copyCsv, compare.savePage, compare.note.
+/// No setter emits a signal.
+class CompareTable : public QGroupBox {
+    Q_OBJECT
+
+public:
+    explicit CompareTable(QWidget* parent = nullptr);
+
+    void setRows(const std::vector<CompareRow>& rows);
+    [[nodiscard]] const std::vector<CompareRow>& rows() const { return m_rows; }
+    /// Whether the flicker is being measured, and whether there are panes to measure.
+    void setMeasuringFlicker(bool measuring, bool anyPane);
+
+signals:
+    void flickerRequested();
+    void pageRequested();
+
+private:
+    [[nodiscard]] QTableWidget* makeTable();
+    [[nodiscard]] QLayout* makeButtons();
+    void fitTable();
+    void sayWhichSurfaces();
+
+    std::vector<CompareRow> m_rows;
+    QTableWidget* m_table = nullptr;
+    QLabel* m_note = nullptr;
+    QPushButton* m_flicker = nullptr;
+};
+
+}  // namespace echolucent
