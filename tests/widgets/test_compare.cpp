@@ -1,4 +1,5 @@
 // The widgets of the comparison by themselves: difference, panes, grid, table.
+#include <QAbstractItemView>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMouseEvent>
@@ -19,6 +20,7 @@
 #include "widgets/compare/compare_rows.h"
 #include "widgets/compare/difference_image.h"
 #include "widgets/compare/surface_legend.h"
+#include "widgets/controls/narrow_combo.h"
 #include "widgets/surface_colours.h"
 
 using namespace echolucent;
@@ -293,6 +295,27 @@ private slots:
         QVERIFY(table->horizontalScrollBar()->maximum() > 0);
         QCOMPARE(table->verticalScrollBar()->maximum(), 0);
         QVERIFY(panel.findChild<QLabel*>("compare.note")->text().contains("tube cores find in this view"));
+    }
+
+    void noWordOfAPairIsCut() {
+        const QString longest = "2: (b) Manually designed piecewise linear OTF";
+        ComparePanel panel;
+        panel.setPanes({{}, {.curve = CurveKind::linear}},
+                       {"(a) Linear OTF", "(b) Manually designed piecewise linear OTF"});
+        panel.resize(329, 900);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        auto* first = panel.findChild<NarrowCombo*>("compare.first");
+        auto* second = panel.findChild<NarrowCombo*>("compare.second");
+        QCOMPARE(first->shownText(), QString("1: (a) Linear OTF"));
+        QCOMPARE(second->currentText(), longest);
+        QCOMPARE(second->shownText(), QString("2: (b) Manually designed…"));
+        QVERIFY(second->fontMetrics().horizontalAdvance(second->shownText()) < second->width());
+        QVERIFY2(second->toolTip().startsWith(longest + ". Right of"), qPrintable(second->toolTip()));
+        second->setEnabled(true);
+        second->showPopup();
+        QVERIFY(second->view()->viewport()->width() > second->fontMetrics().horizontalAdvance(longest));
+        second->hidePopup();
     }
 };
 

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <variant>
 
+#include "widgets/controls/narrow_combo.h"
 #include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/surface_colours.h"
@@ -69,13 +70,9 @@ QGridLayout* gridIn(QGroupBox* group) {
     return grid;
 }
 
-/// A combo box with long words that is as narrow as its column.
-QComboBox* narrowCombo(const QString& name, const QString& accessibleName, const QString& toolTip) {
-    auto* box = named(new QComboBox, name, accessibleName, toolTip);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(8);
-    wheelNeedsFocus(box);
-    return box;
+/// A tool tip that begins with the entry, of which the closed box may show only the first words.
+QString tipOfPair(const QComboBox& box, const QString& meaning) {
+    return box.count() == 0 ? meaning : QStringLiteral("%1. %2").arg(box.currentText(), meaning);
 }
 
 }  // namespace
@@ -131,8 +128,8 @@ QGroupBox* ComparePanel::createPanes() {
     for (std::size_t i = 0; i < m_controls.size(); ++i) {
         PaneControls& pane = m_controls[i];
         const QString number = QString::number(i + 1);
-        pane.otf = narrowCombo("compare.otf" + number, tr("OTF of pane %1").arg(number),
-                               tr("What this pane is rendered with: a curve or a designer"));
+        pane.otf = named(new NarrowCombo, "compare.otf" + number, tr("OTF of pane %1").arg(number),
+                         tr("What this pane is rendered with: a curve or a designer"));
         for (const CurveKind kind : allCurveKinds) pane.otf->addItem(labelOfCurve(kind));
         for (const Designer designer : allDesigners) pane.otf->addItem(labelOfDesigner(designer));
         pane.otf->addItem(tr("Adaptive without tube core …"));
@@ -146,8 +143,8 @@ QGroupBox* ComparePanel::createPanes() {
                            tr("The volume of the 4D study that this pane shows"));
         pane.phase->setSpecialValueText(tr("as pane 1"));
         wheelNeedsFocus(pane.phase);
-        pane.motion = narrowCombo("compare.motion" + number, tr("OTF of pane %1 in the motion").arg(number),
-                                  tr("Which OTF the frames of the motion show in this pane"));
+        pane.motion = named(new NarrowCombo, "compare.motion" + number, tr("OTF of pane %1 in the motion").arg(number),
+                            tr("Which OTF the frames of the motion show in this pane"));
         pane.motion->addItem(tr("OTF as in the motion"));
         for (const MotionOtf otf : allMotionOtfs) pane.motion->addItem(wordsOf(otf));
         connect(pane.otf, &QComboBox::activated, this, [this, i] { choose(i); });
@@ -167,14 +164,13 @@ QGroupBox* ComparePanel::createPanes() {
 QGroupBox* ComparePanel::createLayout() {
     auto* group = new QGroupBox(tr("Shown as"));
     QGridLayout* grid = gridIn(group);
-    m_layout = narrowCombo("compare.layout", tr("How panes are shown"), tr("All of them, or two in one picture"));
+    m_layout =
+        named(new NarrowCombo, "compare.layout", tr("How panes are shown"), tr("All of them, or two in one picture"));
     m_layout->addItem(tr("Side by side"));
     m_layout->addItem(tr("Difference of two"));
     m_layout->addItem(tr("Wipe between two"));
-    m_first = narrowCombo("compare.first", tr("First of the two"),
-                          tr("Left of the wipe's line; in a difference, the second is subtracted from it"));
-    m_second = narrowCombo("compare.second", tr("Second of the two"),
-                           tr("Right of the wipe's line; in a difference, it is subtracted from the first"));
+    m_first = named(new NarrowCombo, "compare.first", tr("First of the two"));
+    m_second = named(new NarrowCombo, "compare.second", tr("Second of the two"));
     m_amplification = named(new NumberBox, "compare.amplification", tr("Amplification of the difference"),
                             tr("Grey is equal; brighter is where the first is brighter"));
     m_amplification->setRange(leastAmplification, largestAmplification);
@@ -308,6 +304,10 @@ void ComparePanel::showAll() {
     m_layout->setCurrentIndex(static_cast<int>(m_comparison.layout));
     m_first->setCurrentIndex(m_comparison.first);
     m_second->setCurrentIndex(m_comparison.second);
+    m_first->setToolTip(
+        tipOfPair(*m_first, tr("Left of the wipe's line; in a difference, the second is subtracted from it")));
+    m_second->setToolTip(
+        tipOfPair(*m_second, tr("Right of the wipe's line; in a difference, it is subtracted from the first")));
     m_amplification->setValue(m_comparison.amplification);
     m_colours->setChecked(m_comparison.colours);
     enableOrSayWhy(*m_colours, m_comparison.layout != ComparisonLayout::difference,
