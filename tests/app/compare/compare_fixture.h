@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 
 #include "app/compare/compare_room.h"
+#include "processing/document/panes.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_panel.h"
@@ -19,10 +20,11 @@ protected:
         m_moving =
             file("moving.mha", {smallPhantom(PhantomScene::shapes, 5), smallPhantom(PhantomScene::shapes, 5, 0.5)});
     }
-    /// The window compares the still scan, converged.
-    void begin() {
+    /// The window compares the still scan, converged: these panes, or the four standard ones.
+    void begin(const std::vector<Pane>& panes = {}) {
         show();
         useLook(Look{});
+        if (!panes.empty()) window().document().begin(withPanes(document(), panes));
         open(m_file);
         window().compareRoom().setShown(true);
         waitForFrame();

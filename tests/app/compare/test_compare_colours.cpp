@@ -39,12 +39,9 @@ class TestCompareColours : public QObject, private CompareFixture {
 
 private slots:
     void initTestCase() {
-        makeFiles();
+        m_file = file("still.mha", {smallPhantom(PhantomScene::shapes, 5)});
         lookAtNoPicture();
-        begin();
-        Document two = document();
-        two.panes.resize(panes);
-        window().document().begin(two);
+        begin({{.curve = CurveKind::adaptive}, {.curve = CurveKind::parabolic}});
         m_begun = document();
     }
     /// One window, in which every function begins anew.
