@@ -1,19 +1,17 @@
 // Review and Teach: which panels and menus each offers, and what stays the same.
+#include <QCheckBox>
 #include <QDockWidget>
-#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
-#include <QSlider>
 #include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
 #include <set>
 
 #include "app/compare/compare_room.h"
-#include "app/otf/pane_otfs.h"
 #include "app/sessions/study_rows.h"
 #include "app/window/window_faces.h"
 #include "tests/app/window_fixture.h"
@@ -151,74 +149,21 @@ private slots:
             QCOMPARE(withVolumesForPhases(name), QString(name));
     }
 
-    void theAimSaysWhichSurfacesTheAdaptiveCurveShows() {
-        open(m_file);
-        const auto* number = child<QDoubleSpinBox>("view.aim.value");
-        auto* slider = child<QSlider>("view.aim");
-        const auto aim = [&] { return std::get<RampRule>(window().document().document().method.config.curve).aim; };
-        QCOMPARE(number->text(), "50 %");
-        waitUntilIdle();
-        const auto before = window().otfs().adaptive();
-        slider->setFocus();
-        QTest::keyClick(slider, Qt::Key_Right);
-        QCOMPARE(number->text(), "51 %");
-        QCOMPARE(aim(), 0.51);
-        QCOMPARE(window().document().steps().undoText(), "surfaces");
-        QTest::keyClick(slider, Qt::Key_End);
-        QCOMPARE(aim(), 1.0);
-        waitUntilIdle();
-        QVERIFY(window().otfs().adaptive()->curve != before->curve);
-        QVERIFY(window().otfs().adaptive()->everyWall == before->everyWall);
-        while (aim() != 0.5) window().document().steps().undo();
-        QCOMPARE(number->text(), "50 %");
-        waitUntilIdle();
-        QVERIFY(window().otfs().adaptive()->curve == before->curve);
-
-        const auto whyNot = [&] { return slider->parentWidget()->toolTip(); };
-        window().document().change("curve", [](Document& next) { next.panes.front().curve = CurveKind::manual; });
-        QVERIFY(!slider->isEnabled());
-        QVERIFY2(whyNot().contains("Only the computed curve"), qPrintable(whyNot()));
-        window().document().change("pane", [](Document& next) { next.panes.push_back({}); });
-        QVERIFY2(slider->isEnabled(), "another pane shows the adaptive curve");
-        window().document().change("form", [](Document& next) { next.method.config.curve = ProductRule{}; });
-        QVERIFY(!slider->isEnabled());
-        QVERIFY2(whyNot().contains("A product of basis functions"), qPrintable(whyNot()));
-        waitUntilIdle();
-    }
-
-    void thresholdIsShownInPercentOfTheGreys() {
-        open(m_file);
-        const auto* number = child<QDoubleSpinBox>("view.threshold.value");
-        QCOMPARE(number->text(), "0 %");
-        auto* slider = child<QSlider>("view.threshold");
-        slider->setFocus();
-        QTest::keyClick(slider, Qt::Key_Right);
-        QCOMPARE(number->text(), "1 %");
-        QCOMPARE(window().document().document().curves.adjustment.threshold, 0.01);
-        QCOMPARE(window().document().steps().undoText(), "threshold");
-        window().document().steps().undo();
-        QCOMPARE(number->text(), "0 %");
-        window().document().change("threshold", [](Document& next) { next.curves.adjustment.threshold = 0.125; });
-        QCOMPARE(number->text(), "12.5 %");
-        QVERIFY2(slider->toolTip().isEmpty() &&
-                     slider->parentWidget()->toolTip().contains("At 0 % this slider changes nothing"),
-                 qPrintable(slider->parentWidget()->toolTip()));
-        window().document().steps().undo();
-        waitUntilIdle();
-    }
-
     void faceAndPanelsAreRememberedOverARestart() {
         click("face.teach");
         child<QDockWidget>("dock.designers")->close();
         click("face.review");
         click("face.teach");
         QVERIFY(child<QDockWidget>("dock.designers")->isHidden());
+        QVERIFY(!child<QCheckBox>("otfEditor.earlyLight")->isChecked());
+        child<QCheckBox>("otfEditor.earlyLight")->click();
         window().close();
         close();
         showAgain();
         QCOMPARE(window().faces().face(), Face::teach);
         QVERIFY(child<QToolButton>("face.teach")->isChecked());
         QVERIFY(openPanels().contains("Method") && !openPanels().contains("Designers"));
+        QVERIFY(child<QCheckBox>("otfEditor.earlyLight")->isChecked());
         QVERIFY(menuBarShows("menu.otf"));
         click("face.review");
         click("toolBar.curve");
