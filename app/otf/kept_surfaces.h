@@ -13,7 +13,7 @@
 namespace echolucent {
 
 /// Finds surfaces by what they depend on: where they come from, and the voxels. No edit of a curve changes that. Any
-/// thread may ask. It keeps no voxels alive: surfaces are never found again once their voxels are gone.
+/// thread may ask. Surfaces keep no voxels alive.
 class KeptSurfaces {
 public:
     /// measuredSurfacesOf(source, *raw), kept from before if they are there. A thread waits while another one finds
