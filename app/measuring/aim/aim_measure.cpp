@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "app/measuring/aim/study_aim.h"
 #include "app/measuring/designers/study_designers.h"
@@ -26,7 +27,8 @@ std::vector<Classification> triedRamps() {
 }
 
 struct BestRamps {
-    Classification forObjects, forAll;
+    std::optional<Classification> forObjects;  ///< no value if the scan has no object
+    Classification forAll;
 };
 
 BestRamps bestRamps(const Volume& quiet, const Viewpoint& view, const PhantomTruth& truth) {
@@ -55,7 +57,7 @@ BestRamps bestRamps(const Volume& quiet, const Viewpoint& view, const PhantomTru
             }
         }
     }
-    return {*bestForObjects, *bestForAll};
+    return {objects.empty() ? std::nullopt : std::optional(*bestForObjects), *bestForAll};
 }
 
 }  // namespace
@@ -81,7 +83,7 @@ std::vector<AimRow> measureAims(const PhantomConfig& base, const AimCase& one) {
         for (const ComparedDesigner& designer : comparedDesigners(input.method, measuredAims))
             add(designer.name, timedDesign(designer, input, 1).design.classification);
         const BestRamps best = bestRamps(quiet, view, phantom.truth);
-        add(boundOfObjects, best.forObjects);
+        if (best.forObjects) add(boundOfObjects, *best.forObjects);
         add(boundOfAll, best.forAll);
         const auto surfaces = shownSurfacesOf(phantom.volume, quiet, view, &phantom.truth, classifications);
         for (std::size_t i = 0; i < names.size(); ++i)

@@ -106,7 +106,12 @@ std::string aimSummary(const std::vector<AimRow>& rows) {
             if (nameOf(row.of) == name) own.push_back(row.named);
         text += name + "\n" + summaryOf(own) + "\n";
     }
-    return text;
+    std::vector<NamedSurfaces> all;
+    for (const AimRow& row : rows) {
+        all.push_back(row.named);
+        all.back().condition += ", " + nameOf(row.of);
+    }
+    return text + "All scans: " + rankSentence(all) + "\n";
 }
 
 std::string aimCsv(const std::vector<AimRow>& rows) {
