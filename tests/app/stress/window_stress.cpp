@@ -40,11 +40,11 @@ WindowStress::WindowStress(MainWindow& window, const StressFiles& files, std::ui
       m_seed(seed),
       m_hand(window),
       m_log(log),
-      m_first(window.document().document()),
+      m_first(window.document().ownDocument()),
       m_layout(window.saveState()) {
     if (!m_log.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) qFatal("cannot write %s", qPrintable(log));
     connect(&model().steps(), &DocumentSteps::changed, this, [this] {
-        if (m_window.openStudy().beginning() && model().steps().count() == 0) m_begun = model().document();
+        if (m_window.openStudy().beginning() && model().steps().count() == 0) m_begun = model().ownDocument();
     });
     connect(&m_window.openStudy(), &OpenStudy::openFailed, this, [this](const QString& path, const Failure& failure) {
         if (!m_files.failures.contains(path))
@@ -124,7 +124,8 @@ std::string WindowStress::bytesOf(Document document) const {
     return jsonOf(document);
 }
 
-std::string WindowStress::bytes() const { return bytesOf(m_window.document().document()); }
+// Panes that are only looked at are no part of a step.
+std::string WindowStress::bytes() const { return bytesOf(m_window.document().ownDocument()); }
 
 QString WindowStress::sessionFile(int number) const {
     return QStringLiteral("%1/stress-%2.session.json").arg(m_files.folder).arg(number);
