@@ -1,6 +1,8 @@
 #include "app/otf/kept_surfaces.h"
 
 #include <algorithm>
+#include <chrono>
+#include <mutex>
 #include <utility>
 
 namespace echolucent {
@@ -8,8 +10,12 @@ namespace echolucent {
 std::shared_ptr<const MeasuredSurfaces> KeptSurfaces::of(const SurfaceSource& source,
                                                          const std::shared_ptr<const Volume>& raw,
                                                          const Progress& progress) {
-    const std::lock_guard lock(m_mutex);
-    if (progress.cancelled()) return nullptr;
+    // Whoever is cancelled leaves at once, whatever another thread still finds.
+    constexpr std::chrono::milliseconds poll{5};
+    std::unique_lock lock(m_mutex, std::defer_lock);
+    do {
+        if (progress.cancelled()) return nullptr;
+    } while (!lock.try_lock_for(poll));
     const auto kept =
         std::ranges::find_if(m_kept, [&](const Kept& one) { return one.raw.lock() == raw && one.source == source; });
     if (kept != m_kept.end()) return kept->surfaces;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -13,11 +14,13 @@
 namespace echolucent {
 
 /// Finds surfaces by what they depend on: where they come from, and the voxels. No edit of a curve changes that. Any
-/// thread may ask. Surfaces keep no voxels alive.
+/// thread may ask: this object is the one that worker threads share, and it guards itself. Surfaces keep no voxels
+/// alive.
 class KeptSurfaces {
 public:
     /// measuredSurfacesOf(source, *raw), kept from before if they are there. A thread waits while another one finds
-    /// surfaces, so that both get the same ones. Null only if progress.cancel was raised; then nothing is kept.
+    /// surfaces, so that both get the same ones. Null only if progress.cancel was raised, also while it waited; then
+    /// nothing is kept.
     [[nodiscard]] std::shared_ptr<const MeasuredSurfaces> of(const SurfaceSource& source,
                                                              const std::shared_ptr<const Volume>& raw,
                                                              const Progress& progress = {});
@@ -34,7 +37,7 @@ private:
         std::shared_ptr<const MeasuredSurfaces> surfaces;
     };
 
-    std::mutex m_mutex;        ///< held while surfaces are found
+    std::timed_mutex m_mutex;  ///< held while surfaces are found
     std::vector<Kept> m_kept;  ///< the newest last
     std::atomic<int> m_timesFound = 0;
 };

@@ -84,6 +84,7 @@ public:
     /// The OTFs of the motion so far.
     [[nodiscard]] const OtfCourse& otfCourse() const { return m_course; }
 
+    /// The surfaces with which panes are measured.
     [[nodiscard]] const KeptSurfaces& surfaces() const { return m_surfaces; }
 
     /// Review and Teach.

@@ -188,16 +188,28 @@ TEST(DesignersStudy, SaysWhereAnotherOtfIsBetterAndWhereItFails) {
         shownOf("percentile", "base", 92, 40),    shownOf("percentile", "dim", 10, 0)};
     const auto sentences = cli::besideAdaptive(rows);
     ASSERT_EQ(sentences.size(), 3U) << "the adaptive OTFs are not set beside themselves";
-    EXPECT_TRUE(sentences[0].starts_with(
-        "Otsu ramp shows more surfaces right than the adaptive OTF: 82.8 against 72.5 % (87.5 % with an aim of 1). "
-        "Objects: 61.0 against 90.0 %. Walls: 90.0 against 66.7 % (90.0 % with an aim of 1). "))
-        << sentences[0];
-    EXPECT_TRUE(sentences[0].ends_with("Its worst scans are dim: 80.5 %.")) << sentences[0];
+    EXPECT_EQ(sentences[0],
+              "Otsu ramp shows more surfaces right than the adaptive OTF: 82.8 against 72.5 % (87.5 % with an aim of "
+              "1); 9.8 % are early. Objects: 61.0 against 90.0 %; 39.0 % are early. Walls: 90.0 against 66.7 % (90.0 % "
+              "with an aim of 1); 10.0 % are late. Its ramp lies around the threshold between dark and bright voxels. "
+              "It is worst in dim: 80.5 %.");
     EXPECT_NE(sentences[1].find("shows as many surfaces right as the adaptive OTF"), std::string::npos) << sentences[1];
     EXPECT_NE(sentences[2].find("shows fewer surfaces right"), std::string::npos) << sentences[2];
     EXPECT_EQ(sentences[2].find("with an aim"), std::string::npos) << sentences[2];
-    EXPECT_TRUE(sentences[2].ends_with("Its worst scans are dim: 2.5 %.")) << sentences[2];
+    EXPECT_TRUE(sentences[2].ends_with("It is worst in dim: 2.5 %.")) << sentences[2];
     EXPECT_TRUE(cli::besideAdaptive({rows[4]}).empty()) << "without the adaptive OTF there is nothing to compare with";
+}
+
+TEST(DesignersStudy, OfAScanWithoutATruthItSaysWhoseSurfacesAndGivesNoReason) {
+    std::vector<cli::NamedSurfaces> rows{shownOf("adaptive", "chest", 90, 200), shownOf("template", "chest", 60, 280)};
+    for (cli::NamedSurfaces& row : rows) row.surfaces.truth.reset();
+    rows[0].surfaces.tubeCores.depth = {.right = 30, .late = 70};
+    rows[1].surfaces.tubeCores.depth = {.right = 50, .early = 10, .never = 40};
+    const auto sentences = cli::besideAdaptive(rows);
+    ASSERT_EQ(sentences.size(), 1U);
+    EXPECT_EQ(sentences[0],
+              "Template shows more surfaces right than the adaptive OTF, by the tube cores' surfaces, which favour the "
+              "latter: 50.0 against 30.0 %; 40.0 % are never shown.");
 }
 
 TEST(DesignersStudy, ComparesEveryDesignerAndSaysWhy) {
@@ -219,14 +231,14 @@ TEST(LongAimStudy, HoldsAllAimsAllDesignersAndTheBestRampsOfEachCondition) {
     for (const NamedRow& row : namedRowsOf(contentsOf(folder / "a/aim.csv")))
         byCondition[row.at("condition")][row.at("otf")] = row;
     EXPECT_EQ(byCondition.size(), 10U);
+    std::map<std::string, double> right;
     for (const auto& [condition, rows] : byCondition) {
         EXPECT_EQ(rows.size(), 8 + allDesigners.size()) << condition;
         EXPECT_EQ(rows.at("adaptive").at("right_all_percent"), rows.at("aim 0.5").at("right_all_percent"));
-        for (const auto& [otf, row] : rows)
-            EXPECT_LE(std::stod(row.at("right_all_percent")),
-                      std::stod(rows.at("best ramp, all").at("right_all_percent")) + 12.0)
-                << condition << ", " << otf << ": the bound is found on fewer rays, and by ramps alone";
+        for (const auto& [otf, row] : rows) right[otf] += std::stod(row.at("right_all_percent"));
     }
+    // The bound is found on fewer rays, so it may be beaten by little in one scan, but in the mean by no other OTF.
+    for (const auto& [otf, sum] : right) EXPECT_LE(sum, right["best ramp, all"]) << otf;
     EXPECT_NE(outcome.output.find("of the best ramp, objects; at least"), std::string::npos);
     EXPECT_NE(outcome.output.find("All scans: Rank correlation"), std::string::npos);
 }

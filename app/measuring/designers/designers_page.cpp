@@ -130,9 +130,13 @@ std::string designersPage(const DesignersStudy& study) {
             "The shown depth of a ray is where half of the light is held back (docs/comparison.md). Against the ray's "
             "first surface behind fluid it is right (within 2 units), early, late, or never there. Objects are bright, "
             "walls are darker tissue; all are both. Tables hold means over the seeds {} of the simulated shapes, "
-            "speckle reduction {}. The adaptive OTF is shown as it is chosen, and with an aim of 0 (bright surfaces) "
-            "and of 1 (every wall).",
+            "speckle reduction {}.",
             study.seeds, nameOf(study.reduction)));
+        if (const auto named = namesIn(study.rows, [](const DesignerRow& row) { return row.designer; });
+            std::ranges::find(named, nameOfAim(endsOfAim[0])) != named.end())
+            page.paragraph(
+                "The adaptive OTF stands there as it is chosen, and with an aim of 0 (bright surfaces) and of 1 (every "
+                "wall).");
         addTable(page, shownSurfaceTable(surfaces));
         for (const std::string& sentence : besideAdaptive(surfacesOf(study))) page.paragraph(sentence);
         page.paragraph(
@@ -170,9 +174,11 @@ std::string designersSummary(const DesignersStudy& study) {
                 plainText(rightTable(surfaces, SurfaceKind::tubeCores)) + "\n" + rankSentence(surfaces) +
                 "\n\nCNR_S of objects by the truth\n" + plainText(contrastTable(study));
     }
-    for (const DesignersStudy::Shown& one : study.shown)
-        text += "\n" + one.name + "\n" + plainText(shownSurfaceTable(labelled(surfacesOf(one)))) + "\n" +
-                plainText(shownTable(one));
+    for (const DesignersStudy::Shown& one : study.shown) {
+        text += "\n" + one.name + "\n" + plainText(shownSurfaceTable(labelled(surfacesOf(one)))) + "\n";
+        for (const std::string& sentence : besideAdaptive(surfacesOf(one))) text += sentence + "\n";
+        text += "\n" + plainText(shownTable(one));
+    }
     return text;
 }
 

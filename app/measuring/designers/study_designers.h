@@ -90,10 +90,11 @@ struct DesignersStudy {
     };
     std::vector<Shown> shown{};
 };
-/// For each OTF but the adaptive ones: what it shows of the surfaces beside the adaptive OTF, why, and on which scans
-/// it fails. Of a truth if it is known, else of the tube cores' surfaces. Names in `rows` are those of
-/// ComparedDesigner.
+/// For each OTF but the adaptive ones: what it shows of the surfaces beside the adaptive OTF, and in which conditions
+/// it is worst. If the truth is known, these are the true surfaces, and the sentences say what makes the OTF so; else
+/// they are the tube cores' ones. Names in `rows` are those of ComparedDesigner.
 [[nodiscard]] std::vector<std::string> besideAdaptive(const std::vector<NamedSurfaces>& rows);
+/// A ComparedDesigner's name for a person: "Otsu ramp", "x²", "Adaptive, aim 0".
 [[nodiscard]] std::string labelOfCompared(const std::string& name);
 
 [[nodiscard]] std::string designersCsv(const DesignersStudy& study);

@@ -1,6 +1,10 @@
 // Surfaces are found once for each view and volume, whoever asks for them.
 #include <QTest>
 #include <array>
+#include <atomic>
+#include <future>
+#include <memory>
+#include <mutex>
 #include <thread>
 
 #include "app/otf/kept_surfaces.h"
@@ -70,6 +74,30 @@ private slots:
         QCOMPARE(kept.timesFound(), 0);
         cancel = false;
         QVERIFY(kept.of({}, raw, {{}, &cancel}));
+    }
+
+    void whoWaitsCanBeCancelled() {
+        KeptSurfaces kept;
+        const auto raw = planeAt(30);
+        std::promise<void> finding, mayGoOn;
+        std::once_flag first;
+        // The search says how far it is, and stays there until the other thread has left.
+        const Progress held{[&](double) {
+            std::call_once(first, [&] {
+                finding.set_value();
+                mayGoOn.get_future().wait();
+            });
+        }};
+        std::shared_ptr<const MeasuredSurfaces> found;
+        std::thread finder([&] { found = kept.of({}, raw, held); });
+        finding.get_future().wait();
+        std::atomic<bool> cancel = false;
+        std::thread canceller([&] { cancel = true; });
+        QVERIFY(!kept.of({}, raw, {{}, &cancel}));
+        canceller.join();
+        mayGoOn.set_value();
+        finder.join();
+        QVERIFY(found && kept.of({}, raw) == found);
     }
 
     void noVoxelsAreKeptAlive() {
