@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -37,7 +38,9 @@ private:
         std::shared_ptr<const MeasuredSurfaces> surfaces;
     };
 
-    std::timed_mutex m_mutex;  ///< held while surfaces are found
+    std::mutex m_mutex;  ///< guards what follows; held for moments only
+    std::condition_variable m_ended;
+    bool m_finding = false;    ///< a thread finds surfaces
     std::vector<Kept> m_kept;  ///< the newest last
     std::atomic<int> m_timesFound = 0;
 };
