@@ -124,7 +124,6 @@ std::string WindowStress::bytesOf(Document document) const {
     return jsonOf(document);
 }
 
-// Panes that are only looked at are no part of a step.
 std::string WindowStress::bytes() const { return bytesOf(m_window.document().ownDocument()); }
 
 QString WindowStress::sessionFile(int number) const {

@@ -75,7 +75,7 @@ private:
 
     [[nodiscard]] DocumentModel& model() { return m_window.document(); }
     [[nodiscard]] int phases() const;
-    /// The document as bytes, without what is no step.
+    /// The document as bytes, without what is no step: without the panes that are only looked at, too.
     [[nodiscard]] std::string bytes() const;
     [[nodiscard]] std::string bytesOf(Document document) const;
     [[nodiscard]] QString sessionFile(int number) const;
