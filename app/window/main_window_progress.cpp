@@ -12,6 +12,7 @@
 #include "widgets/controls/run_status.h"
 #include "widgets/controls/side_strip.h"
 #include "widgets/otf_editor/otf_editor.h"
+#include "widgets/panels/curve_sliders.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/panels/view_panel.h"
 
@@ -61,6 +62,7 @@ void MainWindow::connectProgress() {
     connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, placeMessages);
     connect(m_compare.get(), &CompareRoom::shownChanged, this, [this, placeMessages](bool shown) {
         placeMessages();
+        m_widgets.sliders->setComparing(shown);
         arrangeForComparison(shown);
     });
 }

@@ -16,50 +16,63 @@ namespace echolucent {
 
 namespace {
 
+bool isAdaptive(const Pane& pane) {
+    return pane.designer ? std::holds_alternative<AdaptiveConfig>(*pane.designer) : pane.curve == CurveKind::adaptive;
+}
+
 /// Why nobody can set the aim; empty if a person can.
-QString whyNoAim(const Document& shown) {
-    const bool adaptive = std::ranges::any_of(shown.panes, [](const Pane& pane) {
-        return pane.designer ? std::holds_alternative<AdaptiveConfig>(*pane.designer)
-                             : pane.curve == CurveKind::adaptive;
-    });
-    if (!adaptive)
-        return CurveSliders::tr("Only the computed curve can be told which surfaces to show, and no pane shows it");
+QString whyNoAim(const Document& shown, bool comparing) {
+    if (shown.scene.look.mode != RenderMode::direct)
+        return CurveSliders::tr("There is a curve in the mode Direct rendering only (More).");
+    const bool adaptive =
+        comparing ? std::ranges::any_of(shown.panes, isAdaptive) : isAdaptive(shown.panes.at(firstPane));
+    if (!adaptive) return CurveSliders::tr("It moves the computed curve only. Choose the preset Standard.");
     if (!std::holds_alternative<RampRule>(shown.method.config.curve))
         return CurveSliders::tr(
-            "A product of basis functions cannot be told which surfaces to show: the form ramp can");
+            "A product of basis functions cannot be told which surfaces to show: the form ramp can.");
     return {};
 }
 
+const Parameter<AdaptiveOtfConfig>& aimRow() { return *parameterNamed(methodParameters(), "aim"); }
+
 }  // namespace
 
-void CurveSliders::addAim(DocumentModel& document, QGridLayout& grid) {
-    const Parameter<AdaptiveOtfConfig>& row = *parameterNamed(methodParameters(), "aim");
+void CurveSliders::addAim(QGridLayout& grid) {
+    const Parameter<AdaptiveOtfConfig>& row = aimRow();
     const QString label = tr("Surfaces");
     m_aim = new ValueSlider("view.aim", tr("Surfaces: bright … every wall"), 1.0, 1, nullptr, ValueSlider::Zeros::none);
     m_aim->setRange(100.0 * row.range.least, 100.0 * row.range.largest);
     m_aim->setSuffix(tr(" %"));
     m_aim->setStandard(100.0 * RampRule{}.aim);
     m_aim->setToolTip(
-        tr("Which surfaces the computed curve shows where they stand. 0 %: bright ones; darker walls are let go. "
-           "100 %: every wall that was found, with a little haze before bright surfaces"));
+        tr("Which surfaces the computed curve shows where they stand. 0 %: bright surfaces only. 100 %: every wall, "
+           "with some haze before bright surfaces."));
     grid.addWidget(labelFor(m_aim, label), 0, 0);
     grid.addWidget(m_aim, 0, 1);
     grid.addWidget(secondaryLabel(tr("0 %: bright · 100 %: every wall")), 1, 1);
-    connect(m_aim, &ValueSlider::valueChanged, this, [&document, &row](double percent) {
-        document.change(tr("surfaces"), [&](Document& next) { row.set(next.method.config, percent / 100.0); });
+    connect(m_aim, &ValueSlider::valueChanged, this, [this, &row](double percent) {
+        m_document.change(tr("surfaces"), [&](Document& next) { row.set(next.method.config, percent / 100.0); });
     });
-    document.bind(&DocumentModel::changed, m_aim, [this, &row](const Document& shown) {
-        const QString whyNot = whyNoAim(shown);
-        enableOrSayWhy(*m_aim, whyNot.isEmpty(), whyNot);
-        if (const auto aim = row.get(shown.method.config)) m_aim->setValue(100.0 * numberOf(*aim).value());
-    });
+    m_document.bind(&DocumentModel::changed, m_aim, [this](const Document&) { showAim(); });
 }
 
-CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent) : QWidget(parent) {
+void CurveSliders::showAim() {
+    const Document& shown = m_document.document();
+    const QString whyNot = whyNoAim(shown, m_comparing);
+    enableOrSayWhy(*m_aim, whyNot.isEmpty(), whyNot);
+    if (const auto aim = aimRow().get(shown.method.config)) m_aim->setValue(100.0 * numberOf(*aim).value());
+}
+
+void CurveSliders::setComparing(bool comparing) {
+    m_comparing = comparing;
+    showAim();
+}
+
+CurveSliders::CurveSliders(DocumentModel& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setObjectName("curveSliders");
     setAccessibleName(tr("Curve"));
     auto* grid = new QGridLayout(this);
-    addAim(document, *grid);
+    addAim(*grid);
     for (const Parameter<CurveAdjustment>& row : adjustmentParameters()) {
         const QString label = textOf(row.label);
         auto* slider = new ValueSlider(QStringLiteral("view.") + textOf(row.name), label, 1.0, 1, nullptr,

@@ -2,7 +2,10 @@
 #include <QDoubleSpinBox>
 #include <QSlider>
 
+#include "app/compare/compare_room.h"
 #include "app/otf/pane_otfs.h"
+#include "processing/document/panes.h"
+#include "processing/document/preset.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 
@@ -45,16 +48,55 @@ private slots:
         QCOMPARE(number->text(), "50 %");
         waitUntilIdle();
         QVERIFY(window().otfs().adaptive()->curve == before->curve);
+    }
 
-        const auto whyNot = [&] { return slider->parentWidget()->toolTip(); };
-        window().document().change("curve", [](Document& next) { next.panes.front().curve = CurveKind::manual; });
-        QVERIFY(!slider->isEnabled());
-        QVERIFY2(whyNot().contains("Only the computed curve"), qPrintable(whyNot()));
-        window().document().change("pane", [](Document& next) { next.panes.push_back({}); });
-        QVERIFY2(slider->isEnabled(), "another pane shows the adaptive curve");
+    void theAimIsGreyedIfItMovesNoPicture() {
+        const auto expectGreyed = [this](const QString& why) {
+            auto* slider = child<QSlider>("view.aim");
+            const QString tip = slider->parentWidget()->toolTip();
+            QVERIFY2(!slider->isEnabled() && !child<QDoubleSpinBox>("view.aim.value")->isEnabled(), qPrintable(why));
+            QVERIFY2(tip.contains("100 %: every wall") && tip.endsWith(why), qPrintable(tip));
+        };
+        const auto* slider = child<QSlider>("view.aim");
+        const auto curveOnly = QStringLiteral("It moves the computed curve only. Choose the preset Standard.");
+        for (const Qt::Key key : {Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5}) {  // manual, linear, x², x⁴
+            QTest::keyClick(&window(), key);
+            expectGreyed(curveOnly);
+            QTest::keyClick(&window(), Qt::Key_1);
+            QVERIFY(slider->isEnabled());
+        }
+        for (const Preset& preset : standardPresets()) {
+            window().document().edit(withPreset(m_begun, firstPane, preset), "preset");
+            const bool direct = preset.look.mode == RenderMode::direct;
+            QCOMPARE(slider->isEnabled(), direct && preset.curve == CurveKind::adaptive);
+            if (direct && preset.curve != CurveKind::adaptive) expectGreyed(curveOnly);
+        }
+        window().document().begin(m_begun);
+        for (const Designer designer : allDesigners) {
+            window().document().edit(withDesigner(m_begun, firstPane, defaultConfigOf(designer)), "designer");
+            const bool adaptive = designer == designerOf(AdaptiveConfig{});
+            QCOMPARE(slider->isEnabled(), adaptive);
+            if (!adaptive) expectGreyed(curveOnly);
+        }
+        window().document().begin(m_begun);
         window().document().change("form", [](Document& next) { next.method.config.curve = ProductRule{}; });
+        expectGreyed(QStringLiteral("the form ramp can."));
+        window().document().begin(m_begun);
+        window().document().change("mode", [](Document& next) { next.scene.look.mode = RenderMode::maximum; });
+        expectGreyed(QStringLiteral("There is a curve in the mode Direct rendering only (More)."));
+        window().document().begin(m_begun);
+        waitUntilIdle();
+    }
+
+    void theAimMovesAnotherPaneOnlyWhileItIsSeen() {
+        const auto* slider = child<QSlider>("view.aim");
+        Document next = withPanes(m_begun, {{.curve = CurveKind::manual}, {.curve = CurveKind::adaptive}});
+        window().document().edit(next, "panes");
         QVERIFY(!slider->isEnabled());
-        QVERIFY2(whyNot().contains("A product of basis functions"), qPrintable(whyNot()));
+        window().compareRoom().setShown(true);
+        QVERIFY(slider->isEnabled());
+        window().compareRoom().setShown(false);
+        QVERIFY(!slider->isEnabled());
         waitUntilIdle();
     }
 
