@@ -64,11 +64,7 @@ std::string comparePageText(const ComparePage& page) {
         html.paragraph(sentence.toStdString());
     for (const QString& tip : compareTips())
         if (!tip.isEmpty()) html.paragraph(tip.toStdString());
-    html.paragraph(
-        "For the flicker the view turns from -10 to +10 degrees and each frame has the OTF that "
-        "its pane would show: one for all, its own, or a smoothed one. Where no pane names one of these, an OTF that "
-        "follows the tube cores is made for each frame, and smoothed where the motion smooths it. Times are wall time "
-        "on the machine that made this page.");
+    html.paragraph(flickerSentences().toStdString() + " Times are wall time on the machine that made this page.");
     addCurves(html, page);
     html.heading("Why the OTFs are as they are");
     for (std::size_t place = 0; place < page.panes.size(); ++place) {

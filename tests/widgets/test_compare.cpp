@@ -3,6 +3,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -243,6 +244,7 @@ private slots:
         QCOMPARE(cellsOf(rows[1]), (QStringList{"Levoy", "–", "–", "–", "–", "–", "–", "127.50", "130", "57"}));
         QCOMPARE(numbersOf(rows[0]), QString("right 63 % · early 25 % · CNR_S −1.23"));
         QCOMPARE(numbersOf(rows[1]), QString("flicker 127.50 levels"));
+        QCOMPARE(compareColumns()[flickerColumn], QString("Flicker levels"));
         QCOMPARE(compareCsv(rows), QString("pane,surfaces,right_percent,early_percent,late_percent,never_percent,cnr_s,"
                                            "light_near_surfaces,flicker_levels,otf_ms,picture_ms\n"
                                            "\"x², \"\"mine\"\"\",truth,62.5,25,12.5,0,-1.234,0.456,,,\n"
@@ -295,6 +297,43 @@ private slots:
         QVERIFY(table->horizontalScrollBar()->maximum() > 0);
         QCOMPARE(table->verticalScrollBar()->maximum(), 0);
         QVERIFY(panel.findChild<QLabel*>("compare.note")->text().contains("tube cores find in this view"));
+    }
+
+    void theFlickerThatWasAskedForIsScrolledTo() {
+        ComparePanel panel;
+        panel.setPanes({{}, {.curve = CurveKind::linear}}, {"one", "two"});
+        std::vector<CompareRow> rows{{.name = "one", .contrast = -12.34, .pictureMilliseconds = 1200}, {.name = "two"}};
+        panel.setRows(rows);
+        panel.resize(329, 900);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        const auto* table = panel.findChild<QTableWidget*>("compare.table");
+        const auto isSeen = [table] {
+            const int left = table->columnViewportPosition(flickerColumn - 1);
+            return left >= 0 && left + table->columnWidth(flickerColumn - 1) <= table->viewport()->width();
+        };
+        rows[0].flicker = 0.1;
+        panel.setRows(rows);
+        QVERIFY2(!isSeen(), "nobody asked for it");
+        rows[0].flicker.reset();
+        panel.setRows(rows);
+        auto* button = panel.findChild<QPushButton*>("compare.measureFlicker");
+        QTest::mouseClick(button, Qt::LeftButton);
+        panel.setMeasuringFlicker(true);
+        QVERIFY(!isSeen());
+        panel.setMeasuringFlicker(false);
+        rows[0].flicker = 0.1;
+        panel.setRows(rows);
+        QVERIFY(isSeen());
+        // The same numbers again.
+        table->horizontalScrollBar()->setValue(0);
+        rows[0].contrast = -12.35;
+        panel.setRows(rows);
+        QVERIFY2(!isSeen(), "it was seen before");
+        QTest::mouseClick(button, Qt::LeftButton);
+        panel.setMeasuringFlicker(true);
+        panel.setMeasuringFlicker(false);
+        QVERIFY(isSeen());
     }
 
     void noWordOfAPairIsCut() {

@@ -67,8 +67,7 @@ QStringList compareTips() {
            "hard "
            "surfaces, however dark."),
         tr("Flicker of the picture, not of the curve, while the view turns from −10° to +10°: RMS in levels of 255. "
-           "This "
-           "favours OTFs that stay the same in every view. They have 0."),
+           "This favours OTFs that stay the same in every view. They have 0."),
         tr("OTF: wall time of the designer on this machine, the median of three runs, or a single run from 50 ms on. A "
            "curve needs none. This favours designers that read little of the scan."),
         tr("Picture: wall time of the picture that is shown, once. This favours opaque OTFs, whose rays end early.")};
@@ -77,6 +76,13 @@ QStringList compareTips() {
 QString surfacesSentence(const std::vector<CompareRow>& rows) {
     for (const CompareRow& row : rows)
         if (row.surfaces) return textOf(surfacesSentence(*row.surfaces));
+QString flickerSentences() {
+    return tr(
+        "For the flicker the view turns from −10° to +10°. An OTF that follows the tube cores, such as the adaptive "
+        "one, is computed anew for each frame, also if the motion keeps one; the motion's smoothing applies. But if a "
+        "pane sets its own OTF in the motion, each pane has what it shows in the motion.");
+}
+
     return {};
 }
 

@@ -25,10 +25,14 @@ struct CompareRow {
     friend bool operator==(const CompareRow&, const CompareRow&) = default;
 };
 
+/// The place of the flicker among compareColumns().
+inline constexpr int flickerColumn = 7;
 /// The headings, the name first.
 [[nodiscard]] QStringList compareColumns();
 /// What each of compareColumns() asks, and whom it favours, a sentence or two each; empty for the name.
 [[nodiscard]] QStringList compareTips();
+/// Which OTFs the frames have of which the flicker is measured.
+[[nodiscard]] QString flickerSentences();
 /// The core's surfacesSentence() of the rows. Empty if none is measured.
 [[nodiscard]] QString surfacesSentence(const std::vector<CompareRow>& rows);
 /// The cells of a row under the headings of compareColumns(). An unknown value is "–".

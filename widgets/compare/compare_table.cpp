@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/controls/panel_controls.h"
 
@@ -47,12 +48,15 @@ QTableWidget* CompareTable::makeTable() {
 
 QLayout* CompareTable::makeButtons() {
     m_flicker = named(new QPushButton(tr("Measure flicker")), "compare.measureFlicker", tr("Measure flicker"),
-                      tr("Turns the view from −10° to +10°, each frame with the OTF that its pane would show"));
+                      flickerSentences());
     auto* text = named(new QPushButton(tr("Copy as text")), "compare.copyText", tr("Copy the table as text"));
     auto* csv = named(new QPushButton(tr("Copy as CSV")), "compare.copyCsv", tr("Copy the table as CSV"));
     auto* page = named(new QPushButton(tr("Save page…")), "compare.savePage", tr("Save the comparison as a page"),
                        tr("One HTML file that opens without a network"));
-    connect(m_flicker, &QPushButton::clicked, this, &CompareTable::flickerRequested);
+    connect(m_flicker, &QPushButton::clicked, this, [this] {
+        m_flickerAskedFor = true;
+        emit flickerRequested();
+    });
     connect(text, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(compareText(m_rows)); });
     connect(csv, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(compareCsv(m_rows)); });
     connect(page, &QPushButton::clicked, this, &CompareTable::pageRequested);
@@ -67,6 +71,16 @@ QLayout* CompareTable::makeButtons() {
 void CompareTable::setMeasuringFlicker(bool measuring, bool anyPane) {
     enableOrSayWhy(*m_flicker, !measuring && anyPane,
                    measuring ? tr("It is being measured.") : tr("Nothing is compared."));
+    if (!measuring) showFlickerAskedFor();  // the same numbers again bring no new rows
+}
+
+/// Scrolls to the column, which a narrow panel hides.
+void CompareTable::showFlickerAskedFor() {
+    if (!m_flickerAskedFor ||
+        std::ranges::none_of(m_rows, [](const CompareRow& row) { return row.flicker.has_value(); }))
+        return;
+    m_flickerAskedFor = false;
+    m_table->scrollTo(m_table->model()->index(0, flickerColumn - 1));
 }
 
 void CompareTable::setRows(const std::vector<CompareRow>& rows) {
@@ -84,6 +98,7 @@ void CompareTable::setRows(const std::vector<CompareRow>& rows) {
     }
     fitTable();
     sayWhichSurfaces();
+    showFlickerAskedFor();
 }
 
 void CompareTable::sayWhichSurfaces() {

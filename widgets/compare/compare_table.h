@@ -33,12 +33,14 @@ private:
     [[nodiscard]] QTableWidget* makeTable();
     [[nodiscard]] QLayout* makeButtons();
     void fitTable();
+    void showFlickerAskedFor();
     void sayWhichSurfaces();
 
     std::vector<CompareRow> m_rows;
     QTableWidget* m_table = nullptr;
     QLabel* m_note = nullptr;
     QPushButton* m_flicker = nullptr;
+    bool m_flickerAskedFor = false;  ///< by the button, and not seen since
 };
 
 }  // namespace echolucent

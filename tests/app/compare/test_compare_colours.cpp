@@ -181,7 +181,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), 30000);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
-        QVERIFY(file.readAll().contains("Right, blue-green"));
+        const QByteArray page = file.readAll();
+        QVERIFY(page.contains("Right, blue-green"));
+        QVERIFY(page.contains("also if the motion keeps one"));
     }
 
 private:
