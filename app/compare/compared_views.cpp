@@ -252,6 +252,7 @@ void ComparedViews::showFaces() {
     bool pairBusy = false;
     for (std::size_t place = 0; place < document.panes.size(); ++place) {
         PaneFace face = faceOf(place, document);
+        face.coloured = document.comparison.colours;
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
         face.numbers = numbersOf(row);
         if (face.legend = legendAt(place); !face.legend.empty()) face.numbers = wordsOf(face.legend);

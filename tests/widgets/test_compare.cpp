@@ -23,6 +23,7 @@
 #include "widgets/compare/surface_legend.h"
 #include "widgets/controls/narrow_combo.h"
 #include "widgets/surface_colours.h"
+#include "widgets/theme_colours.h"
 
 using namespace echolucent;
 
@@ -334,6 +335,32 @@ private slots:
         panel.setMeasuringFlicker(true);
         panel.setMeasuringFlicker(false);
         QVERIFY(isSeen());
+    }
+
+    void aColouredPaneHasANeutralFrame() {
+        ComparePane pane(QStringLiteral("pane"));
+        pane.resize(300, 260);
+        PaneFace face{.name = "manual", .frame = QColor(0xe8, 0xb0, 0x4b)};
+        pane.setFace(face);
+        const auto frame = [&] { return pane.grab().toImage().pixelColor(1, 130); };
+        QCOMPARE(frame(), *face.frame);
+        face.coloured = true;
+        pane.setFace(face);
+        QCOMPARE(frame(), coloursOverPictures().line);
+        const QImage unchosen = pane.grab().toImage();
+        pane.show();
+        pane.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&pane));
+        pane.setFocus();
+        QVERIFY(pane.hasFocus());
+        const QImage chosen = pane.grab().toImage();
+        int signs = 0;
+        for (int x = 0; x < chosen.width(); ++x)
+            if (chosen.pixelColor(x, 3) != unchosen.pixelColor(x, 3)) {
+                QCOMPARE(chosen.pixelColor(x, 3), coloursOverPictures().text);
+                ++signs;
+            }
+        QVERIFY(signs > 50);
     }
 
     void noWordOfAPairIsCut() {

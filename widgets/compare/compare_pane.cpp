@@ -86,13 +86,15 @@ void ComparePane::paintEvent(QPaintEvent*) {
         painter.fillRect(rect(), Qt::black);
         paintPicture(painter);
         paintCaption(painter);
-        if (m_face.frame) {
-            painter.setPen(QPen(*m_face.frame, margin, m_face.frameStyle));
-            painter.setBrush(Qt::NoBrush);
+        const ThemeColours& colours = coloursOverPictures();
+        painter.setBrush(Qt::NoBrush);
+        if (m_face.frame || m_face.coloured) {
+            painter.setPen(m_face.coloured ? QPen(colours.line, margin)
+                                           : QPen(*m_face.frame, margin, m_face.frameStyle));
             painter.drawRect(rect().adjusted(1, 1, -1, -1));
         }
         if (hasFocus()) {
-            painter.setPen(QPen(coloursOverPictures().accent, 1, Qt::DotLine));
+            painter.setPen(QPen(m_face.coloured ? colours.text : colours.accent, 1, Qt::DotLine));
             painter.drawRect(rect().adjusted(3, 3, -4, -4));
         }
         if (m_dimmed) painter.fillRect(rect(), oldPictureShadeColour());

@@ -19,6 +19,7 @@ struct PaneFace {
     SurfaceLegend legend{};         ///< of a picture that is coloured; it stands in the place of the numbers
     std::optional<QColor> frame{};  ///< colour of the curve, if it has one of its own
     Qt::PenStyle frameStyle = Qt::SolidLine;
+    bool coloured = false;  ///< pictures may have the colours of shown depths: frame and focus are neutral
     friend bool operator==(const PaneFace&, const PaneFace&) = default;
 };
 

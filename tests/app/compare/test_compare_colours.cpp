@@ -104,6 +104,7 @@ private slots:
         QVERIFY(read.has_value() && read->document == document());
         window().document().steps().undo();
         QVERIFY(!document().comparison.colours && !child<QCheckBox>("compare.colours")->isChecked());
+        QVERIFY(!grid().pane(0).face().coloured);
         QVERIFY(!views().coloured());
         QVERIFY(images() == plain);
         window().document().steps().redo();
@@ -120,6 +121,7 @@ private slots:
         QTest::mousePress(&pane, Qt::LeftButton, {}, from);
         sendMove(pane, from + QPoint(60, 10), Qt::LeftButton);
         expectPlain();
+        QVERIFY2(pane.face().coloured, "frames do not change with every drag");
         QTRY_VERIFY_WITH_TIMEOUT(window().idle() && views().settled(), 30000);  // the hand rests, and holds
         expectPlain();
         QTest::mouseRelease(&pane, Qt::LeftButton, {}, from + QPoint(60, 10));
