@@ -240,7 +240,7 @@ void ComparedViews::showPair() {
     } else {
         pair.setImage(first);
         pair.setWipe(second, comparison.wipe);
-        pair.setFace({.name = tr("left: %1 · right: %2").arg(one, other),
+        pair.setFace({.name = tr("on the left: %1, on the right: %2").arg(one, other),
                       .numbers = tr("Drag the line, or move it with ← and →"),
                       .legend = coloured() ? surfaceLegend({}) : SurfaceLegend{}});
     }

@@ -164,6 +164,9 @@ private slots:
         QVERIFY(grid().pair().image() == images()[0]);
         QVERIFY2(grid().pair().image() == wiped, "and a wipe is coloured again");
         QCOMPARE(grid().pair().face().legend, surfaceLegend({}));
+        QVERIFY2(grid().pair().face().name.startsWith("on the left: 1 ") &&
+                     grid().pair().face().name.contains(", on the right: 2 "),
+                 qPrintable(grid().pair().face().name));
     }
 
     void thePageHasColoursAndLegend() {
