@@ -243,8 +243,10 @@ private slots:
             {.name = "Levoy", .flicker = 0.5, .designMilliseconds = 127.4, .pictureMilliseconds = 56.7}};
         QCOMPARE(cellsOf(rows[0]), (QStringList{"x², \"mine\"", "63", "25", "13", "0", "−1.23", "46", "–", "–", "–"}));
         QCOMPARE(cellsOf(rows[1]), (QStringList{"Levoy", "–", "–", "–", "–", "–", "–", "127.50", "130", "57"}));
-        QCOMPARE(numbersOf(rows[0]), QString("right 63 % · early 25 % · CNR_S −1.23"));
-        QCOMPARE(numbersOf(rows[1]), QString("flicker 127.50 levels"));
+        QCOMPARE(numbersOf(rows[0]), QString("right 63 % · early 25 % · late 13 %"));
+        QVERIFY(numbersOf(rows[1]).isEmpty());
+        QCOMPARE(numbersOf({.name = "", .depth = ShownDepth{.right = 0, .early = 1, .late = 920, .never = 79}}),
+                 QString("right 0 % · late 92 % · never 8 %"));
         QCOMPARE(compareColumns()[flickerColumn], QString("Flicker levels"));
         QCOMPARE(compareCsv(rows), QString("pane,surfaces,right_percent,early_percent,late_percent,never_percent,cnr_s,"
                                            "light_near_surfaces,flicker_levels,otf_ms,picture_ms\n"

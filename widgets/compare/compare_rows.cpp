@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/compare/surface_legend.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/surface_colours.h"
 
 namespace echolucent {
 
@@ -101,12 +103,9 @@ QStringList cellsOf(const CompareRow& row) {
 
 QString numbersOf(const CompareRow& row) {
     QStringList words;
-    if (row.depth) {
-        words << tr("right %1 %").arg(shown(percentOf(row, ShownSurface::right), 0));
-        words << tr("early %1 %").arg(shown(percentOf(row, ShownSurface::early), 0));
-    }
-    if (row.contrast) words << tr("CNR_S %1").arg(shown(row.contrast, 2));
-    if (row.flicker) words << tr("flicker %1 levels").arg(shown(row.flicker, 2, whiteLevels));
+    for (const SurfaceLegendEntry& entry : surfaceLegend(row.depth))
+        if (entry.percent && (entry.shown == ShownSurface::right || *entry.percent > 0))
+            words << tr("%1 %2 %").arg(wordOf(entry.shown)).arg(*entry.percent);
     return words.join(QStringLiteral(" · "));
 }
 

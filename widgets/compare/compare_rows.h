@@ -37,8 +37,8 @@ inline constexpr int flickerColumn = 7;
 [[nodiscard]] QString surfacesSentence(const std::vector<CompareRow>& rows);
 /// The cells of a row under the headings of compareColumns(). An unknown value is "–".
 [[nodiscard]] QStringList cellsOf(const CompareRow& row);
-/// "right 62 % · early 31 % · CNR_S 2.31": the line under a picture, of what a person looks for first. Unknown values
-/// are left out.
+/// "right 62 % · early 31 % · late 7 %": the line under a picture, of where it stands. Shares but the first are left
+/// out if they round to 0 %, and all are if none is known.
 [[nodiscard]] QString numbersOf(const CompareRow& row);
 /// Columns aligned by spaces.
 [[nodiscard]] QString compareText(const std::vector<CompareRow>& rows);
