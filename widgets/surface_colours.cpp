@@ -55,8 +55,8 @@ QString surfaceColoursSentence() {
     return translated(
         "Colours over the picture in grey say what it does with each surface that is measured. Right, blue-green: half "
         "of the light is held back within 2 units of it. Early, amber with rising lines: before that, by haze or a "
-        "wall. Late, violet with level lines: behind that. Never, dark grey with dense lines: half of the light comes "
-        "through.");
+        "wall. Late, violet with level lines: behind that. Never, dark grey with dense lines: less than half of the "
+        "light is held back, and the ray shows little or nothing.");
 }
 
 }  // namespace echolucent

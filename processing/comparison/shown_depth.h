@@ -10,7 +10,7 @@
 namespace echolucent {
 
 /// A ray's shown depth: the depth at which half of the light is held back (sampleAtHalf()). The result counts samples
-/// behind the first sample, from -1 on; it is empty if half of the light comes through the whole ray.
+/// behind the first sample, from -1 on; it is empty if the whole ray holds back less than half of the light.
 [[nodiscard]] std::optional<double> shownSample(const RaySamples& ray, const OpacityTable& table);
 
 /// What a picture does with a surface that is known.
@@ -18,7 +18,7 @@ enum class ShownSurface : std::uint8_t {
     right,  ///< the shown depth lies at most rightUnits from the surface
     early,  ///< before that: haze, or a wall, hides the surface
     late,   ///< behind that: the surface is washed through
-    never,  ///< half of the light comes through the whole ray
+    never,  ///< the whole ray holds back less than half of the light: it shows little or nothing
 };
 inline constexpr std::array allShownSurfaces{ShownSurface::right, ShownSurface::early, ShownSurface::late,
                                              ShownSurface::never};

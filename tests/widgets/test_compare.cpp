@@ -247,6 +247,9 @@ private slots:
         QVERIFY(numbersOf(rows[1]).isEmpty());
         QCOMPARE(numbersOf({.name = "", .depth = ShownDepth{.right = 0, .early = 1, .late = 920, .never = 79}}),
                  QString("right 0 % · late 92 % · never 8 %"));
+        for (const double contrast : {-0.004, 0.004})
+            QCOMPARE(cellsOf({.name = "", .contrast = contrast})[5], QString("0.00"));
+        QCOMPARE(cellsOf({.name = "", .contrast = -0.006})[5], QString("−0.01"));
         QCOMPARE(compareColumns()[flickerColumn], QString("Flicker levels"));
         QCOMPARE(compareCsv(rows), QString("pane,surfaces,right_percent,early_percent,late_percent,never_percent,cnr_s,"
                                            "light_near_surfaces,flicker_levels,otf_ms,picture_ms\n"

@@ -18,6 +18,7 @@ QString tr(const char* text) { return QCoreApplication::translate("compare", tex
 QString shown(const std::optional<double>& value, int decimals, double factor = 1.0) {
     if (!value) return QStringLiteral("–");
     QString text = QString::number(factor * *value, 'f', decimals);
+    if (text.toDouble() == 0.0) text.remove(QLatin1Char('-'));
     return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
 
@@ -61,8 +62,8 @@ QStringList compareTips() {
         tr("Late: the share of rays on which half of the light is held back more than 2 units behind the surface. It "
            "is "
            "washed through. This favours opaque OTFs."),
-        tr("Never: the share of rays through which half of the light passes. They show nothing. This favours opaque "
-           "OTFs."),
+        tr("Never: the share of rays on which less than half of the light is held back. The ray shows little or "
+           "nothing. This favours opaque OTFs."),
         tr("CNR_S: whether surfaces are equally bright on all rays, and brighter than the light from elsewhere. This "
            "favours OTFs that show few surfaces evenly. It says nothing of where the picture stands."),
         tr("Near: the mean share of a ray's light that comes from within 3 units of the surface. This favours thin, "
@@ -71,13 +72,10 @@ QStringList compareTips() {
         tr("Flicker of the picture, not of the curve, while the view turns from −10° to +10°: RMS in levels of 255. "
            "This favours OTFs that stay the same in every view. They have 0."),
         tr("OTF: wall time of the designer on this machine, the median of three runs, or a single run from 50 ms on. A "
-           "curve needs none. This favours designers that read little of the scan."),
+           "curve that needs no designer has none. This favours designers that read little of the scan."),
         tr("Picture: wall time of the picture that is shown, once. This favours opaque OTFs, whose rays end early.")};
 }
 
-QString surfacesSentence(const std::vector<CompareRow>& rows) {
-    for (const CompareRow& row : rows)
-        if (row.surfaces) return textOf(surfacesSentence(*row.surfaces));
 QString flickerSentences() {
     return tr(
         "For the flicker the view turns from −10° to +10°. An OTF that follows the tube cores, such as the adaptive "
@@ -85,6 +83,9 @@ QString flickerSentences() {
         "pane sets its own OTF in the motion, each pane has what it shows in the motion.");
 }
 
+QString surfacesSentence(const std::vector<CompareRow>& rows) {
+    for (const CompareRow& row : rows)
+        if (row.surfaces) return textOf(surfacesSentence(*row.surfaces));
     return {};
 }
 

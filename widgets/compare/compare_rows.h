@@ -20,7 +20,7 @@ struct CompareRow {
     std::optional<double> contrast{};             ///< CNR_S
     std::optional<double> nearSurfaces{};         ///< mean share of a ray's light near the surface, [0,1]
     std::optional<double> flicker{};              ///< of the picture in a motion, RMS in [0,1]
-    std::optional<double> designMilliseconds{};   ///< of the designer, median; a curve needs none
+    std::optional<double> designMilliseconds{};   ///< of the designer, median; a curve that needs no designer has none
     std::optional<double> pictureMilliseconds{};  ///< of the picture that is shown
     friend bool operator==(const CompareRow&, const CompareRow&) = default;
 };
