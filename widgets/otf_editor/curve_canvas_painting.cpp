@@ -110,10 +110,11 @@ void CurveCanvas::paintOpacityAxis(QPainter& painter, const PlotColours& colors)
 void CurveCanvas::paintLightHeldBack(QPainter& painter, const PlotColours& colors) const {
     if (!m_earlyLight) return;
     const QString words = wordsOf(*m_earlyLight);
-    const QRectF place = painter.boundingRect(m_axes.rect.adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop, words);
+    constexpr int wrapped = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;  // a narrow plot takes two lines
+    const QRectF place = painter.boundingRect(m_axes.rect.adjusted(6, 4, -6, -4), wrapped, words);
     painter.fillRect(place.adjusted(-3, -1, 3, 1), colors.background);  // curves pass below the words
     painter.setPen(colors.text);
-    painter.drawText(place, Qt::AlignLeft | Qt::AlignTop, words);
+    painter.drawText(place, wrapped, words);
 }
 
 QPolygonF CurveCanvas::curvePolygon(CurveKind kind) const {

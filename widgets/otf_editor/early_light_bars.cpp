@@ -12,10 +12,17 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("early light", text); }
 }  // namespace
 
+double earlyLightOfFullHeight(const EarlyLight& light) {
+    const double highest = std::ranges::max(light.held);
+    for (const double height : {0.1, 0.2, 0.5})
+        if (highest <= height) return height;
+    return 1.0;
+}
+
 std::array<double, EarlyLight::bins> earlyLightHeights(const EarlyLight& light) {
     std::array<double, EarlyLight::bins> heights{};
-    std::ranges::transform(light.held, heights.begin(),
-                           [](double held) { return std::min(1.0, held / earlyLightOfFullHeight); });
+    const double full = earlyLightOfFullHeight(light);
+    std::ranges::transform(light.held, heights.begin(), [full](double held) { return std::min(1.0, held / full); });
     return heights;
 }
 
@@ -23,8 +30,10 @@ QString wordsOf(const EarlyLight& light) {
     if (light.rays == 0) return tr("No surface is known in this view");
     const double percent = 100.0 * light.sum();
     if (percent <= 0.0) return tr("Held back early: none of the light");
-    if (percent < 0.5) return tr("Held back early: below 1 % of the light");
-    return tr("Held back early: %1 % of the light").arg(std::lround(percent));
+    const QString height = tr("height: %1 %").arg(std::lround(100.0 * earlyLightOfFullHeight(light)));
+    const QString held = percent < 0.5 ? tr("Held back early: below 1 % of the light")
+                                       : tr("Held back early: %1 % of the light").arg(std::lround(percent));
+    return QStringLiteral("%1, %2").arg(held, height);
 }
 
 void paintEarlyLight(QPainter& painter, const PlotAxes& axes, const EarlyLight& light, const QColor& colour) {

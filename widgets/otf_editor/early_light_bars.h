@@ -11,11 +11,13 @@
 
 namespace echolucent {
 
-/// A bar as high as the plot is this share of the light. Bars are cut there.
-inline constexpr double earlyLightOfFullHeight = 0.1;
-/// Height of each bar as a share of the plot, [0,1]. They have one measure, so that haze is seen to grow and to vanish.
+/// A bar as high as the plot is this share of the light: the least of 0.1, 0.2, 0.5 and 1 that holds all bars. So haze
+/// is seen to grow and to vanish, and no bar is cut.
+[[nodiscard]] double earlyLightOfFullHeight(const EarlyLight& light);
+/// Height of each bar as a share of the plot, [0,1].
 [[nodiscard]] std::array<double, EarlyLight::bins> earlyLightHeights(const EarlyLight& light);
-/// "Held back early: 31 % of the light", "Held back early: none of the light", "No surface is known in this view".
+/// "Held back early: 31 % of the light, height: 20 %", "Held back early: none of the light", "No surface is known in
+/// this view".
 [[nodiscard]] QString wordsOf(const EarlyLight& light);
 /// Fills the bars over the shown intensities, with rising lines as colours over pictures have them. The zoom of the
 /// opacity axis does not change heights.

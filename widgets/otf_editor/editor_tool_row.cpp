@@ -40,7 +40,8 @@ EditorToolRow::EditorToolRow(const Tools& tools) : FlowLayout(4) {
     m_earlyLight = named(
         new QCheckBox(tr("Early light")), "otfEditor.earlyLight", tr("Show the light that is held back early"),
         tr("Bars show at which intensities light is held back more than 2 units before the surface: haze, or a wall. "
-           "They add up to the mean share of a ray's light. A bar as high as the plot is 10 % of it."));
+           "They add up to the mean share of a ray's light. The plot is 10 % of it high, or 20, 50 or 100 % if a bar "
+           "is higher: the words in it say which."));
     addWidget(m_earlyLight);
 }
 

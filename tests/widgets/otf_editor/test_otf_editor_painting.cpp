@@ -3,12 +3,14 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/otf_editor/edited_document.h"
 #include "widgets/controls/value_text.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/curve_style.h"
+#include "widgets/otf_editor/early_light_bars.h"
 
 using namespace echolucent;
 
@@ -155,17 +157,32 @@ void TestOtfEditorPainting::earlyLightIsPaintedAtItsIntensities() {
     EarlyLight light;
     light.rays = light.early = 10;
     light.held[20] = 0.04;  // from 0.3125 on, four tenths of the plot high
-    light.held[40] = 0.6;   // cut at the top
+    light.held[40] = 0.06;
     m_canvas->setEarlyLight(light);
-    const QImage with = picture();
+    QImage with = picture();
     const auto painted = [&](const CurveNode& value) {
         return with.pixelColor(pixelOf(value)) != without.pixelColor(pixelOf(value));
     };
     QVERIFY(painted({20.5 / 64, 0.1}) && painted({20.5 / 64, 0.35}));
     QVERIFY(!painted({20.5 / 64, 0.45}));
     QVERIFY(!painted({19.4 / 64, 0.1}) && !painted({21.6 / 64, 0.1}));
-    QVERIFY(painted({40.5 / 64, 0.5}) && painted({40.5 / 64, 0.8}));
-    QVERIFY(m_canvas->accessibleDescription().contains("64 %"));
+    QVERIFY(painted({40.5 / 64, 0.55}) && !painted({40.5 / 64, 0.65}));
+    QVERIFY(m_canvas->accessibleDescription().contains("10 % of the light, height: 10 %"));
+    // A higher bar is not cut: the plot stands for more.
+    light.held[40] = 0.16;
+    m_canvas->setEarlyLight(light);
+    with = picture();
+    QVERIFY(painted({20.5 / 64, 0.15}) && !painted({20.5 / 64, 0.25}));
+    QVERIFY(painted({40.5 / 64, 0.75}) && !painted({40.5 / 64, 0.85}));
+    QVERIFY(m_canvas->accessibleDescription().contains("20 % of the light, height: 20 %"));
+    for (const auto& [held, full] :
+         {std::pair{0.1, 0.1}, std::pair{0.11, 0.2}, std::pair{0.21, 0.5}, std::pair{0.51, 1.0}}) {
+        light.held[40] = held;
+        QCOMPARE(earlyLightOfFullHeight(light), full);
+        QCOMPARE(earlyLightHeights(light)[40], held / full);
+    }
+    light.held[40] = 0.06;
+    m_canvas->setEarlyLight(light);
     // The opacity axis may be zoomed: bars have a measure of their own.
     m_canvas->setOpacityRange({0.0, 0.5});
     QVERIFY(picture().pixelColor(pixelOf({20.5 / 64, 0.05})) != without.pixelColor(pixelOf({20.5 / 64, 0.05})));
