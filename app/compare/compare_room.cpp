@@ -59,7 +59,7 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
         setWaitingPage({});
     });
     connect(&m_views, &ComparedViews::frameShown, this, [this] { m_parts.messages.takeBack(picturesTopic); });
-    // If a drag ends where it began, the document says nothing; the panes are measured again all the same.
+    // A drag that ends where it began is no change of the document, and the panes are plain since it began.
     connect(&m_parts.grid, &CompareGrid::dragEnded, &m_measures, &CompareMeasures::follow);
     connect(&m_measures, &CompareMeasures::failed, this, [this](const QString& sentence) {
         m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::withStudy(measuresTopic));

@@ -255,7 +255,7 @@ void ComparedViews::showFaces() {
         face.coloured = document.comparison.colours;
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
         face.numbers = numbersOf(row);
-        if (face.legend = legendAt(place); !face.legend.empty()) face.numbers = wordsOf(face.legend);
+        face.legend = legendAt(place);
         const ShownPane& pane = paneAt(place);
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);

@@ -1,6 +1,7 @@
 #include "app/otf/editor_early_light.h"
 
 #include <new>
+#include <utility>
 
 #include "widgets/controls/message_bar.h"
 #include "widgets/otf_editor/otf_editor.h"
@@ -38,8 +39,7 @@ void EditorEarlyLight::follow() {
     const auto asked = wanted();
     const bool atRest = !m_parts.model.previewing() && !m_parts.panes.playing();
     if (!asked) {
-        m_thread.cancel();
-        m_asked.reset();
+        if (std::exchange(m_asked, std::nullopt)) m_thread.cancel();
     } else if (atRest && asked != m_asked && !(m_measured && m_measured->asked == asked)) {
         measure(*asked);
     }

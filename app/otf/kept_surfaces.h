@@ -14,9 +14,9 @@
 
 namespace echolucent {
 
-/// Finds surfaces by what they depend on: where they come from, and the voxels. No edit of a curve changes that. Any
-/// thread may ask: this object is the one that worker threads share, and it guards itself. Surfaces keep no voxels
-/// alive.
+/// Finds the surfaces of a source in its voxels, and keeps the newest. An edit of a curve changes neither source nor
+/// voxels, so nothing is found anew. Any thread may ask: worker threads share this object, and it guards itself. It
+/// keeps no voxels alive.
 class KeptSurfaces {
 public:
     /// measuredSurfacesOf(source, *raw), kept from before if they are there. A thread waits while another one finds

@@ -38,10 +38,6 @@ std::optional<MotionChoice> motionOf(const json& object) {
     return problems.first || !problemOf(motion).empty() ? std::nullopt : std::optional(motion);
 }
 
-}  // namespace
-
-namespace {
-
 /// The config that the rows of a method's text change. Texts from before the aim hold none, and mean the curve of
 /// bright surfaces.
 AdaptiveOtfConfig configWithoutParameters(const json& method) {

@@ -28,8 +28,8 @@ struct AdaptedCurve {
                                         const std::optional<FoundRamp>& everyWall = {});
 /// Whether the rule mixes in the ramp of rampForEveryWall().
 [[nodiscard]] bool asksForEveryWall(const CurveRule& rule);
-/// The rule without that ramp (RampRule::aim is 0), for a run of which nobody reads the curve: the search for the ramp
-/// takes time, and surfaces and weights do not depend on it.
+/// The rule with RampRule::aim 0. If nobody reads the curve of a run, this rule saves the search for that ramp.
+/// Surfaces and weights stay the same.
 [[nodiscard]] CurveRule withoutEveryWall(CurveRule rule);
 
 }  // namespace echolucent

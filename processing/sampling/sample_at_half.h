@@ -11,7 +11,7 @@ namespace echolucent {
 /// eq. 3, reaches one half. Between two samples it is taken to rise along a line; before the first sample it is 0, one
 /// sample earlier. `intensities` are a ray's, from front to back; samples without data are NaN and hold nothing back.
 /// opacityAt(i, intensity) is the opacity of sample i, [0,1]. The result counts samples behind the first sample, from
-/// -1 on; it is empty if half of the light comes through the whole ray.
+/// -1 on; it is empty if the whole ray holds back less than half of the light.
 template <typename Intensities, typename OpacityAt>
 [[nodiscard]] std::optional<double> sampleAtHalf(const Intensities& intensities, const OpacityAt& opacityAt) {
     constexpr double half = 0.5;

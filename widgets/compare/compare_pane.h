@@ -16,7 +16,7 @@ namespace echolucent {
 struct PaneFace {
     QString name;
     QString numbers{};
-    SurfaceLegend legend{};         ///< of a picture that is coloured; it stands in the place of the numbers
+    SurfaceLegend legend{};         ///< of a picture that is coloured; it is painted in place of the numbers
     std::optional<QColor> frame{};  ///< colour of the curve, if it has one of its own
     Qt::PenStyle frameStyle = Qt::SolidLine;
     bool coloured = false;  ///< pictures may have the colours of shown depths: frame and focus are neutral

@@ -70,7 +70,7 @@ QGridLayout* gridIn(QGroupBox* group) {
     return grid;
 }
 
-/// A tool tip that begins with the entry, of which the closed box may show only the first words.
+/// A tool tip that begins with the whole entry: the closed box may be too narrow for it.
 QString tipOfPair(const QComboBox& box, const QString& meaning) {
     return box.count() == 0 ? meaning : QStringLiteral("%1. %2").arg(box.currentText(), meaning);
 }

@@ -31,14 +31,14 @@ inline constexpr int flickerColumn = 7;
 [[nodiscard]] QStringList compareColumns();
 /// What each of compareColumns() asks, and whom it favours, a sentence or two each; empty for the name.
 [[nodiscard]] QStringList compareTips();
-/// Which OTFs the frames have of which the flicker is measured.
+/// Says with which OTFs the frames of the flicker are rendered.
 [[nodiscard]] QString flickerSentences();
 /// The core's surfacesSentence() of the rows. Empty if none is measured.
 [[nodiscard]] QString surfacesSentence(const std::vector<CompareRow>& rows);
 /// The cells of a row under the headings of compareColumns(). An unknown value is "–".
 [[nodiscard]] QStringList cellsOf(const CompareRow& row);
-/// "right 62 % · early 31 % · late 7 %": the line under a picture, of where it stands. Shares but the first are left
-/// out if they round to 0 %, and all are if none is known.
+/// "right 62 % · early 31 % · late 7 %": the line under a picture, which says where it stands. The share of right is
+/// always there, each other one if it rounds to more than 0 %. Empty if no surface is known.
 [[nodiscard]] QString numbersOf(const CompareRow& row);
 /// Columns aligned by spaces.
 [[nodiscard]] QString compareText(const std::vector<CompareRow>& rows);

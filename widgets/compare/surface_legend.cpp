@@ -1,7 +1,6 @@
 #include "widgets/compare/surface_legend.h"
 
 #include <QFontMetrics>
-#include <QStringList>
 #include <array>
 #include <cmath>
 
@@ -48,12 +47,6 @@ SurfaceLegend surfaceLegend(const std::optional<ShownDepth>& depth) {
         legend.push_back({shown, share ? std::optional(static_cast<int>(std::lround(100.0 * *share))) : std::nullopt});
     }
     return legend;
-}
-
-QString wordsOf(const SurfaceLegend& legend) {
-    QStringList words;
-    for (const SurfaceLegendEntry& entry : legend) words << wordsOf(entry, Words::percent);
-    return words.join(QStringLiteral(" · "));
 }
 
 void paintSurfaceLegend(QPainter& painter, const QRect& line, const SurfaceLegend& legend, const QColor& text) {

@@ -22,8 +22,6 @@ using SurfaceLegend = std::vector<SurfaceLegendEntry>;
 
 /// The four colours with the shares of a picture, or without shares.
 [[nodiscard]] SurfaceLegend surfaceLegend(const std::optional<ShownDepth>& depth);
-/// "right 62 % · early 31 % · late 4 % · never 3 %".
-[[nodiscard]] QString wordsOf(const SurfaceLegend& legend);
 /// A sample of each colour with its pattern, and its words, in one line as high as the rectangle. If the line is short,
 /// signs of percent are left out, then the shares.
 void paintSurfaceLegend(QPainter& painter, const QRect& line, const SurfaceLegend& legend, const QColor& text);

@@ -25,7 +25,7 @@ constexpr double wheelNotch = 120.0;  // one notch: 15 degrees in Qt's unit, an 
 CurveCanvas::CurveCanvas(OtfEditorModel& model, QWidget* parent) : QWidget(parent), m_model(model) {
     setObjectName("otfEditor.canvas");
     setAccessibleName(tr("Opacity curves"));
-    setEarlyLight({});
+    describe();
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -46,11 +46,16 @@ void CurveCanvas::setHistogramScale(HistogramScale scale) {
 }
 
 void CurveCanvas::setEarlyLight(const std::optional<EarlyLight>& light) {
-    const QString words = light ? QStringLiteral(" ") + wordsOf(*light) + QLatin1Char('.') : QString();
+    if (std::exchange(m_earlyLight, light) == light) return;
+    describe();
+    update();
+}
+
+void CurveCanvas::describe() {
+    const QString words = m_earlyLight ? QStringLiteral(" ") + wordsOf(*m_earlyLight) + QLatin1Char('.') : QString();
     setAccessibleDescription(tr("Opacity over intensity. Tab goes from node to node, arrow keys move the selected one, "
                                 "Delete removes it.") +
                              words);
-    if (std::exchange(m_earlyLight, light) != light) update();
 }
 
 void CurveCanvas::setValueWindow(const ValueWindow& window) {

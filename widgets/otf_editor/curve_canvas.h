@@ -97,6 +97,7 @@ private:
     bool nudgeSelected(const QKeyEvent& event);
     [[nodiscard]] bool handlesKey(const QKeyEvent& event) const;
 
+    void describe();
     void paintAxes(QPainter& painter, const PlotColours& colors) const;
     void paintIntensityAxis(QPainter& painter, const PlotColours& colors) const;
     void paintOpacityAxis(QPainter& painter, const PlotColours& colors) const;

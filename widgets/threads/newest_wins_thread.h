@@ -28,8 +28,7 @@ namespace echolucent {
 ///                        [Superseded]      shut down in any state: cancel, end the thread, wait
 ///
 /// Only values and shared_ptr<const ...> that the job captures cross the threads, or a reference to what guards itself
-/// (app/otf/kept_surfaces.h). If threads want more cores than there
-/// are, the worker gives way to the GUI thread.
+/// (app/otf/kept_surfaces.h). If threads want more cores than there are, the worker gives way to the GUI thread.
 ///
 /// While this object is busy, its work is under way in Works. If a receiver of busyChanged(false) begins another work,
 /// that work begins before this one ends.

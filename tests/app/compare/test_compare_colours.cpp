@@ -84,7 +84,8 @@ private slots:
             QCOMPARE(face.legend.size(), std::size_t{4});
             for (const SurfaceLegendEntry& entry : face.legend)
                 QCOMPARE(*entry.percent, std::lround(100.0 * *panel().rows()[i].depth->share(entry.shown)));
-            QCOMPARE(grid().pane(i).accessibleDescription(), wordsOf(face.legend));
+            // The line that the legend takes the place of is said all the same.
+            QCOMPARE(grid().pane(i).accessibleDescription(), numbersOf(panel().rows()[i]));
         }
         click("compare.colours");
         QVERIFY(grid().pane(0).face().legend.empty());
