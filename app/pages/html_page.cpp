@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "app/pages/html_text.h"
-#include "app/pages/plot_axis.h"
-#include "app/pages/series_style.h"
+#include "processing/plots/plot_axis.h"
+#include "processing/plots/series_style.h"
 
 namespace echolucent {
 
@@ -60,13 +60,13 @@ footer{position:fixed;bottom:0;left:0;margin:0}
 constexpr std::string_view darkStyle =
     "body{background:#16191d;color:#dde1e6}caption,figcaption,footer{color:#a3abb5}"
     "th,td{border-color:#343a42}th{border-color:#7c8591}svg .ink{fill:#dde1e6}svg .grid{stroke:#343a42}"
-    "svg .frame{stroke:#7c8591}";
+    "svg .frame{stroke:#7c8591}svg .band{fill:#2a3139}svg .mark{stroke:#a3abb5}";
 
 std::string wholeStyle() {
     std::string dark(darkStyle);
-    for (std::size_t i = 0; i < seriesColours.size(); ++i)
+    for (std::size_t i = 0; i <= seriesColours.size(); ++i)
         dark += fmt::format("svg path.c{0}{{stroke:{1}}}svg path.marker.c{0}{{stroke:none;fill:{1}}}", i,
-                            seriesColours[i].onDark);
+                            colourAt(i).onDark);
     return std::string(style) + "@media screen and (prefers-color-scheme:dark){" + dark + "}\n";
 }
 

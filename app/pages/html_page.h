@@ -9,24 +9,10 @@
 #include <vector>
 
 #include "processing/picture/picture.h"
+#include "processing/plots/plot.h"
 
 namespace echolucent {
 
-/// One line or cloud of points of a plot. A value that is not finite is left out, and makes a gap in a line.
-struct PlotSeries {
-    std::string name;
-    std::vector<double> x, y;
-    bool line = true;
-    bool markers = false;
-    std::vector<std::string> labels;   ///< names beside the markers; empty for none
-    std::vector<std::string> names{};  ///< a marker's words under the pointer; empty: its label
-};
-
-struct Plot {
-    std::string title, xLabel, yLabel;
-    bool logX = false, logY = false;  ///< a logarithmic axis leaves out values that are not above 0
-    std::vector<PlotSeries> series;
-};
 /// The plot as an SVG element, with axes, ticks, grid and legend. Colour and line style tell the series apart.
 [[nodiscard]] std::string svgOf(const Plot& plot);
 

@@ -6,8 +6,8 @@
 
 #include "app/pages/html_page.h"
 #include "app/pages/html_text.h"
-#include "app/pages/plot_axis.h"
-#include "app/pages/series_style.h"
+#include "processing/plots/plot_axis.h"
+#include "processing/plots/series_style.h"
 
 namespace echolucent {
 
@@ -73,14 +73,18 @@ class PlotDrawing {
 public:
     explicit PlotDrawing(const Plot& plot)
         : m_plot(plot),
-          m_x(valuesOf(plot, true), plot.logX),
-          m_y(valuesOf(plot, false), plot.logY),
+          m_x(valuesOf(plot, true), plot.logX, plot.rangeX),
+          m_y(valuesOf(plot, false), plot.logY, plot.rangeY),
           m_colours(coloursOf(plot.series)) {}
 
     std::string text() {
+        drawBands();
         drawGrid();
         drawTitles();
-        for (std::size_t i = 0; i < m_plot.series.size(); ++i) drawLine(i);
+        drawMarks();
+        for (const PlotWeight weight : {PlotWeight::faint, PlotWeight::ordinary, PlotWeight::heavy})
+            for (std::size_t i = 0; i < m_plot.series.size(); ++i)
+                if (m_plot.series[i].weight == weight) drawLine(i);
         for (std::size_t i = 0; i < m_plot.series.size(); ++i) drawMarkers(i);
         for (std::size_t i = 0; i < m_plot.series.size(); ++i) drawLabels(i);
         const double height = drawLegend();
@@ -99,10 +103,13 @@ private:
     [[nodiscard]] static std::size_t countOf(const PlotSeries& series) {
         return std::min(series.x.size(), series.y.size());
     }
-    [[nodiscard]] const SeriesColour& colour(std::size_t i) const { return seriesColours[m_colours[i]]; }
+    [[nodiscard]] const SeriesColour& colour(std::size_t i) const { return colourAt(m_colours[i]); }
+    [[nodiscard]] double strokeWidth(std::size_t i) const;
 
+    void drawBands();
     void drawGrid();
     void drawTitles();
+    void drawMarks();
     void drawLine(std::size_t index);
     void drawMarkers(std::size_t index);
     void drawLabels(std::size_t index);
@@ -115,6 +122,61 @@ private:
     std::vector<Box> m_taken;  ///< where markers and labels stand
     std::string m_body;
 };
+
+double PlotDrawing::strokeWidth(std::size_t i) const {
+    switch (m_plot.series[i].weight) {
+        case PlotWeight::ordinary: break;
+        case PlotWeight::heavy: return 3.5;
+        case PlotWeight::faint: return 1.0;
+    }
+    return 2.0;
+}
+
+void PlotDrawing::drawBands() {
+    for (const PlotBand& band : m_plot.bands) {
+        if (!m_x.shows(band.from) || !m_x.shows(band.to)) continue;
+        const double from = std::clamp(pixelX(band.from), plotLeft, plotRight);
+        const double to = std::clamp(pixelX(band.to), plotLeft, plotRight);
+        if (!(from < to)) continue;
+        m_body += fmt::format(
+            "<rect class=\"band\" fill=\"#e6ebf0\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" "
+            "height=\"{}\"><title>{}</title>"
+            "</rect>\n",
+            from, plotTop, to - from, plotBottom - plotTop, escaped(band.label));
+    }
+}
+
+void PlotDrawing::drawMarks() {
+    const auto add = [this](const std::string& path, double x, double y, const std::string& label) {
+        m_body += fmt::format(
+            "<path class=\"mark\" stroke=\"#555\" stroke-dasharray=\"4 3\" d=\"{}\"/>\n"
+            "<text class=\"ink\" fill=\"#333\" font-size=\"11\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+            path, x, y, escaped(label));
+        m_taken.push_back({x, y - 10, textWidth(label), 12});
+    };
+    // Names of upright lines that stand close together go on lines of text of their own.
+    constexpr double line = 13, mostLines = 4;
+    std::vector<double> ends;
+    for (const PlotMark& mark : m_plot.marksX) {
+        if (!m_x.shows(mark.value)) continue;
+        const double x = pixelX(mark.value), wide = textWidth(mark.label);
+        if (x < plotLeft || x > plotRight) continue;
+        const double begin = x + 4 + wide > plotRight ? x - 4 - wide : x + 4;
+        std::size_t row = 0;
+        while (row < ends.size() && begin < ends[row] && row + 1 < mostLines) ++row;
+        if (row == ends.size()) ends.push_back(0);
+        ends[row] = begin + wide + 4;
+        add(fmt::format("M{0:.1f} {1}V{2}", x, plotTop, plotBottom), begin,
+            plotTop + 13 + line * static_cast<double>(row), mark.label);
+    }
+    for (const PlotMark& mark : m_plot.marksY) {
+        if (!m_y.shows(mark.value)) continue;
+        const double y = pixelY(mark.value);
+        if (y < plotTop || y > plotBottom) continue;
+        add(fmt::format("M{0} {1:.1f}H{2}", plotLeft, y, plotRight), plotRight - 4 - textWidth(mark.label), y - 4,
+            mark.label);
+    }
+}
 
 void PlotDrawing::drawGrid() {
     for (const PlotTick& tick : m_x.ticks()) {
@@ -176,9 +238,9 @@ void PlotDrawing::drawLine(std::size_t index) {
     }
     if (path.empty()) return;
     m_body += fmt::format(
-        "<path class=\"line c{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linecap=\"round\" "
+        "<path class=\"line c{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" "
         "stroke-linejoin=\"round\"{} d=\"{}\"/>\n",
-        m_colours[index], colour(index).onLight,
+        m_colours[index], colour(index).onLight, strokeWidth(index),
         colour(index).dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", colour(index).dashes), path);
 }
 
@@ -231,52 +293,40 @@ void PlotDrawing::drawLabels(std::size_t index) {
 
 double PlotDrawing::drawLegend() {
     double x = plotLeft, y = plotBottom + 62;
-    for (std::size_t i = 0; i < m_plot.series.size(); ++i) {
-        const PlotSeries& series = m_plot.series[i];
-        const double wide = legendSample + textWidth(series.name) + 22;
+    const auto place = [&](const std::string& name) {
+        const double wide = legendSample + textWidth(name) + 22;
         if (x > plotLeft && x + wide > plotRight) {
             x = plotLeft;
             y += legendRow;
         }
+        m_body += fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"{}\">{}</text>\n", x + legendSample, y,
+                              escaped(name));
+        return wide;
+    };
+    for (std::size_t i = 0; i < m_plot.series.size(); ++i) {
+        const PlotSeries& series = m_plot.series[i];
+        const double wide = place(series.name);
         if (series.line)
             m_body += fmt::format(
-                "<path class=\"c{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{} d=\"M{} {}h26\"/>\n",
-                m_colours[i], colour(i).onLight,
+                "<path class=\"c{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{} d=\"M{} {}h26\"/>\n",
+                m_colours[i], colour(i).onLight, strokeWidth(i),
                 colour(i).dashes.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", colour(i).dashes), x, y - 4);
         if (series.markers) drawMarker(i, x + 13, y - 4, {});
-        m_body += fmt::format("<text class=\"ink\" fill=\"#333\" x=\"{}\" y=\"{}\">{}</text>\n", x + legendSample, y,
-                              escaped(series.name));
         x += wide;
     }
-    return y + (m_plot.series.empty() ? -8 : 12);
+    std::string named;
+    for (const PlotBand& band : m_plot.bands) {
+        if (band.label.empty() || band.label == named) continue;
+        named = band.label;
+        const double wide = place(band.label);
+        m_body += fmt::format("<rect class=\"band\" fill=\"#e6ebf0\" x=\"{}\" y=\"{}\" width=\"26\" height=\"12\"/>\n",
+                              x, y - 10);
+        x += wide;
+    }
+    return y + (m_plot.series.empty() && named.empty() ? -8 : 12);
 }
 
 }  // namespace
-
-std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series) {
-    std::array<bool, seriesColours.size()> used{};
-    std::vector<std::size_t> colours(series.size(), seriesColours.size());
-    for (std::size_t i = 0; i < series.size(); ++i)
-        for (std::size_t c = 0; c < seriesColours.size(); ++c) {
-            const std::string_view curve = seriesColours[c].curve;
-            if (curve.empty() || used[c] || !series[i].name.starts_with(curve)) continue;
-            used[c] = true;
-            colours[i] = c;
-            break;
-        }
-    std::size_t next = 0;
-    for (std::size_t& own : colours) {
-        if (own < seriesColours.size()) continue;
-        while (next < seriesColours.size() && used[next]) ++next;
-        if (next == seriesColours.size()) {
-            used.fill(false);
-            next = 0;
-        }
-        used[next] = true;
-        own = next;
-    }
-    return colours;
-}
 
 std::string svgOf(const Plot& plot) { return PlotDrawing(plot).text(); }
 

@@ -16,8 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/pages/plot_axis.h"
-#include "app/pages/series_style.h"
+#include "widgets/plots/plot_painting.h"
 
 namespace echolucent {
 
@@ -50,64 +49,27 @@ QImage imageOf(const PagePicture& picture) {
     return image;
 }
 
-/// Lines over two axes from 0 to 1 or to what they hold, and their names below.
-QImage imageOf(const Plot& plot) {
-    constexpr double scale = 3.0, width = 640.0, height = 400.0, row = 18.0;
-    const QRectF area(60, 12, width - 80, height - 150);
+/// The plot in the colours of paper, without its title.
+QImage imageOf(const Plot& titled) {
+    constexpr double scale = 3.0, width = 640.0, areaHeight = 250.0;
+    Plot plot = titled;
+    plot.title.clear();
+    QFont font;
+    font.setPixelSize(12);
+    const double height = PlotPainting::heightFor(plot, width, areaHeight, font);
     QImage image(QSize(qRound(width * scale), qRound(height * scale)), QImage::Format_RGB32);
     if (image.isNull()) throw std::bad_alloc();
     image.fill(Qt::white);
     QPainter painter(&image);
     painter.scale(scale, scale);
-    painter.setRenderHint(QPainter::Antialiasing);
-    QFont font;
-    font.setPixelSize(12);
     painter.setFont(font);
-    std::vector<double> x, y;
-    for (const PlotSeries& series : plot.series) {
-        x.insert(x.end(), series.x.begin(), series.x.end());
-        y.insert(y.end(), series.y.begin(), series.y.end());
-    }
-    const PlotAxis across(x, plot.logX), up(y, plot.logY);
-    const auto placeOf = [&](double atX, double atY) {
-        return QPointF(area.left() + across.placeOf(atX) * area.width(),
-                       area.bottom() - up.placeOf(atY) * area.height());
-    };
-    painter.setPen(Qt::gray);
-    painter.drawRect(area);
-    painter.setPen(Qt::black);
-    for (const PlotTick& tick : across.ticks()) {
-        const double at = area.left() + across.placeOf(tick.value) * area.width();
-        painter.drawText(QRectF(at - 40, area.bottom() + 3, 80, row), Qt::AlignCenter, wordsOf(tick.label));
-    }
-    for (const PlotTick& tick : up.ticks()) {
-        const double at = area.bottom() - up.placeOf(tick.value) * area.height();
-        painter.drawText(QRectF(area.left() - 55, at - row / 2, 50, row), Qt::AlignRight | Qt::AlignVCenter,
-                         wordsOf(tick.label));
-    }
-    painter.drawText(QRectF(area.left(), area.bottom() + row, area.width(), row), Qt::AlignCenter,
-                     wordsOf(plot.xLabel + " (across), " + plot.yLabel + " (up)"));
-    const std::vector<std::size_t> colours = coloursOf(plot.series);
-    for (std::size_t i = 0; i < plot.series.size(); ++i) {
-        const PlotSeries& series = plot.series[i];
-        const SeriesColour& style = seriesColours.at(colours[i]);
-        QPen pen(QColor(QString::fromLatin1(style.onLight.data(), static_cast<qsizetype>(style.onLight.size()))), 1.6);
-        QList<qreal> dashes;
-        for (const QByteArray& dash :
-             QByteArray(style.dashes.data(), static_cast<qsizetype>(style.dashes.size())).split(' '))
-            if (!dash.isEmpty()) dashes << dash.toDouble() / pen.widthF();
-        if (!dashes.isEmpty()) pen.setDashPattern(dashes);
-        painter.setPen(pen);
-        QPolygonF line;
-        for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k)
-            if (across.shows(series.x[k]) && up.shows(series.y[k])) line << placeOf(series.x[k], series.y[k]);
-        painter.drawPolyline(line);
-        const double left = area.left() + static_cast<double>(i % 2) * area.width() / 2;
-        const double at = area.bottom() + 2.6 * row + static_cast<double>(i / 2) * row;
-        painter.drawLine(QPointF(left, at), QPointF(left + 26, at));
-        painter.setPen(Qt::black);
-        painter.drawText(QPointF(left + 32, at + 4), wordsOf(series.name));
-    }
+    const PlotPaint paper{.ground = Qt::white,
+                          .text = Qt::black,
+                          .secondary = Qt::black,
+                          .grid = QColor("#d5d9de"),
+                          .frame = Qt::gray,
+                          .band = QColor("#e6ebf0")};
+    PlotPainting(plot, QRectF(0, 0, width, height), painter).paint(painter, paper);
     painter.end();
     return image;
 }

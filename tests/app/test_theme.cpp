@@ -11,9 +11,9 @@
 #include <QToolButton>
 #include <set>
 
-#include "app/pages/series_style.h"
 #include "app/settings/settings.h"
 #include "app/window/theme.h"
+#include "processing/plots/series_style.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/contrast.h"

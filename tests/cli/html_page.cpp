@@ -1,6 +1,7 @@
 // The report page and its plots: well-formed, escaped, readable, and true to what was given.
 #include "app/pages/html_page.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,9 +13,9 @@
 
 #include "app/measuring/study.h"
 #include "app/pages/html_text.h"
-#include "app/pages/plot_axis.h"
-#include "app/pages/series_style.h"
 #include "processing/adaptive/method_parameters.h"
+#include "processing/plots/plot_axis.h"
+#include "processing/plots/series_style.h"
 
 namespace echolucent::cli {
 namespace {
@@ -53,7 +54,9 @@ std::size_t countOf(const std::string& text, const std::string& part) {
     return count;
 }
 
-Plot plotOf(std::vector<PlotSeries> series) { return {"Title", "across", "up", false, false, std::move(series)}; }
+Plot plotOf(std::vector<PlotSeries> series) {
+    return {.title = "Title", .xLabel = "across", .yLabel = "up", .series = std::move(series)};
+}
 
 PlotSeries markersOf(std::vector<double> x, std::vector<double> y) {
     return {.name = "some", .x = std::move(x), .y = std::move(y), .line = false, .markers = true, .labels = {}};
@@ -153,6 +156,40 @@ TEST(Plot, ColoursStandOffTheirGround) {
         EXPECT_GE(1.05 / (luminance(colour.onLight) + 0.05), 4.5) << colour.onLight;
         EXPECT_GE((luminance(colour.onDark) + 0.05) / (luminance("#16191d") + 0.05), 4.5) << colour.onDark;
     }
+}
+
+TEST(Plot, MarksAndBandsStandAtTheirValues) {
+    PlotSeries line{.name = "some", .x = {0, 10}, .y = {0, 1}};
+    Plot plot = plotOf({line});
+    plot.rangeX = PlotRange{0, 10};
+    plot.marksX = {{5, "surface < here"}, {50, "outside"}};
+    plot.marksY = {{0.5, "threshold"}};
+    plot.bands = {{2, 4, "range"}, {6, 8, "range"}};
+    const std::string svg = svgOf(plot);
+    EXPECT_EQ(problemOf(svg), "");
+    EXPECT_EQ(countOf(svg, "class=\"mark\""), 2U) << "a mark outside is not drawn";
+    EXPECT_EQ(countOf(svg, ">range</text>"), 1U) << "the legend names bands of one name once";
+    // The line runs from corner to corner, so its middle is the middle of the plot, where both marks cross.
+    const double middle = (78.0 + 736.0) / 2;
+    EXPECT_NE(svg.find(fmt::format("d=\"M{:.1f} 40V384\"", middle)), std::string::npos);
+    EXPECT_NE(svg.find("d=\"M78 212.0H736\""), std::string::npos);
+}
+
+TEST(Plot, FaintSeriesAreGreyAndTakeNoColour) {
+    std::vector<PlotSeries> series(3);
+    series[0].weight = PlotWeight::faint;
+    series[0].name = "adaptive, others";
+    series[1].name = "adaptive";
+    EXPECT_EQ(coloursOf(series), (std::vector<std::size_t>{seriesColours.size(), 0, 1}));
+    EXPECT_EQ(colourAt(seriesColours.size()).onLight, faintColour.onLight);
+}
+
+TEST(PlotAxis, ARangeHoldsWhateverTheValuesAre) {
+    const PlotAxis axis({0.4, 0.5}, false, PlotRange{0, 1}), larger({-3, 7}, false, PlotRange{0, 1});
+    EXPECT_EQ(axis.placeOf(0.25), larger.placeOf(0.25));
+    EXPECT_NEAR(axis.placeOf(0.5), 0.5, 1e-12);
+    const PlotAxis none({2, 4}, false, PlotRange{1, 1});
+    EXPECT_NEAR(none.placeOf(3), 0.5, 1e-12) << "an empty range is none";
 }
 
 TEST(PlotAxis, TicksAreRoundAndWithin) {

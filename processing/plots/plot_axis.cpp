@@ -1,8 +1,8 @@
-#include "app/pages/plot_axis.h"
-
-#include <fmt/format.h>
+#include "processing/plots/plot_axis.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -53,7 +53,10 @@ std::vector<PlotTick> logarithmicTicks(double low, double high) {
 }  // namespace
 
 std::string shortNumber(double value) {
-    std::string text = fmt::format("{:.6g}", value);
+    std::array<char, 32> digitsOf{};
+    const auto written =
+        std::to_chars(digitsOf.data(), digitsOf.data() + digitsOf.size(), value, std::chars_format::general, 6);
+    std::string text(digitsOf.data(), written.ptr);
     const auto exponent = text.find('e');
     if (exponent == std::string::npos) return text;
     std::string digits = text.substr(exponent + 1);
@@ -62,12 +65,17 @@ std::string shortNumber(double value) {
     return text.substr(0, exponent + 1) + (negative ? "-" : "") + digits;
 }
 
-PlotAxis::PlotAxis(const std::vector<double>& values, bool logarithmic) : m_logarithmic(logarithmic) {
+PlotAxis::PlotAxis(const std::vector<double>& values, bool logarithmic, const std::optional<PlotRange>& range)
+    : m_logarithmic(logarithmic) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const double value : values) {
         if (!shows(value)) continue;
         least = std::min(least, value);
         most = std::max(most, value);
+    }
+    if (range && shows(range->from) && shows(range->to) && range->from < range->to) {
+        least = range->from;
+        most = range->to;
     }
     if (logarithmic)
         least > most ? spanLogarithmic(0.1, 1.0) : spanLogarithmic(least, most);

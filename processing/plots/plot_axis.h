@@ -1,8 +1,11 @@
 // The scale of one axis of a plot: its range, its ticks, and the place of a value.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "processing/plots/plot.h"
 
 namespace echolucent {
 
@@ -13,9 +16,9 @@ struct PlotTick {
 
 class PlotAxis {
 public:
-    /// Spans all values that can be shown (finite; above 0 if logarithmic) with some room beside them. Without any
-    /// value it spans [0,1] or [0.1,1].
-    PlotAxis(const std::vector<double>& values, bool logarithmic);
+    /// Spans the range or, if there is none that can be shown, all values that can be shown (finite; above 0 if
+    /// logarithmic). There is some room beside them. Without any value it spans [0,1] or [0.1,1].
+    PlotAxis(const std::vector<double>& values, bool logarithmic, const std::optional<PlotRange>& range = {});
     [[nodiscard]] bool shows(double value) const;
     /// The place of a value: 0 at the lower end, 1 at the upper.
     [[nodiscard]] double placeOf(double value) const;

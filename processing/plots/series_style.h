@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace echolucent {
+#include "processing/plots/plot.h"
 
-struct PlotSeries;
+namespace echolucent {
 
 /// The colours of the editor's curves. On light ground a plot takes the darker ones. Their contrast with white is at
 /// least 4.5 : 1.
@@ -26,8 +26,15 @@ inline constexpr std::array<SeriesColour, 8> seriesColours{{{"adaptive", "#1c7f8
                                                             {"", "#2f66b5", "#81a9e0", "10 3"},
                                                             {"", "#a04e26", "#e39a78", "4 2"}}};
 
-/// For each series the index of its colour. If the series' name begins with a curve's name, it is the curve's own
-/// colour, else the next free one. Beyond the eighth series the colours repeat.
+/// The colour of faint series.
+inline constexpr SeriesColour faintColour{"", "#9aa1a9", "#626c77", ""};
+/// The colour of an index of coloursOf().
+[[nodiscard]] constexpr const SeriesColour& colourAt(std::size_t index) {
+    return index < seriesColours.size() ? seriesColours[index] : faintColour;
+}
+
+/// For each series the index of its colour; seriesColours.size() for a faint one. If the series' name begins with a
+/// curve's name, it is the curve's own colour, else the next free one. Beyond the eighth series the colours repeat.
 [[nodiscard]] std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series);
 
 }  // namespace echolucent
