@@ -9,6 +9,7 @@
 #include <QString>
 #include <QStringList>
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 namespace echolucent {
@@ -163,7 +164,10 @@ inline QStringList foundIn(const QByteArray& bytes, const QList<Marker>& markers
     QStringList found;
     for (const Marker& marker : markers)
         for (const QByteArray& form : formsOf(marker.text))
-            if (bytes.contains(form)) found << where + ": " + marker.attribute;
+            // QByteArray::contains() took two thirds of the class's time.
+            if (memmem(bytes.constData(), static_cast<std::size_t>(bytes.size()), form.constData(),
+                       static_cast<std::size_t>(form.size())) != nullptr)
+                found << where + ": " + marker.attribute;
     found.removeDuplicates();
     return found;
 }
