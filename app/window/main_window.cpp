@@ -266,6 +266,7 @@ void MainWindow::createActions() {
     commands.copyPicture = [this] { m_files->copyPicture(); };
     commands.resetAll = [this] { emit m_widgets.controls->resetAllRequested(); };
     commands.toggleFullScreen = [this] { m_fullScreen->toggle(); };
+    commands.largePointer = [this](bool large) { m_largePointer.show(large); };
     commands.resetView = [this] { emit m_widgets.controls->resetRequested(); };
     commands.reduceSpeckle = [this](int levels) { m_pictureControls->reduceSpeckle(levels); };
     commands.frontFromHere = [this] { emit m_widgets.controls->frontFromHereRequested(); };

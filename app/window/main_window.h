@@ -16,6 +16,7 @@
 #include "widgets/control_keys.h"
 #include "widgets/escape_order.h"
 #include "widgets/hand_gesture.h"
+#include "widgets/large_pointer.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/threads/works.h"
 #include "widgets/volume_view/volume_view_widget.h"
@@ -138,6 +139,7 @@ private:
     StudyNames m_names{m_settings};
     DocumentModel m_document;
     HandGesture m_hand;
+    LargePointer m_largePointer;
     ControlKeys m_controlKeys;
     EscapeOrder m_escapes;
     OpenStudy m_openStudy{m_works};

@@ -35,11 +35,13 @@ QAction* addAction(QMenu* menu, const QString& text, const QString& name, const 
     return action;
 }
 
-void addSwitch(QMenu* menu, const QString& text, const QString& name, const std::function<void(bool on)>& run) {
+QAction* addSwitch(QMenu* menu, const QString& text, const QString& name, const std::function<void(bool on)>& run) {
     QAction* action = menu->addAction(text);
     action->setObjectName(name);
+    action->setShortcut(keyOf(name));
     action->setCheckable(true);
     QObject::connect(action, &QAction::triggered, menu, run);
+    return action;
 }
 
 void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands& commands) {
@@ -91,6 +93,8 @@ void createViewMenu(QMainWindow& window, const QList<QDockWidget*>& panels, cons
             tr("Changes the light of the picture: none, on surfaces, or with shadows that tell depth. Each time "
                "the next of the three"));
     addAction(view, tr("&Full screen"), "view.fullScreen", commands.toggleFullScreen);
+    addSwitch(view, tr("Large &pointer"), "view.largePointer", commands.largePointer)
+        ->setToolTip(tr("A ring around the pointer, which the last row of a class sees"));
     addSwitch(view, tr("Show n&umbers instead of names"), "view.numbersForNames", commands.numbersForNames);
     addSwitch(view, tr("Light &theme"), "view.lightTheme", commands.lightTheme);
     QMenu* docks = view->addMenu(tr("Panels"));

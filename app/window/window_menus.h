@@ -25,6 +25,7 @@ struct WindowCommands {
     std::function<void(int step)> stepPhase;  ///< -1 or 1
     std::function<void(bool numbers)> numbersForNames;
     std::function<void(bool light)> lightTheme;
+    std::function<void(bool large)> largePointer;
     std::function<void(bool shown)> showSides;
     QList<QAction*> sides;  ///< take the six sides
     std::function<void(QMenu&menu)> fillRecentFiles, fillLeftUnsaved;

@@ -6,6 +6,7 @@
 
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/theme_colours.h"
 
 using namespace echolucent;
 
@@ -69,6 +70,25 @@ private slots:
         QVERIFY(!next.isFullScreen());
         QVERIFY(next.findChild<QDockWidget*>("dock.view")->isVisible());
         QVERIFY(next.menuBar()->isVisible());
+    }
+
+    void theLargePointerIsForTheLastRow() {
+        QVERIFY(QApplication::overrideCursor() == nullptr);
+        QTest::keyClick(&window(), Qt::Key_F);
+        QTest::keyClick(&window(), Qt::Key_K);
+        QVERIFY(QApplication::overrideCursor() != nullptr);
+        const QCursor large = *QApplication::overrideCursor();
+        QCOMPARE(large.pixmap().deviceIndependentSize().toSize(), QSize(largePointerSize, largePointerSize));
+        const QImage ring = large.pixmap().toImage();
+        QCOMPARE(ring.pixelColor(large.hotSpot()), coloursOverPictures().warning);  // the dot is where it points
+        QCOMPARE(ring.pixelColor(large.hotSpot() + QPoint(20, 0)).alpha(), 0);      // what it points at is seen
+        QTest::keyClick(&window(), Qt::Key_F);
+        QVERIFY(QApplication::overrideCursor() != nullptr);
+        QTest::keyClick(&window(), Qt::Key_K);
+        QVERIFY(QApplication::overrideCursor() == nullptr);
+        QTest::keyClick(&window(), Qt::Key_K);
+        close();
+        QVERIFY(QApplication::overrideCursor() == nullptr);
     }
 
     void escapeEndsADragBeforeTheFullScreen() {
