@@ -9,7 +9,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
     study.require_subcommand(1);
     study.fallthrough();
     for (const auto& own : {otfStudy(), contrastStudy(), motionStudy(), stabilityStudy(), renderStudy(), lightStudy(),
-                            quietStudy(), cutStudy(), sidesStudy(), designersStudy(), aimStudy()})
+                            quietStudy(), cutStudy(), sidesStudy(), designersStudy(), aimStudy(), theoryStudy()})
         StudyCommand::add(own, study, action);
     study.footer("Example: echolucent-cli study otf --phantoms -o study");
 }

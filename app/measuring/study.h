@@ -103,5 +103,6 @@ private:
 [[nodiscard]] std::shared_ptr<StudyCommand> sidesStudy();
 [[nodiscard]] std::shared_ptr<StudyCommand> designersStudy();
 [[nodiscard]] std::shared_ptr<StudyCommand> aimStudy();
+[[nodiscard]] std::shared_ptr<StudyCommand> theoryStudy();
 
 }  // namespace echolucent::cli

@@ -305,6 +305,7 @@ double PlotDrawing::drawLegend() {
     };
     for (std::size_t i = 0; i < m_plot.series.size(); ++i) {
         const PlotSeries& series = m_plot.series[i];
+        if (series.name.empty()) continue;
         const double wide = place(series.name);
         if (series.line)
             m_body += fmt::format(
