@@ -115,7 +115,7 @@ std::string winnerSentence(const TheorySetting& setting) {
     const std::vector<std::size_t> winners = winnersOf(contrasts);
     if (winners.empty()) return "No curve shows the tissue." + parabolaSentence(setting);
     const std::string most = shareText(contrasts[winners.front()].contrast);
-    return listedNames(contrasts, winners) + (winners.size() == 1 ? " shows" : " show") + " the tissue best: " + most +
+    return "The tissue is shown best by " + listedNames(contrasts, winners) + ": " + most +
            (setting.contrast == ContrastKind::difference ? " of white." : ".") + parabolaSentence(setting);
 }
 
