@@ -6,14 +6,19 @@
 #include "app/window/main_window.h"
 #include "app/window/window_faces.h"
 #include "widgets/panels/explain_panel.h"
+#include "widgets/theory/theory_panel.h"
 
 namespace echolucent {
 
-/// The panel explains what every picture shows and why.
+/// The panels that explain: what every picture shows and why, and what two intensities of the study say of curves.
 void MainWindow::connectExplanation() {
     ExplainPanel* panel = m_widgets.explain;
     panel->setSource([this] { return explanation(); });
     connect(m_panes.get(), &ShownPanes::changed, panel, &ExplainPanel::follow);
+    TheoryPanel* theory = m_widgets.theory;
+    theory->setStudy([this] { return studyIntensities(m_otfs->adaptive().get(), m_document.document().curves); });
+    connect(m_otfs.get(), &PaneOtfs::followed, theory, &TheoryPanel::followStudy);
+    connect(m_otfs.get(), &PaneOtfs::computed, theory, &TheoryPanel::followStudy);
 }
 
 void MainWindow::connectCaption() {

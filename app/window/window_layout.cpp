@@ -34,6 +34,7 @@
 #include "widgets/panels/view_panel.h"
 #include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
+#include "widgets/theory/theory_panel.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -175,6 +176,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     layout.facts = new StudyPanel(&window);
     layout.course = new OtfCoursePanel(course, &window);
     layout.explain = new ExplainPanel(&window);
+    layout.theory = new TheoryPanel(&window);
     layout.history = new HistoryPanel(document.steps(), &window);
     const std::vector<Dock> docks{
         // What a person turns first stands on top.
@@ -206,6 +208,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
          .shown = true},
         {"Motion", "dock.motionMap", "The OTF over the angle or the volume", {layout.course}},
         {"Explain", "dock.explain", "What the picture shows, and why (F1)", {layout.explain}},
+        {"Theory", "dock.theory", "The contrast of two intensities under five curves", {layout.theory}},
     };
     layout.docks = addDocks(window, docks);
 

@@ -33,6 +33,7 @@ class RoomPanel;
 class RunStatus;
 class SideStrip;
 class StudyPanel;
+class TheoryPanel;
 class ViewPanel;
 class VolumeViewWidget;
 class Works;
@@ -60,6 +61,7 @@ struct WindowLayout {
     OtfCoursePanel* course = nullptr;
     StudyPanel* facts = nullptr;
     ExplainPanel* explain = nullptr;
+    TheoryPanel* theory = nullptr;
     HistoryPanel* history = nullptr;
     RunStatus* status = nullptr;
     QList<QDockWidget*> docks{};  ///< in the order in which people are shown their names

@@ -94,8 +94,8 @@ private slots:
                 namesAreWhole();
                 QStringList names;
                 for (const QAbstractButton* tab : namesInFront()) names << tab->text();
-                const QStringList all{"Picture", "Curve", "Measure", "Method", "Designers",
-                                      "Compare", "Study", "Motion",  "Explain"};
+                const QStringList all{"Picture", "Curve", "Measure", "Method",  "Designers",
+                                      "Compare", "Study", "Motion",  "Explain", "Theory"};
                 QCOMPARE(names, face == QByteArray("face.teach") ? all : QStringList({"Picture", "Measure", "Study"}));
                 toolBarIsWhole();
                 QVERIFY2(rowsOfMotionBar() <= 2, qPrintable(QString("%1 rows").arg(rowsOfMotionBar())));
@@ -139,7 +139,7 @@ private slots:
         }
         click("dock.view.close");
         QVERIFY(child<QDockWidget>("dock.view")->isHidden());
-        QTRY_COMPARE(namesInFront().size(), 8);
+        QTRY_COMPARE(namesInFront().size(), 9);
     }
 
     void everyPanelScrollsInsideItselfAndShowsAllOfItsWidth_data() { whetherSpacingIsKnown(); }
