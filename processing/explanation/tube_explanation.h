@@ -1,0 +1,165 @@
+// What one tube core found, how surely, and what it does to the curve: Figs. 2 to 5 of Petersch et al. 2005 for a tube
+// core of one's own choice, as values.
+//
+// A number is a tube core's index in the grid, row * columns + column, as in TubeGrid::withoutTubes. A cell is given by
+// its index in TubeCore::cellMeans. Cell i holds the samples i ... i + cell size - 1 of the axis. Intensities are
+// normalised, lengths are in units (the volume's smallest spacing).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "processing/adaptive/adaptive_otf_config.h"
+#include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/adaptive/quiet_reading.h"
+#include "processing/detection/variance_surface.h"
+#include "processing/opacity_curve.h"
+#include "processing/progress.h"
+#include "processing/tube_core/tube_core.h"
+#include "processing/volume/volume.h"
+
+namespace echolucent {
+
+/// What a tube core is in its run.
+enum class TubeState {
+    weighs,         ///< a surface, d > 0
+    weighsNothing,  ///< a surface, d is 0
+    noSurface,      ///< it meets data, and no surface was found
+    outside,        ///< its axis misses the volume or meets no data
+    neverPlaced,    ///< TubeGrid::withoutTubes names it
+};
+
+/// Intensities along a tube core (Fig. 2). Element k of each list lies at TubeCore::firstSampleVoxel + k units along
+/// the view. NaN without data.
+struct AxisIntensities {
+    /// On the axis, trilinear, in the voxels in which surfaces are found.
+    std::vector<double> read;
+    /// The same in the quiet voxels for which the curve is meant; empty if the curve is meant for the voxels read.
+    std::vector<double> shown;
+    /// Means of the slabs, cell size x cell size samples, in the voxels in which surfaces are found.
+    std::vector<double> slabMeans;
+};
+
+/// Which cells a tube core's intensities were read from. All ranges include both ends; a range without a cell has
+/// last < first.
+struct CellsRead {
+    IndexRange tube;      ///< from TubeCore::firstCell to the last cell that ends at data
+    IndexRange prior;     ///< prior cells: the largest mean (eq. 8) is among them
+    IndexRange low;       ///< cells of I_L
+    IndexRange high;      ///< cells among which I_H is the largest mean
+    IndexRange slope;     ///< S is the difference of its two ends' means over their distance
+    int lowMaxCell = -1;  ///< the prior cell with the largest mean; -1 without a surface
+    int highCell = -1;    ///< the cell whose mean is I_H; -1 without a surface
+};
+
+/// The interface function at one scale and what tracking did there (Fig. 4).
+struct TrackedScale {
+    std::optional<double> sigma;   ///< the kernel's standard deviation, units; empty: the unsmoothed function
+    std::vector<double> function;  ///< less the floor, as tracked; element i belongs to cell CellsRead::tube.first + i
+    IndexRange searched;           ///< the cells searched; last < first if tracking had ended before
+    std::optional<int> cell;       ///< the cell of the maximum found; empty if there was none in the range
+};
+
+/// One weight as a place in a histogram (eqs. 9 and 10).
+struct WeightRank {
+    /// Of all tube cores with a surface, ascending: the largest prior mean (eq. 8), or the slope S.
+    std::vector<double> values;
+    std::optional<double> value;  ///< this tube core's; empty without a surface
+    /// How many of the values that count are at most this tube core's. If WeightRule::rankBins is above 0, values of
+    /// one bin are ties. Slopes of 0 and below count for nothing, and their rank is 0.
+    int rank = 0;
+    int total = 0;        ///< N: tube cores that meet the volume's data
+    double weight = 0.0;  ///< w_I = 1 - rank / N, or w_S = rank / N; 0 without a surface
+};
+
+/// The factor of one tube core at AdaptiveOtf::sampleCount intensities (Fig. 5). With ProductRule f_t(x) = (1 + d)^g(x)
+/// of eq. 7. With RampRule its ramp, [0,1], as it is for the voxels for which the curve is meant.
+struct TubeFactor {
+    int number = 0;
+    double d = 0.0;
+    std::vector<double> values;
+};
+
+/// A curve of the explanation.
+struct ExplainedCurve {
+    SampledCurve curve;
+    int tubesWithWeight = 0;  ///< of how many tube cores it is made
+    double trust = 1.0;       ///< AdaptiveOtf::trust
+    std::string message;      ///< AdaptiveOtf::message
+};
+
+/// All that explainTube() tells. Values that belong to a surface are empty or 0 without one.
+struct TubeExplanation {
+    int number = 0;
+    AdaptiveOtfConfig config;  ///< as the method ran: configUsed()
+    TubeState state = TubeState::outside;
+    TubeCore tube;                        ///< as in the run
+    std::optional<QuietInterface> quiet;  ///< AdaptiveOtf::quiet of this tube core
+    bool lengthsHalved = false;           ///< AdaptiveOtf::lengthsHalved
+    bool surfacesWhereDataBegin = false;  ///< AdaptiveOtf::surfacesWhereDataBegin: the curve stays the initial function
+    SpeckleReduction reduction = SpeckleReduction::off;  ///< AdaptiveOtf::reduction
+    int tubesMeetingVolume = 0;                          ///< T and N
+    double dMax = 0.0;
+    std::optional<double> leastContrast, fluidIntensity;  ///< with RatioRule: AdaptiveOtf's
+
+    AxisIntensities axis;
+    CellsRead cells;
+    /// With VarianceRule: the scales that were looked at, coarsest first; the unsmoothed function is the last one, also
+    /// if tracking had ended before. With RatioRule empty: TubeCore::interfaceFunction holds the contrasts.
+    std::vector<TrackedScale> scales;
+    /// With RatioRule: the cells whose interface function is the contrast of a boundary. At the others it is 0, because
+    /// too few slabs lie before or behind.
+    IndexRange contrastCells;
+
+    WeightRank intensityRank;  ///< w_I, by the largest prior mean
+    WeightRank slopeRank;      ///< w_S, by the slope
+
+    std::optional<TubeFactor> factor;  ///< empty without a weight, and if surfacesWhereDataBegin
+
+    std::vector<double> initial;  ///< the initial function's opacities at AdaptiveOtf::sampleCount intensities
+    ExplainedCurve full;          ///< the run's
+    /// Of a run that never places this tube core: ranks, T, d_max, thresholds and the ramp for every wall are made
+    /// again. To the bit what `--without-tube` gives. The run's own if the tube core is never placed.
+    ExplainedCurve without;
+    /// What the curve rule makes of this tube core alone, with its d of the full run. Ranks among one would be 0.
+    ///
+    /// With ProductRule min(1, initial(x) (1 + d)^g(x)). With RampRule the ramp, and with RampRule::aim the ramp for
+    /// every wall that this one surface asks for, found along its own axis. Trust is full, because all of the tube
+    /// cores, one, have a weight. d plays no part then: the mean of one ramp is that ramp.
+    ///
+    /// In quiet voxels I_L, I_H and the fluid's spread are those of `quiet`. The rule is quieterRule() with the run's
+    /// AdaptiveOtf::speckleLeft: that belongs to the voxels, not to a tube core. Without a weight, and if
+    /// surfacesWhereDataBegin, it is the initial function.
+    ExplainedCurve alone;
+};
+
+/// Explains the tube core `number` of a run: of adaptOpacity(volume, otf.view, otf.config, ..., shown), whose result is
+/// `otf`. Empty only if the work was cancelled. Takes about as long as one run of the method. Throws
+/// std::invalid_argument if the grid does not hold the number, or the volume has another grid than the shown voxels.
+[[nodiscard]] std::optional<TubeExplanation> explainTube(const Volume& volume, const QuietVoxels& shown,
+                                                         const AdaptiveOtf& otf, int number,
+                                                         const Progress& progress = {});
+
+/// The state of a tube core of a run; throws std::invalid_argument if the grid does not hold the number.
+[[nodiscard]] TubeState stateOf(const AdaptiveOtf& otf, int number);
+
+/// The tube cores with a weight, heaviest d first, ties by number; their numbers. Empty if surfacesWhereDataBegin,
+/// because no tube core moves the curve then.
+[[nodiscard]] std::vector<int> heaviestFirst(const AdaptiveOtf& otf);
+
+/// The factors of all tube cores with a weight, in the order of heaviestFirst(), at most `most` of them (Fig. 5). The
+/// product of all factors and the initial function is the run's curve before its clamp; the mean of all ramps, weighted
+/// by d, is the share of the curve that the tube cores' ramps have.
+[[nodiscard]] std::vector<TubeFactor> allFactors(const AdaptiveOtf& otf, std::size_t most = 4096);
+
+/// The run's curve as it grows tube core by tube core: made of the first `count` of heaviestFirst(), clamped into [0,
+/// their number]. Each has its d of the full run. 0 is exactly the initial function, all are the run's curve to the
+/// bit.
+///
+/// With RampRule trust grows with the count: it is the share of RampRule::trustedShare that these tube cores reach. The
+/// ramp for every wall stays that of the whole run, from the first tube core on: it belongs to no single one.
+[[nodiscard]] SampledCurve grownCurve(const AdaptiveOtf& otf, std::size_t count);
+
+}  // namespace echolucent
