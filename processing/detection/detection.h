@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "processing/detection/tracked_scale.h"
 #include "processing/tube_core/cell_statistics.h"
 #include "processing/tube_core/stage_runner.h"
 #include "processing/tube_core/tube_reader.h"
@@ -38,6 +39,11 @@ public:
     /// `tracked` with the cell at each scale.
     [[nodiscard]] virtual std::optional<FoundSurface> surfaceOf(std::size_t tube, const CellStatistics& cells,
                                                                 std::vector<int>& tracked) = 0;
+
+    /// What surfaceOf() does at each scale, coarsest first, the unsmoothed function last; indices are those of cells,
+    /// but element i of a function belongs to cell firstCell + i. Empty if the rule tracks nothing, or the tube has no
+    /// cell.
+    [[nodiscard]] virtual std::vector<TrackedScale> traceOf(const CellStatistics& /*cells*/) { return {}; }
 
     /// Standard deviation of voxels around a mean intensity (speckle); empty if the rule does not measure it.
     [[nodiscard]] virtual std::optional<double> spreadAt(double /*intensity*/) const { return std::nullopt; }

@@ -15,6 +15,15 @@ std::vector<int> slabsOf(std::span<const TubeSamples> samples) {
 
 }  // namespace
 
+IndexRange contrastCellsOf(const CellStatistics& cells, const RatioRule& rule, int cellSize) {
+    const int size = static_cast<int>(cells.means.size());
+    if (cells.lastCell < cells.firstCell) return {};
+    // Contrast 0 belongs to the boundary behind the first leastFluid slabs. A cell has the contrast at its middle.
+    const int first = cells.firstCell + std::max(0, rule.leastFluid - cellSize / 2);
+    const auto slabs = static_cast<std::size_t>(cells.lastCell - cells.firstCell + cellSize);
+    return {first, std::min(size, first + static_cast<int>(contrastCount(slabs, rule))) - 1};
+}
+
 DetectionByRatio::DetectionByRatio(const RatioRule& rule, std::span<const TubeSamples> samples, int cellSize)
     : m_rule(rule), m_cellSize(cellSize), m_profiles(slabsOf(samples)) {}
 
@@ -42,9 +51,9 @@ const CellStatistics& DetectionByRatio::cellsOf(std::size_t tube, CellStatistics
 std::vector<float> DetectionByRatio::interfaceFunctionOf(std::size_t tube, const CellStatistics& cells) const {
     std::vector<float> ofCells(cells.means.size(), 0.0f);
     const auto contrasts = m_contrasts->contrasts(tube);
-    // Contrast 0 belongs to the boundary behind the first leastFluid slabs. A cell has the contrast at its middle.
-    const auto shift = static_cast<std::size_t>(cells.firstCell + std::max(0, m_rule.leastFluid - m_cellSize / 2));
-    for (std::size_t i = 0; i < contrasts.size() && i + shift < ofCells.size(); ++i) ofCells[i + shift] = contrasts[i];
+    const IndexRange ofBoundaries = contrastCellsOf(cells, m_rule, m_cellSize);
+    for (int cell = ofBoundaries.first; cell <= ofBoundaries.last; ++cell)
+        ofCells[static_cast<std::size_t>(cell)] = contrasts[static_cast<std::size_t>(cell - ofBoundaries.first)];
     return ofCells;
 }
 

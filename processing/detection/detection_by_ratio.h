@@ -8,6 +8,10 @@
 
 namespace echolucent {
 
+/// The cells whose interface function is the contrast of a boundary, that at the cell's middle. The other cells of a
+/// tube core lie too near to its ends.
+[[nodiscard]] IndexRange contrastCellsOf(const CellStatistics& cells, const RatioRule& rule, int cellSize);
+
 /// The interface indicating function is the contrast on the speckle's own scale. All tubes are read before any is
 /// judged: only together they tell how strong speckle is and where fluid ends.
 class DetectionByRatio final : public Detection {

@@ -29,14 +29,29 @@ std::vector<float> DetectionByVariance::interfaceFunctionOf(std::size_t /*tube*/
     return {cells.variances.begin(), cells.variances.end()};
 }
 
-std::optional<FoundSurface> DetectionByVariance::surfaceOf(std::size_t /*tube*/, const CellStatistics& cells,
-                                                           std::vector<int>& tracked) {
-    if (cells.lastCell < cells.firstCell) return std::nullopt;
+std::vector<int> DetectionByVariance::track(const CellStatistics& cells, std::vector<TrackedScale>* trace) {
+    if (cells.lastCell < cells.firstCell) return {};
     const auto function = std::span<const double>(cells.variances)
                               .subspan(static_cast<std::size_t>(cells.firstCell),
                                        static_cast<std::size_t>(cells.lastCell - cells.firstCell + 1));
     Tracker& tracker = m_trackers.local();
-    tracked = trackSurface(function, tracker.smoother, m_rule, tracker.scratch);
+    return trackSurface(function, tracker.smoother, m_rule, tracker.scratch, trace);
+}
+
+std::vector<TrackedScale> DetectionByVariance::traceOf(const CellStatistics& cells) {
+    std::vector<TrackedScale> trace;
+    (void)track(cells, &trace);
+    for (TrackedScale& scale : trace) {
+        scale.searched.first += cells.firstCell;
+        scale.searched.last += cells.firstCell;
+        if (scale.cell) *scale.cell += cells.firstCell;
+    }
+    return trace;
+}
+
+std::optional<FoundSurface> DetectionByVariance::surfaceOf(std::size_t /*tube*/, const CellStatistics& cells,
+                                                           std::vector<int>& tracked) {
+    tracked = track(cells, nullptr);
     if (tracked.empty()) return std::nullopt;
     for (int& cell : tracked) cell += cells.firstCell;
     int surface = tracked.back();

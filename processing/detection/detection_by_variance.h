@@ -19,6 +19,7 @@ public:
     [[nodiscard]] std::vector<float> interfaceFunctionOf(std::size_t tube, const CellStatistics& cells) const override;
     [[nodiscard]] std::optional<FoundSurface> surfaceOf(std::size_t tube, const CellStatistics& cells,
                                                         std::vector<int>& tracked) override;
+    [[nodiscard]] std::vector<TrackedScale> traceOf(const CellStatistics& cells) override;
     [[nodiscard]] double leastEdgeToNoise() const override { return m_rule.leastEdgeToNoise; }
 
 private:
@@ -28,6 +29,9 @@ private:
         ScaleSmoother smoother;
         DetectionScratch scratch;
     };
+
+    /// The tracked indices into the function of the cells from firstCell to lastCell.
+    std::vector<int> track(const CellStatistics& cells, std::vector<TrackedScale>* trace);
 
     VarianceRule m_rule;
     int m_cellSize;

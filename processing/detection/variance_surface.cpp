@@ -67,14 +67,11 @@ IndexRange around(int position, double halfWidth) {
     return {position - half, position + half};
 }
 
-}  // namespace
-
-std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
-                              const VarianceRule& rule, DetectionScratch& scratch) {
+/// Tracks through `scratch.aboveFloor`, and tells `trace`, if it is given.
+std::vector<int> track(const IndexRange& whole, ScaleSmoother& smoother, const VarianceRule& rule,
+                       DetectionScratch& scratch, std::vector<TrackedScale>* trace) {
     const std::size_t scales = smoother.space().scales();
-    IndexRange range{0, static_cast<int>(interfaceFunction.size()) - 1};
-    if (scales == 0 || !firstSignificantMaximum(interfaceFunction, range, 0.0)) return {};
-    takeOffFloor(interfaceFunction, rule.floorQuantile, scratch.aboveFloor);
+    IndexRange range = whole;
     smoother.begin(scratch.aboveFloor);
     std::vector<int> tracked;
     for (std::size_t scale = 0; scale <= scales; ++scale) {
@@ -83,6 +80,10 @@ std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSm
         if (!unsmoothed) smoother.smooth(scale, scratch.smoothed);
         const std::vector<double>& function = unsmoothed ? scratch.aboveFloor : scratch.smoothed;
         const auto maximum = firstSignificantMaximum(function, range, rule.significance);
+        if (trace != nullptr)
+            trace->push_back({unsmoothed ? std::nullopt : std::optional(smoother.space().sigma(scale)), function,
+                              IndexRange{std::max(range.first, whole.first), std::min(range.last, whole.last)},
+                              maximum});
         if (!maximum && tracked.empty()) {
             if (rule.coarsestMustHaveMaximum) return {};
             continue;
@@ -93,6 +94,22 @@ std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSm
                     ? around(*maximum, rule.trackingRangeSigmas * smoother.space().sigma(scale))
                     : valleyToValley(function, *maximum);
     }
+    return tracked;
+}
+
+}  // namespace
+
+std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
+                              const VarianceRule& rule, DetectionScratch& scratch, std::vector<TrackedScale>* trace) {
+    const IndexRange whole{0, static_cast<int>(interfaceFunction.size()) - 1};
+    const bool hasMaximum =
+        smoother.space().scales() > 0 && firstSignificantMaximum(interfaceFunction, whole, 0.0).has_value();
+    if (!hasMaximum && trace == nullptr) return {};
+    takeOffFloor(interfaceFunction, rule.floorQuantile, scratch.aboveFloor);
+    std::vector<int> tracked;
+    if (hasMaximum) tracked = track(whole, smoother, rule, scratch, trace);
+    if (trace != nullptr && (trace->empty() || trace->back().sigma))
+        trace->push_back({std::nullopt, scratch.aboveFloor, {}, std::nullopt});
     return tracked;
 }
 

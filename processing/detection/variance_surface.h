@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "processing/detection/scale_space.h"
+#include "processing/detection/tracked_scale.h"
+#include "processing/tube_core/index_range.h"
 
 namespace echolucent {
-
-/// A range of indices, both ends included.
-struct IndexRange {
-    int first = 0;
-    int last = -1;
-};
 
 /// The first local maximum in the range that is at least `significance` times the largest value there. A plateau counts
 /// once, at its middle. The function's first and last sample are never maxima.
@@ -43,7 +39,11 @@ struct DetectionScratch {
 /// The result is empty if there is no surface: no scale has a maximum, the coarsest has none although
 /// coarsestMustHaveMaximum, or the function itself has none (a constant, a ramp, a step). A coarse maximum of such a
 /// function comes from the border or from rounding, and the original scale has no place for it.
+///
+/// If `trace` is given, it gets an entry for each scale that was looked at, coarsest first. The unsmoothed function is
+/// always the last one; its range is empty if tracking had ended before.
 [[nodiscard]] std::vector<int> trackSurface(std::span<const double> interfaceFunction, ScaleSmoother& smoother,
-                                            const VarianceRule& rule, DetectionScratch& scratch);
+                                            const VarianceRule& rule, DetectionScratch& scratch,
+                                            std::vector<TrackedScale>* trace = nullptr);
 
 }  // namespace echolucent

@@ -6,7 +6,6 @@
 // normalised, lengths are in units (the volume's smallest spacing).
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,9 +13,12 @@
 #include "processing/adaptive/adaptive_otf_config.h"
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/adaptive/quiet_reading.h"
-#include "processing/detection/variance_surface.h"
+#include "processing/detection/tracked_scale.h"
+#include "processing/explanation/tube_factors.h"
 #include "processing/opacity_curve.h"
 #include "processing/progress.h"
+#include "processing/tube_core/index_range.h"
+#include "processing/tube_core/ramp.h"
 #include "processing/tube_core/tube_core.h"
 #include "processing/volume/volume.h"
 
@@ -54,14 +56,6 @@ struct CellsRead {
     int highCell = -1;    ///< the cell whose mean is I_H; -1 without a surface
 };
 
-/// The interface function at one scale and what tracking did there (Fig. 4).
-struct TrackedScale {
-    std::optional<double> sigma;   ///< the kernel's standard deviation, units; empty: the unsmoothed function
-    std::vector<double> function;  ///< less the floor, as tracked; element i belongs to cell CellsRead::tube.first + i
-    IndexRange searched;           ///< the cells searched; last < first if tracking had ended before
-    std::optional<int> cell;       ///< the cell of the maximum found; empty if there was none in the range
-};
-
 /// One weight as a place in a histogram (eqs. 9 and 10).
 struct WeightRank {
     /// Of all tube cores with a surface, ascending: the largest prior mean (eq. 8), or the slope S.
@@ -72,14 +66,6 @@ struct WeightRank {
     int rank = 0;
     int total = 0;        ///< N: tube cores that meet the volume's data
     double weight = 0.0;  ///< w_I = 1 - rank / N, or w_S = rank / N; 0 without a surface
-};
-
-/// The factor of one tube core at AdaptiveOtf::sampleCount intensities (Fig. 5). With ProductRule f_t(x) = (1 + d)^g(x)
-/// of eq. 7. With RampRule its ramp, [0,1], as it is for the voxels for which the curve is meant.
-struct TubeFactor {
-    int number = 0;
-    double d = 0.0;
-    std::vector<double> values;
 };
 
 /// A curve of the explanation.
@@ -102,12 +88,14 @@ struct TubeExplanation {
     SpeckleReduction reduction = SpeckleReduction::off;  ///< AdaptiveOtf::reduction
     int tubesMeetingVolume = 0;                          ///< T and N
     double dMax = 0.0;
+    double sumOfD = 0.0;                                  ///< of all tube cores of the run
     std::optional<double> leastContrast, fluidIntensity;  ///< with RatioRule: AdaptiveOtf's
 
     AxisIntensities axis;
     CellsRead cells;
-    /// With VarianceRule: the scales that were looked at, coarsest first; the unsmoothed function is the last one, also
-    /// if tracking had ended before. With RatioRule empty: TubeCore::interfaceFunction holds the contrasts.
+    /// With VarianceRule: the scales that were looked at, coarsest first (Fig. 4); the unsmoothed function is the last
+    /// one, also if tracking had ended before. Element i of a function belongs to cell CellsRead::tube.first + i. With
+    /// RatioRule empty: TubeCore::interfaceFunction holds the contrasts.
     std::vector<TrackedScale> scales;
     /// With RatioRule: the cells whose interface function is the contrast of a boundary. At the others it is 0, because
     /// too few slabs lie before or behind.
@@ -117,6 +105,7 @@ struct TubeExplanation {
     WeightRank slopeRank;      ///< w_S, by the slope
 
     std::optional<TubeFactor> factor;  ///< empty without a weight, and if surfacesWhereDataBegin
+    std::optional<RampEnds> ramp;      ///< with RampRule and a factor: where the ramp begins and is full
 
     std::vector<double> initial;  ///< the initial function's opacities at AdaptiveOtf::sampleCount intensities
     ExplainedCurve full;          ///< the run's
@@ -142,24 +131,11 @@ struct TubeExplanation {
                                                          const AdaptiveOtf& otf, int number,
                                                          const Progress& progress = {});
 
+/// The config that never places this tube core too, as `--without-tube` does. If the grid does not hold the number, the
+/// config is no valid one.
+[[nodiscard]] AdaptiveOtfConfig configWithout(AdaptiveOtfConfig config, int number);
+
 /// The state of a tube core of a run; throws std::invalid_argument if the grid does not hold the number.
 [[nodiscard]] TubeState stateOf(const AdaptiveOtf& otf, int number);
-
-/// The tube cores with a weight, heaviest d first, ties by number; their numbers. Empty if surfacesWhereDataBegin,
-/// because no tube core moves the curve then.
-[[nodiscard]] std::vector<int> heaviestFirst(const AdaptiveOtf& otf);
-
-/// The factors of all tube cores with a weight, in the order of heaviestFirst(), at most `most` of them (Fig. 5). The
-/// product of all factors and the initial function is the run's curve before its clamp; the mean of all ramps, weighted
-/// by d, is the share of the curve that the tube cores' ramps have.
-[[nodiscard]] std::vector<TubeFactor> allFactors(const AdaptiveOtf& otf, std::size_t most = 4096);
-
-/// The run's curve as it grows tube core by tube core: made of the first `count` of heaviestFirst(), clamped into [0,
-/// their number]. Each has its d of the full run. 0 is exactly the initial function, all are the run's curve to the
-/// bit.
-///
-/// With RampRule trust grows with the count: it is the share of RampRule::trustedShare that these tube cores reach. The
-/// ramp for every wall stays that of the whole run, from the first tube core on: it belongs to no single one.
-[[nodiscard]] SampledCurve grownCurve(const AdaptiveOtf& otf, std::size_t count);
 
 }  // namespace echolucent

@@ -30,6 +30,11 @@ struct Ramp {
 
 }  // namespace
 
+RampEnds rampEnds(const TubeCore& tube, const RampRule& rule) {
+    const Ramp ramp(tube, rule);
+    return {ramp.from, ramp.from + 1.0 / ramp.perIntensity};
+}
+
 double rampAt(double intensity, const TubeCore& tube, const RampRule& rule) { return Ramp(tube, rule).at(intensity); }
 
 std::vector<double> meanRamp(std::span<const TubeCore> tubes, const RampRule& rule, int count) {

@@ -19,9 +19,9 @@ double upperMedianOf(std::vector<double>& values) {
     return values[values.size() / 2];
 }
 
-std::vector<double> completeMeans(const CellStatistics& cells, int first, int last) {
+std::vector<double> completeMeans(const CellStatistics& cells, const IndexRange& range) {
     std::vector<double> means;
-    for (int i = first; i <= last; ++i)
+    for (int i = range.first; i <= range.last; ++i)
         if (cells.complete[static_cast<std::size_t>(i)] != 0) means.push_back(cells.means[static_cast<std::size_t>(i)]);
     return means;
 }
@@ -32,18 +32,14 @@ double sumOf(std::span<const double> values) {
     return sum;
 }
 
-/// I_L over the last `reach` cells that end before the surface cell; no value if there is no such cell.
-std::optional<double> meanBefore(const CellStatistics& cells, int surfaceCell, int reach, int cellSize) {
-    const int last = surfaceCell - cellSize;
-    const int first = std::max(cells.firstCell, last - reach + 1);
-    if (last < first) return std::nullopt;
-    const auto count = static_cast<std::size_t>(last - first + 1);
-    return sumOf(std::span(cells.means).subspan(static_cast<std::size_t>(first), count)) / static_cast<double>(count);
+double meanOver(const CellStatistics& cells, const IndexRange& range) {
+    const auto count = static_cast<std::size_t>(range.last - range.first + 1);
+    return sumOf(std::span(cells.means).subspan(static_cast<std::size_t>(range.first), count)) /
+           static_cast<double>(count);
 }
 
-double largestBehind(const CellStatistics& cells, int surfaceCell, int reach) {
-    const auto first = cells.means.begin() + surfaceCell;
-    return *std::max_element(first, cells.means.begin() + std::min(cells.lastCell, surfaceCell + reach) + 1);
+double largestOf(const CellStatistics& cells, const IndexRange& range) {
+    return *std::max_element(cells.means.begin() + range.first, cells.means.begin() + range.last + 1);
 }
 
 }  // namespace
@@ -58,19 +54,26 @@ std::optional<double> scatterOf(std::span<const double> cellMeans, int apart) {
     return upperMedianOf(differences) / 0.9539;
 }
 
+SurfaceCells surfaceCells(const IndexRange& tube, int surfaceCell, const SurfaceRule& rule, int cellSize) {
+    const int lastBefore = surfaceCell - cellSize;
+    const IndexRange near{std::max(tube.first, lastBefore - rule.lowReach + 1), lastBefore};
+    return {.prior = {tube.first, rule.priorCellsMayOverlap ? surfaceCell - 1 : lastBefore},
+            .near = rule.lowReach > 0 && !near.empty() ? std::optional(near) : std::nullopt,
+            .high = {surfaceCell, std::min(tube.last, surfaceCell + rule.highReach)},
+            .slope = {std::max(surfaceCell - rule.slopeHalfStep, tube.first),
+                      std::min(surfaceCell + rule.slopeHalfStep, tube.last)}};
+}
+
 bool readSurface(const CellStatistics& cells, int surfaceCell, const SurfaceRule& rule, int cellSize, TubeCore& tube) {
     const auto meanOf = [&](int cell) { return cells.means[static_cast<std::size_t>(cell)]; };
-    const int lastPrior = surfaceCell - (rule.priorCellsMayOverlap ? 1 : cellSize);
-    std::vector<double> prior = completeMeans(cells, cells.firstCell, lastPrior);
+    const SurfaceCells read = surfaceCells({cells.firstCell, cells.lastCell}, surfaceCell, rule, cellSize);
+    std::vector<double> prior = completeMeans(cells, read.prior);
     if (prior.empty()) return false;
-    const int before = std::max(surfaceCell - rule.slopeHalfStep, cells.firstCell);
-    const int behind = std::min(surfaceCell + rule.slopeHalfStep, cells.lastCell);
+    const int before = read.slope.first, behind = read.slope.last;
     tube.surfaceCell = surfaceCell;
-    tube.lowIntensity = sumOf(prior) / static_cast<double>(prior.size());
-    if (rule.lowReach > 0)
-        if (const auto near = meanBefore(cells, surfaceCell, rule.lowReach, cellSize)) tube.lowIntensity = near;
+    tube.lowIntensity = read.near ? meanOver(cells, *read.near) : sumOf(prior) / static_cast<double>(prior.size());
     tube.lowIntensityMax = *std::max_element(prior.begin(), prior.end());
-    tube.highIntensity = largestBehind(cells, surfaceCell, rule.highReach);
+    tube.highIntensity = largestOf(cells, read.high);
     tube.slope = behind > before ? (meanOf(behind) - meanOf(before)) / (behind - before) : 0.0;
     if (const auto scatter = scatterOf(prior, cellSize)) {
         // Even without noise, values scatter a little, because stored values are rounded.

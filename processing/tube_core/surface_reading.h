@@ -5,10 +5,21 @@
 #include <span>
 
 #include "processing/tube_core/cell_statistics.h"
+#include "processing/tube_core/index_range.h"
 #include "processing/tube_core/rules/surface_rule.h"
 #include "processing/tube_core/tube_core.h"
 
 namespace echolucent {
+
+/// The cells that readSurface() reads. Of the prior cells only complete ones count.
+struct SurfaceCells {
+    IndexRange prior;                ///< the largest mean of eq. 8 is among them
+    std::optional<IndexRange> near;  ///< cells of I_L; if empty, I_L is the mean of the prior cells
+    IndexRange high;                 ///< I_H is the largest mean among them
+    IndexRange slope;                ///< the slope is the difference of the ends' means over their distance
+};
+/// The cells for a surface at `surfaceCell` of a tube with the cells `tube`.
+[[nodiscard]] SurfaceCells surfaceCells(const IndexRange& tube, int surfaceCell, const SurfaceRule& rule, int cellSize);
 
 /// Reads the surface's intensities into the tube: surfaceCell, I_L, I_H, the largest prior mean, the slope (over fewer
 /// units at the tube's ends) and the edge to noise. Cells at the surface mix fluid and tissue, and cells far in front

@@ -9,11 +9,6 @@ namespace echolucent {
 
 namespace {
 
-/// How many of the ascending values are at most `value`.
-double rankOf(double value, const std::vector<double>& ascending) {
-    return static_cast<double>(std::upper_bound(ascending.begin(), ascending.end(), value) - ascending.begin());
-}
-
 /// Replaces each value by the number of its bin; leaves the values as they are if `bins` is 0 or no value is above 0.
 void sortIntoBins(std::vector<double>& values, int bins) {
     if (bins == 0 || values.empty()) return;
@@ -22,16 +17,18 @@ void sortIntoBins(std::vector<double>& values, int bins) {
     for (double& value : values) value = std::min(std::floor(value / largest * bins), bins - 1.0);
 }
 
-/// The rank of each value among all values, divided by `total`; in the order of the values.
-std::vector<double> shareOfRanks(std::vector<double> values, int bins, int total) {
+}  // namespace
+
+std::vector<int> inclusiveRanks(std::vector<double> values, int bins) {
     sortIntoBins(values, bins);
     std::vector<double> ascending = values;
     std::sort(ascending.begin(), ascending.end());
-    for (double& value : values) value = rankOf(value, ascending) / total;
-    return values;
+    std::vector<int> ranks(values.size());
+    std::transform(values.begin(), values.end(), ranks.begin(), [&](double value) {
+        return static_cast<int>(std::upper_bound(ascending.begin(), ascending.end(), value) - ascending.begin());
+    });
+    return ranks;
 }
-
-}  // namespace
 
 int tubesMeetingVolume(std::span<const TubeCore> tubes) {
     return static_cast<int>(std::count_if(tubes.begin(), tubes.end(),
@@ -51,13 +48,14 @@ void weighTubes(std::span<TubeCore> tubes, double dMax, double leastEdgeToNoise,
         lowMaxima.push_back(*tube.lowIntensityMax);
         if (*tube.slope > 0.0) slopes.push_back(*tube.slope);
     }
-    lowMaxima = shareOfRanks(std::move(lowMaxima), rule.rankBins, total);
-    slopes = shareOfRanks(std::move(slopes), rule.rankBins, total);
+    const std::vector<int> ofLowMaxima = inclusiveRanks(std::move(lowMaxima), rule.rankBins);
+    const std::vector<int> ofSlopes = inclusiveRanks(std::move(slopes), rule.rankBins);
+    const auto share = [total](int rank) { return static_cast<double>(rank) / total; };
     std::size_t nextLowMaximum = 0, nextSlope = 0;
     for (TubeCore& tube : tubes) {
         if (tube.status != TubeStatus::surface) continue;
-        tube.intensityWeight = 1.0 - lowMaxima[nextLowMaximum++];
-        tube.slopeWeight = *tube.slope > 0.0 ? slopes[nextSlope++] : 0.0;
+        tube.intensityWeight = 1.0 - share(ofLowMaxima[nextLowMaximum++]);
+        tube.slopeWeight = *tube.slope > 0.0 ? share(ofSlopes[nextSlope++]) : 0.0;
         const bool standsOut = leastEdgeToNoise == 0.0 || (tube.edgeToNoise && *tube.edgeToNoise >= leastEdgeToNoise);
         tube.extraWeight = *tube.highIntensity > *tube.lowIntensity && standsOut ? 1.0 : 0.0;
         tube.d = dMax * tube.intensityWeight * tube.slopeWeight * tube.extraWeight;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "processing/tube_core/rules/weight_rule.h"
 #include "processing/tube_core/tube_core.h"
@@ -14,6 +15,10 @@ namespace echolucent {
 /// leastEdgeToNoise (0: no such test). If rankBins is above 0, the bins of a histogram are ranked instead: rankBins
 /// equal bins from 0 to the largest value. All values of a bin are ties.
 void weighTubes(std::span<TubeCore> tubes, double dMax, double leastEdgeToNoise, const WeightRule& rule);
+
+/// The rank of each value among all: how many are at most as large. If `bins` is above 0, all values of a bin are ties,
+/// as in weighTubes().
+[[nodiscard]] std::vector<int> inclusiveRanks(std::vector<double> values, int bins);
 
 /// T and N: how many tube cores meet data of the volume.
 [[nodiscard]] int tubesMeetingVolume(std::span<const TubeCore> tubes);
