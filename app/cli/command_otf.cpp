@@ -16,11 +16,14 @@
 #include "app/cli/options/view_options.h"
 #include "app/cli/options/volume_options.h"
 #include "app/cli/report/design_report.h"
+#include "app/cli/report/explanation_report.h"
 #include "app/cli/report/opening_report.h"
 #include "app/cli/report/otf_report.h"
+#include "app/pages/explanation_page.h"
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/designers/choice/designer.h"
+#include "processing/explanation/tube_explanation.h"
 #include "processing/pane_picture/pane_caster.h"
 
 namespace echolucent::cli {
@@ -34,13 +37,23 @@ struct OtfOptions {
     MethodOptions method;
     LookOptions look;
     DesignerOptions designer;
-    std::string json, csv, tubesCsv;
+    std::string json, csv, tubesCsv, page;
+    std::optional<int> explain;
+};
+
+/// A tube core that is explained, and the page if one is asked for.
+struct Explained {
+    TubeExplanation explanation;
+    std::string page;
 };
 
 Result<void> writeOtf(const OtfOptions& options, const Volume& volume, const AdaptiveOtf& otf,
-                      const OtfContext& context) {
-    if (options.json.empty() && options.csv.empty() && options.tubesCsv.empty())
-        return writeFileAtomically("-", summary(volume, otf));
+                      const OtfContext& context, const std::optional<Explained>& explained) {
+    if (options.json.empty() && options.csv.empty() && options.tubesCsv.empty() && options.page.empty())
+        return writeFileAtomically(
+            "-", summary(volume, otf) + (explained ? summary(explained->explanation) : std::string()));
+    if (!options.page.empty())
+        if (auto done = writeFileAtomically(options.page, explained->page); !done) return done;
     if (!options.json.empty())
         if (auto done = writeFileAtomically(options.json, jsonReport(volume, otf, context)); !done) return done;
     if (!options.csv.empty())
@@ -77,15 +90,22 @@ DesignRun runOf(const DesignerConfig& designer, const DesignerInput& input) {
 Result<void> checkOtfOutputs(const OtfOptions& options, const std::vector<std::string>& outputs) {
     if (std::ranges::count(outputs, "-") > 1)
         return fail(FailureKind::wrongUsage, "", "",
-                    "only one of --json, --csv and --tubes-csv can go to standard output");
+                    "only one of --json, --csv, --tubes-csv and --page can go to standard output");
+    if (!options.page.empty() && !options.explain)
+        return wrongUsage("--page", "plays no part without --explain", "Name a tube core with --explain.");
+    if (options.explain && options.json.empty() && options.page.empty() &&
+        !(options.csv.empty() && options.tubesCsv.empty()))
+        return wrongUsage("--explain", "plays no part in tables", "Write it with --json or --page.");
     return checkOutputs(outputs, {options.method.initial});
 }
 
-/// Fails (wrong usage) if --tubes-csv is given and the designer is not the adaptive one. Only that one makes its OTF
-/// from tube cores alone. The refusal puts `says` before the designer's name: "--designer".
+/// Fails (wrong usage) if --tubes-csv or --explain is given and the designer is not the adaptive one. Only that one
+/// makes its OTF from tube cores alone. The refusal puts `says` before the designer's name: "--designer".
 Result<void> checkTubes(const OtfOptions& options, const DesignerConfig* designer, const std::string& says) {
-    if (options.tubesCsv.empty() || designer == nullptr || std::holds_alternative<AdaptiveConfig>(*designer)) return {};
-    return wrongUsage("--tubes-csv", "plays no part beside " + says + " " + std::string(nameOf(designerOf(*designer))),
+    if (designer == nullptr || std::holds_alternative<AdaptiveConfig>(*designer)) return {};
+    if (options.tubesCsv.empty() && !options.explain) return {};
+    return wrongUsage(options.explain ? "--explain" : "--tubes-csv",
+                      "plays no part beside " + says + " " + std::string(nameOf(designerOf(*designer))),
                       "Leave it out: only the adaptive OTF comes from tube cores alone.");
 }
 
@@ -129,11 +149,48 @@ std::string initialNameOf(const OtfOptions& options, const Document& document) {
     return options.document.path.empty() ? options.method.initial : std::string(nameOf(document.method.initial));
 }
 
+/// The picture of a pane with a curve in the place of its own, and its caption.
+std::pair<Picture, std::string> pictureOf(const SampledCurve& curve, const DocumentStudy& made, PaneCaster& caster,
+                                          std::string caption) {
+    constexpr int side = 300;
+    PaneOtf otf{.curve = curve};
+    if (designerConfigOf(made.document, made.pane) != nullptr) otf.designed = Classification(curve);
+    return {caster.pictureWith(otf, made.document, made.pane, side, side, {}, PictureQuality::quick)->picture,
+            std::move(caption)};
+}
+
+/// Explains the tube core of --explain, if it is given. Fails (wrong usage) if the grid does not hold it.
+Result<std::optional<Explained>> explainedOf(const OtfOptions& options, const DocumentStudy& made, PaneCaster& caster,
+                                             const PaneCaster::OtfVoxels& voxels, const AdaptiveOtf& otf,
+                                             const std::string& program) {
+    if (!options.explain) return std::nullopt;
+    const int number = *options.explain;
+    const TubeGrid& grid = otf.config.grid;
+    if (number < 0 || number >= grid.columns * grid.rows)
+        return wrongUsage("--explain", fmt::format("must be 0 to {} in a grid of {}x{} tube cores, not {}",
+                                                   grid.columns * grid.rows - 1, grid.columns, grid.rows, number));
+    const SpeckleReduction reduction = otf.reduction;
+    const QuietVoxels shown =
+        reduction == SpeckleReduction::off ? QuietVoxels{} : QuietVoxels{voxels.shown.get(), reduction};
+    Explained explained{*explainTube(*voxels.raw, shown, otf, number), {}};
+    if (options.page.empty()) return explained;
+    const TubeExplanation& of = explained.explanation;
+    const ExplanationPage page{.scan = shownStudyName(made),
+                               .program = program,
+                               .pictures = {pictureOf(of.full.curve, made, caster, "All tube cores"),
+                                            pictureOf(of.without.curve, made, caster, "Without this one"),
+                                            pictureOf(of.alone.curve, made, caster, "This one alone")}};
+    explained.page = explanationPage(page, of, otf);
+    return explained;
+}
+
 /// Computes and writes the OTF that a pane of the document is rendered with.
 Result<void> computeOtf(const OtfOptions& options, const CLI::App& command, const Invocation& invocation) {
-    const std::vector<std::string> outputs{options.json, options.csv, options.tubesCsv};
+    const std::vector<std::string> outputs{options.json, options.csv, options.tubesCsv, options.page};
     if (auto checked = checkOtfOutputs(options, outputs); !checked) return checked;
-    if (auto checked = options.document.check(command, {"--json", "--csv", "--tubes-csv"}); !checked) return checked;
+    if (auto checked = options.document.check(command, {"--json", "--csv", "--tubes-csv", "--explain", "--page"});
+        !checked)
+        return checked;
     const auto made = options.document.path.empty() ? openedForOtf(options, outputs) : documentForOtf(options, outputs);
     if (!made) return tl::unexpected<Failure>(made.error());
 
@@ -156,9 +213,12 @@ Result<void> computeOtf(const OtfOptions& options, const CLI::App& command, cons
     context.quieteningMilliseconds = millisecondsSince(begin);
     if (isAdaptive(document, pane)) {
         AdaptiveOtf otf = caster.readTubeCores(document, pane)->otf;
+        const auto explained = explainedOf(options, *made, caster, voxels, otf, invocation.program);
+        if (!explained) return tl::unexpected<Failure>(explained.error());
+        if (*explained && !options.json.empty()) context.explanation = explanationJson((*explained)->explanation, otf);
         if (context.adjustment != CurveAdjustment{})
             otf.curve.opacities = sampledOpacities(adjusted(otf.curve, context.adjustment), AdaptiveOtf::sampleCount);
-        return writeOtf(options, *voxels.raw, otf, context);
+        return writeOtf(options, *voxels.raw, otf, context, *explained);
     }
     DesignRun run = runOf(*designerConfigOf(document, pane),
                           designerInputOf(document, pane, *voxels.raw, *voxels.shown, document.scene.look.reduction));
@@ -185,6 +245,12 @@ void addOtfCommand(CLI::App& program, Action& action, const Invocation& invocati
                     "The curve: intensity,opacity,log_opacity,initial_opacity; of other designers without the last two")
         ->type_name("FILE");
     command.add_option("--tubes-csv", options->tubesCsv, "The tube cores, one a row")->type_name("FILE");
+    command
+        .add_option("--explain", options->explain,
+                    "Explains one tube core, by index: row * columns + column, both counted from 0")
+        ->type_name("N");
+    command.add_option("--page", options->page, "The tube core of --explain as a page of HTML with plots and pictures")
+        ->type_name("FILE");
     command.footer("Example: echolucent-cli otf chest.mha --json chest-otf.json");
     command.callback([options, &command, &action, invocation] {
         action = [options, &command, invocation] { return computeOtf(*options, command, invocation); };

@@ -1,6 +1,8 @@
 #include "processing/explanation/explanation_facts.h"
 
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <variant>
 
 #include "processing/parameters/parameter.h"
@@ -40,6 +42,7 @@ public:
         addTest();
         addWeights();
         addFactor();
+        addChange();
         return std::move(m_rows);
     }
 
@@ -53,6 +56,7 @@ private:
     void addWeights();
     void addRank(const std::string& key, const std::string& symbol, const WeightRank& rank, const std::string& of);
     void addFactor();
+    void addChange();
 
     const TubeExplanation& m_of;
     const TubeCore& m_tube;
@@ -190,6 +194,19 @@ void Rows::addFactor() {
     m_rows.push_back({"factor_most", "f_t(I_H)", weighs ? shortText(1.0 + m_tube.d) : "none", "",
                       "The factor at I_H, its largest: the surface becomes more opaque.", "f_t(I_H) = 1 + d_t",
                       "Petersch 2005, eqs. 5 and 7"});
+}
+
+void Rows::addChange() {
+    const std::vector<double>&full = m_of.full.curve.opacities, &without = m_of.without.curve.opacities;
+    std::size_t most = 0;
+    const auto changeAt = [&](std::size_t i) { return without[i] - full[i]; };
+    for (std::size_t i = 0; i < full.size(); ++i)
+        if (std::abs(changeAt(i)) > std::abs(changeAt(most))) most = i;
+    m_rows.push_back({"change_without", "max Δα", shortText(changeAt(most)), "",
+                      "The largest change of the curve if the tube core is never placed and all is computed again.",
+                      "Δα = α without it − α", "docs/explain.md"});
+    m_rows.push_back({"change_without_at", "x of max Δα", shortText(AdaptiveOtf::intensityOf(most)), "",
+                      "The intensity at which the curve changes most.", "", "docs/explain.md"});
 }
 
 std::string whyNoWeight(const TubeExplanation& explained) {

@@ -86,6 +86,7 @@ void addScales(const TubeExplanation& explained, Plot& plot) {
             ranges.y.push_back(height);
         }
     }
+    if (largest > 0.0) plot.rangeY = PlotRange{0.0, largest * (1.0 + step * (scales + 2.5))};
     plot.series.push_back(std::move(ranges));
     plot.series.push_back(std::move(maxima));
 }
@@ -246,6 +247,18 @@ Plot curvesPlot(const TubeExplanation& explanation) {
     plot.series.back().weight = PlotWeight::heavy;
     plot.series.push_back(curveSeries("without it", explanation.without.curve.opacities));
     plot.series.push_back(curveSeries("it alone", explanation.alone.curve.opacities));
+    return plot;
+}
+
+Plot curveChangePlot(const TubeExplanation& explanation) {
+    Plot plot;
+    plot.title = "How the curve changes without tube core " + std::to_string(explanation.number);
+    plot.xLabel = "intensity";
+    plot.yLabel = "change of opacity per unit";
+    plot.rangeX = PlotRange{0.0, 1.0};
+    std::vector<double> change = explanation.without.curve.opacities;
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= explanation.full.curve.opacities[i];
+    plot.series.push_back(curveSeries("without it, less the adaptive curve", change));
     return plot;
 }
 

@@ -31,6 +31,9 @@ namespace echolucent {
 /// Fig. 6: the initial function, the run's curve, the curve without this tube core, and that of it alone.
 [[nodiscard]] Plot curvesPlot(const TubeExplanation& explanation);
 
+/// What the curve without this tube core differs by from the run's. One of many tube cores changes it little.
+[[nodiscard]] Plot curveChangePlot(const TubeExplanation& explanation);
+
 /// A grownCurve() as one more line of curvesPlot(): made of the first `count` of `all` tube cores.
 [[nodiscard]] PlotSeries grownSeries(const SampledCurve& curve, std::size_t count, std::size_t all);
 

@@ -55,7 +55,6 @@ list(FILTER app_rooms EXCLUDE REGEX "app/(cli|measuring|pages|desktop)|\\.")
 forbid("the window knows neither the command line nor what measures" "app/(cli|measuring)/" ${app_rooms})
 forbid("pages know no Qt" "${qt}" app/pages)
 forbid("pages know neither window nor commands" "(widgets|app/[^p]|app/pi|app/pl)" app/pages)
-forbid("commands know no page" "app/pages/" app/cli)
 forbid("measures know the numeric core only" "(io|widgets|app/cli)/" app/measuring/measures)
 
 # DCMTK and JSON stay in the .cpp files of io: no header carries their types but those that serve these files alone.

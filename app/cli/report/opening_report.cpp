@@ -126,16 +126,19 @@ Result<Json> studyJson(const DocumentStudy& opened) {
     const auto& file = std::get<StudyFile>(opened.document.study);
     const auto checksum = checksumOf(opened.study.files);
     if (!checksum) return tl::unexpected<Failure>(checksum.error());
-    // Checksum and UID identify the study of a folder. Its name is left out: it may be a patient's.
-    return Json{{"file", folderOf(opened.document.study).empty() ? withoutFolders(file.path) : ""},
-                {"checksum", checksum->text},
-                {"bytes", checksum->bytes},
-                {"files", checksum->files},
-                {"series", file.options.series},
-                {"phase", phase}};
+    // Checksum and UID identify the study of a folder, whose name is left out.
+    return Json{{"file", shownStudyName(opened)}, {"checksum", checksum->text},    {"bytes", checksum->bytes},
+                {"files", checksum->files},       {"series", file.options.series}, {"phase", phase}};
 }
 
 }  // namespace
+
+std::string shownStudyName(const DocumentStudy& opened) {
+    if (const auto* scan = std::get_if<SimulatedScan>(&opened.document.study))
+        return fmt::format("simulated scan, {}", nameOf(scan->scene));
+    const auto& file = std::get<StudyFile>(opened.document.study);
+    return folderOf(opened.document.study).empty() ? withoutFolders(file.path) : std::string();
+}
 
 std::string findsText(const DocumentStudy& opened) {
     const ImportFact* noData = factNamed(opened.study, "voxels without data");

@@ -17,6 +17,10 @@ namespace echolucent::cli {
 /// names no folder, not even the study's own. Fails if the document or a file of the study cannot be read again.
 [[nodiscard]] Result<Json> madeOf(const Invocation& invocation, const DocumentStudy& opened);
 
+/// The study's name as it may be shown: that of its file without a folder, or that of a simulated scan. Empty if the
+/// study is a folder, whose name may be a patient's.
+[[nodiscard]] std::string shownStudyName(const DocumentStudy& opened);
+
 /// An argument with files by their names alone: "manual:/home/jane/curve.json" becomes "manual:curve.json". An argument
 /// that ends in a slash names a folder: the name is left out.
 [[nodiscard]] std::string withoutFolders(const std::string& argument);

@@ -191,6 +191,7 @@ std::string jsonReport(const Volume& volume, const AdaptiveOtf& otf, const OtfCo
     report["tubes"] = Json::array();
     for (std::size_t t = 0; t < otf.tubes.size(); ++t) report["tubes"].push_back(tubeObject(otf, t));
     report["otf"] = curveObject(otf);
+    if (!context.explanation.is_null()) report["explanation"] = context.explanation;
     // A file name in another encoding must not end the program.
     return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -21,6 +21,7 @@ struct OtfContext {
     CurveAdjustment adjustment{};         ///< made on the curve
     double findingMilliseconds = 0.0;     ///< wall time of the search for beam and front
     double quieteningMilliseconds = 0.0;  ///< wall time of making the quiet voxels
+    Json explanation{};                   ///< of one tube core (explanationJson()); null if nobody asked for it
 };
 
 /// One JSON object that ends with a newline. Its numbers are read back without loss.

@@ -67,6 +67,7 @@ TEST(ExplanationFacts, SayWhyATubeCoreHasNoWeight) {
         for (std::size_t t = 0; t < run->otf.tubes.size(); ++t) {
             const TubeState state = stateOf(run->otf, static_cast<int>(t));
             if (state == TubeState::weighs) continue;
+            if (++without > 24) break;
             const TubeExplanation explained = run->explained(static_cast<int>(t));
             const std::string says = explanationSentence(explained);
             EXPECT_TRUE(says.starts_with("Tube core " + std::to_string(t))) << says;
@@ -77,7 +78,6 @@ TEST(ExplanationFacts, SayWhyATubeCoreHasNoWeight) {
             if (state != TubeState::weighsNothing) {
                 EXPECT_EQ(factOf(explanationFacts(explained), "d").value, "none");
             }
-            ++without;
         }
     EXPECT_GT(without, 5);
 }
