@@ -58,7 +58,7 @@ QString curveSentence(const PictureFacts& facts) {
                 "computed from this volume.");
         case CurveKind::manual:
             return explanationText("What is seen and what is clear follows from the OTF drawn by hand.");
-        case CurveKind::linear: return linearSentence(facts.document.curves);
+        case CurveKind::linear: return linearSentence(curvesOf(facts.document, firstPane));
         case CurveKind::parabolic:
             return explanationText("A parabolic OTF: opacity grows with the square of the intensity.");
         case CurveKind::quartic:

@@ -25,6 +25,7 @@ Document pictured(Document document) {
     if (document.scene.motionAngle == 0.0) document.motion = {};
     const Preset rendered = presetOf(document, firstPane, {});
     document.curves = rendered.curves;
+    document.panes.at(firstPane).linear.reset();
     if (document.scene.look.mode != RenderMode::direct) {
         document.curves = {};
         document.method = {};

@@ -125,12 +125,13 @@ template <typename Page>
 void addCurves(Page& page, const CaseReport& report) {
     constexpr int samples = 257;
     const CurveKind active = report.document.panes.at(firstPane).curve;
+    const CurveSet curves = curvesOf(report.document, firstPane);
     Plot plot{.title = "Opacity transfer functions", .xLabel = "intensity", .yLabel = "opacity", .series = {}};
     for (const CurveKind kind : allCurveKinds) {
         if (kind == CurveKind::adaptive && report.adaptive.opacities.empty()) continue;
         const bool rendered = kind == active && report.designer.empty();
-        const OpacityCurve curve = rendered ? renderedCurve(report.document.curves, kind, report.adaptive)
-                                            : curveOf(report.document.curves, kind, report.adaptive);
+        const OpacityCurve curve =
+            rendered ? renderedCurve(curves, kind, report.adaptive) : curveOf(curves, kind, report.adaptive);
         PlotSeries series;
         series.name = std::string(nameOf(kind)) + (rendered ? " (rendered)" : "");
         series.y = sampledOpacities(curve, samples);

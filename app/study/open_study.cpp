@@ -107,8 +107,7 @@ void OpenStudy::openSeries(std::shared_ptr<const SeriesList> list, std::size_t e
     });
 }
 
-void OpenStudy::openSimulatedScan() {
-    const SimulatedScan scan;
+void OpenStudy::openSimulatedScan(const SimulatedScan& scan) {
     load(scan, [scan](const Progress& progress) -> Result<Opening> {
         auto study = simulatedStudy(scan, progress);
         if (!study) return tl::unexpected(study.error());

@@ -54,8 +54,8 @@ public:
     void openSeries(std::shared_ptr<const SeriesList> list, std::size_t entry, ReadOptions options = {});
     /// The series beside the open study; null if it is not from a folder of several.
     [[nodiscard]] std::shared_ptr<const SeriesList> seriesBeside() const { return m_seriesBeside; }
-    /// Makes and opens the simulated scan that a newcomer sees first.
-    void openSimulatedScan();
+    /// Makes and opens a simulated scan; without a name, the one that a newcomer sees first.
+    void openSimulatedScan(const SimulatedScan& scan = {});
     void cancelLoading();
     /// Sets the words for the status line while loading.
     void setLoadingWords(const QString& words) { m_loader.setWords(words); }

@@ -54,6 +54,11 @@ std::vector<Pane> panesIn(JsonFields& root) {
         if (fields.has("without_tubes"))
             for (const std::int64_t tube : fields.wholes("without_tubes", 0, largestNumber))
                 pane.withoutTubes.push_back(static_cast<int>(tube));
+        if (fields.has("method")) {
+            JsonFields method = fields.object("method");
+            pane.method = methodParametersIn(method);
+        }
+        if (fields.has("linear")) pane.linear = linearCurveIn(fields.object("linear"));
         if (fields.has("phase")) pane.phase = phaseIn(fields);
         if (fields.has("motion_otf")) pane.motionOtf = fields.choice("motion_otf", &motionOtfFromName);
         panes.push_back(std::move(pane));

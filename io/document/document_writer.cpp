@@ -136,6 +136,8 @@ ordered_json panesJson(const std::vector<Pane>& panes) {
         // Most panes have none of these.
         if (pane.designer) object["designer"] = designJson(*pane.designer);
         if (!pane.withoutTubes.empty()) object["without_tubes"] = pane.withoutTubes;
+        if (pane.method) object["method"] = methodParametersJson(*pane.method);
+        if (pane.linear) object["linear"] = linearCurveJson(*pane.linear);
         if (pane.phase) object["phase"] = *pane.phase;
         if (pane.motionOtf) object["motion_otf"] = nameOf(*pane.motionOtf);
         entries.push_back(std::move(object));

@@ -30,22 +30,30 @@ Look lookIn(JsonFields& fields) {
     return look;
 }
 
+ordered_json linearCurveJson(const LinearCurve& curve) {
+    return {{"lower", curve.lower}, {"slope", curve.slope}, {"upper", curve.upper}};
+}
+
+LinearCurve linearCurveIn(JsonFields fields) {
+    LinearCurve curve;
+    curve.lower = fields.number("lower", 0, 1);
+    curve.slope = fields.number("slope", 0, largestScale());
+    curve.upper = fields.number("upper", curve.lower, 1);
+    return curve;
+}
+
 ordered_json curvesJson(const CurveSet& curves) {
-    return {
-        {"manual", manualCurveJson(curves.manual)},
-        {"linear", {{"lower", curves.linear.lower}, {"slope", curves.linear.slope}, {"upper", curves.linear.upper}}},
-        {"parabolic", {{"scale", curves.parabolic.scale}}},
-        {"quartic", {{"scale", curves.quartic.scale}}},
-        {"adjustment", parametersJson(adjustmentParameters(), curves.adjustment)}};
+    return {{"manual", manualCurveJson(curves.manual)},
+            {"linear", linearCurveJson(curves.linear)},
+            {"parabolic", {{"scale", curves.parabolic.scale}}},
+            {"quartic", {{"scale", curves.quartic.scale}}},
+            {"adjustment", parametersJson(adjustmentParameters(), curves.adjustment)}};
 }
 
 CurveSet curvesIn(JsonFields fields) {
     CurveSet curves;
     curves.manual = manualCurveIn(fields, "manual");
-    JsonFields linear = fields.object("linear");
-    curves.linear.lower = linear.number("lower", 0, 1);
-    curves.linear.slope = linear.number("slope", 0, largestScale());
-    curves.linear.upper = linear.number("upper", curves.linear.lower, 1);
+    curves.linear = linearCurveIn(fields.object("linear"));
     curves.parabolic.scale = fields.object("parabolic").number("scale", 0, largestScale());
     curves.quartic.scale = fields.object("quartic").number("scale", 0, largestScale());
     JsonFields adjustment = fields.object("adjustment");
@@ -55,9 +63,21 @@ CurveSet curvesIn(JsonFields fields) {
     return curves;
 }
 
-ordered_json methodJson(const MethodChoice& method) {
-    ordered_json parameters = parametersJson(methodParameters(), method.config);
+ordered_json methodParametersJson(const AdaptiveOtfConfig& config) {
+    ordered_json parameters = parametersJson(methodParameters(), config);
     parameters.erase("opacity_scale");  // belongs to the initial function, which stands beside the config
+    return parameters;
+}
+
+AdaptiveOtfConfig methodParametersIn(JsonFields& fields) {
+    AdaptiveOtfConfig config;
+    fields.parameters(methodParameters(), config);
+    config.initial = AdaptiveOtfConfig{}.initial;
+    return config;
+}
+
+ordered_json methodJson(const MethodChoice& method) {
+    ordered_json parameters = methodParametersJson(method.config);
     if (const auto& without = method.config.grid.withoutTubes; !without.empty()) parameters[withoutTubesKey] = without;
     ordered_json object = parametersJson(initialFunctionParameters(), method);
     object["parameters"] = parameters;

@@ -45,8 +45,14 @@ Viewpoint otfViewpointOf(const Document& document, std::size_t pane) {
     return limitedView(document, document.scene.side);
 }
 
+CurveSet curvesOf(const Document& document, std::size_t pane) {
+    CurveSet curves = document.curves;
+    if (const auto& own = document.panes.at(pane).linear) curves.linear = *own;
+    return curves;
+}
+
 OpacityCurve curveOf(const Document& document, std::size_t pane, const SampledCurve& adaptive) {
-    return renderedCurve(document.curves, document.panes.at(pane).curve, adaptive);
+    return renderedCurve(curvesOf(document, pane), document.panes.at(pane).curve, adaptive);
 }
 
 const DesignerConfig* designerConfigOf(const Document& document, std::size_t pane) {
@@ -57,10 +63,18 @@ const DesignerConfig* designerConfigOf(const Document& document, std::size_t pan
 AdaptiveOtfConfig configOf(const Document& document) { return configOf(document.method, document.curves); }
 
 AdaptiveOtfConfig configOf(const Document& document, std::size_t pane) {
+    const Pane& shown = document.panes.at(pane);
     AdaptiveOtfConfig config = configOf(document);
+    if (shown.method) {
+        AdaptiveOtfConfig own = *shown.method;
+        own.initial = config.initial;
+        own.grid.withoutTubes = config.grid.withoutTubes;
+        config = std::move(own);
+    }
     std::vector<int>& without = config.grid.withoutTubes;
-    for (const int tube : document.panes.at(pane).withoutTubes)
-        if (tube < config.grid.columns * config.grid.rows) without.push_back(tube);
+    without.insert(without.end(), shown.withoutTubes.begin(), shown.withoutTubes.end());
+    if (shown.method || !shown.withoutTubes.empty())
+        std::erase_if(without, [&config](int tube) { return tube >= config.grid.columns * config.grid.rows; });
     std::ranges::sort(without);
     without.erase(std::unique(without.begin(), without.end()), without.end());
     return config;
@@ -72,8 +86,19 @@ Document withDesigner(Document document, std::size_t pane, const DesignerConfig&
 }
 
 Document withCurve(Document document, std::size_t pane, CurveKind curve) {
-    document.panes.at(pane).curve = curve;
-    document.panes.at(pane).designer.reset();
+    Pane& shown = document.panes.at(pane);
+    if (shown.curve != curve) shown.linear.reset();
+    shown.curve = curve;
+    shown.designer.reset();
+    return document;
+}
+
+Document withCurves(Document document, std::size_t pane, const CurveSet& curves) {
+    std::optional<LinearCurve>& own = document.panes.at(pane).linear;
+    const LinearCurve linear = own ? document.curves.linear : curves.linear;
+    if (own) own = curves.linear;
+    document.curves = curves;
+    document.curves.linear = linear;
     return document;
 }
 
@@ -99,6 +124,7 @@ Document openedDocument(const Document& before, const StudyReference& study) {
     opened.scene = std::move(scene);
     for (Pane& pane : opened.panes) {
         pane.withoutTubes.clear();
+        pane.linear.reset();
         if (pane.phase) pane.phase = 0;
     }
     opened.measurements.clear();
@@ -117,6 +143,7 @@ std::string problemOf(const Document& document) {
         if (const std::string problem = problemOf(document.panes[i]); !problem.empty())
             return "panes[" + std::to_string(i) + "]." + problem;
     if (document.panes.front().phase) return "panes[0].phase must be missing: it is that of the scene";
+    if (document.panes.front().method) return "panes[0].method must be missing: it is that of the document";
     if (const std::string problem = problemOf(document.comparison, document.panes.size()); !problem.empty())
         return "comparison." + problem;
     for (const Measurement& measurement : document.measurements)

@@ -18,6 +18,7 @@ Document withPanes(Document document, std::vector<Pane> panes) {
         throw std::invalid_argument("withPanes: a document has one to four panes");
     panes.front().phase.reset();
     panes.front().motionOtf.reset();
+    panes.front().method.reset();
     Comparison& comparison = document.comparison;
     const auto count = static_cast<int>(std::max(panes.size(), fewestPanes));
     if (comparison.first >= count) comparison.first = comparison.second == 0 ? 1 : 0;

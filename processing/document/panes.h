@@ -13,7 +13,8 @@ namespace echolucent {
 /// Whether there are several panes.
 [[nodiscard]] inline bool isCompared(const Document& document) { return document.panes.size() >= fewestPanes; }
 /// The document with these panes, one to mostPanes (else std::invalid_argument). How they are compared stays, as far as
-/// the compared panes exist. The first pane shows the scene's phase and the motion's OTF.
+/// the compared panes exist. The first pane shows the scene's phase and the motion's OTF, and has the document's
+/// method.
 [[nodiscard]] Document withPanes(Document document, std::vector<Pane> panes);
 /// The document with another pane at a place. Throws std::out_of_range if there is no such place.
 [[nodiscard]] Document withPane(Document document, std::size_t place, Pane pane);

@@ -43,7 +43,7 @@ std::string trimmed(const std::string& text) {
 
 Preset presetOf(const Document& document, std::size_t pane, std::string name) {
     Preset preset{.name = std::move(name), .curve = document.panes.at(pane).curve, .look = document.scene.look};
-    takeCurve(preset.curves, document.curves, preset.curve);
+    takeCurve(preset.curves, curvesOf(document, pane), preset.curve);
     preset.curves.adjustment = document.curves.adjustment;
     if (preset.curve == CurveKind::adaptive) {
         preset.method = document.method;
@@ -63,6 +63,7 @@ Document withPreset(Document document, std::size_t pane, const Preset& preset) {
     }();
     if (look.mode != RenderMode::direct) return document;
     document = withCurve(std::move(document), pane, preset.curve);
+    document.panes.at(pane).linear.reset();
     takeCurve(document.curves, preset.curves, preset.curve);
     document.curves.adjustment = preset.curves.adjustment;
     if (preset.curve != CurveKind::adaptive || !preset.method) return document;
@@ -82,7 +83,7 @@ bool isMadeBy(const Document& document, std::size_t pane, const Preset& preset) 
     parts.panes.front().curve = document.panes.at(pane).curve;
     if (const DesignerConfig* config = designerConfigOf(document, pane))
         parts = withDesigner(parts, firstPane, *config);
-    parts.curves = document.curves;
+    parts.curves = curvesOf(document, pane);
     parts.method = document.method;
     return withPreset(parts, firstPane, preset) == parts;
 }

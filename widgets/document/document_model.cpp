@@ -9,16 +9,25 @@
 namespace echolucent {
 
 DocumentModel::DocumentModel(QObject* parent, std::size_t mostBytes)
-    : QObject(parent), m_steps([this](const Document& document) { restore(document); }, mostBytes) {}
+    : QObject(parent),
+      m_steps([this](const Document& document, bool withFrame) { restore(document, withFrame); }, mostBytes) {}
 
 void DocumentModel::edit(const Document& wanted, const QString& what, Gesture gesture) {
+    makeStep(wanted, what, gesture, false);
+}
+
+void DocumentModel::editWithFrame(const Document& wanted, const QString& what) {
+    makeStep(wanted, what, noGesture, true);
+}
+
+void DocumentModel::makeStep(const Document& wanted, const QString& what, Gesture gesture, bool setsFrame) {
     const Document kept = keptOf(wanted);
     const Document before =
         keepingChecksum(withShown(std::exchange(m_beforePreview, std::nullopt).value_or(m_document), m_document));
     const Document ownBefore = withoutLook(before);
     const Document next = withLook(kept);
     if (withShown(next, before) == before) return set(next);
-    m_steps.push(ownBefore, withoutLook(next), what, gesture);
+    m_steps.push(ownBefore, withoutLook(next), what, gesture, setsFrame);
     set(next);
     emit m_steps.changed();
 }
@@ -131,10 +140,10 @@ void DocumentModel::begin(const Document& document) {
     emit m_steps.changed();
 }
 
-void DocumentModel::restore(const Document& document) {
+void DocumentModel::restore(const Document& document, bool withFrame) {
     // Drop a preview that goes on. `document` is the state to show instead.
     m_beforePreview.reset();
-    set(withLook(keepingChecksum(withShown(document, m_document))));
+    set(withLook(keepingChecksum(withFrame ? document : withShown(document, m_document))));
 }
 
 void DocumentModel::set(Document next) {

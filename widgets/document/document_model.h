@@ -44,6 +44,8 @@ public:
     /// goes on becomes part of this step. If `wanted` differs only in the shown phase and frame, there is no step.
     void edit(const Document& wanted, const QString& what) { edit(wanted, what, gesture()); }
     void edit(const Document& wanted, const QString& what, Gesture gesture);
+    /// edit() with the shown phase and the motion's frame of `wanted`: this step's undo and redo bring back both too.
+    void editWithFrame(const Document& wanted, const QString& what);
     /// edit() with the present document as changed by how(Document&).
     template <typename Change>
     void change(const QString& what, Change&& how) {
@@ -115,7 +117,8 @@ signals:
 
 private:
     /// The function that undo and redo call.
-    void restore(const Document& document);
+    void restore(const Document& document, bool withFrame);
+    void makeStep(const Document& wanted, const QString& what, Gesture gesture, bool setsFrame);
     void set(Document next);
     /// What lookAtPanes() has added, and how the panes were compared then.
     struct LookedAt {

@@ -16,8 +16,15 @@ DocumentSteps::DocumentSteps(Restore restore, std::size_t mostBytes)
 void DocumentSteps::setIndex(int index) {
     index = std::clamp(index, 0, count());
     if (index == m_index) return;
+    const Document* framed = nullptr;
+    for (auto step = static_cast<std::size_t>(m_index); step > static_cast<std::size_t>(index); --step)
+        if (m_states[step].setsFrame) framed = &m_states[step - 1].document;
+    for (auto step = static_cast<std::size_t>(m_index) + 1; step <= static_cast<std::size_t>(index); ++step)
+        if (m_states[step].setsFrame) framed = &m_states[step].document;
     m_index = index;
-    m_restore(Document(shown().document));  // a copy, as a slot may forget this state meanwhile
+    // A copy, as a slot may forget this state meanwhile.
+    const Document restored = framed != nullptr ? withShown(shown().document, *framed) : shown().document;
+    m_restore(restored, framed != nullptr);
     emit changed();
 }
 
@@ -27,7 +34,7 @@ QString DocumentSteps::text(int step) const {
 
 void DocumentSteps::begin(const Document& document) {
     m_states.clear();
-    m_states.push_back({document, {}, 0, 0});
+    m_states.push_back({document, {}, 0, 0, false});
     m_index = 0;
     m_bytes = 0;
     m_dropped = 0;
@@ -39,7 +46,8 @@ void DocumentSteps::clear() {
     emit changed();
 }
 
-void DocumentSteps::push(const Document& before, const Document& after, const QString& what, int gesture) {
+void DocumentSteps::push(const Document& before, const Document& after, const QString& what, int gesture,
+                         bool setsFrame) {
     while (canRedo()) removeLast();
     if (canUndo() && gesture != 0 && gesture == shown().gesture && what == shown().what) {
         const Document& began = m_states[static_cast<std::size_t>(m_index) - 1].document;
@@ -53,7 +61,7 @@ void DocumentSteps::push(const Document& before, const Document& after, const QS
     } else {
         shown().document = before;
         measureLast();
-        m_states.push_back({after, what, gesture, 0});
+        m_states.push_back({after, what, gesture, 0, setsFrame});
         ++m_index;
         measureLast();
     }
@@ -78,6 +86,7 @@ void DocumentSteps::dropOldest() {
     State& oldest = m_states.front();
     oldest.bytes = bytesBeside(oldest.document, nullptr);
     oldest.what.clear();
+    oldest.setsFrame = false;
     m_bytes += oldest.bytes;
     --m_index;
     ++m_dropped;

@@ -18,8 +18,8 @@ class DocumentSteps : public QObject {
     Q_OBJECT
 
 public:
-    /// Makes a kept document the present one.
-    using Restore = std::function<void(const Document& document)>;
+    /// Makes a kept document the present one: also the shown phase and the motion's frame, if `withFrame`.
+    using Restore = std::function<void(const Document& document, bool withFrame)>;
     /// Enough for some ten thousand steps without large lists, or for fifteen curved cuts with the most nodes that a
     /// file may have (1024 by 1024). Less than the voxels of a small study.
     static constexpr std::size_t mostBytesKept = 64'000'000;
@@ -29,7 +29,8 @@ public:
     [[nodiscard]] int count() const { return static_cast<int>(m_states.size()) - 1; }
     /// Index of the state shown, from 0 to count(). It is also the number of steps that can be undone.
     [[nodiscard]] int index() const { return m_index; }
-    /// Shows the state of an index, or the nearest state if `index` is out of range.
+    /// Shows the state of an index, or the nearest state if `index` is out of range. On the way over steps that have
+    /// set the frame (push()), phase and frame come back as they were beyond the last of these.
     void setIndex(int index);
     void undo() { setIndex(m_index - 1); }
     void redo() { setIndex(m_index + 1); }
@@ -58,8 +59,9 @@ public:
     void begin(const Document& document);
     /// Adds a step to `after`. The state shown becomes `before`. Steps that were undone are forgotten. If the step that
     /// led to the shown state has the same text and gesture, both become one, from where that step began. If they then
-    /// change nothing but phase and frame, the step is dropped. A step with gesture 0 is never joined.
-    void push(const Document& before, const Document& after, const QString& what, int gesture);
+    /// change nothing but phase and frame, the step is dropped. A step with gesture 0 is never joined. `setsFrame`:
+    /// undo and redo bring back the shown phase and the motion's frame too.
+    void push(const Document& before, const Document& after, const QString& what, int gesture, bool setsFrame = false);
 
 signals:
     /// Steps were added, undone, redone, forgotten or dropped. The document is already that of the shown state.
@@ -68,9 +70,10 @@ signals:
 private:
     struct State {
         Document document;
-        QString what;           ///< name of the step that led here; empty for the first
-        int gesture = 0;        ///< of that step
-        std::size_t bytes = 0;  ///< bytesBeside() the state before it
+        QString what;            ///< name of the step that led here; empty for the first
+        int gesture = 0;         ///< of that step
+        std::size_t bytes = 0;   ///< bytesBeside() the state before it
+        bool setsFrame = false;  ///< whether that step has set the shown phase and the motion's frame
     };
     [[nodiscard]] State& shown() { return m_states[static_cast<std::size_t>(m_index)]; }
     void removeLast();

@@ -260,15 +260,14 @@ void OtfEditorModel::preview(const OtfEditorState& next) {
 }
 
 Document OtfEditorModel::documentOf(const OtfEditorState& next) const {
-    Document document = m_document.document();
-    document.curves = next;
+    Document document = withCurves(m_document.document(), firstPane, next);
     if (!next.designed) return withCurve(std::move(document), firstPane, next.active);
     document.panes.at(firstPane).curve = next.active;
     return document;
 }
 
 void OtfEditorModel::takeFromDocument() {
-    const CurveSet& curves = m_document.document().curves;
+    const CurveSet curves = curvesOf(m_document.document(), firstPane);
     const Pane& pane = m_document.document().panes.at(firstPane);
     const bool designed = pane.designer.has_value();
     if (curves == static_cast<const CurveSet&>(m_state) && pane.curve == m_state.active && designed == m_state.designed)

@@ -135,6 +135,26 @@ TEST(DocumentFile, OnlyComparisonsWithColoursSaySo) {
     EXPECT_FALSE(documentFromJson(changed(jsonOf(document), "/comparison/colours", 1)));
 }
 
+TEST(DocumentFile, OnlyPanesWithAMethodOrALinearCurveOfTheirOwnSaySo) {
+    Document document = unusualDocument();
+    const std::string before = jsonOf(document);
+    for (const auto& pane : nlohmann::ordered_json::parse(before)["panes"])
+        EXPECT_FALSE(pane.contains("method") || pane.contains("linear")) << pane.dump();
+    const std::size_t second = 1;
+    document.panes.resize(std::max(document.panes.size(), fewestPanes));
+    document.panes[second] = {.method = configOf(MethodReading::asPublished)};
+    document.panes[firstPane].linear = LinearCurve{1.0 / 7.0, 2.0 / 3.0, 0.9};
+    const std::string text = jsonOf(document);
+    EXPECT_TRUE(documentFromJson(text).value() == document);
+    EXPECT_EQ(jsonOf(documentFromJson(text).value()), text);
+    EXPECT_FALSE(documentFromJson(changed(text, "/panes/0/linear/lower", 1.5)));
+    EXPECT_FALSE(documentFromJson(changed(text, "/panes/1/method/cell_size", -1)));
+    document.panes[firstPane].method = AdaptiveOtfConfig{};
+    const auto refused = documentFromJson(jsonOf(document));
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence().find("panes[0].method"), std::string::npos) << refused.error().sentence();
+}
+
 TEST(DocumentFile, GoesToAFileAndBack) {
     const TemporaryFolder folder;
     const std::string path = folder.file("session.json");

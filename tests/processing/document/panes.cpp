@@ -5,6 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "processing/adaptive/method_reading.h"
+#include "processing/document/preset.h"
+
 namespace echolucent {
 namespace {
 
@@ -54,6 +57,46 @@ TEST(Panes, TheFirstShowsThePhaseOfTheSceneAndTheOtfOfTheMotion) {
     const Document document =
         withPane(compared(), firstPane, {.curve = CurveKind::linear, .phase = 2, .motionOtf = MotionOtf::eachView});
     EXPECT_EQ(document.panes[0], (Pane{.curve = CurveKind::linear}));
+}
+
+TEST(Panes, OnePaneReadsAsPublished) {
+    const Document before = compared();
+    Document document =
+        withPane(before, 1, {.withoutTubes = {7, 999'999}, .method = configOf(MethodReading::asPublished)});
+    document.method.config.grid.withoutTubes = {3};
+    document.method.initial = InitialKind::linear;
+    EXPECT_EQ(problemOf(document), "");
+    EXPECT_EQ(configOf(document, 0), configOf(document)) << "the others keep the document's";
+    AdaptiveOtfConfig expected = configOf(MethodReading::asPublished);
+    expected.grid.withoutTubes = {3, 7};
+    expected.initial = document.curves.linear;
+    EXPECT_EQ(configOf(document, 1), expected);
+    EXPECT_EQ(withPane(before, firstPane, {.method = AdaptiveOtfConfig{}}).panes[0], Pane{})
+        << "the first pane has the document's";
+}
+
+TEST(Panes, APaneKeepsALinearCurveOfItsOwn) {
+    const LinearCurve own{0, 1, 1}, other{0.2, 0.4, 0.8};
+    Document document = withPane(compared(), 0, {.curve = CurveKind::linear, .linear = own});
+    document = withPane(document, 1, {.curve = CurveKind::linear});
+    EXPECT_EQ(opacityAt(curveOf(document, 0, {}), 0.5), 0.5);
+    EXPECT_EQ(curveOf(document, 1, {}), OpacityCurve(LinearCurve{}));
+    CurveSet edited = curvesOf(document, 0);
+    EXPECT_EQ(edited.linear, own);
+    edited.linear = other;
+    edited.quartic.scale = 3;
+    const Document changed = withCurves(document, 0, edited);
+    EXPECT_EQ(curvesOf(changed, 0), edited);
+    EXPECT_EQ(changed.curves.linear, LinearCurve{}) << "the document keeps its own";
+    EXPECT_EQ(changed.curves.quartic.scale, 3);
+    EXPECT_EQ(withCurves(document, 1, edited).curves.linear, other);
+    EXPECT_EQ(withCurve(document, 0, CurveKind::linear).panes[0], document.panes[0]);
+    EXPECT_EQ(withCurve(document, 0, CurveKind::manual).panes[0], (Pane{.curve = CurveKind::manual}));
+    EXPECT_FALSE(openedDocument(document, SimulatedScan{}).panes[0].linear) << "the next scan has the person's";
+    const Preset preset = presetOf(document, 0, "own");
+    EXPECT_EQ(preset.curves.linear, own);
+    EXPECT_TRUE(isMadeBy(document, 0, preset));
+    EXPECT_TRUE(isMadeBy(withPreset(compared(), 0, preset), 0, preset));
 }
 
 TEST(Panes, OnePaneLeavesATubeCoreOut) {

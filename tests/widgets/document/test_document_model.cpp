@@ -297,6 +297,37 @@ private slots:
         QCOMPARE(model.steps().count(), 2);
     }
 
+    void aStepThatSetsTheFrameBringsItBack() {
+        DocumentModel model;
+        Document next = model.document();
+        next.curves.linear.slope = 0.25;
+        model.edit(next, "slope");
+        model.showFrame(12, 2);
+        const Document before = model.document();
+        next = before;
+        next.curves.quartic.scale = 3;
+        next.scene.motionAngle = 30;
+        model.editWithFrame(next, "figure");
+        model.showFrame(-5, 1);
+        model.steps().undo();
+        QVERIFY(model.document() == before);
+        model.showFrame(1, 0);
+        model.steps().redo();
+        QVERIFY(model.document() == next);
+        model.showFrame(2, 0);
+        model.steps().setIndex(0);  // over the figure and the slope, which alone would keep the frame
+        QVERIFY(model.document() == withShown(Document{}, before));
+        model.showFrame(3, 0);
+        model.steps().redo();
+        QCOMPARE(model.document().scene.motionAngle, 3.0);
+        next = model.document();
+        next.scene.motionAngle = 30;
+        const int steps = model.steps().count();
+        model.editWithFrame(next, "figure");  // nothing but another frame
+        QCOMPARE(model.document().scene.motionAngle, 30.0);
+        QCOMPARE(model.steps().count(), steps);
+    }
+
     void undoDuringADragTakesTheDragBackToo() {
         DocumentModel model;
         Document next = model.document();
