@@ -36,6 +36,9 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
       m_measures({parts.model, parts.openStudy, parts.works, parts.otfs, m_views, parts.player, parts.surfaces},
                  work()),
       m_pageWaits(parts.works, work()),
+      m_figures({parts.window, parts.model, parts.openStudy, parts.works, parts.otfs, parts.panes, parts.player,
+                 parts.editor, parts.messages},
+                work()),
       m_writing(parts.works, "comparison page", work()) {
     connectPanel();
     // The 3D view tells of failures of the first pane and of the scene's adaptive OTF already.
@@ -45,13 +48,10 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
     });
     connect(&m_parts.otfs, &PaneOtfs::computed, this,
             [this](std::size_t place) { m_parts.messages.takeBack(topicOfOtf(place)); });
-    connect(&m_parts.model, &DocumentModel::changed, this, [this] {
-        if (!isCompared(m_parts.model.document())) setShown(false);  // the comparison was undone
-    });
+    connect(&m_parts.model, &DocumentModel::changed, this, &CompareRoom::followPanes);
     connect(&m_hand, &CompareHand::cameraMoved, this, &CompareRoom::cameraMoved);
     // The page waits for works, and each of them tells Works when it ends.
     connect(&m_parts.works, &Works::changed, this, &CompareRoom::writeWaitingPage, Qt::QueuedConnection);
-    connect(&m_parts.openStudy, &OpenStudy::openFailed, this, [this] { m_figureWaits = 0; });
     connect(&m_views, &ComparedViews::failed, this, [this] {
         m_parts.player.pause();
         m_parts.messages.showMessage(MessageKind::error, tr("The pictures need more memory than this machine has."),
@@ -65,10 +65,10 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
         m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::withStudy(measuresTopic));
     });
     connect(&m_measures, &CompareMeasures::rowsChanged, this, [this] { m_parts.messages.takeBack(measuresTopic); });
-    connect(&m_parts.otfs, &PaneOtfs::computed, this, &CompareRoom::setUpWaitingFigure, Qt::QueuedConnection);
+    connect(&m_figures, &LessonFigures::setUp, this, [this] { setShown(m_hasPanes); });
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
         setWaitingPage({});
-        if (!m_parts.openStudy.isSimulatedScan()) m_figureWaits = 0;
+        if (m_parts.openStudy.saved() && m_hasPanes) setShown(true);  // a session comes back as it was
     });
 }
 
@@ -98,9 +98,16 @@ void CompareRoom::showInPanel() {
     const Document& document = m_parts.model.document();
     const TubeGrid grid = configOf(document).grid;
     const Study* study = m_parts.openStudy.study();
-    m_parts.panel.setLimits(study != nullptr ? static_cast<int>(study->phases.size()) : 1, grid.columns * grid.rows);
+    m_parts.panel.setLimits(study != nullptr ? static_cast<int>(study->phases.size()) : 1, grid);
     m_parts.panel.setComparison(document.comparison);
     m_parts.panel.setPanes(isCompared(document) ? document.panes : std::vector<Pane>{}, captionsOfPanes(document));
+}
+
+/// Which room is shown follows the panes that somebody has chosen, not those that are only looked at.
+void CompareRoom::followPanes() {
+    const bool had = std::exchange(m_hasPanes, isCompared(m_parts.model.ownDocument()));
+    if (m_hasPanes && !had) setShown(true);
+    if (!isCompared(m_parts.model.document())) setShown(false);
 }
 
 Work CompareRoom::work() {
@@ -133,8 +140,8 @@ void CompareRoom::leave() {
 void CompareRoom::cancel() {
     m_measures.cancel();
     m_writing.cancel();
+    m_figures.cancel();
     setWaitingPage({});
-    m_figureWaits = 0;
 }
 
 void CompareRoom::createMenu() {
@@ -149,13 +156,15 @@ void CompareRoom::createMenu() {
     auto* figures = new QMenu(tr("Compare &for a lesson"), menu);
     figures->setObjectName(QStringLiteral("menu.compare"));
     figures->setToolTipsVisible(true);
-    const auto addFigure = [&](const QString& text, const QString& name, int number) {
-        QAction* action = figures->addAction(text);
-        action->setObjectName(name);
-        connect(action, &QAction::triggered, this, [this, number] { showFigure(number); });
-    };
-    addFigure(tr("Figure &1: linear, piecewise linear, adaptive OTF"), QStringLiteral("compare.figure1"), 1);
-    addFigure(tr("Figure &9: one OTF, or each view's"), QStringLiteral("compare.figure9"), 9);
+    addFigures(*figures, {}, std::nullopt);
+    figures->addSeparator();
+    for (const PhantomScene scene : {PhantomScene::fetus, PhantomScene::shapes}) {
+        const bool fetus = scene == PhantomScene::fetus;
+        const QString key = fetus ? QStringLiteral("fetus") : QStringLiteral("shapes");
+        auto* onScan = figures->addMenu(fetus ? tr("On the simulated &fetus") : tr("On the simulated &shapes"));
+        onScan->setObjectName(QStringLiteral("menu.compare.") + key);
+        addFigures(*onScan, QLatin1Char('.') + key, SimulatedScan{.scene = scene});
+    }
     figures->addSeparator();
     auto* motion = figures->addAction(tr("&Motion: one OTF, each view's, smoothed"));
     motion->setObjectName(QStringLiteral("compare.motions"));
@@ -178,25 +187,16 @@ void CompareRoom::addTo(EscapeOrder& escapes) {
     escapes.add(EscapeStep::maximisedPane, [this] { return shown() && m_parts.grid.endMaximised(); });
 }
 
-void CompareRoom::showFigure(int number) {
-    m_figureWaits = number;
-    if (!m_parts.openStudy.isSimulatedScan()) return m_parts.openStudy.openSimulatedScan();
-    setUpWaitingFigure();
-}
-
-void CompareRoom::setUpWaitingFigure() {
-    if (m_figureWaits == 0 || !m_parts.openStudy.isSimulatedScan()) return;
-    if (!m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return;
-    const Document& document = m_parts.model.document();
-    if (m_figureWaits == 1) {
-        m_parts.model.edit(figure1(document), tr("Figure 1 of the paper"));
-    } else {
-        m_parts.player.setAngle(0);
-        m_parts.model.edit(figure9(document), tr("Figure 9 of the paper"));
-        m_parts.player.setAngle(static_cast<int>(figure9Degrees));
+/// An entry for each figure, whose object name has this ending.
+void CompareRoom::addFigures(QMenu& menu, const QString& ending, const std::optional<SimulatedScan>& scan) {
+    for (const PaperFigure& figure : paperFigures()) {
+        const QString number =
+            figure.number < 10 ? QStringLiteral("&%1").arg(figure.number) : QString::number(figure.number);
+        QAction* action = menu.addAction(tr("Figure %1: %2").arg(number, subjectOf(figure)));
+        action->setObjectName(QStringLiteral("compare.figure%1%2").arg(figure.number).arg(ending));
+        connect(action, &QAction::triggered, this,
+                [this, number = figure.number, scan] { m_figures.show(number, scan); });
     }
-    m_figureWaits = 0;
-    setShown(true);
 }
 
 void CompareRoom::chooseAndSavePage() {

@@ -3,10 +3,12 @@
 
 #include <QObject>
 #include <functional>
+#include <optional>
 
 #include "app/compare/compare_hand.h"
 #include "app/compare/compare_measures.h"
 #include "app/compare/compared_views.h"
+#include "app/compare/lesson_figures.h"
 #include "app/files/file_writing.h"
 #include "app/motion/motion_player.h"
 #include "widgets/compare/compare_panel.h"
@@ -14,6 +16,7 @@
 #include "widgets/threads/works.h"
 
 class QMainWindow;
+class QMenu;
 class QStackedWidget;
 
 namespace echolucent {
@@ -40,6 +43,7 @@ public:
         KeptSurfaces& surfaces;
         CompareGrid& grid;
         ComparePanel& panel;
+        OtfEditor& editor;
         MessageBar& messages;
         Settings& settings;
         StudyNames& names;
@@ -50,7 +54,8 @@ public:
 
     [[nodiscard]] bool shown() const { return m_views.shown(); }
     /// Shows the comparison, or the review room again. If nothing is compared yet, four panes are looked at
-    /// (DocumentModel::lookAtPanes()): looking changes nothing that is kept.
+    /// (DocumentModel::lookAtPanes()): looking changes nothing that is kept. If the document gets several panes of its
+    /// own, by a step, an undo, a snapshot or a session, the comparison is shown; if it loses them, it is left.
     void setShown(bool shown);
     [[nodiscard]] const ComparedViews& views() const { return m_views; }
     /// Adds its entries to the room menu, which must exist.
@@ -79,8 +84,8 @@ private:
     void writeWaitingPage();
     void giveUpPage(const QString& sentence);
     void leave();
-    void showFigure(int number);
-    void setUpWaitingFigure();
+    void followPanes();
+    void addFigures(QMenu& menu, const QString& ending, const std::optional<SimulatedScan>& scan);
 
     Parts m_parts;
     ComparedViews m_views;
@@ -88,7 +93,8 @@ private:
     CompareMeasures m_measures;
     QString m_waitingPage;  ///< path of the page to write; empty if none waits
     Works::UnderWay m_pageWaits;
-    int m_figureWaits = 0;  ///< number of the figure that waits for the simulated scan and its OTF; 0 if none waits
+    LessonFigures m_figures;
+    bool m_hasPanes = false;  ///< whether the document has several panes of its own
     // Last, so that its thread has ended before anything above is destroyed.
     FileWriting m_writing;
 };

@@ -44,7 +44,7 @@ void HistoryControls::keep() {
 
 void HistoryControls::choose(int snapshot) {
     const Snapshot chosen = m_snapshots.list().at(static_cast<std::size_t>(snapshot));
-    m_model.edit(chosen.document, tr("snapshot \"%1\"").arg(QString::fromStdString(chosen.name)));
+    m_model.editWithFrame(chosen.document, tr("snapshot \"%1\"").arg(QString::fromStdString(chosen.name)));
 }
 
 void HistoryControls::remove(int snapshot) {

@@ -157,7 +157,7 @@ void MainWindow::createUnits() {
         *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_compare = std::make_unique<CompareRoom>(
         CompareRoom::Parts{*this, m_document, m_openStudy, m_works, m_motionPlayer, *m_widgets.rooms, *m_otfs, *m_panes,
-                           m_surfaces, *m_widgets.compared, *m_widgets.compare, *m_widgets.messages, m_settings,
+                           m_surfaces, *m_widgets.compared, *m_widgets.compare, *m_widgets.editor, *m_widgets.messages, m_settings,
                            m_names, [this](const QString& what) { return m_files->proposedName(what); }});
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
         *this, m_document, m_openStudy, m_works, *m_otfs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,

@@ -12,9 +12,11 @@
 #include <QVBoxLayout>
 #include <variant>
 
+#include "processing/adaptive/method_reading.h"
 #include "widgets/controls/narrow_combo.h"
 #include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/panels/designer_parameters.h"
 #include "widgets/surface_colours.h"
 
 namespace echolucent {
@@ -52,6 +54,28 @@ QString wordsOf(MotionOtf otf) {
     return {};
 }
 
+constexpr std::array readings{MethodReading::asPublished, MethodReading::settled, MethodReading::firstVersion,
+                              MethodReading::standard};
+// The entries of a pane's method: the document's, the readings, and parameters that are no reading.
+constexpr int ownMethodEntry = static_cast<int>(readings.size()) + 1;
+
+QString wordsOf(MethodReading reading) {
+    switch (reading) {
+        case MethodReading::asPublished: return ComparePanel::tr("as published");
+        case MethodReading::settled: return ComparePanel::tr("settled");
+        case MethodReading::firstVersion: return ComparePanel::tr("as in 0.1");
+        case MethodReading::standard: return ComparePanel::tr("default");
+    }
+    return {};
+}
+
+int methodEntryOf(const Pane& choice) {
+    if (!choice.method) return 0;
+    const auto reading = readingOf(*choice.method);
+    const auto found = reading ? std::ranges::find(readings, *reading) : readings.end();
+    return found == readings.end() ? ownMethodEntry : static_cast<int>(found - readings.begin()) + 1;
+}
+
 bool isAdaptive(const Pane& choice) {
     return choice.designer ? std::holds_alternative<AdaptiveConfig>(*choice.designer)
                            : choice.curve == CurveKind::adaptive;
@@ -87,7 +111,12 @@ QString nameOfPane(const Pane& choice) {
     } else if (choice.designer) {
         name = labelOfDesigner(designerOf(*choice.designer));
     } else {
-        name = labelOfCurve(choice.curve);
+        const bool own = choice.curve == CurveKind::linear && choice.linear && *choice.linear != LinearCurve{};
+        name = own ? ComparePanel::tr("Piecewise linear curve of its own") : labelOfCurve(choice.curve);
+    }
+    if (choice.method && isAdaptive(choice)) {
+        const auto reading = readingOf(*choice.method);
+        name += QStringLiteral(", ") + (reading ? wordsOf(*reading) : ComparePanel::tr("own parameters"));
     }
     if (choice.motionOtf) name += QStringLiteral(", ") + wordsOf(*choice.motionOtf);
     return choice.phase ? ComparePanel::tr("%1, volume %2").arg(name).arg(*choice.phase + 1) : name;
@@ -151,12 +180,35 @@ QGroupBox* ComparePanel::createPanes() {
         connect(pane.motion, &QComboBox::activated, this, [this, i] { choose(i); });
         connect(pane.tube, &QSpinBox::valueChanged, this, [this, i] { choose(i); });
         connect(pane.phase, &QSpinBox::valueChanged, this, [this, i] { choosePhase(i); });
-        const int row = static_cast<int>(3 * i) + 1;
+        pane.method = named(new NarrowCombo, "compare.method" + number, tr("Parameters of pane %1").arg(number),
+                            tr("How tube cores are read for this pane, and what curve they make: as the panel Method "
+                               "says, or by one reading of the paper"));
+        pane.method->addItem(tr("Parameters as in Method"));
+        for (const MethodReading reading : readings) pane.method->addItem(tr("Parameters %1").arg(wordsOf(reading)));
+        pane.method->addItem(tr("Parameters of its own"));
+        pane.edits = named(new QToolButton, "compare.parameters" + number, tr("Parameters of pane %1").arg(number),
+                           tr("Shows what the designer of this pane can be set to"));
+        pane.edits->setText(tr("Parameters…"));
+        pane.edits->setCheckable(true);
+        pane.parameters = new DesignerParameters(QStringLiteral("compare.pane") + number);
+        connect(pane.method, &QComboBox::activated, this, [this, i] { chooseMethod(i); });
+        connect(pane.edits, &QToolButton::toggled, this, [this, i] { showParameters(i); });
+        connect(pane.parameters, &DesignerParameters::changed, this, [this, i](const DesignerConfig& config) {
+            Pane choice = m_panes.at(i);
+            // A field that is hidden may still report a number of the designer before.
+            if (!choice.designer || choice.designer->index() != config.index()) return;
+            choice.designer = config;
+            if (choice != m_panes[i]) emit paneChosen(static_cast<int>(i), choice);
+        });
+        const int row = static_cast<int>(5 * i) + 1;
         grid->addWidget(pane.label = labelFor(pane.otf, number), row, 0);
         grid->addWidget(pane.otf, row, 1, 1, 2);
         grid->addWidget(pane.tube, row + 1, 1);
         grid->addWidget(pane.phase, row + 1, 2);
         grid->addWidget(pane.motion, row + 2, 1, 1, 2);
+        grid->addWidget(pane.method, row + 3, 1, 1, 2);
+        grid->addWidget(pane.edits, row + 3, 1, 1, 2, Qt::AlignLeft);
+        grid->addWidget(pane.parameters, row + 4, 0, 1, 3);
     }
     return group;
 }
@@ -215,6 +267,8 @@ void ComparePanel::choose(std::size_t place) {
         const auto& before = m_panes[place].designer;
         choice.designer = before && designerOf(*before) == designer ? *before : defaultConfigOf(designer);
     }
+    if (choice.curve == m_panes[place].curve) choice.linear = m_panes[place].linear;
+    if (isAdaptive(choice)) choice.method = m_panes[place].method;
     choice.phase = m_panes[place].phase;  // kept even if this study has fewer phases
     if (place > 0 && isAdaptive(choice) && pane.motion->currentIndex() > 0)
         choice.motionOtf = allMotionOtfs.at(static_cast<std::size_t>(pane.motion->currentIndex() - 1));
@@ -226,6 +280,28 @@ void ComparePanel::choosePhase(std::size_t place) {
     const int phase = m_controls.at(place).phase->value();
     choice.phase = phase > 0 ? std::optional(phase - 1) : std::nullopt;
     if (choice != m_panes[place]) emit paneChosen(static_cast<int>(place), choice);
+}
+
+void ComparePanel::chooseMethod(std::size_t place) {
+    Pane choice = m_panes.at(place);
+    const int entry = m_controls.at(place).method->currentIndex();
+    if (entry == 0) {
+        choice.method.reset();
+    } else if (entry < ownMethodEntry) {
+        // The grid belongs to no reading.
+        choice.method = configOf(readings.at(static_cast<std::size_t>(entry - 1)));
+        choice.method->grid = m_grid;
+        choice.method->grid.withoutTubes.clear();
+    }
+    if (choice != m_panes[place]) emit paneChosen(static_cast<int>(place), choice);
+}
+
+void ComparePanel::showParameters(std::size_t place) {
+    const PaneControls& pane = m_controls.at(place);
+    const bool designed = place < m_panes.size() && m_panes[place].designer && !isAdaptive(m_panes[place]);
+    pane.edits->setVisible(designed);
+    pane.parameters->setVisible(designed && pane.edits->isChecked());
+    if (designed) pane.parameters->setConfig(*m_panes[place].designer);
 }
 
 void ComparePanel::chooseComparison(const QString& what) {
@@ -257,10 +333,10 @@ void ComparePanel::setComparison(const Comparison& comparison) {
     showAll();
 }
 
-void ComparePanel::setLimits(int phases, int tubes) {
-    if (phases == m_phases && tubes == m_tubes) return;
+void ComparePanel::setLimits(int phases, const TubeGrid& grid) {
+    if (phases == m_phases && grid == m_grid) return;
     m_phases = phases;
-    m_tubes = tubes;
+    m_grid = grid;
     showAll();
 }
 
@@ -271,6 +347,7 @@ void ComparePanel::setMeasuringFlicker(bool measuring) {
 
 void ComparePanel::showAll() {
     const QSignalBlocker countBlocker(m_count);
+    const int tubes = m_grid.columns * m_grid.rows;
     m_count->setValue(static_cast<int>(std::max(m_panes.size(), fewestPanes)));
     const QSignalBlocker firstBlocker(m_first), secondBlocker(m_second), amplificationBlocker(m_amplification),
         coloursBlocker(m_colours);
@@ -282,21 +359,24 @@ void ComparePanel::showAll() {
         const QSignalBlocker tubeBlocker(pane.tube), phaseBlocker(pane.phase);
         pane.label->setVisible(there);
         pane.otf->setVisible(there);
-        pane.tube->setRange(0, std::max(0, m_tubes - 1));
+        pane.tube->setRange(0, std::max(0, tubes - 1));
         pane.phase->setRange(0, m_phases);
         const bool withoutTube = there && entryOf(m_panes[i]) == withoutTubeEntry;
         pane.tube->setVisible(withoutTube);
         pane.phase->setVisible(there && i > 0 && m_phases > 1);
         pane.motion->setVisible(there && i > 0 && isAdaptive(m_panes[i]));
+        pane.method->setVisible(there && i > 0 && isAdaptive(m_panes[i]));
+        showParameters(i);
         if (!there) continue;
         const int entry = entryOf(m_panes[i]);
         pane.otf->setCurrentIndex(entry >= designerEntries ? entry + 1 : entry);
         if (withoutTube)
             pane.tube->setValue(m_panes[i].withoutTubes.front());
         else
-            pane.tube->setValue(m_tubes / 2);
+            pane.tube->setValue(tubes / 2);
         pane.phase->setValue(m_panes[i].phase ? *m_panes[i].phase + 1 : 0);
         pane.motion->setCurrentIndex(m_panes[i].motionOtf ? static_cast<int>(*m_panes[i].motionOtf) + 1 : 0);
+        pane.method->setCurrentIndex(methodEntryOf(m_panes[i]));
         const QString name = QStringLiteral("%1: %2").arg(i + 1).arg(m_names.value(static_cast<qsizetype>(i)));
         m_first->addItem(name);
         m_second->addItem(name);

@@ -20,13 +20,18 @@ class QToolButton;
 
 namespace echolucent {
 
-/// "Piecewise linear curve (eq. 1)", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112". With ", mean of
-/// 5" if the pane has an OTF of its own in a motion, and with ", volume 3" if it has a phase of its own.
+class DesignerParameters;
+
+/// "Piecewise linear curve (eq. 1)", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112",
+/// "Piecewise linear curve of its own" if it is not that of eq. 1. With ", as
+/// published", ", settled", ", as in 0.1", ", default" or ", own parameters" if the pane has a method of its own, with
+/// ", mean of 5" if it has an OTF of its own in a motion, and with ", volume 3" if it has a phase of its own.
 [[nodiscard]] QString nameOfPane(const Pane& choice);
 
 /// Objects: compare (this), compare.switch, compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4,
-/// compare.motion2 … 4, compare.layout, compare.first, compare.second, compare.amplification, compare.colours, and
-/// those of CompareTable. No setter emits a signal.
+/// compare.motion2 … 4, compare.method2 … 4, compare.parameters1 … 4 (a switch), compare.pane1.NAME … (a control for
+/// each parameter of the pane's designer), compare.layout, compare.first, compare.second, compare.amplification,
+/// compare.colours, and those of CompareTable. No setter emits a signal.
 class ComparePanel : public QWidget {
     Q_OBJECT
 
@@ -39,7 +44,7 @@ public:
     void setPanes(const std::vector<Pane>& panes, const QStringList& names);
     void setComparison(const Comparison& comparison);
     /// Limits of the study and the method, for the choices that depend on them.
-    void setLimits(int phases, int tubes);
+    void setLimits(int phases, const TubeGrid& grid);
     void setRows(const std::vector<CompareRow>& rows) { m_table->setRows(rows); }
     [[nodiscard]] const std::vector<CompareRow>& rows() const { return m_table->rows(); }
     /// Whether the flicker is being measured.
@@ -60,18 +65,24 @@ private:
         QSpinBox* tube = nullptr;
         QComboBox* motion = nullptr;
         QSpinBox* phase = nullptr;
+        QComboBox* method = nullptr;
+        QToolButton* edits = nullptr;  ///< switches `parameters`
+        DesignerParameters* parameters = nullptr;
     };
     QGroupBox* createPanes();
     QGroupBox* createLayout();
     void choose(std::size_t place);
     void choosePhase(std::size_t place);
+    void chooseMethod(std::size_t place);
+    void showParameters(std::size_t place);
     void chooseComparison(const QString& what);
     void showAll();
 
     std::vector<Pane> m_panes;
     QStringList m_names;
     Comparison m_comparison;
-    int m_phases = 1, m_tubes = 1;
+    int m_phases = 1;
+    TubeGrid m_grid;  ///< of the document's method
     bool m_measuring = false;
     QToolButton* m_switch = nullptr;
     QSpinBox* m_count = nullptr;

@@ -37,7 +37,9 @@ std::optional<double> thresholdOf(const DesignerConfig& config) {
     return threshold;
 }
 
-DesignerParameters::DesignerParameters(QWidget* parent) : QWidget(parent) { new QGridLayout(this); }
+DesignerParameters::DesignerParameters(QString prefix, QWidget* parent) : QWidget(parent), m_prefix(std::move(prefix)) {
+    new QGridLayout(this);
+}
 
 void DesignerParameters::setConfig(const DesignerConfig& config) {
     const bool another = !m_made || config.index() != m_config.index();
@@ -62,7 +64,7 @@ void DesignerParameters::makeControls() {
     for (const ParameterDefault& row : rows) {
         if (!row.row->inPanels) continue;
         const ParameterControl made =
-            parameterControl(row, "designer", NumberControl::spinBox, this,
+            parameterControl(row, m_prefix, NumberControl::spinBox, this,
                              [this, &described = *row.row](const auto& value) { take(described, value); });
         made.widget->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         const int line = static_cast<int>(m_controls.size());

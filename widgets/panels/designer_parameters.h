@@ -13,14 +13,14 @@
 
 namespace echolucent {
 
-/// Parameters that have no meaning beside the present choices are hidden. The object name of a control is "designer."
-/// and the row's name in camel case ("designer.fluidOpacity"). A number keeps all its digits until a person moves it,
-/// however few its control shows.
+/// Parameters that have no meaning beside the present choices are hidden. The object name of a control is the prefix, a
+/// dot, and the row's name in camel case ("designer.fluidOpacity"). A number keeps all its digits until a person moves
+/// it, however few its control shows.
 class DesignerParameters : public QWidget {
     Q_OBJECT
 
 public:
-    explicit DesignerParameters(QWidget* parent = nullptr);
+    explicit DesignerParameters(QString prefix = QStringLiteral("designer"), QWidget* parent = nullptr);
 
     /// Makes new controls if the designer is another one. Emits nothing.
     void setConfig(const DesignerConfig& config);
@@ -39,6 +39,7 @@ private:
 
     void showThreshold();
 
+    QString m_prefix;
     DesignerConfig m_config;
     ValueWindow m_values;
     QString m_meaning;                                        // of the threshold

@@ -1,15 +1,25 @@
 // What a lesson shows in the comparison: the OTFs of a motion side by side, figures of the paper, the page that is
 // kept.
 #include <QAction>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSlider>
 #include <thread>
 
+#include "app/compare/paper_figures.h"
 #include "app/otf/pane_otfs.h"
+#include "app/sessions/session_keeping.h"
+#include "io/document/document_file.h"
+#include "io/document/session_file.h"
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/designers/choice/designer.h"
 #include "processing/motion/otf_smoothing.h"
 #include "tests/app/compare/compare_fixture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/motion/otf_curves_canvas.h"
+#include "widgets/panels/history_panel.h"
 
 using namespace echolucent;
 
@@ -59,7 +69,10 @@ private slots:
     }
 
     void figuresOfThePaperAreOneClick() {
-        child<QAction>("compare.figure9")->trigger();
+        child<QAction>("compare.figure9.fetus")->trigger();
+        QVERIFY(child<MessageBar>("message")->text().contains("simulated fetus"));
+        QVERIFY(!window().openStudy().loading());  // it asks first
+        click("message.action.0");
         QTRY_COMPARE_WITH_TIMEOUT(document().scene.motionAngle, 30.0, 60000);
         QVERIFY(window().openStudy().isSimulatedScan());
         QTRY_VERIFY_WITH_TIMEOUT(window().idle() && window().compareRoom().views().settled(), 60000);
@@ -71,8 +84,9 @@ private slots:
         QVERIFY(panel().rows()[1].depth->rays() > 1000);
         QVERIFY(panel().rows()[0].depth->rays() == panel().rows()[1].depth->rays());
         QVERIFY(child<QLabel>("compare.note")->text().contains("true ones of the simulated scan"));
-        child<QAction>("compare.figure1")->trigger();
+        child<QAction>("compare.figure1.fetus")->trigger();  // it is open: nothing to ask
         waitUntilRest();
+        QCOMPARE(document().scene.motionAngle, 0.0);
         const auto one = window().compareRoom().views().frame();
         QCOMPARE(one->panes.size(), std::size_t{3});
         QVERIFY(opacityAt(one->request.panes[0].classification, 0.5, 0.0) == 0.5);
@@ -85,12 +99,127 @@ private slots:
                                        "3  (c) Adaptively designed OTF"}));
         QCOMPARE(panel().rows()[1].name, QString("(b) Manually designed piecewise linear OTF"));
         QCOMPARE(child<QComboBox>("compare.first")->itemText(2), QString("3: (c) Adaptively designed OTF"));
-        // Another slope is another curve than the paper's.
-        Document steeper = document();
-        steeper.curves.linear.slope = 0.6;
-        window().document().edit(steeper, "slope");
-        QCOMPARE(names(), QStringList({"1  Manual curve", "2  Piecewise linear curve (eq. 1)", "3  Adaptive curve"}));
+        // Another slope is another curve than the paper's. The editor edits the pane's own, and resets it to eq. 1.
+        const CurveSet drawn = document().curves;
+        window().otfEditor().model().setLinear({0.0, 0.6, 1.0});
+        QCOMPARE(document().panes[0].linear->slope, 0.6);
+        QCOMPARE(names(), QStringList({"1  Piecewise linear curve of its own", "2  Piecewise linear curve (eq. 1)",
+                                       "3  Adaptive curve"}));
         QCOMPARE(child<QComboBox>("compare.first")->itemText(1), QString("2: Piecewise linear curve (eq. 1)"));
+        window().otfEditor().resetAction()->trigger();
+        QVERIFY(document().panes[0].linear == LinearCurve{});
+        QVERIFY(document().curves == drawn);
+    }
+
+    /// Each figure from an odd state: one step, which undo, redo, a snapshot and a session bring back byte for byte.
+    void aFigureIsOneStepFromAKnownState() {
+        window().compareRoom().setShown(false);
+        Document odd = document();
+        odd.scene.look = Look{};
+        odd.scene.look.brightness = 1.5;
+        odd.scene.pose.direction.azimuth = 12;
+        odd.scene.front.depthMm = 5;
+        odd.curves.manual = ManualCurve{{{0.1, 0.2}, {0.8, 0.9}}};
+        odd.curves.linear.slope = 2;
+        odd.curves.adjustment.threshold = 0.1;
+        odd.method.config = configOf(MethodReading::settled);
+        odd.motion.otf = MotionOtf::leastFlicker;
+        odd.motion.axis = MotionAxis::screenHorizontal;
+        odd = withDesigner(odd, firstPane, OtsuConfig{});
+        window().document().edit(odd, "odd");
+        window().motionPlayer().setAngle(7);
+        waitUntilRest();
+        const Document before = document();
+        const std::string text = jsonOf(before);
+        const int steps = window().document().steps().count();
+        const auto shows = [this](const QString& dock) { return !child<QDockWidget>(dock)->visibleRegion().isEmpty(); };
+        for (const PaperFigure& figure : paperFigures()) {
+            const QByteArray name = "figure " + QByteArray::number(figure.number);
+            child<QAction>(QStringLiteral("compare.figure%1").arg(figure.number))->trigger();
+            waitUntilRest();
+            const Document set = withFigure(before, figure.number);
+            const std::string after = jsonOf(set);
+            QVERIFY2(jsonOf(document()) == after, name);
+            QCOMPARE(window().document().steps().count(), steps + 1);
+            QCOMPARE(window().compareRoom().shown(), set.panes.size() > 1);
+            QCOMPARE(window().motionPlayer().angle(), set.scene.motionAngle);
+            QVERIFY(document().scene.look == lookAtStart() && document().scene.pose == before.scene.pose);
+            QVERIFY(document().curves.manual == odd.curves.manual && document().curves.linear == odd.curves.linear);
+            if (figure.number == 6) QVERIFY(shows("dock.otfEditor"));
+            if (figure.number >= 10) QVERIFY(shows("dock.motionMap"));
+            QVERIFY(window().sessionKeeping().snapshots().keep(QString::fromUtf8(name), document()).isEmpty());
+            window().document().steps().undo();
+            QVERIFY2(jsonOf(document()) == text, name);
+            QVERIFY(!window().compareRoom().shown());
+            QCOMPARE(window().motionPlayer().angle(), 7.0);
+            window().document().steps().redo();
+            QVERIFY2(jsonOf(document()) == after, name);
+            QCOMPARE(window().compareRoom().shown(), set.panes.size() > 1);
+            window().document().steps().undo();
+            const SavedSession session{.document = set, .snapshots = {{"of the figure", set}}};
+            QVERIFY2(jsonOf(sessionFromJson(jsonOf(session)).value()) == jsonOf(session), name);
+        }
+        for (std::size_t i = 0; i < paperFigures().size(); ++i) {
+            const Document set = withFigure(before, paperFigures()[i].number);
+            emit window().findChild<HistoryPanel*>()->chosen(static_cast<int>(i));
+            QVERIFY(jsonOf(document()) == jsonOf(set));
+            QCOMPARE(window().compareRoom().shown(), set.panes.size() > 1);
+            window().document().steps().undo();
+            QVERIFY(jsonOf(document()) == text);
+        }
+    }
+
+    void theOtfOverTheAngleIsThereAtOnce() {
+        window().compareRoom().setShown(false);
+        child<QAction>("compare.figure10")->trigger();
+        waitUntilRest();
+        const auto& curves = *child<OtfCurvesCanvas>("motion.map.curves");
+        QCOMPARE(curves.shownRows(), (std::vector<int>{0, 45, 90, 45}));
+        // Smoothed: the pane shows the mean of the five newest, the other its own view's.
+        child<QAction>("compare.figure11")->trigger();
+        waitUntilRest();
+        const auto& panes = window().compareRoom().views().frame()->request.panes;
+        std::vector<double> mean;
+        for (int angle = 16; angle <= 20; ++angle) {
+            Document frame = document();
+            frame.scene.motionAngle = angle;
+            const auto otf = adaptOpacity(*window().openStudy().volume(), viewpointOf(frame), configOf(frame), {},
+                                          {window().openStudy().newestVoxels().get(), frame.scene.look.reduction});
+            mean.resize(otf->curve.opacities.size());
+            for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += otf->curve.opacities[i] / 5;
+            if (angle == 20) QVERIFY(panes[1].classification == Classification(otf->curve));
+        }
+        const auto& shown = std::get<SampledCurve>(panes[0].classification.curve()).opacities;
+        for (std::size_t i = 0; i < mean.size(); ++i) QVERIFY(std::abs(shown[i] - mean[i]) < 1e-12);
+    }
+
+    void onePaneReadsAsPublished() {
+        choose(child<QComboBox>("compare.otf2"), 0);
+        choose(child<QComboBox>("compare.method2"), 1);
+        waitUntilRest();
+        QVERIFY(document().panes[1].method == configOf(MethodReading::asPublished));
+        QCOMPARE(grid().pane(1).face().name, QString("2  Adaptive curve, as published"));
+        const auto& panes = window().compareRoom().views().frame()->request.panes;
+        const Volume& voxels = *window().openStudy().volume();
+        QVERIFY(panes[0].classification ==
+                Classification(adaptOpacity(voxels, otfViewpointOf(document(), 0), configOf(document()))->curve));
+        QVERIFY(panes[1].classification ==
+                Classification(
+                    adaptOpacity(voxels, otfViewpointOf(document(), 1), configOf(MethodReading::asPublished))->curve));
+        choose(child<QComboBox>("compare.method2"), 0);
+        QVERIFY(!document().panes[1].method);
+    }
+
+    void aDesignerOfAPaneIsSetInItsRow() {
+        QVERIFY(child("compare.pane4.tissueOpacity")->isHidden() || !child("compare.pane4.tissueOpacity")->isVisible());
+        click("compare.parameters4");
+        QVERIFY(child("compare.pane4.tissueOpacity")->isVisible());
+        auto* opacity = child<QDoubleSpinBox>("compare.pane4.tissueOpacity");
+        const LevoyConfig before = std::get<LevoyConfig>(*document().panes[3].designer);
+        opacity->setValue(opacity->value() / 2);
+        LevoyConfig after = before;
+        after.tissueOpacity /= 2;
+        QVERIFY(document().panes[3].designer == DesignerConfig(after));
     }
 
     void thePageOpensWithoutANetwork() {
