@@ -21,6 +21,7 @@ void addCurves(HtmlPage& html, const ComparePage& page) {
     for (std::size_t place = 0; place < page.panes.size(); ++place) {
         PlotSeries series;
         series.name = nameAt(page, place);
+        series.colour = page.panes[place].colour;
         series.y = sampledOpacities(upperCurveOf(page.panes[place].classification), samples);
         for (int i = 0; i < samples; ++i) series.x.push_back(static_cast<double>(i) / (samples - 1));
         plot.series.push_back(std::move(series));
@@ -44,6 +45,7 @@ std::string comparePageText(const ComparePage& page) {
     html.paragraph(
         "All pictures have one camera, cut, box and light; they differ in their OTF alone, or in their volume "
         "if it is named.");
+    if (!page.seen.isEmpty()) html.paragraph(page.seen.join(QLatin1Char(' ')).toStdString());
     if (page.coloured) html.paragraph(surfaceColoursSentence().toStdString());
     for (std::size_t place = 0; place < page.panes.size(); ++place) {
         const QImage& image = page.panes[place].image;
@@ -68,9 +70,11 @@ std::string comparePageText(const ComparePage& page) {
     addCurves(html, page);
     html.heading("Why the OTFs are as they are");
     for (std::size_t place = 0; place < page.panes.size(); ++place) {
-        std::string text;
-        for (const std::string& sentence : page.panes[place].explanation) text += " " + sentence;
-        if (!text.empty()) html.paragraph(nameAt(page, place) + "." + text);
+        const ComparePage::Pane& pane = page.panes[place];
+        if (!pane.explanation.isEmpty())
+            html.paragraph(nameAt(page, place) + ". " + pane.explanation.join(QLatin1Char(' ')).toStdString());
+        if (!pane.parameters.isEmpty())
+            html.paragraph(fmt::format("Parameters of {}. {}", pane.place + 1, pane.parameters.toStdString()));
     }
     return html.text();
 }

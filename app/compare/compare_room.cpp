@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/compare/compare_page.h"
+#include "app/compare/pane_parameters.h"
 #include "app/compare/paper_figures.h"
 #include "app/files/save_dialog.h"
 #include "app/settings/settings.h"
@@ -65,6 +66,9 @@ CompareRoom::CompareRoom(const Parts& parts, QObject* parent)
         m_parts.messages.showMessage(MessageKind::error, sentence, MessageEnd::withStudy(measuresTopic));
     });
     connect(&m_measures, &CompareMeasures::rowsChanged, this, [this] { m_parts.messages.takeBack(measuresTopic); });
+    connect(&m_parts.grid, &CompareGrid::focused, this, [this](std::size_t place) {
+        if (std::exchange(m_explained, place) != place) emit explainedPaneChanged();
+    });
     connect(&m_figures, &LessonFigures::setUp, this, [this] { setShown(m_hasPanes); });
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
         setWaitingPage({});
@@ -85,6 +89,7 @@ void CompareRoom::connectPanel() {
     connect(&panel, &ComparePanel::comparisonChosen, this, [&model](const Comparison& comparison, const QString& what) {
         model.change(what, [&comparison](Document& next) { next.comparison = comparison; });
     });
+    connect(&panel, &ComparePanel::insetsSwitched, &m_views, &ComparedViews::setInsets);
     connect(&panel, &ComparePanel::flickerRequested, &m_measures, &CompareMeasures::measureFlicker);
     connect(&panel, &ComparePanel::pageRequested, this, &CompareRoom::chooseAndSavePage);
     connect(&m_measures, &CompareMeasures::measuringFlicker, &panel, &ComparePanel::setMeasuringFlicker);
@@ -121,6 +126,7 @@ void CompareRoom::setShown(bool shown) {
         const std::vector<Pane> panes = withPaneCount(model.document(), mostPanes).panes;
         model.lookAtPanes({panes.begin() + 1, panes.end()});
     }
+    m_explained = firstPane;
     m_parts.rooms.setCurrentIndex(shown ? 1 : 0);
     m_views.setShown(shown);
     if (shown)
@@ -130,6 +136,14 @@ void CompareRoom::setShown(bool shown) {
     if (!shown) model.endLookAtPanes();
     emit shownChanged(shown);
 }
+
+std::size_t CompareRoom::explainedPane() const {
+    const Document& document = m_parts.model.document();
+    const bool beside = shown() && document.comparison.layout == ComparisonLayout::sideBySide;
+    return beside && m_explained < document.panes.size() ? m_explained : firstPane;
+}
+
+QImage CompareRoom::image() const { return m_views.settled() ? m_parts.grid.image() : QImage(); }
 
 /// Cancelled measures begin again when the room is shown again.
 void CompareRoom::leave() {
@@ -238,6 +252,7 @@ void CompareRoom::writeWaitingPage() {
                                                                   : m_parts.names.nameOf(m_parts.openStudy.path()),
                      .made = QDateTime::currentDateTime().toString(Qt::ISODate).replace('T', ' '),
                      .version = QApplication::applicationVersion(),
+                     .seen = m_parts.explainView(),
                      .coloured = m_views.coloured(),
                      .panes = {}};
     const std::vector<CompareRow>& rows = m_measures.rows();
@@ -246,7 +261,9 @@ void CompareRoom::writeWaitingPage() {
         if (shown.pane >= document.panes.size() || shown.pane >= rows.size()) continue;
         ComparePage::Pane pane{shown.pane, rows[shown.pane], m_views.imageToSave(i),
                                m_views.paneAt(shown.pane).classification};
-        if (const auto otf = m_parts.otfs.of(shown.pane)) pane.explanation = otf->design.explanation;
+        pane.colour = colourOfPane(document.panes[shown.pane]);
+        pane.parameters = parametersOfPane(document, shown.pane);
+        pane.explanation = m_parts.explainOtf(shown.pane);
         page.panes.push_back(std::move(pane));
     }
     m_writing.begin(

@@ -48,6 +48,8 @@ public:
         Settings& settings;
         StudyNames& names;
         std::function<QString(const QString& what)> proposedName;
+        std::function<QStringList()> explainView;                 ///< as explainView() of the document
+        std::function<QStringList(std::size_t pane)> explainOtf;  ///< as explainOtf() of a pane
     };
     /// What the parameters refer to must outlive this object.
     explicit CompareRoom(const Parts& parts, QObject* parent = nullptr);
@@ -58,6 +60,12 @@ public:
     /// own, by a step, an undo, a snapshot or a session, the comparison is shown; if it loses them, it is left.
     void setShown(bool shown);
     [[nodiscard]] const ComparedViews& views() const { return m_views; }
+    /// On the full screen texts are for a projector, and each pane shows its OTF.
+    void setFullScreen(bool full) { m_views.setFullScreen(full); }
+    /// The pane that had the focus last since the comparison is shown; else the first.
+    [[nodiscard]] std::size_t explainedPane() const;
+    /// The panes as they are shown, for a file. Null while one of them is not final.
+    [[nodiscard]] QImage image() const;
     /// Adds its entries to the room menu, which must exist.
     void createMenu();
     /// Lets Escape end a drag here, or bring a pane back that has the whole room.
@@ -70,6 +78,7 @@ public:
 
 signals:
     void shownChanged(bool shown);
+    void explainedPaneChanged();
     /// The hand has moved the camera.
     void cameraMoved();
 
@@ -94,6 +103,7 @@ private:
     QString m_waitingPage;  ///< path of the page to write; empty if none waits
     Works::UnderWay m_pageWaits;
     LessonFigures m_figures;
+    std::size_t m_explained = firstPane;
     bool m_hasPanes = false;  ///< whether the document has several panes of its own
     // Last, so that its thread has ended before anything above is destroyed.
     FileWriting m_writing;

@@ -4,8 +4,10 @@
 #include <utility>
 #include <variant>
 
+#include "app/compare/pane_parameters.h"
 #include "app/compare/paper_figures.h"
 #include "processing/pane_picture/pane_caster.h"
+#include "processing/plots/series_style.h"
 #include "widgets/casting/picture_image.h"
 #include "widgets/compare/coloured_surfaces.h"
 #include "widgets/compare/difference_image.h"
@@ -18,7 +20,7 @@ namespace {
 constexpr double frameMilliseconds = 40.0;  // the time for a frame while the hand moves
 
 /// A curve has the same colour and dashes everywhere, and so has the adaptive OTF. The OTF of another designer has
-/// none.
+/// none. A piecewise linear curve of the pane's own stands beside that of eq. 1, so it has another colour.
 PaneFace faceOf(std::size_t place, const Document& document) {
     const Pane& choice = document.panes[place];
     PaneFace face{.name = QStringLiteral("%1  %2").arg(place + 1).arg(captionOfPane(document, place))};
@@ -26,6 +28,12 @@ PaneFace faceOf(std::size_t place, const Document& document) {
     if (choice.designer && !adaptive) return face;
     const CurveKind kind = adaptive ? CurveKind::adaptive : choice.curve;
     // Panes are black in both themes.
+    if (const auto colour = colourOfPane(choice); colour && *colour >= allCurveKinds.size()) {
+        const std::string_view name = colourAt(*colour).onDark;
+        face.frame = QColor::fromString(QLatin1StringView(name.data(), static_cast<qsizetype>(name.size())));
+        face.frameStyle = Qt::SolidLine;
+        return face;
+    }
     face.frame = curveColor(kind, Theme::dark);
     face.frameStyle = curvePen(kind, false, Theme::dark).style();
     return face;
@@ -41,6 +49,27 @@ ComparedViews::ComparedViews(const Parts& parts, QObject* parent)
     connect(&m_parts.grid, &CompareGrid::painted, &m_caster, &ProgressiveCaster::drawn);
     connect(&m_caster, &ProgressiveCaster::delivered, this, &ComparedViews::take);
     connect(&m_caster, &ProgressiveCaster::failed, this, &ComparedViews::failed);
+}
+
+void ComparedViews::setInsets(bool shown) {
+    m_insets = shown;
+    showFaces();
+}
+
+void ComparedViews::setFullScreen(bool full) {
+    m_fullScreen = full;
+    m_parts.grid.setLarge(full);
+    showFaces();
+}
+
+/// The names below the panes that are arranged.
+QStringList ComparedViews::names() const {
+    const Document& document = m_parts.model.document();
+    QStringList names;
+    for (std::size_t place = 0; place < document.panes.size(); ++place) names << faceOf(place, document).name;
+    if (document.comparison.layout == ComparisonLayout::sideBySide) return names;
+    return {tr("on the left: %1, on the right: %2")
+                .arg(names[document.comparison.first], names[document.comparison.second])};
 }
 
 void ComparedViews::setShown(bool shown) {
@@ -61,6 +90,7 @@ void ComparedViews::follow() {
     m_waits = false;
     if (!m_shown || !isCompared(document) || !m_parts.openStudy.volume()) return clear();
     m_parts.grid.arrange(comparison.layout, document.panes.size());
+    m_parts.grid.setNames(names());
     const QSize size = m_parts.grid.pictureSize();
     if (size.isEmpty()) return stopCasting();
     m_asked = {};
@@ -257,6 +287,8 @@ void ComparedViews::showFaces() {
         face.numbers = numbersOf(row);
         face.legend = legendAt(place);
         const ShownPane& pane = paneAt(place);
+        constexpr int samplesOfInset = 129;
+        if (m_insets || m_fullScreen) face.otf = sampledOpacities(upperCurveOf(pane.classification), samplesOfInset);
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);
         m_parts.grid.pane(place).setBusy(busy);

@@ -60,6 +60,9 @@ public:
     [[nodiscard]] const std::vector<QImage>& images() const { return m_shownImages; }
     /// The image of one of the frame's panes for a file: with its legend, if it is coloured.
     [[nodiscard]] QImage imageToSave(std::size_t index) const;
+    /// Sets whether each pane shows its OTF. On the full screen each does, and texts are for a projector.
+    void setInsets(bool shown);
+    void setFullScreen(bool full);
     /// Whether a pane of the frame is coloured.
     [[nodiscard]] bool coloured() const;
     /// Adds the milliseconds of a pane's picture if it is converged and not made of kept samples.
@@ -87,6 +90,7 @@ private:
     void take(const std::shared_ptr<const CastPicture>& frame);
     [[nodiscard]] const ColouredRays* coloursAt(std::size_t place) const;
     [[nodiscard]] SurfaceLegend legendAt(std::size_t place) const;
+    [[nodiscard]] QStringList names() const;
     void colourImages();
     void showFrame();
     void showFaces();
@@ -113,6 +117,7 @@ private:
         friend bool operator==(const ShownPair&, const ShownPair&) = default;
     };
     std::optional<ShownPair> m_pair;
+    bool m_insets = false, m_fullScreen = false;
     bool m_waits = false;  ///< whether the panes keep their pictures until an OTF is there
     ProgressiveCaster m_caster;
 };

@@ -112,7 +112,14 @@ Document withFigure(Document document, int number) {
 
 QString captionOfPane(const Document& document, std::size_t place) {
     const bool isFigure1 = document.panes == figure1Panes() && document.curves.adjustment == CurveAdjustment{};
-    return isFigure1 ? figure1Caption(place) : nameOfPane(document.panes.at(place));
+    if (isFigure1) return figure1Caption(place);
+    // If another pane sets its own OTF in the motion, the choice of the motion bar is one of those that are compared.
+    Pane named = document.panes.at(place);
+    const bool compared =
+        std::ranges::any_of(document.panes, [](const Pane& pane) { return pane.motionOtf.has_value(); });
+    if (compared && !named.designer && named.curve == CurveKind::adaptive && !named.motionOtf)
+        named.motionOtf = document.motion.otf;
+    return nameOfPane(named);
 }
 
 QStringList captionsOfPanes(const Document& document) {

@@ -45,7 +45,8 @@ inline constexpr double figure9Degrees = 30.0;
 inline constexpr double figure11Degrees = 20.0;
 
 /// The name of a pane. In figure 1, as long as nothing bends its curves, it is the paper's for the curve: "(a) Linear
-/// OTF", "(b) Manually designed piecewise linear OTF", "(c) Adaptively designed OTF". Else it is nameOfPane().
+/// OTF", "(b) Manually designed piecewise linear OTF", "(c) Adaptively designed OTF". Else it is nameOfPane(), with the
+/// motion's OTF if another pane has one of its own.
 [[nodiscard]] QString captionOfPane(const Document& document, std::size_t place);
 /// captionOfPane() of each pane.
 [[nodiscard]] QStringList captionsOfPanes(const Document& document);

@@ -1,10 +1,14 @@
 #include "app/motion/frame_files.h"
 
 #include <QFileInfo>
+#include <QFontInfo>
+#include <QPainter>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
+#include <new>
 #include <set>
 #include <span>
 
@@ -18,6 +22,7 @@
 #include "io/writers/picture_file.h"
 #include "processing/picture/picture.h"
 #include "widgets/casting/picture_image.h"
+#include "widgets/compare/compare_grid.h"
 #include "widgets/picture_labels/picture_labels.h"
 
 namespace echolucent {
@@ -30,6 +35,40 @@ constexpr double plainHeight = 720.0;  ///< labels grow with pictures above this
 tl::unexpected<Failure> cancelled(const FrameOrder& order) {
     return fail(FailureKind::cancelled, order.choice.path.toStdString(), "", "was cancelled");
 }
+
+/// A document of one pane, which shows what a pane of `document` does.
+Document alone(Document document, std::size_t pane) {
+    Pane shown = document.panes.at(pane);
+    document.motion.otf = shown.motionOtf.value_or(document.motion.otf);
+    shown.motionOtf.reset();
+    document.panes = {std::move(shown)};
+    return document;
+}
+
+/// The frames of one pane or of several. All have the same positions.
+class ShownFrames {
+public:
+    explicit ShownFrames(const FrameOrder& order) {
+        const std::size_t panes = std::max<std::size_t>(1, order.compared.size());
+        for (std::size_t pane = 0; pane < panes; ++pane)
+            m_panes.push_back(std::make_unique<PaneFrames>(
+                order.compared.empty() ? order.document : alone(order.document, pane), firstPane, order.phases));
+    }
+    [[nodiscard]] int count() const { return m_panes.front()->count(); }
+    [[nodiscard]] const MotionPosition& position(int frame) const { return m_panes.front()->position(frame); }
+    [[nodiscard]] PaneFrames& pane(std::size_t place) { return *m_panes.at(place); }
+    [[nodiscard]] std::size_t panes() const { return m_panes.size(); }
+    /// The first frame that looks like this one in every pane.
+    [[nodiscard]] int firstLike(int frame) const {
+        const int first = m_panes.front()->firstLike(frame);
+        const bool all =
+            std::ranges::all_of(m_panes, [&](const auto& each) { return each->firstLike(frame) == first; });
+        return all ? first : frame;
+    }
+
+private:
+    std::vector<std::unique_ptr<PaneFrames>> m_panes;
+};
 
 LabelFacts labelsOf(const FrameOrder& order, const PaneFrames& frames, int frame) {
     const Document shown = frames.documentOf(frame);
@@ -45,9 +84,47 @@ LabelFacts labelsOf(const FrameOrder& order, const PaneFrames& frames, int frame
                                 order.phaseTimes)};
 }
 
+/// A frame of several panes as 8-bit red, green, blue. No value if the work was cancelled.
+std::optional<std::vector<std::uint8_t>> comparedPixelsOf(const FrameOrder& order, ShownFrames& frames, int frame,
+                                                          const Progress& progress) {
+    QImage image(order.choice.size, QImage::Format_RGB888);
+    if (image.isNull()) throw std::bad_alloc();
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    const std::vector<QRect> places = placesOfPanes(frames.panes(), image.size());
+    QStringList names;
+    for (const PaneFace& face : order.compared) names << face.name;
+    QFont letters = order.letters;
+    letters.setPixelSize(
+        std::max(1, qRound(QFontInfo(letters).pixelSize() * std::max(1.0, image.height() / plainHeight))));
+    const CaptionLayout caption =
+        order.choice.labels ? captionLayout(names, places.front().width(), letters) : CaptionLayout{};
+    for (std::size_t pane = 0; pane < frames.panes(); ++pane) {
+        const QRect place = pictureIn(places[pane], caption);
+        if (place.isEmpty()) continue;
+        const Progress ofPane{
+            [&](double share) {
+                progress.at((static_cast<double>(pane) + share) / static_cast<double>(frames.panes()));
+            },
+            progress.cancel};
+        const auto picture = frames.pane(pane).picture(frame, place.width(), place.height(), ofPane);
+        if (!picture) return std::nullopt;
+        painter.drawImage(place, imageOf(picture->picture));
+        // What was measured, and the OTF in the corner, are of another frame.
+        const PaneFace& face = order.compared[pane];
+        if (order.choice.labels)
+            paintFace(painter, places[pane], {.name = face.name, .frame = face.frame, .frameStyle = face.frameStyle},
+                      caption);
+    }
+    painter.end();
+    return rgbBytesOf(image);
+}
+
 /// A frame as 8-bit red, green, blue. No value if the work was cancelled.
-std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, PaneFrames& frames, int frame,
+std::optional<std::vector<std::uint8_t>> pixelsOf(const FrameOrder& order, ShownFrames& all, int frame,
                                                   const Progress& progress) {
+    if (!order.compared.empty()) return comparedPixelsOf(order, all, frame, progress);
+    PaneFrames& frames = all.pane(firstPane);
     const QSize size = order.choice.size;
     const auto picture = frames.picture(frame, size.width(), size.height(), progress);
     if (!picture) return std::nullopt;
@@ -113,13 +190,13 @@ Result<void> removePictures(const std::vector<std::string>& files) {
     return {};
 }
 
-std::vector<int> phasesOf(const PaneFrames& frames) {
+std::vector<int> phasesOf(const ShownFrames& frames) {
     std::vector<int> phases;
     for (int frame = 0; frame < frames.count(); ++frame) phases.push_back(frames.position(frame).phase);
     return phases;
 }
 
-Result<void> writeSeries(const FrameOrder& order, PaneFrames& frames, const Progress& progress) {
+Result<void> writeSeries(const FrameOrder& order, ShownFrames& frames, const Progress& progress) {
     const std::vector<std::string> paths = filesOf(order.output, order.choice, frames.count());
     PictureSeries series;
     for (int frame = 0; frame < frames.count(); ++frame) {
@@ -136,7 +213,7 @@ Result<void> writeSeries(const FrameOrder& order, PaneFrames& frames, const Prog
 }
 
 /// The frame that each picture of the movie shows; of frames that look alike, the first.
-std::vector<int> framesOfMovie(const FrameOrder& order, const PaneFrames& frames) {
+std::vector<int> framesOfMovie(const FrameOrder& order, const ShownFrames& frames) {
     const std::vector<int> held =
         heldFrames(order.document.motion, order.phaseTimes, phasesOf(frames), 1.0 / MovieDialog::largestRate).pictures;
     std::vector<int> shown = framesOfPictures(held, order.choice.length, order.choice.framesPerSecond);
@@ -144,7 +221,7 @@ std::vector<int> framesOfMovie(const FrameOrder& order, const PaneFrames& frames
     return shown;
 }
 
-Result<void> writeMovie(const FrameOrder& order, PaneFrames& frames, const Progress& progress) {
+Result<void> writeMovie(const FrameOrder& order, ShownFrames& frames, const Progress& progress) {
     const QSize size = order.choice.size;
     auto movie =
         MovieFile::begin(order.choice.path.toStdString(), size.width(), size.height(), order.choice.framesPerSecond);
@@ -214,7 +291,7 @@ Result<void> checkFrameFiles(FrameOutput output, const MovieChoice& choice, int 
 }
 
 Result<void> writeFrames(const FrameOrder& order, const Progress& progress) {
-    PaneFrames frames(order.document, firstPane, order.phases);
+    ShownFrames frames(order);
     return order.output == FrameOutput::series ? writeSeries(order, frames, progress)
                                                : writeMovie(order, frames, progress);
 }

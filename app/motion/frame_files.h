@@ -10,6 +10,7 @@
 #include "processing/progress.h"
 #include "processing/result.h"
 #include "processing/sides/side_search.h"
+#include "widgets/compare/pane_face.h"
 #include "widgets/dialogs/movie_dialog.h"
 
 namespace echolucent {
@@ -23,6 +24,10 @@ struct FrameOrder {
     MovieChoice choice{};
     std::shared_ptr<const SidesFinding> sides{};  ///< of the document's beam, for labels; null until they are found
     bool curveIsTold = true;                      ///< as in CaptionFacts
+    /// What stands below the pane of each place, if all panes of the document are in each frame; else empty, and the
+    /// frames are the first pane's.
+    std::vector<PaneFace> compared{};
+    QFont letters{};  ///< of these texts, in pixels of a plain screen
 };
 
 /// The files for a choice and a number of frames: the movie, or NAME-0001.png and those that follow it.
@@ -44,8 +49,9 @@ struct FrameOrder {
 /// frame, a picture of a series may still fail to take its place. If so, the pictures before it that replaced no file
 /// are removed, and those that replaced one stay. If the choice replaces, the pictures of a longer series
 /// (filesOfLongerSeries()) are removed once all of this series are in place. The writing fails if one of them cannot be
-/// removed. Without labels a picture of a series equals that of `render --document`, to the bit. Any thread may call
-/// this. It loads the movie's encoder.
+/// removed. Without labels a picture of a series equals that of `render --document`, to the bit. Frames of several
+/// panes stand side by side as in the window; their labels are what stands below the panes. Any thread may call this.
+/// It loads the movie's encoder.
 [[nodiscard]] Result<void> writeFrames(const FrameOrder& order, const Progress& progress = {});
 
 }  // namespace echolucent

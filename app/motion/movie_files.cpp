@@ -137,7 +137,9 @@ FrameOrder MovieFiles::orderOf(FrameOutput output, const MovieChoice& choice) co
                      .output = output,
                      .choice = choice,
                      .sides = m_parts.sides.finding(),
-                     .curveIsTold = m_parts.settings.face() == Face::teach};
+                     .curveIsTold = m_parts.settings.face() == Face::teach,
+                     .compared = m_parts.compared(),
+                     .letters = m_parts.window.font()};
     for (int phase = 0; phase < quiet.phaseCount(); ++phase) order.phases.quiet.push_back(quiet.of(phase));
     return order;
 }

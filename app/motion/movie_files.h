@@ -38,6 +38,7 @@ public:
         const StudySides& sides;
         std::function<QSize()> viewPixels;                         ///< the size of the 3D view in device pixels
         std::function<QString(const QString& what)> proposedName;  ///< for a file of the study, without an ending
+        std::function<std::vector<PaneFace>()> compared;           ///< FrameOrder::compared
     };
     /// What the parameters refer to must outlive this object, which belongs to the window.
     explicit MovieFiles(Parts parts);

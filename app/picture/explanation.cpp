@@ -45,26 +45,49 @@ QString linearSentence(const CurveSet& curves) {
                            "each unit of intensity up to %3 (L_H), and stays at %4 above.")
                            .arg(hundredths(curve.lower), hundredths(curve.slope), hundredths(curve.upper),
                                 hundredths(opacityAt(curve, curve.upper)));
+    sentence += QLatin1Char(' ') + explanationText("α(x) = a (x − L_L) between the two.");
     if (curves.adjustment != CurveAdjustment{})
         sentence += QLatin1Char(' ') + explanationText("The sliders threshold and transparency move it.");
     return sentence;
 }
 
 QString curveSentence(const PictureFacts& facts) {
-    switch (facts.document.panes.at(firstPane).curve) {
+    const CurveSet curves = curvesOf(facts.document, facts.pane);
+    const auto scaled = [](double scale, const QString& power) {
+        return scale == 1.0 ? power : QStringLiteral("%1 %2").arg(scale).arg(power);
+    };
+    switch (facts.document.panes.at(facts.pane).curve) {
         case CurveKind::adaptive:
             return explanationText(
                 "What is seen and what is clear follows from the adaptive opacity transfer function (OTF), which was "
                 "computed from this volume.");
         case CurveKind::manual:
-            return explanationText("What is seen and what is clear follows from the OTF drawn by hand.");
-        case CurveKind::linear: return linearSentence(curvesOf(facts.document, firstPane));
+            return explanationText(
+                "What is seen and what is clear follows from the OTF drawn by hand. Between two nodes α(x) is linear.");
+        case CurveKind::linear: return linearSentence(curves);
         case CurveKind::parabolic:
-            return explanationText("A parabolic OTF: opacity grows with the square of the intensity.");
+            return explanationText("A parabolic OTF: opacity grows with the square of the intensity, α(x) = %1.")
+                .arg(scaled(curves.parabolic.scale, QStringLiteral("x²")));
         case CurveKind::quartic:
-            return explanationText("A quartic OTF: opacity grows with the fourth power of the intensity.");
+            return explanationText("A quartic OTF: opacity grows with the fourth power of the intensity, α(x) = %1.")
+                .arg(scaled(curves.quartic.scale, QStringLiteral("x⁴")));
     }
     return {};
+}
+
+/// The paper's equations of the curve that tube cores made.
+QString equationsOf(const AdaptiveOtf& otf) {
+    const QString weights = explanationText(
+        "The weight of a tube core is d = d_max w_I w_S (eq. 11). w_I is its rank by the largest mean before the "
+        "surface "
+        "(eqs. 8 and 9), w_S its rank by the slope at it (eq. 10).");
+    if (std::holds_alternative<ProductRule>(otf.config.curve))
+        return explanationText(
+                   "α(x) is the initial function times the product of all f_t(x) (eq. 4). f_t(x) = (1 + d_t)^g_t(x) "
+                   "(eq. 7): g_t is −1 at the intensity I_L before the surface and 1 at I_H on it (eqs. 5 and 6).") +
+               QLatin1Char(' ') + weights;
+    return explanationText("The mean of ramps, each counted by its d_t, stands in the place of the product of eq. 4.") +
+           QLatin1Char(' ') + weights;
 }
 
 /// What the method found, how, and what it made of it.
@@ -76,7 +99,7 @@ QString methodSentences(const AdaptiveOtf& otf) {
     if (otf.lengthsHalved)
         sentences << explanationText(
             "The volume has few voxels, so all lengths along the tube cores are half of what was set.");
-    if (made) sentences << QString::fromStdString(curveSentence(otf));
+    if (made) sentences << QString::fromStdString(curveSentence(otf)) << equationsOf(otf);
     sentences << QString::fromStdString(voxelsSentence(otf));
     sentences.removeAll(QString());
     return sentences.join(QLatin1Char(' '));
@@ -113,26 +136,11 @@ QString lightSentence(const LightDirection& light) {
         .arg(light.elevationDegrees < 0 ? explanationText("below") : explanationText("above"));
 }
 
-/// What each mode shows of the volume. In direct rendering also the effect of curve, light and depth.
-QStringList whatIsSeen(const PictureFacts& facts) {
+/// Of direct rendering: the effect of light, speckle and depth.
+QStringList lookSentences(const PictureFacts& facts) {
     const Look& look = facts.document.scene.look;
-    switch (look.mode) {
-        case RenderMode::direct: break;
-        case RenderMode::maximum:
-            return {explanationText("Each pixel shows the brightest echo behind it; the OTF plays no part.")};
-        case RenderMode::minimum:
-            return {explanationText("Each pixel shows the darkest echo behind it; the OTF plays no part.")};
-        case RenderMode::mean:
-            return {explanationText(
-                "Each pixel shows the mean of all echoes behind it, as an x-ray would; the OTF plays no part.")};
-    }
-    const DesignerConfig* config = designerConfigOf(facts.document, firstPane);
-    QStringList sentences = config != nullptr ? designSentences(facts, *config) : QStringList{curveSentence(facts)};
-    if (config == nullptr && facts.otf != nullptr && facts.document.panes.at(firstPane).curve == CurveKind::adaptive)
-        sentences << methodSentences(*facts.otf) << motionSentence(facts.document.motion, facts.study.phases.size());
-    if (curveIsOfAnotherView(facts.document, facts.otf))
-        sentences << explanationText(
-            "The curve was computed for another view than this one: A computes it for this one.");
+    if (look.mode != RenderMode::direct) return {};
+    QStringList sentences;
     if (look.lighting != Lighting::flat) sentences << lightSentence(look.light);
     if (look.lighting == Lighting::depth && look.reaching.shadow > 0)
         sentences << explanationText(
@@ -145,9 +153,8 @@ QStringList whatIsSeen(const PictureFacts& facts) {
     return sentences;
 }
 
-}  // namespace
-
-QString explainPicture(const PictureFacts& facts) {
+/// From where the scan is seen, and where it begins.
+QStringList viewSentences(const PictureFacts& facts) {
     const Viewpoint shown = viewpointOf(facts.document);
     QStringList sentences;
     if (std::holds_alternative<SimulatedScan>(facts.document.study))
@@ -167,7 +174,12 @@ QString explainPicture(const PictureFacts& facts) {
                          "A front %1 mm deep cuts away what lies before it; the tube cores begin there too.")
                          .arg(front.depthMm, 0, 'f', 1);
     if (cuts(front)) sentences << explanationText("It stays in the body while the view turns.");
-    sentences << whatIsSeen(facts);
+    return sentences;
+}
+
+/// What is known of the voxels, or is not.
+QStringList dataSentences(const PictureFacts& facts) {
+    QStringList sentences;
     if (!facts.volume.dataMask().empty())
         sentences << explanationText("Voxels outside the scanned sector hold no data and are left out.");
     if (!facts.volume.geometry().spacingKnown)
@@ -179,7 +191,49 @@ QString explainPicture(const PictureFacts& facts) {
                    .arg(textOf(factorsText(*reduction)));
     if (facts.study.lossyCompression == LossyCompression::yes)
         sentences << explanationText("The data were compressed with loss, which changes intensities.");
-    sentences << explanationText("Not a medical device.");
+    return sentences;
+}
+
+}  // namespace
+
+/// What each mode shows of the volume; in direct rendering, the curve.
+QStringList explainOtf(const PictureFacts& facts) {
+    const Look& look = facts.document.scene.look;
+    switch (look.mode) {
+        case RenderMode::direct: break;
+        case RenderMode::maximum:
+            return {explanationText("Each pixel shows the brightest echo behind it; the OTF plays no part.")};
+        case RenderMode::minimum:
+            return {explanationText("Each pixel shows the darkest echo behind it; the OTF plays no part.")};
+        case RenderMode::mean:
+            return {explanationText(
+                "Each pixel shows the mean of all echoes behind it, as an x-ray would; the OTF plays no part.")};
+    }
+    const Pane& pane = facts.document.panes.at(facts.pane);
+    const DesignerConfig* config = designerConfigOf(facts.document, facts.pane);
+    QStringList sentences = config != nullptr ? designSentences(facts, *config) : QStringList{curveSentence(facts)};
+    if (config == nullptr && facts.otf != nullptr && pane.curve == CurveKind::adaptive) {
+        MotionChoice motion = facts.document.motion;
+        motion.otf = pane.motionOtf.value_or(motion.otf);
+        sentences << methodSentences(*facts.otf) << motionSentence(motion, facts.study.phases.size());
+    }
+    if (facts.pane == firstPane && curveIsOfAnotherView(facts.document, facts.otf))
+        sentences << explanationText(
+            "The curve was computed for another view than this one: A computes it for this one.");
+    if (pane.phase) sentences << explanationText("This pane shows volume %1.").arg(*pane.phase + 1);
+    sentences << explanationText("Along each ray light and opacity are composited front to back (eqs. 2 and 3).");
+    return sentences;
+}
+
+QStringList explainView(const PictureFacts& facts) {
+    return viewSentences(facts) + lookSentences(facts) + dataSentences(facts);
+}
+
+QString explainPicture(const PictureFacts& facts) {
+    QStringList sentences = viewSentences(facts);
+    if (!facts.name.isEmpty()) sentences.prepend(explanationText("Pane %1").arg(facts.name));
+    sentences << explainOtf(facts) << lookSentences(facts) << dataSentences(facts)
+              << explanationText("Not a medical device.");
     return sentences.join(QStringLiteral("\n\n"));
 }
 

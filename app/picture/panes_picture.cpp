@@ -1,10 +1,13 @@
 #include "app/picture/panes_picture.h"
 
+#include <QFontInfo>
 #include <QPainter>
+#include <algorithm>
 #include <new>
 
 #include "app/picture/labelled_picture.h"
 #include "app/picture/picture_caption.h"
+#include "widgets/casting/picture_image.h"
 
 namespace echolucent {
 
@@ -23,6 +26,27 @@ std::optional<QImage> pictureOf3d(const PanesInPicture& panes, const Progress& p
                            panes.scale * panes.words);
 }
 
+/// Paints the compared panes. False if the work was cancelled.
+bool paintCompared(QPainter& painter, const PanesInPicture& panes, const Progress& progress) {
+    if (panes.compared.empty()) return true;
+    QStringList names;
+    for (const ComparedInPicture& compared : panes.compared) names << compared.face.name;
+    QFont letters = panes.letters;
+    letters.setPixelSize(std::max(1, qRound(QFontInfo(letters).pixelSize() * panes.scale * panes.words)));
+    const CaptionLayout caption = captionLayout(names, panes.compared.front().place.width(), letters);
+    PaneCaster caster(panes.phases);
+    for (const ComparedInPicture& compared : panes.compared) {
+        const QRect place = pictureIn(compared.place, caption);
+        if (place.isEmpty()) continue;
+        const auto picture =
+            caster.picture(panes.document, compared.pane, place.width(), place.height(), {{}, progress.cancel});
+        if (!picture) return false;
+        painter.drawImage(place, imageOf(picture->picture));
+        paintFace(painter, compared.place, compared.face, caption);
+    }
+    return true;
+}
+
 }  // namespace
 
 std::optional<QImage> panesPicture(const PanesInPicture& panes, const Progress& progress) {
@@ -37,6 +61,7 @@ std::optional<QImage> panesPicture(const PanesInPicture& panes, const Progress& 
         painter.drawImage(plane.place, greyImage(samples, plane.greys));
         painter.drawImage(plane.place, plane.drawings);
     }
+    if (!paintCompared(painter, panes, progress)) return std::nullopt;
     if (!panes.of3d) return image;
     const std::optional<QImage> of3d = pictureOf3d(panes, progress);
     if (!of3d) return std::nullopt;

@@ -13,6 +13,7 @@
 #include "io/output/overwriting.h"
 #include "io/study/import_report.h"
 #include "processing/motion/motion_mode.h"
+#include "widgets/compare/compare_grid.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
@@ -53,15 +54,17 @@ PanesSaving::PanesSaving(Parts parts)
 void PanesSaving::choose() {
     const Study* study = m_parts.openStudy.study();
     if (study == nullptr) return;
-    if (!m_parts.panes.isVisible()) return;
+    const bool compares = m_parts.compared.isVisible();
+    if (!m_parts.panes.isVisible() && !compares) return;
     const Document& document = m_parts.model.document();
     const bool isSmoothed = needsComputedOtf(document, firstPane) && designerConfigOf(document, firstPane) == nullptr &&
                             smoothingOf(document.motion.otf).value_or(OtfSmoothing::none) != OtfSmoothing::none;
-    bool planesAreShown = false;
+    bool planesAreShown = compares;
     for (const PlanePane* plane : m_parts.planes) planesAreShown = planesAreShown || plane->isVisible();
-    const double ratio = m_parts.panes.devicePixelRatioF();
+    const QWidget& panes = compares ? static_cast<const QWidget&>(m_parts.compared) : m_parts.panes;
+    const double ratio = panes.devicePixelRatioF();
     PictureDialog dialog({.of3d = m_parts.picture.isVisible() ? m_parts.picture.size() * ratio : QSize(),
-                          .ofPanes = m_parts.panes.size() * ratio,
+                          .ofPanes = panes.size() * ratio,
                           .planesAreShown = planesAreShown,
                           .note = isSmoothed ? tr("The 3D picture gets the curve of its own volume and view. A motion "
                                                   "also smooths curves over time; this picture does not.")
@@ -87,10 +90,24 @@ PanesInPicture PanesSaving::taken(const PictureChoice& choice) const {
                          .curveIsTold = m_parts.settings.face() == Face::teach,
                          .remembered = m_parts.rememberedSide()};
     for (int phase = 0; phase < quiet.phaseCount(); ++phase) panes.phases.quiet.push_back(quiet.of(phase));
-    const QRect whole = choice.allPanes ? m_parts.panes.rect() : QRect({}, m_parts.picture.size());
+    const bool compares = m_parts.compared.isVisible();
+    const QRect whole = compares          ? m_parts.compared.rect()
+                        : choice.allPanes ? m_parts.panes.rect()
+                                          : QRect({}, m_parts.picture.size());
     panes.scale = static_cast<double>(choice.width) / std::max(1, whole.width());
     panes.size = scaled(whole, panes.scale).size();
     panes.words = std::max(1.0, choice.dotsPerInch / plainDotsPerInch / panes.scale);
+    if (compares) {
+        panes.letters = m_parts.compared.font();
+        const std::vector<PaneFace> faces = m_parts.compared.faces();
+        const std::vector<std::size_t> shown = m_parts.compared.shownPanes();
+        const std::vector<QRect> places = placesOfPanes(std::max<std::size_t>(1, shown.size()), panes.size);
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            panes.compared.push_back({places[i], shown[i], faces.at(shown[i])});
+        // The colours of shown depths belong to the pictures of the screen.
+        for (ComparedInPicture& each : panes.compared) each.face.legend.clear();
+        return panes;
+    }
     if (!choice.allPanes) {
         panes.of3d = QRect({}, panes.size);
         return panes;
@@ -118,8 +135,12 @@ void PanesSaving::save(const QString& path, const PictureChoice& choice) {
     if (m_writing.busy()) return say(tr("A picture is being written. Wait for it, or cancel it."));
     if (m_parts.shown.held())
         return say(tr("The picture of this study is not there yet, so nothing was saved. Try it again once it is."));
-    const QSize whole = choice.allPanes ? m_parts.panes.size() : m_parts.picture.size();
-    const bool isShown = choice.allPanes ? m_parts.panes.isVisible() : m_parts.picture.isVisible();
+    const bool compares = m_parts.compared.isVisible();
+    const QWidget& shown = compares          ? static_cast<const QWidget&>(m_parts.compared)
+                           : choice.allPanes ? static_cast<const QWidget&>(m_parts.panes)
+                                             : m_parts.picture;
+    const QSize whole = shown.size();
+    const bool isShown = shown.isVisible();
     if (!isShown || whole.isEmpty() || choice.width < 1)
         return say(tr("No pane is shown that could be saved, so nothing was saved."));
     const double height = static_cast<double>(choice.width) / whole.width() * whole.height();

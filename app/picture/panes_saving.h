@@ -17,6 +17,7 @@
 
 namespace echolucent {
 
+class CompareGrid;
 class MessageBar;
 class PaneGrid;
 class PlanePane;
@@ -24,7 +25,8 @@ class Settings;
 class StudyNames;
 class VolumeViewWidget;
 
-/// Takes the state of the panes when it is asked, and makes and writes the picture in a thread. The file names no
+/// Takes the state of the panes when it is asked, and makes and writes the picture in a thread. While the comparison is
+/// shown, its panes are the panes. The file names no
 /// patient; the window's own controls are not in it. The 3D picture is made with the OTF of its own volume and view: a
 /// smoothing over time, as a motion shows it, is not in it.
 class PanesSaving : public QObject {
@@ -39,6 +41,7 @@ public:
         const PaneGrid& panes;
         std::array<PlanePane*, 3> planes;
         const VolumeViewWidget& picture;
+        const CompareGrid& compared;
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;

@@ -160,7 +160,9 @@ void CurveAndPictureFiles::chooseAndSavePicture() {
 
 void CurveAndPictureFiles::copyPicture() {
     if (!m_parts.openStudy.volume() || !isThere(tr("copied"))) return;
-    QApplication::clipboard()->setImage(pictureToSave());
+    const QImage image = pictureToSave(tr("copied"));
+    if (image.isNull()) return;
+    QApplication::clipboard()->setImage(image);
     const QString note = burnedInText();
     if (note.isEmpty())
         m_parts.messages.showMessage(MessageKind::info, tr("The picture was copied."), MessageEnd::soon(copyTopic));
@@ -185,18 +187,31 @@ QString CurveAndPictureFiles::burnedInText() const {
     return study ? QString::fromStdString(burnedInTextNote(*study)) : QString();
 }
 
-QImage CurveAndPictureFiles::pictureToSave() {
+/// Null, with a message, while a compared pane is not final.
+QImage CurveAndPictureFiles::pictureToSave(const QString& what) {
+    if (const auto compared = m_parts.compared()) {
+        if (compared->isNull())
+            m_parts.messages.showMessage(
+                MessageKind::info,
+                tr("A compared picture is not final yet, so nothing was %1. Try it again once it is.").arg(what),
+                MessageEnd::soon(pictureTopic));
+        return *compared;
+    }
     return pictureToKeep(m_parts.picture, m_parts.openStudy, m_parts.model.document());
 }
 
 bool CurveAndPictureFiles::savePicture(const QString& path) {
     if (!isThere(tr("saved")) || !report(mayOverwrite(path), pictureTopic)) return false;
-    const QImage image = pictureToSave();
+    const QImage image = pictureToSave(tr("saved"));
+    const bool compared = m_parts.compared().has_value();
+    if (compared && image.isNull()) return false;
     if (!report(writePng(path.toStdString(), image.width(), image.height(), rgbBytesOf(image)), pictureTopic))
         return false;
-    m_parts.messages.showMessage(MessageKind::info,
-                                 tr("The 3D picture was saved as %1.").arg(m_parts.names.nameOfOther(path)),
-                                 MessageEnd::soon(pictureTopic));
+    m_parts.messages.showMessage(
+        MessageKind::info,
+        (compared ? tr("The compared pictures were saved as %1.") : tr("The 3D picture was saved as %1."))
+            .arg(m_parts.names.nameOfOther(path)),
+        MessageEnd::soon(pictureTopic));
     return true;
 }
 

@@ -3,6 +3,8 @@
 
 #include <QImage>
 #include <QObject>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "app/settings/settings.h"
@@ -36,6 +38,9 @@ public:
         MessageBar& messages;
         StudyNames& names;
         const DocumentView& shown;  ///< what the picture shows
+        /// The compared panes as they are shown; null while one of them is not final. No value if the comparison is not
+        /// shown.
+        std::function<std::optional<QImage>()> compared;
     };
     /// The parts outlive this object, which belongs to the window.
     explicit CurveAndPictureFiles(const Parts& parts);
@@ -48,9 +53,10 @@ public:
     /// Saves the rendered curve as nodes. A message says which curve it is and how many nodes it has. False, with a
     /// message, if it cannot be written or the path is a file of the study.
     bool saveCurve(const QString& path);
-    /// Saves the picture of the 3D view with the measurements of its phase. No name of a patient or a file is stored
-    /// beside it. A message confirms it. False, with a message, if it cannot be written, the path is a file of the
-    /// study, or the 3D view still shows the study before.
+    /// Saves the picture of the 3D view with the measurements of its phase; while the comparison is shown, all its
+    /// panes with what stands below them. No name of a patient or a file is stored beside it. A message confirms it.
+    /// False, with a message, if it cannot be written, the path is a file of the study, the 3D view still shows the
+    /// study before, or a compared pane is not final.
     bool savePicture(const QString& path);
     void chooseAndSavePicture();
     /// Copies the picture of savePicture() to the clipboard. A message confirms it, and warns if the picture may show
@@ -63,7 +69,7 @@ public:
 
 private:
     /// The converged picture of the 3D view, with the measurements of its phase.
-    [[nodiscard]] QImage pictureToSave();
+    [[nodiscard]] QImage pictureToSave(const QString& what);
     /// A note to read before a picture of the study leaves the window; empty for none.
     [[nodiscard]] QString burnedInText() const;
     void chooseAndOpenCurve();

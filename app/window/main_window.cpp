@@ -18,6 +18,7 @@
 #include "app/otf/editor_otfs.h"
 #include "app/otf/near_cut_finder.h"
 #include "app/picture/coming_study.h"
+#include "app/picture/explanation.h"
 #include "app/picture/loading_picture.h"
 #include "app/picture/panes_saving.h"
 #include "app/picture/picture_controls.h"
@@ -147,25 +148,33 @@ void MainWindow::createUnits() {
         StudyOpening::Parts{*this, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names, *m_recentPictures});
     m_files = std::make_unique<CurveAndPictureFiles>(
         CurveAndPictureFiles::Parts{*this, m_document, m_openStudy, *m_widgets.editor, *m_widgets.picture, m_settings,
-                                    *m_widgets.messages, m_names, *m_view});
+                                    *m_widgets.messages, m_names, *m_view, [this]() -> std::optional<QImage> {
+                                        if (!m_compare->shown()) return std::nullopt;
+                                        return m_compare->image();
+                                    }});
     m_movies = std::make_unique<MovieFiles>(MovieFiles::Parts{
         *this, m_document, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names, *m_sides,
         [this] { return QSize(m_widgets.picture->settings().width, m_widgets.picture->settings().height); },
-        [this](const QString& what) { return m_files->proposedName(what); }});
+        [this](const QString& what) { return m_files->proposedName(what); },
+        [this] { return m_compare->shown() ? m_widgets.compared->faces() : std::vector<PaneFace>{}; }});
     m_room = std::make_unique<ReviewRoom>(ReviewRoom::Parts{
         m_document, m_openStudy, m_works, m_motionPlayer, *m_widgets.panes, m_widgets.planes, *m_widgets.picture,
         *m_widgets.room, *m_widgets.measurements, *m_widgets.messages, m_settings});
     m_compare = std::make_unique<CompareRoom>(
         CompareRoom::Parts{*this, m_document, m_openStudy, m_works, m_motionPlayer, *m_widgets.rooms, *m_otfs, *m_panes,
-                           m_surfaces, *m_widgets.compared, *m_widgets.compare, *m_widgets.editor, *m_widgets.messages, m_settings,
-                           m_names, [this](const QString& what) { return m_files->proposedName(what); }});
+                           m_surfaces, *m_widgets.compared, *m_widgets.compare, *m_widgets.editor, *m_widgets.messages,
+                           m_settings, m_names, [this](const QString& what) { return m_files->proposedName(what); },
+                           [this] { return explained(firstPane, {}, &explainView); },
+                           [this](std::size_t pane) { return explained(pane, {}, &explainOtf); }});
+    connect(m_fullScreen, &FullScreen::changed, m_compare.get(),
+            [this] { m_compare->setFullScreen(m_fullScreen->active()); });
     m_report = std::make_unique<ReportSaving>(ReportSaving::Parts{
         *this, m_document, m_openStudy, m_works, *m_otfs, m_motionPlayer, m_widgets.planes, *m_widgets.picture,
         *m_widgets.editor, m_settings, *m_widgets.messages, m_names,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
     m_panesSaving = std::make_unique<PanesSaving>(PanesSaving::Parts{
-        *this, m_document, m_openStudy, m_works, *m_widgets.panes, m_widgets.planes, *m_widgets.picture, m_settings,
-        *m_widgets.messages, m_names, *m_sides, *m_view,
+        *this, m_document, m_openStudy, m_works, *m_widgets.panes, m_widgets.planes, *m_widgets.picture,
+        *m_widgets.compared, m_settings, *m_widgets.messages, m_names, *m_sides, *m_view,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return rememberedSide(); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{*this, m_document, m_openStudy, m_works,
                                                                         *m_shownStudy, m_settings, *m_widgets.editor,
@@ -290,11 +299,12 @@ void MainWindow::createActions() {
     connect(&m_openStudy, &OpenStudy::studyOpened, this, countSeries);
     countSeries();
     const auto offerPanes = [this] {
-        enableOrSayWhy(*findChild<QAction*>("file.savePanes"),
-                       m_widgets.rooms->currentWidget()->isAncestorOf(m_widgets.panes),
-                       tr("The comparison is shown. F5 goes back to the panes."));
+        const bool pair = m_compare->shown() && m_document.document().comparison.layout != ComparisonLayout::sideBySide;
+        enableOrSayWhy(*findChild<QAction*>("file.savePanes"), !pair,
+                       tr("A difference or a wipe is saved as it is shown: P saves it."));
     };
-    connect(m_widgets.rooms, &QStackedWidget::currentChanged, this, offerPanes);
+    connect(m_compare.get(), &CompareRoom::shownChanged, this, offerPanes);
+    connect(&m_document, &DocumentModel::changed, this, offerPanes);
     offerPanes();
     connect(&m_sessions->leftUnsaved(), &LeftUnsaved::listChanged, this, &MainWindow::countLeftUnsaved);
     countLeftUnsaved();

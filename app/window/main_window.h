@@ -23,6 +23,7 @@
 
 namespace echolucent {
 
+struct PictureFacts;
 class ComingStudy;
 class CompareRoom;
 class CurveAndPictureFiles;
@@ -96,6 +97,8 @@ public:
 
     /// A few sentences: what the picture shows and why it looks so.
     [[nodiscard]] QString explanation() const;
+    /// The same of the pane that is explained: in the comparison the one that had the focus last.
+    [[nodiscard]] QString explanationOfPane() const;
 
     /// None: the menu View holds the panels of the present face.
     QMenu* createPopupMenu() override { return nullptr; }
@@ -129,6 +132,9 @@ private:
     void restoreSettings();
     void keepSettings();
     [[nodiscard]] ShownSpeckle shownSpeckle() const;
+    /// What `explain` makes of the facts of a pane; nothing without a study. `name` is as in PictureFacts.
+    [[nodiscard]] QStringList explained(std::size_t pane, const QString& name,
+                                        const std::function<QStringList(const PictureFacts&)>& explain) const;
     /// The place of the side that opening took because a person took it last of such a scan.
     [[nodiscard]] std::optional<std::size_t> rememberedSide() const;
     /// Whether the first pane's OTF is of the kind of designer that the document asks for.

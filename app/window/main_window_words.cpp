@@ -1,4 +1,6 @@
 // What the window says of the picture: the caption in it, and the panel that explains it.
+#include "app/compare/compare_room.h"
+#include "app/compare/paper_figures.h"
 #include "app/otf/editor_otfs.h"
 #include "app/picture/explanation.h"
 #include "app/picture/picture_caption.h"
@@ -13,7 +15,8 @@ namespace echolucent {
 /// The panels that explain: what every picture shows and why, and what two intensities of the study say of curves.
 void MainWindow::connectExplanation() {
     ExplainPanel* panel = m_widgets.explain;
-    panel->setSource([this] { return explanation(); });
+    panel->setSource([this] { return explanationOfPane(); });
+    connect(m_compare.get(), &CompareRoom::explainedPaneChanged, panel, &ExplainPanel::follow);
     connect(m_panes.get(), &ShownPanes::changed, panel, &ExplainPanel::follow);
     TheoryPanel* theory = m_widgets.theory;
     theory->setStudy([this] { return studyIntensities(m_otfs->adaptive().get(), m_document.document().curves); });
@@ -60,17 +63,35 @@ ShownSpeckle MainWindow::shownSpeckle() const {
     return m_openStudy.quietPhases().busy() ? ShownSpeckle::beingReduced : ShownSpeckle::asRead;
 }
 
+QStringList MainWindow::explained(std::size_t pane, const QString& name,
+                                  const std::function<QStringList(const PictureFacts&)>& explain) const {
+    if (!m_openStudy.volume()) return {};
+    const auto designed = m_otfs->designOf(pane);
+    const auto made = pane == firstPane ? nullptr : m_otfs->of(pane);
+    const auto otf = pane == firstPane ? m_otfs->adaptive() : made ? made->design.tubeCores : nullptr;
+    return explain({.study = *m_openStudy.study(),
+                    .volume = *m_openStudy.volume(),
+                    .otf = otf.get(),
+                    .document = m_document.document(),
+                    .speckle = shownSpeckle(),
+                    .design = designed.get(),
+                    .designIsNewest = m_otfs->isNewest(pane),
+                    .pane = pane,
+                    .name = name});
+}
+
 QString MainWindow::explanation() const {
     if (!m_openStudy.volume()) return tr("Nothing is open yet. Open a volume with File > Open volume.");
-    const auto designed = m_otfs->designOf(firstPane);
-    const auto otf = m_otfs->adaptive();
-    return explainPicture({.study = *m_openStudy.study(),
-                           .volume = *m_openStudy.volume(),
-                           .otf = otf.get(),
-                           .document = m_document.document(),
-                           .speckle = shownSpeckle(),
-                           .design = designed.get(),
-                           .designIsNewest = m_otfs->isNewest(firstPane)});
+    return explained(firstPane, {}, [](const PictureFacts& facts) { return QStringList{explainPicture(facts)}; })
+        .join(QString());
+}
+
+QString MainWindow::explanationOfPane() const {
+    if (!m_openStudy.volume() || !m_compare->shown()) return explanation();
+    const std::size_t pane = m_compare->explainedPane();
+    const QString name = QStringLiteral("%1: %2.").arg(pane + 1).arg(captionOfPane(m_document.document(), pane));
+    return explained(pane, name, [](const PictureFacts& facts) { return QStringList{explainPicture(facts)}; })
+        .join(QString());
 }
 
 }  // namespace echolucent

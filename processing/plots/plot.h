@@ -1,6 +1,7 @@
 // A plot as values: pages draw it as SVG, the window on a canvas.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct PlotSeries {
     std::vector<std::string> labels{};  ///< names beside the markers; empty for none
     std::vector<std::string> names{};   ///< a marker's words under the pointer; empty: its label
     PlotWeight weight = PlotWeight::ordinary;
+    /// Index of its colour among seriesColours (series_style.h), whatever the others have; none: as coloursOf() says.
+    std::optional<std::size_t> colour{};
     friend bool operator==(const PlotSeries&, const PlotSeries&) = default;
 };
 

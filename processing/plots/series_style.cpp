@@ -6,7 +6,13 @@ std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series) {
     std::array<bool, seriesColours.size()> used{};
     std::vector<std::size_t> colours(series.size(), seriesColours.size());
     for (std::size_t i = 0; i < series.size(); ++i)
-        for (std::size_t c = 0; c < seriesColours.size() && series[i].weight != PlotWeight::faint; ++c) {
+        if (const auto& own = series[i].colour) {
+            colours[i] = *own % seriesColours.size();
+            used[colours[i]] = true;
+        }
+    for (std::size_t i = 0; i < series.size(); ++i)
+        for (std::size_t c = 0; c < seriesColours.size() && !series[i].colour && series[i].weight != PlotWeight::faint;
+             ++c) {
             const std::string_view curve = seriesColours[c].curve;
             if (curve.empty() || used[c] || !series[i].name.starts_with(curve)) continue;
             used[c] = true;

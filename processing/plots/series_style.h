@@ -34,7 +34,8 @@ inline constexpr SeriesColour faintColour{"", "#9aa1a9", "#626c77", ""};
 }
 
 /// For each series the index of its colour; seriesColours.size() for a faint one. If the series' name begins with a
-/// curve's name, it is the curve's own colour, else the next free one. Beyond the eighth series the colours repeat.
+/// curve's name, it is the curve's own colour, else the next free one. A series that has a
+/// colour (PlotSeries::colour) keeps it. Beyond the eighth series the colours repeat.
 [[nodiscard]] std::vector<std::size_t> coloursOf(const std::vector<PlotSeries>& series);
 
 }  // namespace echolucent

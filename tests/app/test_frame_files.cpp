@@ -13,11 +13,13 @@
 
 #include "app/motion/frame_files.h"
 #include "io/study/study.h"
+#include "processing/document/panes.h"
 #include "processing/pane_picture/pane_picture.h"
 #include "processing/sides/side_search.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
 #include "widgets/casting/picture_image.h"
+#include "widgets/compare/compare_grid.h"
 
 using namespace echolucent;
 
@@ -53,6 +55,35 @@ private slots:
         const QRect captionRows(0, 0, 240, 40), rest(0, 60, 240, 100);
         QVERIFY(named.copy(captionRows) != unnamed.copy(captionRows));
         QVERIFY(named.copy(rest) == unnamed.copy(rest));
+    }
+
+    void framesOfAComparisonHoldAllPanes() {
+        const auto scan = smallPhantom(PhantomScene::shapes, 5);
+        FrameOrder order;
+        order.document.motion.scenario = MotionScenario::object;
+        order.document.scene.look = Look{};
+        order.document = withPanes(order.document, {{}, {.curve = CurveKind::parabolic}});
+        order.phases.scans = {scan, smallPhantom(PhantomScene::shapes, 5, 0.5)};
+        order.output = FrameOutput::series;
+        order.compared = {{.name = "1  Adaptive"}, {.name = "2  x²"}};
+        for (const bool labels : {false, true}) {
+            order.choice = {.path = m_out.filePath("panes.png"), .size = {243, 180}, .labels = labels, .replace = true};
+            QVERIFY(writeFrames(order));
+            const QStringList names{"1  Adaptive", "2  x²"};
+            const auto caption = labels ? captionLayout(names, 120, order.letters) : CaptionLayout{};
+            for (int phase = 0; phase < 2; ++phase) {
+                const QImage frame(
+                    QString::fromStdString(filesOf(order.output, order.choice, 2)[static_cast<std::size_t>(phase)]));
+                QCOMPARE(frame.size(), order.choice.size);
+                Document shown = order.document;
+                shown.scene.phase = phase;
+                for (std::size_t pane = 0; pane < 2; ++pane) {
+                    const QRect place = pictureIn(placesOfPanes(2, frame.size())[pane], caption);
+                    const auto alone = panePicture(shown, pane, order.phases.scans, place.width(), place.height());
+                    QCOMPARE(rgbBytesOf(frame.copy(place)), overBackground(alone->picture, {0, 0, 0}));
+                }
+            }
+        }
     }
 
     /// The loop of the fetal heart, each phase with its own OTF, quiet and lit. With the variable MOVIE_EDGE the

@@ -1,8 +1,10 @@
 // The widgets of the comparison by themselves: difference, panes, grid, table.
 #include <QAbstractItemView>
+#include <QFontInfo>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -20,6 +22,7 @@
 #include "widgets/compare/compare_panel.h"
 #include "widgets/compare/compare_rows.h"
 #include "widgets/compare/difference_image.h"
+#include "widgets/compare/pane_face.h"
 #include "widgets/compare/surface_legend.h"
 #include "widgets/controls/narrow_combo.h"
 #include "widgets/surface_colours.h"
@@ -71,6 +74,22 @@ double apartWithout(const std::array<Primaries, 3>& cone, const QColor& one, con
     };
     const Primaries a = seen(one), b = seen(other);
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// The numbers of a pane that take the most room.
+QString longest() {
+    CompareRow row;
+    row.depth = ShownDepth{100, 100, 100, 100};
+    return numbersOf(row).replace("25", "100");
+}
+
+/// The smallest rectangle around everything that is not black.
+QRect inkOf(const QImage& image) {
+    QRect ink;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (qGray(image.pixel(x, y)) > 8) ink |= QRect(x, y, 1, 1);
+    return ink;
 }
 
 /// Whether the pattern of a shown depth has a line at a pixel.
@@ -190,6 +209,75 @@ private slots:
         grid.arrange(ComparisonLayout::wipe, static_cast<std::size_t>(panes));
         QVERIFY(grid.pair().isVisible() && !grid.pane(0).isVisible());
         QCOMPARE(grid.pair().size(), grid.size());
+    }
+
+    void textsBelowPanesAreWholeAtEverySize_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<int>("panes");
+        for (const QSize size : {QSize(1024, 768), QSize(1280, 720), QSize(1920, 1080)})
+            for (int panes = 2; panes <= 4; ++panes)
+                QTest::addRow("%d x %d, %d panes", size.width(), size.height(), panes) << size << panes;
+    }
+    void textsBelowPanesAreWholeAtEverySize() {
+        QFETCH(QSize, size);
+        QFETCH(int, panes);
+        CompareGrid grid;
+        grid.resize(size);
+        grid.arrange(ComparisonLayout::sideBySide, static_cast<std::size_t>(panes));
+        const QString name("2  (b) Manually designed piecewise linear OTF");
+        grid.setNames({"1  (a) Linear OTF", name});
+        const int plain = grid.pane(0).pictureRect().height();
+        grid.setLarge(true);
+        const CaptionLayout& caption = grid.caption();
+        QVERIFY(QFontInfo(caption.font).pixelSize() >= size.height() / 40);
+        const QRect pane = grid.pane(0).rect();
+        const QRect picture = grid.pane(0).pictureRect();
+        QVERIFY(picture.height() <= plain && 2 * picture.height() > pane.height());
+        // The texts, each on its own, within the pane and below the picture: what is painted outside would be cut.
+        for (const PaneFace& face : {PaneFace{.name = name}, PaneFace{.name = "x", .numbers = longest()},
+                                     PaneFace{.name = name, .legend = surfaceLegend(ShownDepth{1, 1, 1, 1})}}) {
+            const QSize room = pane.size() + QSize(400, 400);  // more than the pane
+            QImage image(room, QImage::Format_RGB32);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            painter.translate(200, 200);
+            paintFace(painter, pane, face, caption);
+            painter.end();
+            const QRect inked = inkOf(image).translated(-200, -200);
+            QVERIFY(inked.height() > QFontInfo(caption.font).pixelSize() / 2);
+            QVERIFY2(pane.contains(inked) && inked.top() > picture.bottom(),
+                     qPrintable(QStringLiteral("%1 %2").arg(inked.left()).arg(inked.right())));
+        }
+    }
+
+    void aPaneShowsItsOtfInACorner() {
+        const QRect pane(0, 0, 400, 440);
+        const CaptionLayout caption = captionLayout({"x²"}, pane.width(), QFont());
+        const QColor colour("#b48ead");
+        PaneFace face{.name = "x²", .frame = colour};
+        const auto painted = [&] {
+            QImage image(pane.size(), QImage::Format_RGB32);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            paintFace(painter, pane, face, caption);
+            painter.end();
+            return image.copy(pictureIn(pane, caption).adjusted(4, 4, -4, -4));
+        };
+        QVERIFY(inkOf(painted()).isEmpty());
+        face.otf = {0.0, 0.0, 1.0};  // clear up to half the intensity, then a rise to the full
+        const QImage with = painted();
+        const QRect box = inkOf(with);
+        QVERIFY(box.right() < with.width() / 2 && box.top() > with.height() / 2);
+        const auto isColour = [&](int x, int y) { return QColor(with.pixel(x, y)).hsvSaturation() > 30; };
+        const auto rows = [&](int from, int to) {
+            int most = 0;
+            for (int x = from; x < to; ++x)
+                for (int y = box.top() + 2; y < box.bottom() - 2; ++y)
+                    if (isColour(x, y)) most = std::max(most, box.bottom() - y);
+            return most;
+        };
+        QVERIFY(rows(box.left() + 2, box.center().x()) < box.height() / 4);
+        QVERIFY(rows(box.center().x(), box.right() - 1) > 3 * box.height() / 4);
     }
 
     void theWipeShowsOnePictureLeftAndTheOtherRight() {

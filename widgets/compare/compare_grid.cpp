@@ -1,5 +1,7 @@
 #include "widgets/compare/compare_grid.h"
 
+#include <QFontInfo>
+#include <QPainter>
 #include <algorithm>
 
 namespace echolucent {
@@ -24,12 +26,23 @@ int columnsOf(int panes, const QSize& room) {
 
 }  // namespace
 
+std::vector<QRect> placesOfPanes(std::size_t panes, const QSize& room) {
+    const auto count = static_cast<int>(panes);
+    const int columns = columnsOf(count, room), rows = (count + columns - 1) / columns;
+    const int wide = (room.width() - (columns - 1) * gap) / columns, high = (room.height() - (rows - 1) * gap) / rows;
+    std::vector<QRect> places;
+    for (int i = 0; i < count; ++i)
+        places.emplace_back(i % columns * (wide + gap), i / columns * (high + gap), wide, high);
+    return places;
+}
+
 CompareGrid::CompareGrid(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("compare.panes"));
     setAccessibleName(tr("Panes compared"));
     for (std::size_t i = 0; i < m_panes.size(); ++i) {
         m_panes[i] = new ComparePane(QStringLiteral("compare.pane%1").arg(i + 1), this);
         connectPane(m_panes[i]);
+        connect(m_panes[i], &ComparePane::focused, this, [this, i] { emit focused(i); });
         connect(m_panes[i], &ComparePane::maximiseRequested, this, [this, i] {
             if (endMaximised()) return;
             m_maximised = i;
@@ -78,6 +91,48 @@ std::vector<ComparePane*> CompareGrid::shown() const {
     return panes;
 }
 
+void CompareGrid::setNames(const QStringList& names) {
+    if (std::exchange(m_names, names) != names) layOutTexts();
+}
+
+void CompareGrid::setLarge(bool large) {
+    if (std::exchange(m_large, large) == large) return;
+    layOutTexts();
+    emit arranged();
+}
+
+void CompareGrid::layOutTexts() {
+    // From the last row, letters are read whose height is a 36th of the picture's on the wall.
+    constexpr int rowsOfLetters = 36;
+    QFont letters = font();
+    if (m_large) letters.setPixelSize(std::max(QFontInfo(letters).pixelSize(), height() / rowsOfLetters));
+    m_caption = captionLayout(m_names, shown().front()->width(), letters);
+    for (ComparePane* pane : m_panes) pane->setCaption(m_caption);
+    m_pair->setCaption(m_caption);
+}
+
+std::vector<PaneFace> CompareGrid::faces() const {
+    std::vector<PaneFace> faces;
+    for (std::size_t place = 0; place < m_count; ++place) faces.push_back(m_panes[place]->face());
+    return faces;
+}
+
+QImage CompareGrid::image() const {
+    if (!isVisible()) return {};
+    QImage image((QSizeF(size()) * devicePixelRatioF()).toSize(), QImage::Format_RGB888);
+    if (image.isNull()) return image;
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    painter.scale(devicePixelRatioF(), devicePixelRatioF());
+    for (const ComparePane* pane : shown()) {
+        painter.save();
+        painter.translate(pane->pos());
+        pane->paintTo(painter);
+        painter.restore();
+    }
+    return image;
+}
+
 QSize CompareGrid::pictureSize() const { return isVisible() ? shown().front()->pictureSize() : QSize(); }
 
 bool CompareGrid::dragging() const {
@@ -122,14 +177,12 @@ void CompareGrid::place() {
     for (ComparePane* pane : m_panes)
         if (std::ranges::find(panes, pane) == panes.end()) pane->hide();
     if (panes.front() != m_pair) m_pair->hide();
-    const auto count = static_cast<int>(panes.size());
-    const int columns = columnsOf(count, size()), rows = (count + columns - 1) / columns;
-    const int wide = (width() - (columns - 1) * gap) / columns, high = (height() - (rows - 1) * gap) / rows;
-    for (int i = 0; i < count; ++i) {
-        ComparePane* pane = panes[static_cast<std::size_t>(i)];
-        pane->setGeometry(i % columns * (wide + gap), i / columns * (high + gap), wide, high);
-        pane->show();
+    const std::vector<QRect> places = placesOfPanes(panes.size(), size());
+    for (std::size_t i = 0; i < panes.size(); ++i) {
+        panes[i]->setGeometry(places[i]);
+        panes[i]->show();
     }
+    layOutTexts();
 }
 
 }  // namespace echolucent

@@ -1,6 +1,8 @@
 // The panes of a comparison: side by side, or one pane for a pair.
 #pragma once
 
+#include <QImage>
+#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <optional>
@@ -10,6 +12,9 @@
 #include "widgets/compare/compare_pane.h"
 
 namespace echolucent {
+
+/// The places of `panes` panes (>= 1) of one size in a room, as large as they can be, row by row.
+[[nodiscard]] std::vector<QRect> placesOfPanes(std::size_t panes, const QSize& room);
 
 /// Places two to four panes of one size, as large as they can be. One of them may fill the whole room for a while. In a
 /// difference or a wipe the pair's pane fills the room. Objects: compare.panes (this), compare.pane1 … .pane4,
@@ -23,6 +28,16 @@ public:
     /// Arranges `panes` panes (fewestPanes to mostPanes, else clamped). Ends a maximised pane if the arrangement
     /// changes.
     void arrange(ComparisonLayout layout, std::size_t panes);
+    /// Lays out the texts below the panes for these names of the panes that are arranged: all of one height. The
+    /// pictures may be smaller or larger afterwards.
+    void setNames(const QStringList& names);
+    /// Sets whether texts and OTFs are for a projector: letters grow with the grid.
+    void setLarge(bool large);
+    /// The grid as it is shown, in device pixels; null if nothing is shown.
+    [[nodiscard]] QImage image() const;
+    /// The faces of the panes that are shown side by side, all of them even if one has the whole room.
+    [[nodiscard]] std::vector<PaneFace> faces() const;
+    [[nodiscard]] const CaptionLayout& caption() const { return m_caption; }
     [[nodiscard]] ComparePane& pane(std::size_t place) { return *m_panes.at(place); }
     [[nodiscard]] ComparePane& pair() { return *m_pair; }
     /// The size of all shown pictures, in device pixels; empty if none is shown.
@@ -43,6 +58,8 @@ public:
 signals:
     /// Other panes are shown, their size has changed, or the whole grid was shown or hidden.
     void arranged();
+    /// The keyboard's focus came to the pane of this place.
+    void focused(std::size_t place);
     // The signals of the panes.
     void dragEnded();
     void dragCancelled();
@@ -63,12 +80,16 @@ private:
     [[nodiscard]] std::vector<ComparePane*> shown() const;
     void connectPane(ComparePane* pane);
     void place();
+    void layOutTexts();
 
     std::array<ComparePane*, mostPanes> m_panes{};
     ComparePane* m_pair = nullptr;
     ComparisonLayout m_layout = ComparisonLayout::sideBySide;
     std::size_t m_count = fewestPanes;
     std::optional<std::size_t> m_maximised;
+    QStringList m_names;
+    bool m_large = false;
+    CaptionLayout m_caption;
 };
 
 }  // namespace echolucent

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double wipeOfKey = 0.02;
 constexpr double lineReach = 8.0;  // logical pixels to either side of the line of a wipe
-constexpr int margin = 2, padding = 5;
+constexpr int aroundSign = 5;      // logical pixels
 
 }  // namespace
 
@@ -25,6 +25,8 @@ ComparePane::ComparePane(const QString& name, QWidget* parent) : QWidget(parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
+    constexpr int wide = 1000;
+    m_caption = captionLayout({}, wide, font());
 }
 
 void ComparePane::setFace(const PaneFace& face) {
@@ -32,6 +34,12 @@ void ComparePane::setFace(const PaneFace& face) {
     m_face = face;
     setAccessibleName(tr("Picture compared: %1").arg(face.name));
     setAccessibleDescription(face.numbers);
+    update();
+}
+
+void ComparePane::setCaption(const CaptionLayout& caption) {
+    if (caption == m_caption) return;
+    m_caption = caption;
     update();
 }
 
@@ -55,10 +63,7 @@ void ComparePane::setDimmed(bool dimmed) {
     if (std::exchange(m_dimmed, dimmed) != dimmed) update();
 }
 
-QRect ComparePane::pictureRect() const {
-    const int caption = 2 * fontMetrics().height() + 2 * padding;
-    return rect().adjusted(margin, margin, -margin, -margin - caption);
-}
+QRect ComparePane::pictureRect() const { return pictureIn(rect(), m_caption); }
 
 QSize ComparePane::pictureSize() const {
     const QSizeF size = QSizeF(pictureRect().size()) * devicePixelRatioF();
@@ -78,21 +83,26 @@ void ComparePane::hideEvent(QHideEvent* event) {
     cancelDrag();
 }
 
+void ComparePane::focusInEvent(QFocusEvent* event) {
+    QWidget::focusInEvent(event);
+    emit focused();
+}
+
+void ComparePane::paintTo(QPainter& painter) const {
+    painter.fillRect(rect(), Qt::black);
+    paintPicture(painter);
+    paintFace(painter, rect(), m_face, m_caption);
+}
+
 void ComparePane::paintEvent(QPaintEvent*) {
     QElapsedTimer clock;
     clock.start();
     {
         QPainter painter(this);
-        painter.fillRect(rect(), Qt::black);
-        paintPicture(painter);
-        paintCaption(painter);
+        paintTo(painter);
+        if (m_busy) paintBusy(painter);
         const ThemeColours& colours = coloursOverPictures();
         painter.setBrush(Qt::NoBrush);
-        if (m_face.frame || m_face.coloured) {
-            painter.setPen(m_face.coloured ? QPen(colours.line, margin)
-                                           : QPen(*m_face.frame, margin, m_face.frameStyle));
-            painter.drawRect(rect().adjusted(1, 1, -1, -1));
-        }
         if (hasFocus()) {
             painter.setPen(QPen(m_face.coloured ? colours.text : colours.accent, 1, Qt::DotLine));
             painter.drawRect(rect().adjusted(3, 3, -4, -4));
@@ -121,24 +131,19 @@ void ComparePane::paintPicture(QPainter& painter) const {
     painter.restore();
 }
 
-void ComparePane::paintCaption(QPainter& painter) const {
-    const int high = fontMetrics().height();
-    const QRect picture = pictureRect();
-    QRect line(padding + margin, picture.bottom() + 1 + padding, width() - 2 * (padding + margin), high);
-    if (m_busy) {
-        const QString sign = tr("computing");
-        painter.setPen(coloursOverPictures().accent);
-        painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, sign);
-        line.setRight(line.right() - fontMetrics().horizontalAdvance(sign) - padding);
-    }
-    painter.setPen(coloursOverPictures().text);
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(m_face.name, Qt::ElideRight, line.width()));
-    const QRect below(padding + margin, line.y() + high, width() - 2 * (padding + margin), high);
-    if (!m_face.legend.empty()) return paintSurfaceLegend(painter, below, m_face.legend, coloursOverPictures().text);
-    painter.setPen(coloursOverPictures().secondary);
-    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(m_face.numbers, Qt::ElideRight, below.width()));
+/// In the lower right corner of the picture, where no name and no OTF is.
+void ComparePane::paintBusy(QPainter& painter) const {
+    const QString sign = tr("computing");
+    painter.save();
+    painter.setFont(m_caption.font);
+    const QRect text = painter.fontMetrics().boundingRect(sign);
+    QRect place(0, 0, text.width() + 2 * aroundSign, text.height() + 2);
+    place.moveBottomRight(pictureRect().bottomRight());
+    constexpr int ground = 170;
+    painter.fillRect(place, QColor(0, 0, 0, ground));
+    painter.setPen(coloursOverPictures().accent);
+    painter.drawText(place, Qt::AlignCenter, sign);
+    painter.restore();
 }
 
 bool ComparePane::onLine(const QPointF& place) const {

@@ -1,27 +1,15 @@
 // A pane that shows one picture of a comparison, and reports the gestures of the hand.
 #pragma once
 
-#include <QColor>
 #include <QImage>
 #include <QPointF>
 #include <QWidget>
 #include <optional>
 
 #include "widgets/camera_gestures.h"
-#include "widgets/compare/surface_legend.h"
+#include "widgets/compare/pane_face.h"
 
 namespace echolucent {
-
-/// The texts below a picture, and its frame.
-struct PaneFace {
-    QString name;
-    QString numbers{};
-    SurfaceLegend legend{};         ///< of a picture that is coloured; it is painted in place of the numbers
-    std::optional<QColor> frame{};  ///< colour of the curve, if it has one of its own
-    Qt::PenStyle frameStyle = Qt::SolidLine;
-    bool coloured = false;  ///< pictures may have the colours of shown depths: frame and focus are neutral
-    friend bool operator==(const PaneFace&, const PaneFace&) = default;
-};
 
 /// As in the 3D view: a left drag orbits, a middle or Shift + left drag pans, a right drag and the wheel zoom, a Ctrl +
 /// left drag moves the light, a double click asks for the whole room, Escape ends a drag. Ctrl + arrows orbit, Shift +
@@ -35,6 +23,11 @@ public:
 
     void setFace(const PaneFace& face);
     [[nodiscard]] const PaneFace& face() const { return m_face; }
+    /// Sets how the texts below the picture are laid out.
+    void setCaption(const CaptionLayout& caption);
+    /// Paints the pane as it is shown, without what is so on the screen alone: the focus, and signs of what is
+    /// computed.
+    void paintTo(QPainter& painter) const;
     /// Draws the picture as large as the pane has room, whatever its own size.
     void setImage(const QImage& image);
     [[nodiscard]] const QImage& image() const { return m_image; }
@@ -68,6 +61,7 @@ signals:
     void lightMoved(double right, double down);
     void wipeMoved(double share);  ///< [0, 1]
     void maximiseRequested();
+    void focused();  ///< the keyboard's focus came to this pane
     /// A picture was painted. This took `milliseconds`.
     void painted(double milliseconds);
 
@@ -75,6 +69,7 @@ protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -85,10 +80,11 @@ protected:
 private:
     [[nodiscard]] bool onLine(const QPointF& place) const;
     [[nodiscard]] std::optional<double> wipeOf(const QKeyEvent& event) const;
-    void paintCaption(QPainter& painter) const;
+    void paintBusy(QPainter& painter) const;
     void paintPicture(QPainter& painter) const;
 
     PaneFace m_face;
+    CaptionLayout m_caption;
     QImage m_image, m_right;
     std::optional<double> m_wipe;
     bool m_busy = false, m_dimmed = false;

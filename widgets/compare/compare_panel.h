@@ -31,7 +31,7 @@ class DesignerParameters;
 /// Objects: compare (this), compare.switch, compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4,
 /// compare.motion2 … 4, compare.method2 … 4, compare.parameters1 … 4 (a switch), compare.pane1.NAME … (a control for
 /// each parameter of the pane's designer), compare.layout, compare.first, compare.second, compare.amplification,
-/// compare.colours, and those of CompareTable. No setter emits a signal.
+/// compare.colours, compare.insets, and those of CompareTable. No setter emits a signal.
 class ComparePanel : public QWidget {
     Q_OBJECT
 
@@ -55,6 +55,8 @@ signals:
     void paneChosen(int place, const echolucent::Pane& choice);
     /// Layout, pair, amplification or colours.
     void comparisonChosen(const echolucent::Comparison& comparison, const QString& what);
+    /// Whether each pane shows its OTF.
+    void insetsSwitched(bool shown);
     void flickerRequested();
     void pageRequested();
 

@@ -1,6 +1,5 @@
 #include "widgets/compare/surface_legend.h"
 
-#include <QFontMetrics>
 #include <array>
 #include <cmath>
 
@@ -47,6 +46,10 @@ SurfaceLegend surfaceLegend(const std::optional<ShownDepth>& depth) {
         legend.push_back({shown, share ? std::optional(static_cast<int>(std::lround(100.0 * *share))) : std::nullopt});
     }
     return legend;
+}
+
+int surfaceLegendWidth(const SurfaceLegend& legend, const QFontMetrics& metrics) {
+    return widthOf(legend, Words::percent, metrics, metrics.ascent());
 }
 
 void paintSurfaceLegend(QPainter& painter, const QRect& line, const SurfaceLegend& legend, const QColor& text) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QFontMetrics>
 #include <QImage>
 #include <QPainter>
 #include <QRect>
@@ -22,6 +23,8 @@ using SurfaceLegend = std::vector<SurfaceLegendEntry>;
 
 /// The four colours with the shares of a picture, or without shares.
 [[nodiscard]] SurfaceLegend surfaceLegend(const std::optional<ShownDepth>& depth);
+/// How wide the legend is with all its words, pixels.
+[[nodiscard]] int surfaceLegendWidth(const SurfaceLegend& legend, const QFontMetrics& metrics);
 /// A sample of each colour with its pattern, and its words, in one line as high as the rectangle. If the line is short,
 /// signs of percent are left out, then the shares.
 void paintSurfaceLegend(QPainter& painter, const QRect& line, const SurfaceLegend& legend, const QColor& text);

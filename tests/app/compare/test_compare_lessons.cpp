@@ -1,6 +1,7 @@
 // What a lesson shows in the comparison: the OTFs of a motion side by side, figures of the paper, the page that is
 // kept.
 #include <QAction>
+#include <QClipboard>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -9,6 +10,7 @@
 
 #include "app/compare/paper_figures.h"
 #include "app/otf/pane_otfs.h"
+#include "app/picture/panes_saving.h"
 #include "app/sessions/session_keeping.h"
 #include "io/document/document_file.h"
 #include "io/document/session_file.h"
@@ -78,6 +80,8 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(window().idle() && window().compareRoom().views().settled(), 60000);
         const auto nine = window().compareRoom().views().frame();
         QCOMPARE(nine->panes.size(), std::size_t{2});
+        QCOMPARE(grid().pane(0).face().name, QString("1  Adaptive curve, one OTF"));
+        QCOMPARE(grid().pane(1).face().name, QString("2  Adaptive curve, each view's OTF"));
         QVERIFY(nine->request.panes[0].classification != nine->request.panes[1].classification);
         // The truth of the simulated scan is known, also in the turned view.
         QVERIFY(panel().rows()[1].surfaces == SurfacesFrom::truth);
@@ -234,6 +238,59 @@ private slots:
         QCOMPARE(text.count("data:image/png"), 4);
         QVERIFY(text.contains("not for diagnosis") && text.contains("<svg"));
         QVERIFY(!text.contains("href=\"http") && !text.contains("src=\"http"));
+        // What is seen, by which parameters, and by which program.
+        QVERIFY(text.contains("looked at along its +z axis"));
+        QVERIFY(text.contains("Parameters of 1. Reading: default. "));
+        QVERIFY(text.contains("(eqs. 8 and 9)") && text.contains("(eqs. 2 and 3)"));
+        QVERIFY(text.contains(QApplication::applicationVersion().toUtf8()));
+        // The curves have the colours of the window on light ground: adaptive, x², eq. 1.
+        for (const auto& [name, colour] : {std::pair("1: Adaptive curve", "#1c7f8c"),
+                                           {"2: x²", "#905a8a"},
+                                           {"3: Piecewise linear curve", "#66717d"}}) {
+            const qsizetype legend = text.indexOf(name, text.indexOf("<svg"));
+            QVERIFY2(legend > 0, name);
+            QVERIFY2(text.mid(legend - 400, 800).contains(colour), name);
+        }
+    }
+
+    void thePaneInFocusIsExplained() {
+        waitUntilRest();
+        grid().pane(1).setFocus();
+        QVERIFY(window().explanationOfPane().startsWith("Pane 2: x² (parabolic curve)."));
+        QVERIFY(window().explanationOfPane().contains("α(x) = x²"));
+        grid().pane(0).setFocus();
+        QVERIFY(window().explanationOfPane().contains("f_t") || window().explanationOfPane().contains("eq. 4"));
+        QVERIFY(!window().explanation().startsWith("Pane"));  // that of the 3D view, which the case report prints
+        window().compareRoom().setShown(false);
+        QCOMPARE(window().explanationOfPane(), window().explanation());
+    }
+
+    void savingAndCopyingTakeAllPanes() {
+        waitUntilRest();
+        const QString path = temporaryFolder().filePath("panes.png");
+        QVERIFY(window().savePicture(path));
+        const QImage saved(path);
+        QCOMPARE(saved.size(), grid().size() * grid().devicePixelRatioF());
+        for (std::size_t place = 0; place < 4; ++place) {
+            const ComparePane& pane = grid().pane(place);
+            const QRect picture = pane.pictureRect().translated(pane.pos());
+            QVERIFY(saved.copy(picture).convertToFormat(images()[place].format()) == images()[place]);
+        }
+        child<QAction>("edit.copyPicture")->trigger();
+        QCOMPARE(QApplication::clipboard()->image().convertToFormat(saved.format()), saved);
+        const QString large = temporaryFolder().filePath("large.png");
+        QVERIFY(child<QAction>("file.savePanes")->isEnabled());
+        window().panesSaving().save(large, {.allPanes = true, .width = grid().width() * 3 / 2});
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(large), patience);
+        waitUntilRest();
+        const QImage twice = QImage(large).scaled(saved.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        const auto mean = [](const QImage& image, const QRect& rect) {
+            return qGray(image.copy(rect).scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).pixel(0, 0));
+        };
+        for (std::size_t place = 0; place < 4; ++place) {
+            const QRect rect = grid().pane(place).geometry();
+            QVERIFY(std::abs(mean(twice, rect) - mean(saved, rect)) <= 3);
+        }
     }
 
     void aPageIsGivenUpWhereAPaneWillNotCome() {

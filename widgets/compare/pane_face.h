@@ -1,0 +1,46 @@
+// What stands below and over a picture that is compared: its name, its numbers, its OTF, and how they are laid out.
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QPainter>
+#include <QRect>
+#include <QString>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "widgets/compare/surface_legend.h"
+
+namespace echolucent {
+
+/// The texts below a picture, its frame, and its OTF.
+struct PaneFace {
+    QString name;
+    QString numbers{};
+    SurfaceLegend legend{};         ///< of a picture that is coloured; it is painted in place of the numbers
+    std::optional<QColor> frame{};  ///< colour of the curve, if it has one of its own
+    Qt::PenStyle frameStyle = Qt::SolidLine;
+    bool coloured = false;  ///< pictures may have the colours of shown depths: frame and focus are neutral
+    /// Opacities at equidistant intensities from 0 to 1, drawn small in a corner of the picture; empty: none.
+    std::vector<double> otf{};
+    friend bool operator==(const PaneFace&, const PaneFace&) = default;
+};
+
+/// How the texts below pictures are set. All panes that stand beside each other share it.
+struct CaptionLayout {
+    QFont font{};
+    int height = 0;  ///< of all texts with what is around them, pixels
+    friend bool operator==(const CaptionLayout&, const CaptionLayout&) = default;
+};
+
+/// The layout for panes of this width: names break between words into as many lines as the longest needs, and the
+/// longest numbers that a pane may have find room too. If a word is wider than a pane, letters are smaller than those
+/// of `font`.
+[[nodiscard]] CaptionLayout captionLayout(const QStringList& names, int width, const QFont& font);
+/// The place of the picture in a pane.
+[[nodiscard]] QRect pictureIn(const QRect& pane, const CaptionLayout& caption);
+/// Paints texts, frame and OTF of a pane whose picture is painted. Any thread may call this.
+void paintFace(QPainter& painter, const QRect& pane, const PaneFace& face, const CaptionLayout& caption);
+
+}  // namespace echolucent
