@@ -184,8 +184,8 @@ void Rows::addFactor() {
                           "Up to this intensity the tube core's ramp is clear.",
                           "x_0 = I_L + max(begin · (I_H − I_L), spreads · σ)", place});
         m_rows.push_back({"ramp_full", "x_1", m_of.ramp ? shortText(m_of.ramp->full) : "none", "",
-                          "From this intensity on the tube core's ramp is full.", "x_1 = I_L + end · (I_H − I_L)",
-                          place});
+                          "From this intensity on the tube core's ramp is full.",
+                          "x_1 = max(I_L + end · (I_H − I_L), x_0 + 0.3 · (I_H − I_L))", place});
         return;
     }
     m_rows.push_back({"factor_least", "f_t(I_L)", weighs ? shortText(1.0 / (1.0 + m_tube.d)) : "none", "",
@@ -223,7 +223,13 @@ std::string whyNoSurface(const TubeExplanation& explained) {
         return explained.tube.trackedCells.empty() ? "no local maximum of its interface function counts"
                                                    : "no complete cell lies before the maximum found";
     if (!explained.fluidIntensity) return "the view shows no boundary of fluid";
-    return "no boundary from fluid to tissue on it has a contrast above " + shortText(explained.leastContrast);
+    const IndexRange cells = explained.contrastCells;
+    const auto counts = [&](int cell) {
+        return explained.tube.interfaceFunction[static_cast<std::size_t>(cell)] > explained.leastContrast.value_or(0.0);
+    };
+    for (int cell = cells.first; cell <= cells.last; ++cell)
+        if (counts(cell)) return "no boundary of enough contrast on it leads from enough fluid to tissue";
+    return "no boundary on it has a contrast above " + shortText(explained.leastContrast);
 }
 
 }  // namespace

@@ -82,6 +82,16 @@ TEST(ExplanationFacts, SayWhyATubeCoreHasNoWeight) {
     EXPECT_GT(without, 5);
 }
 
+TEST(ExplanationFacts, SayWhichRuleOfTheRatioFails) {
+    TubeExplanation explained = defaultRun().explained(heaviestFirst(defaultRun().otf).front());
+    explained.state = TubeState::noSurface;
+    EXPECT_NE(explanationSentence(explained).find("leads from enough fluid to tissue"), std::string::npos);
+    explained.leastContrast = 1e6;
+    EXPECT_NE(explanationSentence(explained).find("has a contrast above 1000000"), std::string::npos);
+    explained.fluidIntensity.reset();
+    EXPECT_NE(explanationSentence(explained).find("no boundary of fluid"), std::string::npos);
+}
+
 TEST(ExplanationPlots, HoldTheValuesOfTheExplanation) {
     for (const ExplainedRun* run : {&publishedRun(), &defaultRun()}) {
         const int number = heaviestFirst(run->otf)[1];
