@@ -179,7 +179,8 @@ Result<std::optional<Explained>> explainedOf(const OtfOptions& options, const Do
                                .program = program,
                                .pictures = {pictureOf(of.full.curve, made, caster, "All tube cores"),
                                             pictureOf(of.without.curve, made, caster, "Without this one"),
-                                            pictureOf(of.alone.curve, made, caster, "This one alone")}};
+                                            pictureOf(of.alone.curve, made, caster, "This one alone")},
+                               .madeWith = {{"Light", std::string(nameOf(made.document.scene.look.lighting))}}};
     explained.page = explanationPage(page, of, otf);
     return explained;
 }

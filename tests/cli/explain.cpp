@@ -94,7 +94,7 @@ TEST(Explain, APageOpensWithoutANetworkAndHoldsPlotsPicturesAndNumbers) {
     EXPECT_EQ(count("data:image/png;base64,"), 3u);
     EXPECT_EQ(count("http"), count("http://www.w3.org/2000/svg")) << "nothing is fetched";
     for (const char* words : {"Tube core 40", "d_t = d_max · w_I · w_S", "Petersch 2005, eq. 11", "explained.mha",
-                              "Cell size", "echolucent-cli ", "Reading of the paper", "Without this one"})
+                              "Cell size", "echolucent-cli ", "Reading of the paper", "Light", "Without this one"})
         EXPECT_GT(count(words), 0u) << words;
     EXPECT_EQ(count(std::filesystem::path(smallFile()).parent_path().string()), 0u) << "no folder is named";
 }
