@@ -219,6 +219,7 @@ std::string whyNoWeight(const TubeExplanation& explained) {
 }
 
 std::string whyNoSurface(const TubeExplanation& explained) {
+    if (explained.cells.tube.empty()) return "too few of its voxels hold data to fill a cell";
     if (std::holds_alternative<VarianceRule>(explained.config.detection))
         return explained.tube.trackedCells.empty() ? "no local maximum of its interface function counts"
                                                    : "no complete cell lies before the maximum found";

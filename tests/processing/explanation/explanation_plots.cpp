@@ -90,6 +90,8 @@ TEST(ExplanationFacts, SayWhichRuleOfTheRatioFails) {
     EXPECT_NE(explanationSentence(explained).find("has a contrast above 1000000"), std::string::npos);
     explained.fluidIntensity.reset();
     EXPECT_NE(explanationSentence(explained).find("no boundary of fluid"), std::string::npos);
+    explained.cells.tube = {};
+    EXPECT_NE(explanationSentence(explained).find("to fill a cell"), std::string::npos);
 }
 
 TEST(ExplanationPlots, HoldTheValuesOfTheExplanation) {
