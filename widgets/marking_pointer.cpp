@@ -1,5 +1,6 @@
 #include "widgets/marking_pointer.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QMouseEvent>
 #include <utility>
@@ -12,7 +13,7 @@ MarkingPointer::MarkingPointer(QObject& watched, Offer offer, QObject* parent)
 }
 
 bool MarkingPointer::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != &m_watched) return false;
+    if (watched != &m_watched || m_passesPressOn) return false;
     switch (event->type()) {
         case QEvent::MouseButtonPress:
         case QEvent::MouseButtonDblClick: return press(*static_cast<QMouseEvent*>(event));
@@ -35,9 +36,20 @@ bool MarkingPointer::press(const QMouseEvent& event) {
         return false;
     m_taken = m_offer(event.position());
     m_pressedAt = event.position();
+    m_pressedAtGlobal = event.globalPosition();
     if (m_taken == Take::drag) emit pressed(event.position());
     // The widget below must not take the second press for a double click.
-    return m_taken == Take::drag || (m_taken == Take::click && event.type() == QEvent::MouseButtonDblClick);
+    return m_taken == Take::drag || m_taken == Take::clickAlone ||
+           (m_taken == Take::click && event.type() == QEvent::MouseButtonDblClick);
+}
+
+/// Sends the press that was withheld, because a drag has begun there.
+void MarkingPointer::passPressOn() {
+    QMouseEvent press(QEvent::MouseButtonPress, m_pressedAt, m_pressedAtGlobal, Qt::LeftButton, Qt::LeftButton,
+                      Qt::NoModifier);
+    m_passesPressOn = true;
+    QCoreApplication::sendEvent(&m_watched, &press);
+    m_passesPressOn = false;
 }
 
 bool MarkingPointer::move(const QMouseEvent& event) {
@@ -45,10 +57,10 @@ bool MarkingPointer::move(const QMouseEvent& event) {
         emit dragged(event.position());
         return true;
     }
-    if (m_taken == Take::click) {
+    if (m_taken == Take::click || m_taken == Take::clickAlone) {
         // The pane must not turn before the pointer has left the place of the press.
         if (isNearPress(event.position())) return true;
-        m_taken = Take::no;
+        if (std::exchange(m_taken, Take::no) == Take::clickAlone) passPressOn();
     }
     if (event.buttons() == Qt::NoButton) emit hovered(event.position());
     return false;
@@ -58,8 +70,9 @@ bool MarkingPointer::release(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return m_taken == Take::drag;
     const Take taken = std::exchange(m_taken, Take::no);
     if (taken == Take::drag) emit released(event.position());
-    if (taken == Take::click && isNearPress(event.position())) emit clicked(event.position());
-    return taken == Take::drag;
+    const bool click = taken == Take::click || taken == Take::clickAlone;
+    if (click && isNearPress(event.position())) emit clicked(event.position());
+    return taken == Take::drag || taken == Take::clickAlone;
 }
 
 }  // namespace echolucent

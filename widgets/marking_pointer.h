@@ -23,6 +23,8 @@ public:
                 ///< follow
         click,  ///< the press passes on, unless it is the second of a double click; clicked follows if the release is
                 ///< near the press, and moves near the press are taken
+        clickAlone,  ///< as click, but the watched object gets the press only if a drag follows: a click does nothing
+                     ///< there
     };
     using Offer = std::function<Take(const QPointF& pixel)>;
 
@@ -47,11 +49,13 @@ private:
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
     [[nodiscard]] bool isNearPress(const QPointF& pixel) const;
+    void passPressOn();
 
     QObject& m_watched;
     Offer m_offer;
     Take m_taken = Take::no;
-    QPointF m_pressedAt;
+    QPointF m_pressedAt, m_pressedAtGlobal;
+    bool m_passesPressOn = false;  ///< while a withheld press is sent
 };
 
 }  // namespace echolucent
