@@ -4,6 +4,8 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "widgets/controls/number_box.h"
@@ -113,8 +115,11 @@ ParameterControl sliderControl(const ParameterDefault& each, const QString& name
     slider->setRange(row.offeredRange().least, row.offeredRange().largest);
     slider->setSuffix(suffixOf(row.unit));
     if (resetting) slider->setStandard(numberOf(each.standard).value());
-    QObject::connect(slider, &ValueSlider::valueChanged, listener.object,
-                     [taken = listener.taken](double value) { taken(value); });
+    const bool whole = std::holds_alternative<std::int64_t>(each.standard);
+    QObject::connect(
+        slider, &ValueSlider::valueChanged, listener.object, [taken = listener.taken, whole](double value) {
+            taken(whole ? ParameterValue(static_cast<std::int64_t>(std::llround(value))) : ParameterValue(value));
+        });
     return {slider, labelFor(slider, textOf(row.label)),
             [slider](const ParameterValue& value) { slider->setValue(numberOf(value).value()); }};
 }
