@@ -83,9 +83,16 @@ void BoxIn3d::setMarking(const Overlay& marking) {
     show();
 }
 
+void BoxIn3d::setTubeCores(const Overlay& tubeCores) {
+    if (tubeCores == m_tubeCores) return;
+    m_tubeCores = tubeCores;
+    show();
+}
+
 void BoxIn3d::show() {
     Overlay overlay;
     if (m_openStudy.volume()) {
+        append(overlay, m_tubeCores);
         if (m_model.document().scene.planes.linesIn3d) addPlanes(overlay);
         std::vector<Vec3> places = addBox(overlay);
         const std::optional<Vec3> handle = addFront(overlay);

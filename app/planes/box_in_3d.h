@@ -30,6 +30,8 @@ public:
     void showFront(bool shown);
     /// Sets the marks of an unfinished measurement. They lie over finished measurements.
     void setMarking(const Overlay& marking);
+    /// Sets the marks of tube cores, which lie below box, front and measurements.
+    void setTubeCores(const Overlay& tubeCores);
 
 private:
     /// The faces that the hand holds together: none for the centre, one for a face, two for an edge, three for a
@@ -51,7 +53,7 @@ private:
     bool m_hasHandle = false;   ///< whether the first of the pointer's grips is the front's handle
     bool m_holdsFront = false;  ///< whether the hand holds that handle
     std::optional<PictureLine> m_drawing;
-    Overlay m_marking;
+    Overlay m_marking, m_tubeCores;
     Grip m_held;                       ///< the grip being dragged
     std::optional<Document> m_before;  ///< the document when the drag began
 };

@@ -47,6 +47,10 @@ public:
     void createMenu(QMainWindow& window);
     /// Adds what Escape ends in the room: drags in planes, the tool in the hand, a pane that has the whole room.
     void addTo(EscapeOrder& escapes);
+    /// Whether no tool is in the hand.
+    [[nodiscard]] bool handIsFree() const { return !m_scalpel.tool() && !m_measuring.tool(); }
+    /// What lies over the 3D view.
+    [[nodiscard]] BoxIn3d& overlay() { return m_boxIn3d; }
     void showFrontIn3d(bool shown) { m_boxIn3d.showFront(shown); }
     void restore();
     void keep();

@@ -77,6 +77,7 @@ void PlanePane::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (!m_image.isNull()) painter.drawImage(rect(), m_image);
+    paintTubeCores(painter, m_tubeCores, mapping());
     paintLines(painter);
     paintBox(painter);
     paintMeasured(painter, true);
@@ -207,6 +208,12 @@ QString PlanePane::offsetWords() const {
     const double mm = frameOf(m_plane, m_scene->planes, m_scene->beam).forward.dot(m_scene->planes.offsetMm);
     const QString words = m_scene->lengthsKnown ? tr("offset %1 mm") : tr("offset %1 mm (guess)");
     return words.arg(mm, 0, 'f', 1).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+void PlanePane::setTubeCores(const PlaneTubeCores& tubeCores) {
+    if (tubeCores == m_tubeCores) return;
+    m_tubeCores = tubeCores;
+    update();
 }
 
 void PlanePane::setHint(const QString& sentence) {

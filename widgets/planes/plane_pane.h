@@ -16,6 +16,7 @@
 #include "widgets/planes/grey_image.h"
 #include "widgets/planes/plane_mapping.h"
 #include "widgets/planes/plane_resampler.h"
+#include "widgets/planes/tube_core_drawing.h"
 
 class QPainter;
 class QToolButton;
@@ -74,6 +75,9 @@ public:
 
     /// Draws the measurement in progress too.
     void setMarking(const std::optional<ShownMeasurement>& marking);
+    /// Draws tube cores too. Saved pictures go without them.
+    void setTubeCores(const PlaneTubeCores& tubeCores);
+    [[nodiscard]] const PlaneTubeCores& tubeCores() const { return m_tubeCores; }
     /// Shows a sentence that tells what the tool in the hand wants; empty for none.
     void setHint(const QString& sentence);
     [[nodiscard]] const QString& hint() const { return m_hint; }
@@ -174,6 +178,7 @@ private:
     PlaneMapping m_mappingBefore;  ///< when the drag began
     bool m_pointerAtRim = false;
     std::optional<ShownMeasurement> m_marking;
+    PlaneTubeCores m_tubeCores;
     QString m_hint;
     std::optional<Qt::CursorShape> m_toolCursor;
 };
