@@ -13,6 +13,8 @@
 #include <QUrl>
 
 #include "app/compare/compare_room.h"
+#include "app/explain/tube_core_explaining.h"
+#include "app/explain/tube_cores_in_pictures.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/editor_early_light.h"
 #include "app/otf/editor_otfs.h"
@@ -310,6 +312,7 @@ void MainWindow::createActions() {
     countLeftUnsaved();
     m_room->createMenu(*this);
     m_compare->createMenu();
+    createTubeCores();
     m_faces = std::make_unique<WindowFaces>(
         WindowFaces::Parts{*this, m_settings, *m_widgets.status, *m_widgets.controls, *m_widgets.motion});
     createToolBar({*this, m_document, m_openStudy, *m_faces, dockOf(*m_widgets.editor)});

@@ -44,6 +44,9 @@ class SessionKeeping;
 class SideControls;
 class StudyOpening;
 class StudySides;
+class TubeCoreChoice;
+class TubeCoreExplaining;
+class TubeCoresInPictures;
 class WindowFaces;
 
 /// Owns the document, the threads behind the open study and the widgets, and connects them. Its units hold what happens
@@ -89,6 +92,10 @@ public:
     /// The surfaces with which panes are measured.
     [[nodiscard]] const KeptSurfaces& surfaces() const { return m_surfaces; }
 
+    [[nodiscard]] TubeCoreChoice& tubeCoreChoice() { return *m_tubeCoreChoice; }
+    [[nodiscard]] TubeCoreExplaining& tubeCoreExplaining() { return *m_tubeCoreExplaining; }
+    [[nodiscard]] TubeCoresInPictures& tubeCoresInPictures() { return *m_tubeCoresInPictures; }
+
     /// Review and Teach.
     [[nodiscard]] WindowFaces& faces() { return *m_faces; }
 
@@ -122,6 +129,7 @@ private:
     void arrangeForComparison(bool shown);
     /// The strip of sides is seen if it is wanted, beside the panes of the review room alone.
     void followStrip();
+    void createTubeCores();
     void connectUnits();
     void connectCaption();
     void connectExplanation();
@@ -181,6 +189,9 @@ private:
     std::unique_ptr<PanesSaving> m_panesSaving;
     std::unique_ptr<SessionKeeping> m_sessions;
     std::unique_ptr<HistoryControls> m_history;
+    std::unique_ptr<TubeCoreChoice> m_tubeCoreChoice;
+    std::unique_ptr<TubeCoresInPictures> m_tubeCoresInPictures;
+    std::unique_ptr<TubeCoreExplaining> m_tubeCoreExplaining;
     std::unique_ptr<WindowFaces> m_faces;
     bool m_idle = true;               ///< as it was told last
     bool m_planesTabWasThere = true;  ///< before the comparison was shown

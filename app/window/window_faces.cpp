@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array reviewDocks{"dock.view", "dock.room", "dock.study"};
 /// Of these only the entry in the menu of panels belongs to Teach, and a key or a button opens them in Review too.
-constexpr std::array teachDocks{"dock.method",    "dock.designers", "dock.compare",
+constexpr std::array teachDocks{"dock.method",    "dock.tubeCores", "dock.designers", "dock.compare",
                                 "dock.motionMap", "dock.explain",   "dock.theory"};
 
 QList<QDockWidget*> docksOf(const QMainWindow& window) {
@@ -58,6 +58,7 @@ void WindowFaces::createActions() {
 void WindowFaces::listEntries() {
     const QMainWindow& window = m_parts.window;
     const auto menu = [&window](const char* name) { return window.findChild<QMenu*>(QLatin1String(name)); };
+    m_entries.push_back({menu("menu.room"), window.findChild<QAction*>(QStringLiteral("room.tubeCores"))});
     m_entries.push_back({menu("menu.room"), window.findChild<QAction*>(QStringLiteral("room.compare"))});
     m_entries.push_back({menu("menu.room"), menu("menu.compare")->menuAction()});
     m_entries.push_back({menu("menu.motion"), window.findChild<QAction*>(QStringLiteral("motion.showMap"))});

@@ -35,6 +35,7 @@
 #include "widgets/planes/pane_grid.h"
 #include "widgets/planes/plane_pane.h"
 #include "widgets/theory/theory_panel.h"
+#include "widgets/tube_cores/tube_core_panel.h"
 #include "widgets/volume_view/volume_view_widget.h"
 
 namespace echolucent {
@@ -177,6 +178,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     layout.course = new OtfCoursePanel(course, &window);
     layout.explain = new ExplainPanel(&window);
     layout.theory = new TheoryPanel(&window);
+    layout.tubeCores = new TubeCorePanel(&window);
     layout.history = new HistoryPanel(document.steps(), &window);
     const std::vector<Dock> docks{
         // What a person turns first stands on top.
@@ -198,6 +200,10 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
          .stretches = {0, 1},
          .shown = true},
         {"Method", "dock.method", "The parameters of the adaptive OTF, and what it found", {layout.method}},
+        {"Tube cores",
+         "dock.tubeCores",
+         "What each tube core found, and what it does to the curve",
+         {layout.tubeCores}},
         {"Designers", "dock.designers", "Other ways to make the OTF", {layout.designers}},
         {"Compare", "dock.compare", "Two to four OTFs under one camera, and their measures", {layout.compare}},
         {.title = "Study",

@@ -34,6 +34,7 @@ class RunStatus;
 class SideStrip;
 class StudyPanel;
 class TheoryPanel;
+class TubeCorePanel;
 class ViewPanel;
 class VolumeViewWidget;
 class Works;
@@ -63,6 +64,7 @@ struct WindowLayout {
     ExplainPanel* explain = nullptr;
     TheoryPanel* theory = nullptr;
     HistoryPanel* history = nullptr;
+    TubeCorePanel* tubeCores = nullptr;
     RunStatus* status = nullptr;
     QList<QDockWidget*> docks{};  ///< in the order in which people are shown their names
 };

@@ -6,7 +6,14 @@ namespace echolucent {
 
 std::optional<Picture> smallPicture(PaneCaster& caster, const Document& document, std::size_t pane, int width,
                                     int height, const Progress& progress) {
-    auto large = caster.picture(document, pane, 2 * width, 2 * height, progress, PictureQuality::quick);
+    const auto otf = caster.otf(document, pane, progress);
+    if (!otf) return std::nullopt;
+    return smallPictureWith(caster, *otf, document, pane, width, height, progress);
+}
+
+std::optional<Picture> smallPictureWith(PaneCaster& caster, const PaneOtf& otf, const Document& document,
+                                        std::size_t pane, int width, int height, const Progress& progress) {
+    auto large = caster.pictureWith(otf, document, pane, 2 * width, 2 * height, progress, PictureQuality::quick);
     if (!large) return std::nullopt;
     Picture small = emptyPicture(width, height);
     const cv::Mat from(2 * height, 2 * width, CV_32FC4, large->picture.rgba.data());

@@ -15,5 +15,9 @@ namespace echolucent {
 /// only if progress.cancel was raised.
 [[nodiscard]] std::optional<Picture> smallPicture(PaneCaster& caster, const Document& document, std::size_t pane,
                                                   int width, int height, const Progress& progress = {});
+/// The same with `otf` in place of the pane's computed OTF.
+[[nodiscard]] std::optional<Picture> smallPictureWith(PaneCaster& caster, const PaneOtf& otf, const Document& document,
+                                                      std::size_t pane, int width, int height,
+                                                      const Progress& progress = {});
 
 }  // namespace echolucent

@@ -94,7 +94,7 @@ private slots:
                 namesAreWhole();
                 QStringList names;
                 for (const QAbstractButton* tab : namesInFront()) names << tab->text();
-                const QStringList all{"Picture", "Curve", "Measure", "Method",  "Designers",
+                const QStringList all{"Picture", "Curve", "Measure", "Method",  "Tube cores", "Designers",
                                       "Compare", "Study", "Motion",  "Explain", "Theory"};
                 QCOMPARE(names, face == QByteArray("face.teach") ? all : QStringList({"Picture", "Measure", "Study"}));
                 toolBarIsWhole();
@@ -139,7 +139,7 @@ private slots:
         }
         click("dock.view.close");
         QVERIFY(child<QDockWidget>("dock.view")->isHidden());
-        QTRY_COMPARE(namesInFront().size(), 9);
+        QTRY_COMPARE(namesInFront().size(), 10);
     }
 
     void everyPanelScrollsInsideItselfAndShowsAllOfItsWidth_data() { whetherSpacingIsKnown(); }

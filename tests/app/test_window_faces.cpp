@@ -56,7 +56,7 @@ private slots:
         click("face.teach");
         QCOMPARE(window().faces().face(), Face::teach);
         QVERIFY(!child<QToolButton>("face.review")->isChecked() && child<QAction>("view.teach")->isChecked());
-        const QStringList all{"Picture", "Curve", "Measure", "Method",  "Designers",
+        const QStringList all{"Picture", "Curve", "Measure", "Method",  "Tube cores", "Designers",
                               "Compare", "Study", "Motion",  "Explain", "Theory"};
         QCOMPARE(openPanels(), all);
         QCOMPARE(entriesOf("menu.panels"), all);
@@ -259,8 +259,9 @@ private slots:
 private:
     QStringList openPanels() {
         QStringList names;
-        for (const char* name : {"dock.view", "dock.otfEditor", "dock.room", "dock.method", "dock.designers",
-                                 "dock.compare", "dock.study", "dock.motionMap", "dock.explain", "dock.theory"})
+        for (const char* name :
+             {"dock.view", "dock.otfEditor", "dock.room", "dock.method", "dock.tubeCores", "dock.designers",
+              "dock.compare", "dock.study", "dock.motionMap", "dock.explain", "dock.theory"})
             if (auto* dock = child<QDockWidget>(name); !dock->isHidden()) names << dock->windowTitle();
         return names;
     }

@@ -1,0 +1,129 @@
+#include "widgets/tube_cores/tube_core_list.h"
+
+#include <QHeaderView>
+#include <QLocale>
+#include <QSortFilterProxyModel>
+#include <utility>
+
+#include "widgets/controls/panel_controls.h"
+#include "widgets/tube_cores/tube_core_words.h"
+
+namespace echolucent {
+
+void TubeCoreListModel::setRun(std::shared_ptr<const AdaptiveOtf> run) {
+    beginResetModel();
+    m_run = std::move(run);
+    m_states.clear();
+    if (m_run)
+        for (std::size_t t = 0; t < m_run->tubes.size(); ++t) m_states.push_back(stateOf(*m_run, static_cast<int>(t)));
+    endResetModel();
+}
+
+int TubeCoreListModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_states.size());
+}
+
+int TubeCoreListModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
+
+QVariant TubeCoreListModel::data(const QModelIndex& index, int role) const {
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>((index.column() == state ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole && role != Qt::UserRole) return {};
+    const auto place = static_cast<std::size_t>(index.row());
+    const TubeCore& tube = m_run->tubes.at(place);
+    const bool sorts = role == Qt::UserRole;
+    // Without a value a tube core stands behind all others.
+    const auto shown = [sorts](const std::optional<double>& value, char format, int digits) -> QVariant {
+        if (sorts) return value.value_or(-1.0);
+        return value ? QLocale::c().toString(*value, format, digits) : QString();
+    };
+    switch (index.column()) {
+        case number: return index.row();
+        case column: return tube.column;
+        case row: return tube.row;
+        case state: return sorts ? QVariant(static_cast<int>(m_states[place])) : QVariant(wordsOf(m_states[place]));
+        case low: return shown(tube.lowIntensity, 'f', 3);
+        case high: return shown(tube.highIntensity, 'f', 3);
+        case weight: return shown(tube.d > 0.0 ? std::optional(tube.d) : std::nullopt, 'g', 3);
+        default: return {};
+    }
+}
+
+QVariant TubeCoreListModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) return {};
+    if (role == Qt::DisplayRole) {
+        const QStringList words{tr("No."), tr("Col."), tr("Row"), tr("State"), "I_L", "I_H", "d"};
+        return words.value(section);
+    }
+    if (role == Qt::ToolTipRole) {
+        const QStringList words{tr("Number: row times columns plus column"),
+                                tr("Column, counted from 0 at the left of the view"),
+                                tr("Row, counted from 0 at the top of the view"),
+                                tr("Whether it found a surface and has a weight"),
+                                tr("Mean intensity before the surface"),
+                                tr("Intensity at the surface"),
+                                tr("Weight in the curve (eq. 11)")};
+        return words.value(section);
+    }
+    return {};
+}
+
+TubeCoreList::TubeCoreList(QWidget* parent)
+    : QTableView(parent), m_model(new TubeCoreListModel(this)), m_sorted(new QSortFilterProxyModel(this)) {
+    named(this, "tubeCores.list", tr("List of tube cores"), tr("A click on a row explains its tube core"));
+    m_sorted->setSourceModel(m_model);
+    m_sorted->setSortRole(Qt::UserRole);
+    setModel(m_sorted);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setTabKeyNavigation(false);  // Tab goes on to the next control
+    setShowGrid(false);
+    setAlternatingRowColors(true);
+    setWordWrap(false);
+    verticalHeader()->hide();
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setMinimumSectionSize(20);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setSectionResizeMode(TubeCoreListModel::state, QHeaderView::Stretch);
+    const QFontMetrics metrics = fontMetrics();
+    const auto wide = [&](const QString& widest) { return metrics.horizontalAdvance(widest) + 14; };
+    horizontalHeader()->resizeSection(TubeCoreListModel::number, wide("0000"));
+    horizontalHeader()->resizeSection(TubeCoreListModel::column, wide("Col."));
+    horizontalHeader()->resizeSection(TubeCoreListModel::row, wide("Row"));
+    horizontalHeader()->resizeSection(TubeCoreListModel::low, wide("0.000"));
+    horizontalHeader()->resizeSection(TubeCoreListModel::high, wide("0.000"));
+    horizontalHeader()->resizeSection(TubeCoreListModel::weight, wide("0.00000"));
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setMinimumWidth(240);
+    setFixedHeight(190);
+    setSortingEnabled(true);
+    sortByColumn(TubeCoreListModel::number, Qt::AscendingOrder);
+    connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
+        if (!m_following && now.isValid()) emit chosen(m_sorted->mapToSource(now).row());
+    });
+}
+
+void TubeCoreList::setRun(std::shared_ptr<const AdaptiveOtf> run) {
+    m_following = true;
+    m_model->setRun(std::move(run));
+    m_following = false;
+}
+
+void TubeCoreList::setChosen(std::optional<int> number) {
+    m_following = true;
+    const QModelIndex index =
+        number ? m_sorted->mapFromSource(m_model->index(*number, TubeCoreListModel::number)) : QModelIndex();
+    if (index.isValid()) {
+        if (index.row() != currentIndex().row()) setCurrentIndex(index);
+        selectRow(index.row());
+        scrollTo(index);
+    } else {
+        clearSelection();
+        setCurrentIndex({});
+    }
+    m_following = false;
+}
+
+}  // namespace echolucent
