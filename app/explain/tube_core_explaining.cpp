@@ -35,6 +35,7 @@ std::shared_ptr<const ShownExplanation> explanationOf(const ComputedOtf& otf, in
     const std::vector<TubeFactor> factors = allFactors(run);
     made.factors = factorsPlot(*explanation, factors);
     made.curves = curvesPlot(*explanation);
+    made.change = curveChangePlot(*explanation);
     made.weighing = static_cast<int>(heaviestFirst(run).size());
     made.explanation = std::make_shared<const TubeExplanation>(std::move(*explanation));
     return std::make_shared<const ShownExplanation>(std::move(made));

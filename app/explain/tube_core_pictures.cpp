@@ -30,6 +30,19 @@ Document pictured(const Document& document, SpeckleReduction reduction) {
 
 }  // namespace
 
+std::optional<CurvePictureSource> curvePictureSource(const Document& document, const OpenStudy& openStudy) {
+    const Study* study = openStudy.study();
+    if (study == nullptr || openStudy.beginning()) return std::nullopt;
+    const QuietPhases& quiet = openStudy.quietPhases();
+    const int phase = openStudy.phase();
+    StudyPhases voxels{.scans = {study->phases[static_cast<std::size_t>(phase)]}};
+    if (auto made = quiet.of(phase)) {
+        voxels.quiet = {std::move(made)};
+        voxels.reduction = quiet.reduction();
+    }
+    return CurvePictureSource{pictured(document, voxels.reduction), std::move(voxels)};
+}
+
 TubeCorePictures::TubeCorePictures(DocumentModel& model, OpenStudy& openStudy, Works& works, TubeCorePanel& panel,
                                    QObject* parent)
     : QObject(parent),
@@ -60,21 +73,14 @@ void TubeCorePictures::setExplanation(std::shared_ptr<const ShownExplanation> ex
 }
 
 std::optional<TubeCorePictures::Asked> TubeCorePictures::askedOf(int which) const {
-    const Study* study = m_openStudy.study();
-    if (!m_seen || !m_explanation || study == nullptr || m_openStudy.beginning()) return std::nullopt;
-    const QuietPhases& quiet = m_openStudy.quietPhases();
-    const int phase = m_openStudy.phase();
-    StudyPhases voxels{.scans = {study->phases[static_cast<std::size_t>(phase)]}};
-    if (auto made = quiet.of(phase)) {
-        voxels.quiet = {std::move(made)};
-        voxels.reduction = quiet.reduction();
-    }
+    if (!m_seen || !m_explanation) return std::nullopt;
+    auto source = curvePictureSource(m_model.document(), m_openStudy);
+    if (!source) return std::nullopt;
     const TubeExplanation& explanation = *m_explanation->explanation;
-    const Document document = pictured(m_model.document(), voxels.reduction);
     switch (which) {
-        case TubeCorePanel::withAll: return Asked{document, voxels, explanation.full.curve};
-        case TubeCorePanel::without: return Asked{document, voxels, explanation.without.curve};
-        default: return Asked{document, voxels, m_panel.thirdCurve()};
+        case TubeCorePanel::withAll: return Asked{std::move(*source), explanation.full.curve};
+        case TubeCorePanel::without: return Asked{std::move(*source), explanation.without.curve};
+        default: return Asked{std::move(*source), m_panel.thirdCurve()};
     }
 }
 
@@ -107,21 +113,21 @@ void TubeCorePictures::makeNext() {
     if (!which || m_making || !m_works.atRest()) return;
     m_making = which;
     const Asked& wanted = *m_wanted[static_cast<std::size_t>(*which)];
-    if (!m_caster || m_cast != wanted.voxels) {
-        m_cast = wanted.voxels;
+    if (!m_caster || m_cast != wanted.source.voxels) {
+        m_cast = wanted.source.voxels;
         m_caster = freedElsewhere(std::make_shared<PaneCaster>(m_cast));
     }
     m_thread.submit([this, which = *which, asked = wanted,
                      caster = m_caster](const Progress& progress) -> NewestWinsThread::Deliver {
         QImage image;
         try {
-            const auto picture = smallPictureWith(*caster, {.curve = asked.curve}, asked.document, firstPane,
+            const auto picture = smallPictureWith(*caster, {.curve = asked.curve}, asked.source.document, firstPane,
                                                   TubeCorePanel::pictureWidth, TubeCorePanel::pictureHeight, progress);
             if (!picture) return {};
             image = imageOf(*picture);
         } catch (const std::bad_alloc&) {
             // The 3D view tells of missing memory. A half-made caster is dropped.
-            *caster = PaneCaster(asked.voxels);
+            *caster = PaneCaster(asked.source.voxels);
         }
         return [this, which, asked, image] {
             m_making.reset();

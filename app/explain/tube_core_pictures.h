@@ -15,6 +15,17 @@
 
 namespace echolucent {
 
+/// What pictures of the scene under curves of its adaptive OTF are made from. They show what PaneCaster shows of the
+/// first pane of `document`.
+struct CurvePictureSource {
+    Document document{};   ///< with only what such pictures depend on
+    StudyPhases voxels{};  ///< the phase shown, uncut, and its quiet voxels if they are made
+    friend bool operator==(const CurvePictureSource&, const CurvePictureSource&) = default;
+};
+/// Empty if no study is open.
+[[nodiscard]] std::optional<CurvePictureSource> curvePictureSource(const Document& document,
+                                                                   const OpenStudy& openStudy);
+
 /// Makes the pictures one after the other while a person sees the panel and no other work is under way, as
 /// PresetPictures does. While they are seen, keeps its own ray caster (RayCaster tells its size).
 class TubeCorePictures : public QObject {
@@ -33,8 +44,7 @@ public:
 private:
     /// All that a picture depends on.
     struct Asked {
-        Document document;
-        StudyPhases voxels;
+        CurvePictureSource source;
         SampledCurve curve;
         friend bool operator==(const Asked&, const Asked&) = default;
     };

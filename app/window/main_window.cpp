@@ -14,6 +14,7 @@
 
 #include "app/compare/compare_room.h"
 #include "app/explain/tube_core_explaining.h"
+#include "app/explain/tube_core_page.h"
 #include "app/explain/tube_cores_in_pictures.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/editor_early_light.h"

@@ -46,6 +46,7 @@ class StudyOpening;
 class StudySides;
 class TubeCoreChoice;
 class TubeCoreExplaining;
+class TubeCorePage;
 class TubeCoresInPictures;
 class WindowFaces;
 
@@ -94,6 +95,7 @@ public:
 
     [[nodiscard]] TubeCoreChoice& tubeCoreChoice() { return *m_tubeCoreChoice; }
     [[nodiscard]] TubeCoreExplaining& tubeCoreExplaining() { return *m_tubeCoreExplaining; }
+    [[nodiscard]] TubeCorePage& tubeCorePage() { return *m_tubeCorePage; }
     [[nodiscard]] TubeCoresInPictures& tubeCoresInPictures() { return *m_tubeCoresInPictures; }
 
     /// Review and Teach.
@@ -192,6 +194,7 @@ private:
     std::unique_ptr<TubeCoreChoice> m_tubeCoreChoice;
     std::unique_ptr<TubeCoresInPictures> m_tubeCoresInPictures;
     std::unique_ptr<TubeCoreExplaining> m_tubeCoreExplaining;
+    std::unique_ptr<TubeCorePage> m_tubeCorePage;
     std::unique_ptr<WindowFaces> m_faces;
     bool m_idle = true;               ///< as it was told last
     bool m_planesTabWasThere = true;  ///< before the comparison was shown

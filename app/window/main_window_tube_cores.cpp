@@ -6,7 +6,9 @@
 #include "app/compare/compare_room.h"
 #include "app/explain/tube_core_choice.h"
 #include "app/explain/tube_core_explaining.h"
+#include "app/explain/tube_core_page.h"
 #include "app/explain/tube_cores_in_pictures.h"
+#include "app/window/curve_and_picture_files.h"
 #include "app/window/main_window.h"
 #include "app/window/review_room.h"
 #include "app/window/window_faces.h"
@@ -22,6 +24,10 @@ void MainWindow::createTubeCores() {
                                    m_room->overlay(), [this] { return m_room->handIsFree(); }});
     m_tubeCoreExplaining = std::make_unique<TubeCoreExplaining>(TubeCoreExplaining::Parts{
         m_document, m_openStudy, m_works, *m_otfs, *m_tubeCoreChoice, *m_widgets.tubeCores, *m_widgets.messages});
+    m_tubeCorePage = std::make_unique<TubeCorePage>(TubeCorePage::Parts{
+        *this, m_document, m_openStudy, m_works, *m_tubeCoreExplaining, m_settings, *m_widgets.messages, m_names,
+        [this](const QString& what) { return m_files->proposedName(what); }});
+    connect(m_widgets.tubeCores, &TubeCorePanel::pageRequested, m_tubeCorePage.get(), &TubeCorePage::choose);
     // A dock below another tab counts as visible, but nobody sees it.
     connect(&dockOf(*m_widgets.tubeCores), &QDockWidget::visibilityChanged, m_tubeCoreExplaining.get(),
             &TubeCoreExplaining::setSeen);

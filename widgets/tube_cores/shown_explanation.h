@@ -20,6 +20,7 @@ struct ShownExplanation {
     Plot profile, interfaceFunction, factors;
     std::array<Plot, 2> ranks;  ///< by the largest prior mean, by the slope
     Plot curves;                ///< without the curve that grows
+    Plot change;                ///< of the curve without the tube core from the run's
     int weighing = 0;           ///< how many tube cores have a weight
 };
 

@@ -24,7 +24,7 @@ namespace echolucent {
 
 namespace {
 
-constexpr int plotHeight = 120, curvesHeight = 150;  // pixels
+constexpr int plotHeight = 120, curvesHeight = 150, changeHeight = 80;  // pixels
 
 QLabel* createText(const QString& name, const QString& accessibleName) {
     auto* label = named(new QLabel, name, accessibleName);
@@ -109,6 +109,7 @@ void TubeCorePanel::createExplanation() {
     m_slopeRank = plot("tubeCores.plot.slopeRank", plotHeight);
     m_factors = plot("tubeCores.plot.factors", plotHeight);
     m_curves = plot("tubeCores.plot.curves", curvesHeight);
+    m_change = plot("tubeCores.plot.change", changeHeight);
 
     m_growth = named(new QSlider(Qt::Horizontal), "tubeCores.growth", tr("Grows core by core"),
                      tr("The curve made of the heaviest tube cores alone, each with its weight of the full run"));
@@ -118,6 +119,9 @@ void TubeCorePanel::createExplanation() {
     m_compare = named(new QPushButton(tr("Compare without it")), "tubeCores.compare", tr("Compare without it"),
                       tr("Opens the comparison: the curve of all tube cores beside that of all but this one"));
     connect(m_compare, &QPushButton::clicked, this, &TubeCorePanel::compareRequested);
+    auto* page = named(new QPushButton(tr("Save page…")), "tubeCores.savePage", tr("Save page…"),
+                       tr("Saves the facts, the plots and three pictures as one page that opens without a network"));
+    connect(page, &QPushButton::clicked, this, &TubeCorePanel::pageRequested);
 
     auto* column = new QVBoxLayout(m_below);
     column->setContentsMargins(0, 0, 0, 0);
@@ -127,8 +131,10 @@ void TubeCorePanel::createExplanation() {
     column->addWidget(labelFor(m_growth, tr("Grows core by core")));
     column->addWidget(m_growth);
     column->addWidget(m_growthWords);
+    column->addWidget(m_change);
     column->addWidget(createPictures());
     column->addWidget(m_compare);
+    column->addWidget(page);
 }
 
 QWidget* TubeCorePanel::createPictures() {
@@ -188,6 +194,7 @@ void TubeCorePanel::setExplanation(std::shared_ptr<const ShownExplanation> expla
     m_intensityRank->setPlot(m_explanation->ranks[0]);
     m_slopeRank->setPlot(m_explanation->ranks[1]);
     m_factors->setPlot(m_explanation->factors);
+    m_change->setPlot(m_explanation->change);
     {
         const QSignalBlocker blocker(m_growth);
         m_growth->setRange(0, m_explanation->weighing);

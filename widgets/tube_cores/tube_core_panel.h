@@ -26,7 +26,8 @@ class TubeCoreMap;
 
 /// Objects: tubeCores (this), tubeCores.shown, .sentence, .note, .map, .list (below .listShown), .facts, the sliders of
 /// ReadingParameters (below .parameters), .plot.profile, .plot.interface, .plot.intensityRank, .plot.slopeRank,
-/// .plot.factors, .plot.curves, .growth, .growthWords, .picture.all, .picture.without, .picture.third, .compare.
+/// .plot.factors, .plot.curves, .plot.change, .growth, .growthWords, .picture.all, .picture.without, .picture.third,
+/// .compare, .savePage.
 class TubeCorePanel : public QWidget {
     Q_OBJECT
 
@@ -62,6 +63,8 @@ signals:
     void chosen(int number);
     /// A person wants to compare the full run with the one without the chosen tube core.
     void compareRequested();
+    /// A person wants to save the explanation as a page.
+    void pageRequested();
     /// Another curve grows: thirdCurve() is another.
     void grownChanged();
     void configChanged(const echolucent::AdaptiveOtfConfig& config);
@@ -88,7 +91,7 @@ private:
     QWidget* m_below;  ///< all that belongs to one tube core
     QTableWidget* m_facts = nullptr;
     PlotCanvas *m_profile = nullptr, *m_interface = nullptr, *m_intensityRank = nullptr, *m_slopeRank = nullptr,
-               *m_factors = nullptr, *m_curves = nullptr;
+               *m_factors = nullptr, *m_curves = nullptr, *m_change = nullptr;
     QSlider* m_growth = nullptr;
     QLabel* m_growthWords = nullptr;
     std::array<QLabel*, pictures> m_pictures{}, m_pictureWords{};

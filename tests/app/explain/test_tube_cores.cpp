@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDockWidget>
+#include <QFile>
 #include <QImage>
 #include <QLabel>
 #include <QSlider>
@@ -13,6 +14,7 @@
 #include "app/explain/tube_core_choice.h"
 #include "app/explain/tube_core_explaining.h"
 #include "app/explain/tube_core_overlay.h"
+#include "app/explain/tube_core_page.h"
 #include "app/explain/tube_cores_in_pictures.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/explanation/explanation_facts.h"
@@ -55,7 +57,7 @@ private slots:
         choice().setShown(false);
         QVERIFY(overlay().discs.empty());
         QVERIFY(!pane("planes.a").tubeCores().marks);
-        const int steps = window().document().steps().count();
+        const int steps = window().document().steps().index();
         key(Qt::Key_T);
         QVERIFY(choice().shown() && child<QCheckBox>("tubeCores.shown")->isChecked());
         QVERIFY(!overlay().discs.empty());
@@ -63,7 +65,7 @@ private slots:
         click("tubeCores.shown");
         QVERIFY(!choice().shown() && !child<QAction>("room.tubeCores")->isChecked());
         QVERIFY(overlay().discs.empty());
-        QCOMPARE(window().document().steps().count(), steps);
+        QCOMPARE(window().document().steps().index(), steps);
     }
 
     void aClickAnywhereChoosesAndCastsNothingAnew() {
@@ -114,10 +116,10 @@ private slots:
         QVERIFY(mark != marks.marks.end());
         const QPointF at = plane.mapping().seenAt(*mark->surfaceMm);
         const Planes planes = document().scene.planes;
-        const int steps = window().document().steps().count();
+        const int steps = window().document().steps().index();
         drag(plane, at, at + QPointF(20, 25));
         QVERIFY(document().scene.planes != planes);
-        QCOMPARE(window().document().steps().count(), steps + 1);
+        QCOMPARE(window().document().steps().index(), steps + 1);
         window().document().steps().undo();
         QVERIFY(!choice().number());
     }
@@ -142,7 +144,6 @@ private slots:
             next.method.config = configOf(static_cast<MethodReading>(reading));
             next.method.config.initial = initial;
         });
-        waitUntilIdle();
         for (const int number : {0, 37, 80, 112, 127, 190}) {
             choice().choose(number);
             tellsOf(number);
@@ -156,12 +157,13 @@ private slots:
         tellsOf(heaviest.front());
         const QStringList before = factsShown();
         click("tubeCores.parameters");
-        const int steps = window().document().steps().count();
+        const int steps = window().document().steps().index();
         auto* reach = child<QSlider>("tubeCores.lowReach");
         QTRY_VERIFY(reach->isVisible());
+        reach->setFocus();  // else the key is the motion's
         const AdaptiveOtfConfig config = configOf(document());
         QTest::keyClick(reach, Qt::Key_Right);
-        QCOMPARE(window().document().steps().count(), steps + 1);
+        QCOMPARE(window().document().steps().index(), steps + 1);
         QCOMPARE(document().method.config.surface.lowReach, config.surface.lowReach + 1);
         QTRY_VERIFY(factsShown() != before);
         tellsOf(heaviest.front());
@@ -205,11 +207,11 @@ private slots:
         const int number = heaviestFirst(*run()).front();
         choice().choose(number);
         tellsOf(number);
-        const int steps = window().document().steps().count();
+        const int steps = window().document().steps().index();
         const Document before = document();
         click("tubeCores.compare");
         QVERIFY(window().compareRoom().shown());
-        QCOMPARE(window().document().steps().count(), steps + 1);
+        QCOMPARE(window().document().steps().index(), steps + 1);
         QCOMPARE(document().panes.size(), 2u);
         QCOMPARE(document().panes[0].withoutTubes, std::vector<int>());
         QCOMPARE(document().panes[1].withoutTubes, std::vector<int>{number});
@@ -218,6 +220,23 @@ private slots:
         QTRY_VERIFY(!window().compareRoom().shown());
         child<QDockWidget>("dock.tubeCores")->raise();
         waitUntilIdle();
+    }
+
+    void whatThePanelTellsIsSavedAsAPage() {
+        const int number = heaviestFirst(*run()).front();
+        choice().choose(number);
+        tellsOf(number);
+        const QString path = temporaryFolder().filePath("core.html");
+        window().tubeCorePage().save(path);
+        waitUntilIdle();
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString page = QString::fromUtf8(file.readAll());
+        QVERIFY2(page.contains(QString("ube core %1").arg(number)), qPrintable(page.left(2000)));
+        QCOMPARE(page.count("data:image/png"), 3);
+        QVERIFY(page.contains("fetus.mha"));
+        for (const ExplanationFact& fact : window().tubeCoreExplaining().explanation()->facts)
+            QVERIFY2(page.contains(QString::fromStdString(fact.value).toHtmlEscaped()), fact.value.c_str());
     }
 
     void theNoteSaysIfThePictureShowsAnotherCurve() {
